@@ -1,0 +1,52 @@
+# Build rules shared by every C++ package of this workspace; found with
+# find_package(catkin REQUIRED COMPONENTS kg_core).
+#
+# File names are the rules: *_test.cc is a gtest, *_main.cc a program of that
+# name without the suffix, every other .cc belongs to the package's library.
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release is the default" FORCE)
+endif()
+
+set(CMAKE_CXX_STANDARD 17)  # Never 20: generated message headers fail in it.
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+add_compile_options(-Wall -Wextra -Werror -fno-math-errno)
+
+# Sets KG_SOURCES, KG_TESTS and KG_MAINS from the folder ${PROJECT_NAME}.
+macro(kg_find_sources)
+  file(GLOB_RECURSE KG_SOURCES CONFIGURE_DEPENDS
+       RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_NAME}/*.cc)
+  set(KG_TESTS ${KG_SOURCES})
+  list(FILTER KG_TESTS INCLUDE REGEX "_test\\.cc$")
+  set(KG_MAINS ${KG_SOURCES})
+  list(FILTER KG_MAINS INCLUDE REGEX "_main\\.cc$")
+  list(FILTER KG_SOURCES EXCLUDE REGEX "_(test|main)\\.cc$")
+endmacro()
+
+# One program for each *_main.cc, named without the suffix. Sets KG_PROGRAMS.
+macro(kg_add_programs)
+  set(KG_PROGRAMS)
+  foreach(source ${KG_MAINS})
+    get_filename_component(name ${source} NAME_WE)
+    string(REGEX REPLACE "_main$" "" name ${name})
+    add_executable(${PROJECT_NAME}_${name} ${source})
+    set_target_properties(${PROJECT_NAME}_${name} PROPERTIES OUTPUT_NAME ${name})
+    target_link_libraries(${PROJECT_NAME}_${name} ${PROJECT_NAME} ${ARGN})
+    list(APPEND KG_PROGRAMS ${PROJECT_NAME}_${name})
+  endforeach()
+endmacro()
+
+# One gtest for each *_test.cc.
+macro(kg_add_tests)
+  if(CATKIN_ENABLE_TESTING)
+    foreach(source ${KG_TESTS})
+      get_filename_component(name ${source} NAME_WE)
+      catkin_add_gtest(${PROJECT_NAME}_${name} ${source}
+                       WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+      target_link_libraries(${PROJECT_NAME}_${name} ${PROJECT_NAME} gtest_main
+                            ${ARGN})
+    endforeach()
+  endif()
+endmacro()

@@ -1,0 +1,60 @@
+// Geometries of facts: well-known text in CRS84 (longitude latitude, degrees),
+// read by GEOS behind caps on length and nesting, with GeoSPARQL's leading
+// <crs> IRI taken off, non-finite or impossible coordinates refused, and
+// invalid polygons repaired (never made smaller) or refused.
+
+#ifndef KG_CORE_GEO_WKT_H_
+#define KG_CORE_GEO_WKT_H_
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kg_core/geo/lon_lat.h"
+#include "kg_core/raster/grid.h"
+
+namespace kg_core {
+
+// An immutable geometry; cheap to copy. Safe to read from several threads.
+class Geometry {
+ public:
+  // Throws InputError with the position of the mistake in the text.
+  static Geometry FromWkt(std::string_view text);
+
+  bool IsPoint() const;
+  bool IsArea() const;   // Polygon or multipolygon.
+  LonLat Point() const;  // Of a POINT; throws std::logic_error otherwise.
+  std::string Wkt() const;
+  LonLat Centroid() const;
+  double west_deg() const;
+  double east_deg() const;
+  double south_deg() const;
+  double north_deg() const;
+
+  bool Contains(LonLat position) const;  // Interior or boundary.
+  bool Intersects(const Geometry& other) const;
+  bool Within(const Geometry& other) const;
+  // Does the straight segment (in lon/lat) touch this geometry?
+  bool IntersectsSegment(LonLat a, LonLat b) const;
+  double DistanceDegrees(const Geometry& other) const;  // Planar, for geof.
+  // Rings of an area as closed vertex lists, for display.
+  std::vector<std::vector<LonLat>> Rings() const;
+
+ private:
+  struct Handle;
+  explicit Geometry(std::shared_ptr<const Handle> handle);
+  std::shared_ptr<const Handle> handle_;
+};
+
+// Cells that an area touches at all (supercover): for no_go, the safe side.
+Mask RasteriseTouched(const Geometry& area, const Grid& grid);
+// Cells whose centre lies inside: for soft zones and priors.
+Mask RasteriseCentres(const Geometry& area, const Grid& grid);
+
+// "POINT(lon lat)" with enough digits to read back the same position.
+std::string PointWkt(LonLat position);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_GEO_WKT_H_

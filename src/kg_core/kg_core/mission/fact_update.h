@@ -1,0 +1,49 @@
+// One transaction of fact changes, as kg_msgs/FactUpdate carries it: parsed,
+// checked against vocabulary and shapes, applied or refused whole.
+
+#ifndef KG_CORE_MISSION_FACT_UPDATE_H_
+#define KG_CORE_MISSION_FACT_UPDATE_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "kg_core/rdf/store.h"
+
+namespace kg_core {
+
+// Three strings in Turtle's term syntax with the usual prefixes known.
+struct Fact {
+  std::string subject;
+  std::string property;
+  std::string value;
+};
+
+struct FactUpdate {
+  std::string id;      // Chosen by the sender, may be empty.
+  std::string author;  // Who asks; kept in the log.
+  std::vector<Fact> set;     // Replaces all values of (subject, property).
+  std::vector<Fact> add;
+  std::vector<Fact> remove;  // Empty value: all values.
+  std::string turtle;        // Facts in bulk, added.
+};
+
+// Stages the update's changes in `transaction` (facts graph). Returns the
+// reasons to refuse it; empty = none. Knows nothing of files: see ingest.h.
+//  - malformed terms or Turtle, with the position;
+//  - a property that the ontology does not know, with the nearest known name;
+//  - `remove` of a fact that is not there;
+//  - violations of the shapes in the state after it (validator.h), e.g. an
+//    agent whose policy does not exist, a confidence of 1.2, malformed WKT;
+//  - a mission that can no longer be read (mission_reader.h).
+std::vector<std::string> StageUpdate(const FactUpdate& update,
+                                     Transaction& transaction);
+
+// Adds the log entry of an accepted update (graph ex:graph/log): who, when,
+// each old and new value, and the provenance activity (ex:graph/prov).
+void LogUpdate(const FactUpdate& update, double time_s,
+               Transaction& transaction);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_MISSION_FACT_UPDATE_H_

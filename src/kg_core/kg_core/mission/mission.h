@@ -1,0 +1,167 @@
+// The mission as typed values: what facts say, read once at the knowledge
+// graph's boundary and turned to SI. Every value type names the fact it came
+// from (`iri`), so that what is compiled from it can cite it.
+
+#ifndef KG_CORE_MISSION_MISSION_H_
+#define KG_CORE_MISSION_MISSION_H_
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kg_core/geo/lon_lat.h"
+#include "kg_core/geo/wkt.h"
+
+namespace kg_core {
+
+// ex:TimeWindow. Windows of a mission are ordered by index, zero-based.
+struct TimeWindow {
+  std::string iri;
+  int index = 0;
+  double begin_s = 0.0;     // time:hasBeginning, unix seconds.
+  double end_s = 0.0;       // time:hasEnd, or begin + ex:durationHours.
+  double confidence = 1.0;  // w_t in [0, 1].
+  double duration_s() const { return end_s - begin_s; }
+};
+
+// ex:AgentCapabilities.
+struct Capabilities {
+  std::string iri;
+  double cruise_mps = 0.0;         // ex:cruiseSpeedKts, through water.
+  double max_mps = 0.0;            // ex:maxSpeedKts.
+  double energy_per_m_j = 0.0;     // ex:energyPerKm [Wh/km], through water.
+  double hotel_load_w = 0.0;       // ex:hotelLoadW.
+  double boost_gain = 1.0;         // ex:boostGain (A17).
+  std::optional<double> base_travel_m;  // ex:baseTravel [km], per window.
+  double energy_budget_j = 0.0;    // ex:energyBudget [Wh], whole mission.
+  double sensor_radius_m = 0.0;    // ex:sensorRadiusKm: footprint of a visit.
+};
+
+enum class Normalisation { kMax, kMinMax, kPercentile };
+enum class ConfidenceMode { kPost, kPre, kHorizon };  // A1.
+
+// ex:Policy. Weights are dimensionless; lambdas turn costs into reward units.
+struct Policy {
+  std::string iri;
+  std::string name;
+  double alpha_base = 1.0;                    // Eq. 1, of B_t.
+  std::map<std::string, double> beta;         // Eq. 1, by prior layer IRI.
+  double beta_poi = 0.0;                      // Of the events' bumps (A42).
+  double gamma_front = 0.0;                   // Eq. 1, of F(B_t).
+  double lambda_time_per_s = 0.0;             // ex:lambda_time, per hour.
+  double lambda_energy_per_j = 0.0;           // ex:lambda_energy, per Wh.
+  double lambda_risk = 0.0;  // Per hour at hazard 1, see SeamRules.
+  double lambda_uncertainty = 0.0;            // Times (1 - w).
+  std::map<std::string, double> soft_overrides;  // By constraint IRI.
+  bool escalate_soft = false;                 // A11.
+  std::string value_kind = "delta_sst";       // ex:valueKind (A29).
+  Normalisation normalisation = Normalisation::kMax;     // A5.
+  ConfidenceMode confidence_mode = ConfidenceMode::kPost;  // A1.
+};
+
+// ex:Agent with its policy and capabilities.
+struct Agent {
+  std::string iri;
+  std::string id;  // ex:id; names topics, so [a-z][a-z0-9_]*.
+  std::string mobility;
+  Policy policy;
+  Capabilities capabilities;
+  LonLat start;               // Position of the ex:AgentState to start from.
+  double start_heading_rad = 0.0;  // Clockwise from north.
+  std::string start_iri;
+};
+
+enum class ConstraintKind { kNoGo, kSoft };
+
+// ex:Constraint: an area, or the land of the work field (ex:gridRef "land").
+struct Constraint {
+  std::string iri;
+  ConstraintKind kind = ConstraintKind::kNoGo;
+  std::optional<Geometry> area;   // Exactly one of area and is_land.
+  bool is_land = false;
+  double buffer_cells = 0.0;      // ex:bufferCells, Euclidean (A15).
+  double attenuation = 1.0;       // Soft: the factor inside (A10).
+  std::vector<int> windows;       // ex:appliesIn; empty = all (A28).
+  std::vector<std::string> agents;  // ex:appliesTo, IRIs; empty = all.
+  bool AppliesTo(const std::string& agent_iri, int window) const;
+};
+
+// ex:PriorLayer: a spatial preference, 1 inside its area, 0 outside, with an
+// optional soft edge.
+struct PriorLayer {
+  std::string iri;
+  std::string name;
+  Geometry area;
+  double edge_m = 0.0;              // ex:edgeKm: Gaussian fall-off outside.
+  std::vector<int> windows;         // Empty = all.
+  std::vector<std::string> agents;  // Empty = all.
+};
+
+// ex:Event: a discrete point of interest in space and time.
+struct Event {
+  std::string iri;
+  LonLat position;
+  double value = 0.0;              // Reward of a visit, times confidence.
+  int capacity = 1;                // Distinct agents that it rewards.
+  double radius_m = 0.0;           // ex:radiusKm: bump sigma, visit distance.
+  std::vector<int> windows;        // ex:forWindow and those before expiry.
+};
+
+// ex:ValueLayer of a window: how B_t is made of files.
+struct ValueLayer {
+  std::string iri;
+  int window = 0;
+  std::string kind;            // "delta_sst", "sst", ...
+  std::string file_iri;        // prov:wasDerivedFrom, an ex:SourceFile.
+  int time_index = 0;          // In that file; delta_sst: |this - previous|.
+  int previous_time_index = 0;
+};
+
+// ex:WorkField (ex:CurrentField) of a window.
+struct WorkFieldRef {
+  std::string iri;
+  int window = 0;
+  std::string file_iri;
+  int first_time_index = 0;  // Slices that cover the window.
+  int last_time_index = 0;
+};
+
+// ex:SourceFile: a file that layers were read from.
+struct SourceFile {
+  std::string iri;
+  std::string path;     // ex:path, absolute after the data folder is applied.
+  std::string sha256;   // ex:sha256.
+};
+
+// Team rules: ex:Mission's own properties.
+struct CoordinationFacts {
+  std::string mode = "greedy";         // ex:teamMode.
+  double separation_m = 0.0;           // ex:minimumSeparationKm.
+  bool separation_is_hard = true;      // ex:separationIsHard.
+  double separation_weight = 0.0;      // ex:separationWeight, when soft.
+  int candidates_per_agent = 10;       // ex:candidatesPerAgent (K).
+  int waypoints_per_window = 20;       // ex:waypointsPerWindow, at most 20.
+  double waypoint_spacing_m = 0.0;     // ex:waypointSpacingKm; PR's disc.
+  int max_rounds = 8;                  // ex:maxCoolingRounds.
+};
+
+struct Mission {
+  std::string iri;
+  std::string name;
+  std::vector<TimeWindow> windows;  // By index, contiguous from 0.
+  std::vector<Agent> agents;        // By id.
+  std::vector<Constraint> constraints;  // By IRI, as all below.
+  std::vector<PriorLayer> priors;
+  std::vector<Event> events;
+  std::vector<ValueLayer> value_layers;
+  std::vector<WorkFieldRef> work_fields;
+  std::map<std::string, SourceFile> files;  // By IRI.
+  CoordinationFacts coordination;
+
+  const Agent* FindAgent(const std::string& iri) const;
+};
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_MISSION_MISSION_H_

@@ -1,0 +1,19 @@
+// Reads the typed mission out of the facts. The facts are valid by then
+// (validator.h); what only becomes visible here (an agent without a start, two
+// windows of one index, a prior weight for a layer that does not exist) is
+// refused with one line that names subject, property and expectation.
+
+#ifndef KG_CORE_MISSION_MISSION_READER_H_
+#define KG_CORE_MISSION_MISSION_READER_H_
+
+#include "kg_core/mission/mission.h"
+#include "kg_core/rdf/graph_view.h"
+
+namespace kg_core {
+
+// Throws InputError.
+Mission ReadMission(const GraphView& view);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_MISSION_MISSION_READER_H_

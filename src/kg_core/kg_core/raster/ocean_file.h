@@ -1,0 +1,60 @@
+// Reads the fields of an ocean model file (NetCDF classic or 4) into canonical
+// form. CF attributes decide first, names second; what is not understood is
+// refused with one line that names file, variable and expectation.
+//
+// Understood: packed (scale_factor, add_offset) or float, _FillValue and
+// missing_value and NaN, any usual time unit ("hours since ...", also
+// calendars standard/gregorian/proleptic_gregorian), with or without a depth
+// dimension (the shallowest level is taken), dimension orders of (time),
+// (depth), lat, lon in any order, longitudes 0..360 or -180..180, latitudes up
+// or down, uneven spacing. `valid_range` is not a mask. A classic file that is
+// shorter than its header promises is refused (the library would read zeros).
+// Source of the conventions: CF-1.8, sections 2.5.1, 4.1-4.4, 8.1.
+
+#ifndef KG_CORE_RASTER_OCEAN_FILE_H_
+#define KG_CORE_RASTER_OCEAN_FILE_H_
+
+#include <string>
+#include <vector>
+
+#include "kg_core/raster/grid.h"
+
+namespace kg_core {
+
+// What can be asked of a file, and the CF standard names (first) and variable
+// names (second) that provide it.
+enum class Quantity {
+  kEastwardVelocity,   // m/s; eastward_sea_water_velocity; water_u, u
+  kNorthwardVelocity,  // m/s; northward_sea_water_velocity; water_v, v
+  kTemperature,  // degree Celsius; sea_surface_temperature, ...; water_temp
+};
+const char* Name(Quantity quantity);  // "eastward velocity", ...
+
+struct QuantitySeries {
+  Quantity quantity = Quantity::kTemperature;
+  std::string variable;         // Its name in the file.
+  std::vector<Raster> at_time;  // One raster for each time of the file.
+};
+
+struct OceanFile {
+  std::string path;
+  std::string sha256;  // Of the whole file.
+  Grid grid;
+  std::vector<double> time_s;          // Unix seconds, strictly ascending.
+  std::vector<QuantitySeries> series;  // In the order asked for.
+};
+
+// Throws InputError, also when a quantity is missing.
+OceanFile ReadOceanFile(const std::string& path,
+                        const std::vector<Quantity>& quantities);
+
+// The same in a child process (program "read_ocean_file" of this package, found
+// beside the running program) that is ended after `deadline_s`: damaged
+// NetCDF-4 files can hang or crash the library. Throws InputError then, too.
+OceanFile ReadOceanFileSafely(const std::string& path,
+                              const std::vector<Quantity>& quantities,
+                              double deadline_s = 30.0);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_RASTER_OCEAN_FILE_H_

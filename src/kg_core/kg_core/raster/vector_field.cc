@@ -1,0 +1,155 @@
+#include "kg_core/raster/vector_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kg_core/raster/digest.h"
+
+namespace kg_core {
+namespace {
+
+// The four centres around a position, their bilinear weights, and the cell the
+// position lies in.
+struct Stencil {
+  std::size_t corner[4];
+  double weight[4];
+  std::size_t cell;
+};
+
+struct AxisWeights {
+  int lower;
+  int nearest;
+  double share;  // Of the upper centre.
+};
+
+// Beyond the outer centres the outer cell holds.
+AxisWeights Weigh(double at, int size) {
+  const double held = std::min(std::max(at, 0.0), size - 1.0);
+  const int lower = std::min(static_cast<int>(held), size - 2);
+  const double share = held - lower;
+  return {lower, lower + (share >= 0.5 ? 1 : 0), share};
+}
+
+bool OnGrid(const Grid& grid, GridPoint point) {
+  return point.row >= -0.5 && point.row <= grid.rows() - 0.5 &&
+         point.col >= -0.5 && point.col <= grid.cols() - 0.5;
+}
+
+Stencil StencilAt(const Grid& grid, GridPoint point) {
+  const AxisWeights row = Weigh(point.row, grid.rows());
+  const AxisWeights col = Weigh(point.col, grid.cols());
+  const std::size_t cols = static_cast<std::size_t>(grid.cols());
+  const std::size_t first = grid.Index({row.lower, col.lower});
+  return {{first, first + 1, first + cols, first + cols + 1},
+          {(1.0 - row.share) * (1.0 - col.share), (1.0 - row.share) * col.share,
+           row.share * (1.0 - col.share), row.share * col.share},
+          grid.Index({row.nearest, col.nearest})};
+}
+
+bool HasData(const FieldSlice& slice, std::size_t cell) {
+  return !std::isnan(slice.east_mps[cell]) &&
+         !std::isnan(slice.north_mps[cell]);
+}
+
+// Adds `share` of the slice's flow; false where the cell has no data.
+bool Accumulate(const FieldSlice& slice, const Stencil& at, double share,
+                Velocity* sum) {
+  if (!HasData(slice, at.cell)) return false;
+  for (int i = 0; i < 4; ++i) {
+    const std::size_t corner = at.corner[i];
+    if (!HasData(slice, corner)) continue;
+    const double weight = share * at.weight[i];
+    sum->east_mps += weight * slice.east_mps[corner];
+    sum->north_mps += weight * slice.north_mps[corner];
+  }
+  return true;
+}
+
+// The slice at or before a time within the first and the last slice (which
+// must differ): guessed as if slices were evenly spaced, searched for if not.
+std::size_t SliceBefore(const std::vector<FieldSlice>& slices, double time_s) {
+  const std::size_t last = slices.size() - 2;
+  const double share = (time_s - slices.front().time_s) /
+                       (slices.back().time_s - slices.front().time_s);
+  const std::size_t guess = std::min(
+      static_cast<std::size_t>(share * static_cast<double>(last + 1)), last);
+  if (slices[guess].time_s <= time_s && time_s < slices[guess + 1].time_s) {
+    return guess;
+  }
+  const auto after = std::upper_bound(
+      slices.begin(), slices.end(), time_s,
+      [](double time, const FieldSlice& slice) { return time < slice.time_s; });
+  return std::min(static_cast<std::size_t>(after - slices.begin()) - 1, last);
+}
+
+}  // namespace
+
+std::optional<Velocity> VectorField::Sample(GridPoint point,
+                                            double time_s) const {
+  if (slices.empty() || std::isnan(time_s) || !OnGrid(grid, point)) {
+    return std::nullopt;
+  }
+  const Stencil at = StencilAt(grid, point);
+  Velocity sum;
+  if (time_s <= slices.front().time_s || time_s >= slices.back().time_s) {
+    const bool early = time_s <= slices.front().time_s;
+    const FieldSlice& nearest = early ? slices.front() : slices.back();
+    if (!Accumulate(nearest, at, 1.0, &sum)) return std::nullopt;
+    return sum;
+  }
+  const std::size_t before = SliceBefore(slices, time_s);
+  const FieldSlice& a = slices[before];
+  const FieldSlice& b = slices[before + 1];
+  const double share = (time_s - a.time_s) / (b.time_s - a.time_s);
+  if (!Accumulate(a, at, 1.0 - share, &sum)) return std::nullopt;
+  if (share > 0.0 && !Accumulate(b, at, share, &sum)) return std::nullopt;
+  return sum;
+}
+
+VectorField VectorField::Between(double begin_s, double end_s) const {
+  VectorField part;
+  part.grid = grid;
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    const bool early = i + 1 < slices.size() && slices[i + 1].time_s < begin_s;
+    const bool late = i > 0 && slices[i - 1].time_s > end_s;
+    if (!early && !late) part.slices.push_back(slices[i]);
+  }
+  return part;
+}
+
+Mask VectorField::NoData() const {
+  Mask mask(grid.size(), 0);
+  for (const FieldSlice& slice : slices) {
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+      if (!HasData(slice, i)) mask[i] = 1;
+    }
+  }
+  return mask;
+}
+
+double VectorField::MaxSpeed_mps() const {
+  double most = 0.0;
+  for (const FieldSlice& slice : slices) {
+    for (std::size_t i = 0; i < slice.east_mps.size(); ++i) {
+      if (!HasData(slice, i)) continue;
+      const double east = slice.east_mps[i];
+      const double north = slice.north_mps[i];
+      most = std::max(most, east * east + north * north);
+    }
+  }
+  return std::sqrt(most);
+}
+
+std::string VectorField::Hash() const {
+  Digest digest;
+  digest.Add(grid.lon_deg());
+  digest.Add(grid.lat_deg());
+  for (const FieldSlice& slice : slices) {
+    digest.Add(std::vector<double>{slice.time_s});
+    digest.Add(slice.east_mps);
+    digest.Add(slice.north_mps);
+  }
+  return digest.Hex();
+}
+
+}  // namespace kg_core

@@ -1,0 +1,67 @@
+// The prefixes that every Turtle term, query and report of ours knows, and the
+// named graphs of the store.
+
+#ifndef KG_CORE_RDF_NAMESPACES_H_
+#define KG_CORE_RDF_NAMESPACES_H_
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace kg_core {
+
+struct Prefix {
+  const char* name;  // Without the colon.
+  const char* iri;
+};
+
+inline constexpr char kEx[] = "http://example.org/mission/";
+inline constexpr char kRdf[] = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
+inline constexpr char kRdfs[] = "http://www.w3.org/2000/01/rdf-schema#";
+inline constexpr char kOwl[] = "http://www.w3.org/2002/07/owl#";
+inline constexpr char kXsd[] = "http://www.w3.org/2001/XMLSchema#";
+inline constexpr char kSh[] = "http://www.w3.org/ns/shacl#";
+inline constexpr char kProv[] = "http://www.w3.org/ns/prov#";
+inline constexpr char kTime[] = "http://www.w3.org/2006/time#";
+inline constexpr char kGeo[] = "http://www.opengis.net/ont/geosparql#";
+inline constexpr char kGeof[] =
+    "http://www.opengis.net/def/function/geosparql/";
+inline constexpr char kSsn[] = "http://www.w3.org/ns/ssn/";
+inline constexpr char kSosa[] = "http://www.w3.org/ns/sosa/";
+inline constexpr char kGraph[] = "http://example.org/mission/graph/";
+
+inline constexpr Prefix kPrefixes[] = {
+    {"ex", kEx},     {"rdf", kRdf},   {"rdfs", kRdfs}, {"owl", kOwl},
+    {"xsd", kXsd},   {"sh", kSh},     {"prov", kProv}, {"time", kTime},
+    {"geo", kGeo},   {"geof", kGeof}, {"ssn", kSsn},   {"sosa", kSosa},
+    {"graph", kGraph},
+};
+
+// Current truth: what operators and ingest assert, validated before commit.
+inline constexpr char kFactsGraph[] =
+    "http://example.org/mission/graph/facts";
+// Ontology, shapes and rules.
+inline constexpr char kVocabGraph[] =
+    "http://example.org/mission/graph/vocab";
+// Activities and entities of PROV-O; append-only.
+inline constexpr char kProvGraph[] = "http://example.org/mission/graph/prov";
+// Who changed what and when, old and new value; append-only.
+inline constexpr char kLogGraph[] = "http://example.org/mission/graph/log";
+// Where agents are: mission state that arrives by itself, not by an operator.
+inline constexpr char kStateGraph[] =
+    "http://example.org/mission/graph/state";
+// One run's artifacts, written once: kPlanGraphPrefix + run number.
+inline constexpr char kPlanGraphPrefix[] =
+    "http://example.org/mission/graph/plan/";
+
+// The IRI that `prefixed` ("ex:alpha") abbreviates; nothing if the prefix is
+// not one of ours.
+std::optional<std::string> ExpandPrefixed(std::string_view prefixed);
+
+// "ex:alpha" for its IRI where a prefix fits and the rest is a plain local
+// name, else "<iri>".
+std::string AbbreviateIri(std::string_view iri);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_RDF_NAMESPACES_H_

@@ -1,0 +1,292 @@
+#include "kg_core/rdf/term.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "absl/strings/charconv.h"
+#include "kg_core/base/text.h"
+#include "kg_core/rdf/namespaces.h"
+
+namespace kg_core {
+namespace {
+
+std::string Xsd(std::string_view name) { return kXsd + std::string(name); }
+
+// The local name if `datatype` is one of XML Schema's, else empty.
+std::string_view XsdName(const Term& term) {
+  const std::string_view prefix = kXsd;
+  const std::string_view datatype = term.datatype;
+  if (!term.is_literal() || datatype.substr(0, prefix.size()) != prefix) {
+    return {};
+  }
+  return datatype.substr(prefix.size());
+}
+
+// Integer types by value range, https://www.w3.org/TR/xmlschema11-2/#integer;
+// exact for every bound a double can hold exactly, and for 64 bits by rounding.
+struct IntegerType {
+  std::string_view name;
+  double min, max;
+};
+constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr IntegerType kIntegerTypes[] = {
+    {"integer", -kInf, kInf},
+    {"nonNegativeInteger", 0, kInf},
+    {"positiveInteger", 1, kInf},
+    {"nonPositiveInteger", -kInf, 0},
+    {"negativeInteger", -kInf, -1},
+    {"long", -0x1p63, 0x1p63},
+    {"int", -0x1p31, 0x1p31 - 1},
+    {"short", -0x1p15, 0x1p15 - 1},
+    {"byte", -0x1p7, 0x1p7 - 1},
+    {"unsignedLong", 0, 0x1p64},
+    {"unsignedInt", 0, 0x1p32 - 1},
+    {"unsignedShort", 0, 0x1p16 - 1},
+    {"unsignedByte", 0, 0x1p8 - 1},
+};
+
+const IntegerType* FindIntegerType(std::string_view name) {
+  for (const IntegerType& type : kIntegerTypes) {
+    if (type.name == name) return &type;
+  }
+  return nullptr;
+}
+
+// How a number is written; the forms of
+// https://www.w3.org/TR/turtle/#grammar-production-INTEGER and its neighbours,
+// with XML Schema's additional decimal "5.".
+struct NumberForm {
+  bool valid = false;
+  bool has_point = false;
+  bool has_fraction = false;  // Digits after the point.
+  bool has_exponent = false;
+};
+
+std::size_t SkipSign(std::string_view s, std::size_t at) {
+  return at < s.size() && (s[at] == '+' || s[at] == '-') ? at + 1 : at;
+}
+
+std::size_t SkipDigits(std::string_view s, std::size_t at) {
+  while (at < s.size() && s[at] >= '0' && s[at] <= '9') ++at;
+  return at;
+}
+
+NumberForm FormOf(std::string_view s) {
+  NumberForm form;
+  const std::size_t start = SkipSign(s, 0);
+  std::size_t at = SkipDigits(s, start);
+  std::size_t digits = at - start;
+  if (at < s.size() && s[at] == '.') {
+    form.has_point = true;
+    const std::size_t end = SkipDigits(s, at + 1);
+    form.has_fraction = end > at + 1;
+    digits += end - (at + 1);
+    at = end;
+  }
+  if (digits == 0) return form;
+  if (at < s.size() && (s[at] == 'e' || s[at] == 'E')) {
+    form.has_exponent = true;
+    const std::size_t power = SkipSign(s, at + 1);
+    at = SkipDigits(s, power);
+    if (at == power) return form;
+  }
+  form.valid = at == s.size();
+  return form;
+}
+
+// `s` is a valid number. Rounds to nearest; too large is infinite, as XML
+// Schema has it. Independent of the locale.
+double ToDouble(std::string_view s) {
+  if (s[0] == '+') s.remove_prefix(1);
+  double value = 0.0;
+  absl::from_chars(s.data(), s.data() + s.size(), value);
+  return value;
+}
+
+std::optional<double> FloatingValue(std::string_view s) {
+  if (s == "INF" || s == "+INF") return kInf;
+  if (s == "-INF") return -kInf;
+  if (s == "NaN") return std::numeric_limits<double>::quiet_NaN();
+  if (!FormOf(s).valid) return std::nullopt;
+  return ToDouble(s);
+}
+
+std::optional<double> DecimalValue(std::string_view s) {
+  const NumberForm form = FormOf(s);
+  if (!form.valid || form.has_exponent) return std::nullopt;
+  return ToDouble(s);
+}
+
+std::optional<double> IntegerValue(std::string_view s,
+                                   const IntegerType& type) {
+  const NumberForm form = FormOf(s);
+  if (!form.valid || form.has_point || form.has_exponent) return std::nullopt;
+  const double value = ToDouble(s);
+  if (!(value >= type.min && value <= type.max)) return std::nullopt;
+  return value;
+}
+
+void AppendCodeEscape(unsigned char c, std::string* out) {
+  constexpr char kHex[] = "0123456789ABCDEF";
+  *out += "\\u00";
+  out->push_back(kHex[c >> 4]);
+  out->push_back(kHex[c & 15]);
+}
+
+// The letter of a one-letter escape, else 0.
+char EscapeLetter(char c) {
+  switch (c) {
+    case '"':
+    case '\\':
+      return c;
+    case '\n':
+      return 'n';
+    case '\r':
+      return 'r';
+    case '\t':
+      return 't';
+    case '\b':
+      return 'b';
+    case '\f':
+      return 'f';
+    default:
+      return 0;
+  }
+}
+
+std::string Quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (const char letter = EscapeLetter(c)) {
+      out.push_back('\\');
+      out.push_back(letter);
+    } else if (byte < 0x20 || byte == 0x7F) {
+      AppendCodeEscape(byte, &out);
+    } else {
+      out.push_back(c);
+    }
+  }
+  return out + "\"";
+}
+
+// https://www.w3.org/TR/n-triples/#grammar-production-IRIREF
+std::string AngledIri(std::string_view iri) {
+  std::string out = "<";
+  for (const char c : iri) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain =
+        byte > 0x20 &&
+        std::string_view("<>\"{}|^`\\").find(c) == std::string_view::npos;
+    if (plain) {
+      out.push_back(c);
+    } else {
+      AppendCodeEscape(byte, &out);
+    }
+  }
+  return out + ">";
+}
+
+std::string IriToTurtle(std::string_view iri) {
+  std::string short_form = AbbreviateIri(iri);
+  return short_form[0] == '<' ? AngledIri(iri) : short_form;
+}
+
+// May the literal stand bare in Turtle and read back as the same term?
+// https://www.w3.org/TR/turtle/#abbrev
+bool IsBareInTurtle(const Term& term) {
+  const std::string_view type = XsdName(term);
+  if (type == "boolean") return term.text == "true" || term.text == "false";
+  const NumberForm form = FormOf(term.text);
+  if (!form.valid) return false;
+  if (type == "integer") return !form.has_point && !form.has_exponent;
+  if (type == "decimal") return form.has_fraction && !form.has_exponent;
+  return type == "double" && form.has_exponent;
+}
+
+auto AsTuple(const Term& t) {
+  return std::tie(t.kind, t.text, t.datatype, t.language);
+}
+
+}  // namespace
+
+bool operator==(const Term& a, const Term& b) {
+  return AsTuple(a) == AsTuple(b);
+}
+bool operator!=(const Term& a, const Term& b) { return !(a == b); }
+bool operator<(const Term& a, const Term& b) { return AsTuple(a) < AsTuple(b); }
+
+Term Iri(std::string iri) { return {Term::Kind::kIri, std::move(iri), {}, {}}; }
+
+Term Blank(std::string label) {
+  return {Term::Kind::kBlank, std::move(label), {}, {}};
+}
+
+Term Literal(std::string lexical) {
+  return Literal(std::move(lexical), Xsd("string"));
+}
+
+Term Literal(std::string lexical, std::string datatype) {
+  return {Term::Kind::kLiteral, std::move(lexical), std::move(datatype), {}};
+}
+
+Term LanguageLiteral(std::string lexical, std::string language) {
+  return {Term::Kind::kLiteral, std::move(lexical),
+          kRdf + std::string("langString"), ToLowerAscii(language)};
+}
+
+Term DoubleLiteral(double value) {
+  if (std::isnan(value)) return Literal("NaN", Xsd("double"));
+  if (std::isinf(value)) {
+    return Literal(value > 0 ? "INF" : "-INF", Xsd("double"));
+  }
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof(digits), value).ptr;
+  return Literal(std::string(digits, end), Xsd("double"));
+}
+
+Term IntegerLiteral(long long value) {
+  return Literal(std::to_string(value), Xsd("integer"));
+}
+
+Term BooleanLiteral(bool value) {
+  return Literal(value ? "true" : "false", Xsd("boolean"));
+}
+
+std::optional<double> NumericValue(const Term& term) {
+  const std::string_view type = XsdName(term);
+  if (type == "double" || type == "float") return FloatingValue(term.text);
+  if (type == "decimal") return DecimalValue(term.text);
+  const IntegerType* integer = FindIntegerType(type);
+  if (integer == nullptr) return std::nullopt;
+  return IntegerValue(term.text, *integer);
+}
+
+std::string ToNTriples(const Term& term) {
+  if (term.is_iri()) return AngledIri(term.text);
+  if (term.is_blank()) return "_:" + term.text;
+  const std::string quoted = Quoted(term.text);
+  if (!term.language.empty()) return quoted + "@" + term.language;
+  if (XsdName(term) == "string") return quoted;
+  return quoted + "^^" + AngledIri(term.datatype);
+}
+
+std::string ToTurtle(const Term& term) {
+  if (term.is_iri()) return IriToTurtle(term.text);
+  if (term.is_blank()) return "_:" + term.text;
+  if (IsBareInTurtle(term)) return term.text;
+  const std::string quoted = Quoted(term.text);
+  if (!term.language.empty()) return quoted + "@" + term.language;
+  if (XsdName(term) == "string") return quoted;
+  return quoted + "^^" + IriToTurtle(term.datatype);
+}
+
+std::ostream& operator<<(std::ostream& out, const Term& term) {
+  return out << ToTurtle(term);
+}
+
+}  // namespace kg_core

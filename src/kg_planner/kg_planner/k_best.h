@@ -1,0 +1,62 @@
+// The K best paths through a trellis, exact, best first.
+//
+// Recursive enumeration on the Viterbi table: the n-th best path into a node is
+// worked out only when asked for [1]. Tokens and the resource limit make a
+// path's true score differ from the table's, which is an upper bound:
+// enumeration goes on until the bound can no longer beat the K-th best found,
+// or `enumeration_limit` paths were looked at (then the result says so). Ties
+// by node numbers, lexicographically: the answer is deterministic.
+//
+// [1] V. M. Jimenez and A. Marzal, "Computing the K Shortest Paths: A New
+//     Algorithm and an Experimental Comparison", WAE 1999, LNCS 1668, 15-29.
+
+#ifndef KG_PLANNER_K_BEST_H_
+#define KG_PLANNER_K_BEST_H_
+
+#include <cstddef>
+#include <vector>
+
+#include "kg_planner/trellis.h"
+
+namespace kg_planner {
+
+struct Path {
+  std::vector<int> nodes;  // One a stage.
+  double reward = 0.0;     // With tokens, each earned once.
+  double cost = 0.0;
+  double resource = 0.0;
+  double score() const { return reward - cost; }
+};
+
+// Nodes and seams a path may not use.
+struct NodeMask {
+  int stage = 0;
+  int node = 0;
+};
+struct SeamMask {
+  int stage = 0;  // The stage the seam leads into.
+  int from = 0;
+  int to = 0;
+};
+struct Masks {
+  std::vector<NodeMask> nodes;
+  std::vector<SeamMask> seams;
+};
+
+struct KBestOptions {
+  int paths = 10;
+  std::size_t enumeration_limit = 100000;
+};
+
+struct KBest {
+  std::vector<Path> paths;  // Best first; fewer than asked if there are fewer.
+  bool proven = true;       // False: the enumeration limit was hit first.
+};
+
+// Empty if no path crosses all stages. Throws as Check() does.
+KBest FindKBest(const Trellis& trellis, const Masks& masks,
+                const KBestOptions& options);
+
+}  // namespace kg_planner
+
+#endif  // KG_PLANNER_K_BEST_H_

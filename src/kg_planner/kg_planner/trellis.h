@@ -1,0 +1,51 @@
+// What a planner sees of the world: stages of nodes with rewards, and seams
+// between consecutive stages with costs. Nothing else.
+//
+//   maximise  J = sum of rewards of the nodes visited - sum of seam costs
+//
+// one node a stage, from the start through every stage. A token is a reward
+// that several nodes offer but a path earns once. A resource is used by seams
+// and limited over the whole path.
+
+#ifndef KG_PLANNER_TRELLIS_H_
+#define KG_PLANNER_TRELLIS_H_
+
+#include <limits>
+#include <vector>
+
+namespace kg_planner {
+
+struct TokenReward {
+  int token = 0;        // Identity over the whole trellis.
+  double reward = 0.0;  // >= 0; a path earns the largest it meets, once.
+};
+
+struct Node {
+  double reward = 0.0;
+  std::vector<TokenReward> tokens;
+};
+
+struct Seam {
+  int from = 0;         // Node of the stage before; 0 = the start, if first.
+  int to = 0;           // Node of this stage.
+  double cost = 0.0;    // >= 0.
+  double resource = 0.0;  // >= 0.
+};
+
+struct Stage {
+  std::vector<Node> nodes;
+  std::vector<Seam> seams;  // Into this stage; at most one per (from, to).
+};
+
+struct Trellis {
+  std::vector<Stage> stages;
+  double resource_limit = std::numeric_limits<double>::infinity();
+};
+
+// Throws std::invalid_argument naming stage and seam if indices are out of
+// range, a number is not finite, a cost is negative or a pair occurs twice.
+void Check(const Trellis& trellis);
+
+}  // namespace kg_planner
+
+#endif  // KG_PLANNER_TRELLIS_H_

@@ -1,0 +1,74 @@
+// The paper's team coordination: the best path of all is committed, what it
+// rules out is masked, the others plan again around it, and so on.
+//
+// Planning is done by the agents' planners, wherever they run, so this is a
+// state machine: hand it every answer, it says who must plan again around what.
+// The result does not depend on the order of answers. An agent whose best path
+// conflicts with nobody needs no new plan (masks only take paths away), so a
+// team of A agents needs at most A rounds.
+//
+//   GreedyTeam team(rules, {"a", "b", "c"});
+//   team.Offer("a", pathlets_a); ...           // Round 0: unmasked.
+//   while (!team.Advance()) {
+//     for (agent : team.waiting_for()) team.Offer(agent, PlanAround(team.committed()));
+//   }
+//
+// Ties: the agent whose second choice is worse goes first (scarcity), then IRI.
+
+#ifndef KG_SELECTOR_GREEDY_TEAM_H_
+#define KG_SELECTOR_GREEDY_TEAM_H_
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "kg_selector/conflict.h"
+#include "kg_selector/pathlet.h"
+
+namespace kg_selector {
+
+struct Rejection {
+  Pathlet pathlet;
+  Conflict conflict;  // Meaningful unless reason says otherwise.
+  std::string reason;  // One line for a person.
+  int round = 0;
+};
+
+class GreedyTeam {
+ public:
+  GreedyTeam(TeamRules rules, std::vector<std::string> agents);
+
+  // An agent's paths, best first; empty = it found none. Replaces an earlier
+  // offer of an agent that is not yet committed; ignored for one that is.
+  void Offer(const std::string& agent, std::vector<Pathlet> pathlets);
+  // Gives up on an agent (dead, or past the deadline): planned without it.
+  void Drop(const std::string& agent, const std::string& why);
+
+  // Commits what can be committed. True when nobody is waited for any more.
+  bool Advance();
+
+  // Who must offer (again) before Advance() can go on.
+  const std::set<std::string>& waiting_for() const { return waiting_; }
+  // The team plan so far, in order of commitment.
+  const std::vector<Pathlet>& committed() const { return committed_; }
+  const std::vector<Rejection>& rejections() const { return rejections_; }
+  // Agents that got no path, with the reason.
+  const std::map<std::string, std::string>& unassigned() const {
+    return unassigned_;
+  }
+  int rounds() const { return round_; }
+
+ private:
+  TeamRules rules_;
+  std::map<std::string, std::vector<Pathlet>> offers_;  // Not yet committed.
+  std::set<std::string> waiting_;
+  std::vector<Pathlet> committed_;
+  std::vector<Rejection> rejections_;
+  std::map<std::string, std::string> unassigned_;
+  int round_ = 0;
+};
+
+}  // namespace kg_selector
+
+#endif  // KG_SELECTOR_GREEDY_TEAM_H_
