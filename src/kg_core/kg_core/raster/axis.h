@@ -46,13 +46,13 @@ class Axis {
   int Interval(double coordinate) const {
     const int last = static_cast<int>(inverse_width_.size()) - 1;
     const double bucket = (coordinate - centres_[0]) * buckets_per_unit_;
-    int i = bucket > 0.0 ? first_interval_[BucketIndex(bucket)] : 0;
+    int i = bucket > 0.0 ? interval_guess_[BucketIndex(bucket)] : 0;
     while (i > 0 && coordinate < centres_[i]) --i;
     while (i < last && coordinate >= centres_[i + 1]) ++i;
     return i;
   }
   int BucketIndex(double bucket) const {
-    const int last = static_cast<int>(first_interval_.size()) - 1;
+    const int last = static_cast<int>(interval_guess_.size()) - 1;
     const int index = static_cast<int>(bucket);
     return index < last ? index : last;
   }
@@ -60,10 +60,10 @@ class Axis {
 
   std::vector<double> centres_;
   std::vector<double> inverse_width_;  // Of the intervals between centres.
-  std::vector<int> first_interval_;    // For each bucket.
+  std::vector<int> interval_guess_;    // At the middle of each bucket.
   double buckets_per_unit_ = 0.0;
   double low_ = 0.0;
-  double high_ = 0.0;
+  double high_ = -1.0;  // An empty axis holds no coordinate.
 };
 
 }  // namespace kg_core

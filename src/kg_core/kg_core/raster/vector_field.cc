@@ -51,18 +51,33 @@ bool HasData(const FieldSlice& slice, std::size_t cell) {
          !std::isnan(slice.north_mps[cell]);
 }
 
-// Adds `share` of the slice's flow; false where the cell has no data.
-bool Accumulate(const FieldSlice& slice, const Stencil& at, double share,
-                Velocity* sum) {
-  if (!HasData(slice, at.cell)) return false;
+double Bilinear(const Raster& values, const Stencil& at) {
+  return at.weight[0] * values[at.corner[0]] +
+         at.weight[1] * values[at.corner[1]] +
+         at.weight[2] * values[at.corner[2]] +
+         at.weight[3] * values[at.corner[3]];
+}
+
+// With at least one corner missing.
+std::optional<Velocity> FlowAtShore(const FieldSlice& slice,
+                                    const Stencil& at) {
+  if (!HasData(slice, at.cell)) return std::nullopt;
+  Velocity flow;
   for (int i = 0; i < 4; ++i) {
     const std::size_t corner = at.corner[i];
     if (!HasData(slice, corner)) continue;
-    const double weight = share * at.weight[i];
-    sum->east_mps += weight * slice.east_mps[corner];
-    sum->north_mps += weight * slice.north_mps[corner];
+    flow.east_mps += at.weight[i] * slice.east_mps[corner];
+    flow.north_mps += at.weight[i] * slice.north_mps[corner];
   }
-  return true;
+  return flow;
+}
+
+std::optional<Velocity> Flow(const FieldSlice& slice, const Stencil& at) {
+  const Velocity flow{Bilinear(slice.east_mps, at),
+                      Bilinear(slice.north_mps, at)};
+  // NaN as soon as one corner misses a component, whatever its weight.
+  if (std::isnan(flow.east_mps + flow.north_mps)) return FlowAtShore(slice, at);
+  return flow;
 }
 
 // The slice at or before a time within the first and the last slice (which
@@ -90,20 +105,19 @@ std::optional<Velocity> VectorField::Sample(GridPoint point,
     return std::nullopt;
   }
   const Stencil at = StencilAt(grid, point);
-  Velocity sum;
-  if (time_s <= slices.front().time_s || time_s >= slices.back().time_s) {
-    const bool early = time_s <= slices.front().time_s;
-    const FieldSlice& nearest = early ? slices.front() : slices.back();
-    if (!Accumulate(nearest, at, 1.0, &sum)) return std::nullopt;
-    return sum;
-  }
+  if (time_s <= slices.front().time_s) return Flow(slices.front(), at);
+  if (time_s >= slices.back().time_s) return Flow(slices.back(), at);
   const std::size_t before = SliceBefore(slices, time_s);
   const FieldSlice& a = slices[before];
   const FieldSlice& b = slices[before + 1];
+  const std::optional<Velocity> begin = Flow(a, at);
+  if (!begin || time_s == a.time_s) return begin;
+  const std::optional<Velocity> end = Flow(b, at);
+  if (!end) return std::nullopt;
   const double share = (time_s - a.time_s) / (b.time_s - a.time_s);
-  if (!Accumulate(a, at, 1.0 - share, &sum)) return std::nullopt;
-  if (share > 0.0 && !Accumulate(b, at, share, &sum)) return std::nullopt;
-  return sum;
+  return Velocity{
+      begin->east_mps + share * (end->east_mps - begin->east_mps),
+      begin->north_mps + share * (end->north_mps - begin->north_mps)};
 }
 
 VectorField VectorField::Between(double begin_s, double end_s) const {
