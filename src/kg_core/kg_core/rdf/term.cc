@@ -34,18 +34,12 @@ struct IntegerType {
 };
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr IntegerType kIntegerTypes[] = {
-    {"integer", -kInf, kInf},
-    {"nonNegativeInteger", 0, kInf},
-    {"positiveInteger", 1, kInf},
-    {"nonPositiveInteger", -kInf, 0},
-    {"negativeInteger", -kInf, -1},
-    {"long", -0x1p63, 0x1p63},
-    {"int", -0x1p31, 0x1p31 - 1},
-    {"short", -0x1p15, 0x1p15 - 1},
-    {"byte", -0x1p7, 0x1p7 - 1},
-    {"unsignedLong", 0, 0x1p64},
-    {"unsignedInt", 0, 0x1p32 - 1},
-    {"unsignedShort", 0, 0x1p16 - 1},
+    {"integer", -kInf, kInf},       {"nonNegativeInteger", 0, kInf},
+    {"positiveInteger", 1, kInf},   {"nonPositiveInteger", -kInf, 0},
+    {"negativeInteger", -kInf, -1}, {"long", -0x1p63, 0x1p63},
+    {"int", -0x1p31, 0x1p31 - 1},   {"short", -0x1p15, 0x1p15 - 1},
+    {"byte", -0x1p7, 0x1p7 - 1},    {"unsignedLong", 0, 0x1p64},
+    {"unsignedInt", 0, 0x1p32 - 1}, {"unsignedShort", 0, 0x1p16 - 1},
     {"unsignedByte", 0, 0x1p8 - 1},
 };
 
@@ -103,8 +97,10 @@ NumberForm FormOf(std::string_view s) {
 double ToDouble(std::string_view s) {
   if (s[0] == '+') s.remove_prefix(1);
   double value = 0.0;
-  absl::from_chars(s.data(), s.data() + s.size(), value);
-  return value;
+  const auto result = absl::from_chars(s.data(), s.data() + s.size(), value);
+  const bool too_large =
+      result.ec == std::errc::result_out_of_range && std::abs(value) > 1.0;
+  return too_large ? std::copysign(kInf, value) : value;
 }
 
 std::optional<double> FloatingValue(std::string_view s) {
@@ -179,9 +175,8 @@ std::string AngledIri(std::string_view iri) {
   std::string out = "<";
   for (const char c : iri) {
     const auto byte = static_cast<unsigned char>(c);
-    const bool plain =
-        byte > 0x20 &&
-        std::string_view("<>\"{}|^`\\").find(c) == std::string_view::npos;
+    const bool plain = byte > 0x20 && std::string_view("<>\"{}|^`\\").find(c) ==
+                                          std::string_view::npos;
     if (plain) {
       out.push_back(c);
     } else {

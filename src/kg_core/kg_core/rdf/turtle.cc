@@ -1,0 +1,278 @@
+#include "kg_core/rdf/turtle.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <memory>
+#include <optional>
+#include <random>
+#include <utility>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/base/text.h"
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/rdf/turtle_check.h"
+#include "serd/serd.h"
+
+namespace kg_core {
+namespace {
+
+std::string Hex16(std::uint64_t value) {
+  char digits[17];
+  std::snprintf(digits, sizeof(digits), "%016llx",
+                static_cast<unsigned long long>(value));
+  return digits;
+}
+
+// A prefix for the blank node labels of one parse: the time (never the same
+// twice in a process, so labels sort in the order of the parses) and a random
+// number that keeps processes apart.
+std::string FreshBlankPrefix() {
+  static const std::uint64_t process = [] {
+    std::random_device device;
+    return (std::uint64_t{device()} << 32) | device();
+  }();
+  static std::atomic<std::uint64_t> last{0};
+  const std::uint64_t now =
+      std::chrono::system_clock::now().time_since_epoch().count();
+  std::uint64_t before = last.load();
+  while (!last.compare_exchange_weak(before, std::max(before + 1, now))) {
+  }
+  return "b" + Hex16(std::max(before + 1, now)) + Hex16(process);
+}
+
+std::string_view TextOf(const SerdNode& node) {
+  return {reinterpret_cast<const char*>(node.buf), node.n_bytes};
+}
+
+bool HasScheme(std::string_view iri) {
+  const std::size_t colon = iri.find(':');
+  if (colon == std::string_view::npos || colon == 0) return false;
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
+  };
+  const bool starts_with_letter =
+      (iri[0] | 0x20) >= 'a' && fits(iri[0]) && (iri[0] | 0x20) <= 'z';
+  return starts_with_letter &&
+         std::all_of(iri.begin(), iri.begin() + colon, fits);
+}
+
+// One parse: serd calls back into it. No exception may cross serd (it is C),
+// so the first one is kept and thrown when serd has returned.
+class TurtleParse {
+ public:
+  TurtleParse(std::string_view text, const std::string& source,
+              const Term& graph)
+      : text_(text),
+        source_(source),
+        graph_(graph),
+        env_(serd_env_new(nullptr), serd_env_free),
+        blank_prefix_(FreshBlankPrefix()) {
+    for (const Prefix& prefix : kPrefixes) {
+      serd_env_set_prefix_from_strings(
+          env_.get(), reinterpret_cast<const std::uint8_t*>(prefix.name),
+          reinterpret_cast<const std::uint8_t*>(prefix.iri));
+    }
+  }
+
+  std::vector<Statement> Run() {
+    const std::unique_ptr<SerdReader, void (*)(SerdReader*)> reader(
+        serd_reader_new(SERD_TURTLE, this, nullptr, OnBase, OnPrefix,
+                        OnStatement, nullptr),
+        serd_reader_free);
+    serd_reader_set_strict(reader.get(), true);
+    serd_reader_set_error_sink(reader.get(), OnError, this);
+    const SerdStatus status = serd_reader_read_source(
+        reader.get(), NextByte, NoStreamError, this, nullptr, 1);
+    if (failure_) std::rethrow_exception(failure_);
+    if (!syntax_error_.empty()) throw InputError(syntax_error_);
+    if (status > SERD_FAILURE || at_ < text_.size()) {
+      throw InputError(Here() + "expected the end of the text or a statement");
+    }
+    return std::move(statements_);
+  }
+
+ private:
+  // serd reads byte by byte, so that `at_` is the place of an error.
+  static std::size_t NextByte(void* buffer, std::size_t, std::size_t,
+                              void* handle) {
+    auto& parse = *static_cast<TurtleParse*>(handle);
+    if (parse.at_ == parse.text_.size()) return 0;
+    *static_cast<char*>(buffer) = parse.text_[parse.at_++];
+    return 1;
+  }
+
+  static int NoStreamError(void*) { return 0; }
+
+  static SerdStatus OnError(void* handle, const SerdError* error) {
+    auto& parse = *static_cast<TurtleParse*>(handle);
+    char what[256];
+    std::vsnprintf(what, sizeof(what), error->fmt, *error->args);
+    if (!parse.syntax_error_.empty()) return SERD_SUCCESS;
+    parse.syntax_error_ = parse.source_ + ":" + std::to_string(error->line) +
+                          ":" + std::to_string(error->col) + ": " +
+                          std::string(StripAsciiSpace(what));
+    std::replace(parse.syntax_error_.begin(), parse.syntax_error_.end(), '\n',
+                 ' ');
+    return SERD_SUCCESS;
+  }
+
+  static SerdStatus OnBase(void* handle, const SerdNode* uri) {
+    return serd_env_set_base_uri(static_cast<TurtleParse*>(handle)->env_.get(),
+                                 uri);
+  }
+
+  static SerdStatus OnPrefix(void* handle, const SerdNode* name,
+                             const SerdNode* uri) {
+    return serd_env_set_prefix(static_cast<TurtleParse*>(handle)->env_.get(),
+                               name, uri);
+  }
+
+  static SerdStatus OnStatement(void* handle, SerdStatementFlags,
+                                const SerdNode*, const SerdNode* subject,
+                                const SerdNode* predicate,
+                                const SerdNode* object,
+                                const SerdNode* datatype,
+                                const SerdNode* language) {
+    auto& parse = *static_cast<TurtleParse*>(handle);
+    try {
+      parse.statements_.push_back(
+          {parse.TermOf(*subject), parse.TermOf(*predicate),
+           parse.ObjectOf(*object, datatype, language), parse.graph_});
+      return SERD_SUCCESS;
+    } catch (...) {
+      parse.failure_ = std::current_exception();
+      return SERD_ERR_INTERNAL;
+    }
+  }
+
+  Term ObjectOf(const SerdNode& node, const SerdNode* datatype,
+                const SerdNode* language) {
+    if (node.type != SERD_LITERAL) return TermOf(node);
+    if (language != nullptr && language->buf != nullptr) {
+      return LanguageLiteral(std::string(TextOf(node)),
+                             std::string(TextOf(*language)));
+    }
+    if (datatype == nullptr || datatype->buf == nullptr) {
+      return Literal(std::string(TextOf(node)));
+    }
+    return Literal(std::string(TextOf(node)), TermOf(*datatype).text);
+  }
+
+  Term TermOf(const SerdNode& node) {
+    if (node.type == SERD_BLANK) return BlankOf(TextOf(node));
+    if (node.type == SERD_CURIE) return Iri(ExpandCurie(node));
+    return Iri(ResolveIri(node));
+  }
+
+  Term BlankOf(std::string_view label) {
+    const auto number =
+        blanks_.try_emplace(std::string(label), blanks_.size()).first->second;
+    char digits[24];
+    std::snprintf(digits, sizeof(digits), "x%06zu", number);
+    return Blank(blank_prefix_ + digits);
+  }
+
+  std::string ExpandCurie(const SerdNode& node) {
+    SerdChunk start, rest;
+    if (serd_env_expand(env_.get(), &node, &start, &rest) != SERD_SUCCESS) {
+      RefusePrefix(TextOf(node));
+    }
+    return CheckAbsolute(
+        std::string(reinterpret_cast<const char*>(start.buf), start.len) +
+        std::string(reinterpret_cast<const char*>(rest.buf), rest.len));
+  }
+
+  [[noreturn]] void RefusePrefix(std::string_view curie) const {
+    const std::string name(curie.substr(0, curie.find(':') + 1));
+    const std::size_t found = text_.rfind(name, at_);
+    const std::size_t place = found == std::string_view::npos ? at_ : found;
+    throw InputError(TurtleErrorPlace(text_, source_, place) +
+                     "unknown prefix '" + name +
+                     "'; expected one declared with @prefix, or one of ours");
+  }
+
+  // Absolute IRIs stay as they are written; others need a base.
+  std::string ResolveIri(const SerdNode& node) {
+    if (HasScheme(TextOf(node))) return std::string(TextOf(node));
+    SerdNode resolved = serd_env_expand_node(env_.get(), &node);
+    std::string iri(resolved.buf == nullptr ? TextOf(node) : TextOf(resolved));
+    serd_node_free(&resolved);
+    return CheckAbsolute(std::move(iri));
+  }
+
+  std::string CheckAbsolute(std::string iri) const {
+    if (HasScheme(iri)) return iri;
+    throw InputError(Here() + "relative IRI <" + iri +
+                     ">; expected an absolute IRI or an @base before it");
+  }
+
+  std::string Here() const { return TurtleErrorPlace(text_, source_, at_); }
+
+  const std::string_view text_;
+  const std::string& source_;
+  const Term& graph_;
+  const std::unique_ptr<SerdEnv, void (*)(SerdEnv*)> env_;
+  const std::string blank_prefix_;
+  std::map<std::string, std::size_t> blanks_;
+  std::vector<Statement> statements_;
+  std::size_t at_ = 0;
+  std::string syntax_error_;
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
+std::vector<Statement> ParseTurtle(std::string_view text,
+                                   const std::string& source, const Term& graph,
+                                   const TurtleLimits& limits) {
+  CheckTurtleText(text, source, limits);
+  return TurtleParse(text, source, graph).Run();
+}
+
+std::vector<Statement> ParseTurtleFile(const std::string& path,
+                                       const Term& graph,
+                                       const TurtleLimits& limits) {
+  return ParseTurtle(ReadFile(path, limits.bytes), path, graph, limits);
+}
+
+std::string WriteTurtle(const GraphView& view, std::string_view graph) {
+  using Properties = std::map<std::string, std::vector<std::string>>;
+  static const std::string kType = std::string(kRdf) + "type";
+  std::map<std::string, Properties> subjects;
+  const TermId graph_id = view.Find(Iri(std::string(graph)));
+  const auto collect = [&](const Quad& quad) {
+    const Term& predicate = view.Get(quad.predicate);
+    const bool is_type = predicate.is_iri() && predicate.text == kType;
+    subjects[ToTurtle(view.Get(quad.subject))]
+            [is_type ? "a" : ToTurtle(predicate)]
+                .push_back(ToTurtle(view.Get(quad.object)));
+    return true;
+  };
+  if (graph_id != kNoTerm) view.Match({0, 0, 0, graph_id}, collect);
+
+  std::string out;
+  for (const Prefix& prefix : kPrefixes) {
+    out += std::string("@prefix ") + prefix.name + ": <" + prefix.iri + "> .\n";
+  }
+  for (auto& [subject, properties] : subjects) {
+    out += "\n" + subject;
+    const char* before_property = "\n    ";
+    for (auto& [property, objects] : properties) {
+      out += before_property + property + " ";
+      before_property = " ;\n    ";
+      std::sort(objects.begin(), objects.end());
+      for (std::size_t i = 0; i < objects.size(); ++i) {
+        out += (i == 0 ? "" : ", ") + objects[i];
+      }
+    }
+    out += " .\n";
+  }
+  return out;
+}
+
+}  // namespace kg_core
