@@ -1,0 +1,232 @@
+#include "kg_core/base/date_time.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <stdexcept>
+
+#include "absl/strings/charconv.h"
+#include "kg_core/base/input_error.h"
+
+namespace kg_core {
+namespace {
+
+constexpr std::int64_t kSecondsPerDay = 86400;
+
+// Days since 1970-01-01; the year is counted from March, so that a leap day is
+// its last. http://howardhinnant.github.io/date_algorithms.html#days_from_civil
+std::int64_t DaysFromCivil(std::int64_t year, int month, int day) {
+  year -= month <= 2;
+  const std::int64_t era = (year >= 0 ? year : year - 399) / 400;
+  const std::int64_t year_of_era = year - era * 400;
+  const std::int64_t day_of_year =
+      (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
+  const std::int64_t day_of_era =
+      year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year;
+  return era * 146097 + day_of_era - 719468;
+}
+
+struct CivilDay {
+  std::int64_t year;
+  int month, day;
+};
+
+// The inverse, same source.
+CivilDay CivilFromDays(std::int64_t days) {
+  days += 719468;
+  const std::int64_t era = (days >= 0 ? days : days - 146096) / 146097;
+  const std::int64_t day_of_era = days - era * 146097;
+  const std::int64_t year_of_era = (day_of_era - day_of_era / 1460 +
+                                    day_of_era / 36524 - day_of_era / 146096) /
+                                   365;
+  const std::int64_t day_of_year =
+      day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+  const int month_from_march = static_cast<int>((5 * day_of_year + 2) / 153);
+  const int month = month_from_march + (month_from_march < 10 ? 3 : -9);
+  return {era * 400 + year_of_era + (month <= 2), month,
+          static_cast<int>(day_of_year - (153 * month_from_march + 2) / 5 + 1)};
+}
+
+int DaysInMonth(std::int64_t year, int month) {
+  constexpr int kDays[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+  const bool leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+  return month == 2 && leap ? 29 : kDays[month - 1];
+}
+
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+// Reads a text from left to right; refuses with what the whole should be.
+class Cursor {
+ public:
+  Cursor(std::string_view text, const char* expected)
+      : text_(text), rest_(text), expected_(expected) {}
+
+  bool done() const { return rest_.empty(); }
+  char next() const { return rest_.empty() ? '\0' : rest_[0]; }
+
+  bool Take(char c) {
+    if (next() != c) return false;
+    rest_.remove_prefix(1);
+    return true;
+  }
+  void Need(char c) {
+    if (!Take(c)) Refuse();
+  }
+  void NeedEnd() {
+    if (!done()) Refuse();
+  }
+  std::string_view TakeDigits() {
+    std::size_t n = 0;
+    while (n < rest_.size() && IsDigit(rest_[n])) ++n;
+    const std::string_view digits = rest_.substr(0, n);
+    rest_.remove_prefix(n);
+    return digits;
+  }
+  // Exactly two digits, in [min, max].
+  int TakeTwo(int min, int max) {
+    const std::string_view digits = TakeDigits();
+    if (digits.size() != 2) Refuse();
+    const int value = (digits[0] - '0') * 10 + (digits[1] - '0');
+    if (value < min || value > max) Refuse();
+    return value;
+  }
+  // What follows a '.', as a fraction of 1; 0 without one.
+  double TakeFraction() {
+    if (!Take('.')) return 0.0;
+    const std::string_view digits = TakeDigits();
+    if (digits.empty()) Refuse();
+    return ToDouble("0." + std::string(digits));
+  }
+  static double ToDouble(const std::string& digits) {
+    double value = 0.0;
+    absl::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return value;
+  }
+  [[noreturn]] void Refuse() const {
+    throw InputError("'" + std::string(text_.substr(0, 64)) + "' is no " +
+                     expected_);
+  }
+
+ private:
+  const std::string_view text_;
+  std::string_view rest_;
+  const char* const expected_;
+};
+
+std::int64_t TakeYear(Cursor* cursor) {
+  const bool negative = cursor->Take('-');
+  const std::string_view digits = cursor->TakeDigits();
+  const bool padded = digits.size() > 4 && digits[0] == '0';
+  if (digits.size() < 4 || digits.size() > 9 || padded) cursor->Refuse();
+  const std::int64_t year = std::stoll(std::string(digits));
+  return negative ? -year : year;
+}
+
+// Seconds from local midnight, without the fraction; 24:00:00 is allowed.
+int TakeWholeTime(Cursor* cursor) {
+  const int hour = cursor->TakeTwo(0, 24);
+  cursor->Need(':');
+  const int minute = cursor->TakeTwo(0, hour == 24 ? 0 : 59);
+  cursor->Need(':');
+  const int second = cursor->TakeTwo(0, hour == 24 ? 0 : 59);
+  return hour * 3600 + minute * 60 + second;
+}
+
+// Seconds that local time is ahead of UTC.
+int TakeZone(Cursor* cursor) {
+  if (cursor->done() || cursor->Take('Z')) return 0;
+  const int sign = cursor->Take('-') ? -1 : 1;
+  if (sign > 0) cursor->Need('+');
+  const int hour = cursor->TakeTwo(0, 14);
+  cursor->Need(':');
+  const int minute = cursor->TakeTwo(0, hour == 14 ? 0 : 59);
+  return sign * (hour * 3600 + minute * 60);
+}
+
+// One "12H" of a duration, whose unit stands in `units`; each unit may come
+// once, in order. Returns its seconds.
+double TakePart(Cursor* cursor, std::string_view* units) {
+  const std::string_view digits = cursor->TakeDigits();
+  if (digits.empty()) cursor->Refuse();
+  const bool has_point = cursor->next() == '.';
+  const double fraction = cursor->TakeFraction();
+  const std::size_t place = units->find(cursor->next());
+  const bool known = !cursor->done() && place != std::string_view::npos;
+  if (!known || (has_point && cursor->next() != 'S')) cursor->Refuse();
+  const char unit = cursor->next();
+  cursor->Take(unit);
+  units->remove_prefix(place + 1);
+  const double count = Cursor::ToDouble(std::string(digits)) + fraction;
+  const double unit_s = unit == 'D'   ? kSecondsPerDay
+                        : unit == 'H' ? 3600
+                        : unit == 'M' ? 60
+                                      : 1;
+  return count * unit_s;
+}
+
+}  // namespace
+
+double ParseDateTime(std::string_view text) {
+  Cursor cursor(text, "xsd:dateTime like 2026-03-01T12:00:00Z");
+  const std::int64_t year = TakeYear(&cursor);
+  cursor.Need('-');
+  const int month = cursor.TakeTwo(1, 12);
+  cursor.Need('-');
+  const int day = cursor.TakeTwo(1, DaysInMonth(year, month));
+  cursor.Need('T');
+  const int time_s = TakeWholeTime(&cursor);
+  const double fraction_s = cursor.TakeFraction();
+  if (time_s == kSecondsPerDay && fraction_s != 0.0) cursor.Refuse();
+  const int zone_s = TakeZone(&cursor);
+  cursor.NeedEnd();
+  const std::int64_t whole_s =
+      DaysFromCivil(year, month, day) * kSecondsPerDay + time_s - zone_s;
+  return static_cast<double>(whole_s) + fraction_s;
+}
+
+std::string FormatDateTime(double unix_s) {
+  constexpr double kFirst = -62167219200.0;  // 0000-01-01T00:00:00Z
+  constexpr double kEnd = 253402300800.0;    // 10000-01-01T00:00:00Z
+  if (!(unix_s >= kFirst && unix_s < kEnd - 1e-3)) {
+    throw std::invalid_argument("time outside the years 0 to 9999");
+  }
+  const double whole = std::floor(unix_s);
+  std::int64_t seconds = static_cast<std::int64_t>(whole);
+  std::int64_t micros = std::llround((unix_s - whole) * 1e6);
+  seconds += micros / 1000000;
+  micros %= 1000000;
+  const std::int64_t time_s =
+      (seconds % kSecondsPerDay + kSecondsPerDay) % kSecondsPerDay;
+  const CivilDay day = CivilFromDays((seconds - time_s) / kSecondsPerDay);
+  char text[64];
+  std::snprintf(text, sizeof(text), "%04d-%02d-%02dT%02d:%02d:%02d.%06d",
+                static_cast<int>(day.year), day.month, day.day,
+                static_cast<int>(time_s / 3600),
+                static_cast<int>(time_s / 60 % 60),
+                static_cast<int>(time_s % 60), static_cast<int>(micros));
+  std::string trimmed = text;
+  trimmed.erase(trimmed.find_last_not_of('0') + 1);
+  if (trimmed.back() == '.') trimmed.pop_back();
+  return micros == 0 ? std::string(text, 19) + "Z" : trimmed + "Z";
+}
+
+double ParseDuration(std::string_view text) {
+  Cursor cursor(text,
+                "duration of days, hours, minutes and seconds like P1DT12H");
+  const double sign = cursor.Take('-') ? -1.0 : 1.0;
+  cursor.Need('P');
+  if (cursor.done()) cursor.Refuse();
+  double total_s = 0.0;
+  std::string_view day_units = "D";
+  while (!cursor.done() && cursor.next() != 'T') {
+    total_s += TakePart(&cursor, &day_units);
+  }
+  if (cursor.done()) return sign * total_s;
+  cursor.Need('T');
+  if (cursor.done()) cursor.Refuse();
+  std::string_view time_units = "HMS";
+  while (!cursor.done()) total_s += TakePart(&cursor, &time_units);
+  return sign * total_s;
+}
+
+}  // namespace kg_core

@@ -1,0 +1,33 @@
+// XML Schema's dates and durations as seconds.
+//
+//   ParseDateTime("2026-03-01T06:00:00-06:00")  ==  1772366400.0  (12:00 UTC)
+//   ParseDuration("P1DT2H30M")                  ==  95400.0
+//
+// Unix time: SI seconds since 1970-01-01T00:00:00Z without leap seconds, in the
+// proleptic Gregorian calendar. A double holds it to 0.24 us in this century.
+// Source: https://www.w3.org/TR/xmlschema11-2/#dateTime, #duration.
+
+#ifndef KG_CORE_BASE_DATE_TIME_H_
+#define KG_CORE_BASE_DATE_TIME_H_
+
+#include <string>
+#include <string_view>
+
+namespace kg_core {
+
+// The Unix time of an xsd:dateTime; UTC if it names no time zone. Throws
+// InputError.
+double ParseDateTime(std::string_view text);
+
+// The xsd:dateTime of a Unix time, in UTC, rounded to microseconds, without
+// trailing zeros: "2026-03-01T12:00:00Z". The year lies in 0..9999; anything
+// else, or NaN, throws std::invalid_argument.
+std::string FormatDateTime(double unix_s);
+
+// The seconds of an xsd:dayTimeDuration, or of an xsd:duration without years
+// and months, which have no fixed length. Throws InputError.
+double ParseDuration(std::string_view text);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_BASE_DATE_TIME_H_
