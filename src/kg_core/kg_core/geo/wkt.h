@@ -1,7 +1,13 @@
 // Geometries of facts: well-known text in CRS84 (longitude latitude, degrees),
-// read by GEOS behind caps on length and nesting, with GeoSPARQL's leading
+// read behind caps on length, vertices and nesting, with GeoSPARQL's leading
 // <crs> IRI taken off, non-finite or impossible coordinates refused, and
-// invalid polygons repaired (never made smaller) or refused.
+// invalid polygons repaired by GEOS (never made smaller than their valid part)
+// or refused. Predicates are GEOS's, planar in degrees.
+//
+// Longitudes may come as -360..360; a geometry is moved by a whole turn into
+// [-180, 180] (a point into [-180, 180)). One that crosses the antimeridian is
+// refused: it has to be split at 180 degrees.
+// Source: OGC 06-103r4 (WKT), OGC 11-052r4 (GeoSPARQL), 8.5.
 
 #ifndef KG_CORE_GEO_WKT_H_
 #define KG_CORE_GEO_WKT_H_
@@ -15,6 +21,13 @@
 #include "kg_core/raster/grid.h"
 
 namespace kg_core {
+
+// What a geometry is made of, as vertex lists.
+struct GeometryParts {
+  using Chain = std::vector<LonLat>;
+  std::vector<std::vector<Chain>> polygons;  // Each: shell, then holes; closed.
+  std::vector<Chain> lines;                  // A point: one vertex.
+};
 
 // An immutable geometry; cheap to copy. Safe to read from several threads.
 class Geometry {
@@ -40,9 +53,12 @@ class Geometry {
   double DistanceDegrees(const Geometry& other) const;  // Planar, for geof.
   // Rings of an area as closed vertex lists, for display.
   std::vector<std::vector<LonLat>> Rings() const;
+  GeometryParts Parts() const;
+  bool repaired() const;  // Was it invalid as written?
+
+  struct Handle;
 
  private:
-  struct Handle;
   explicit Geometry(std::shared_ptr<const Handle> handle);
   std::shared_ptr<const Handle> handle_;
 };

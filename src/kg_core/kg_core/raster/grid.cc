@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "kg_core/base/sha256.h"
 #include "kg_core/geo/geodesy.h"
-#include "kg_core/raster/digest.h"
 
 namespace kg_core {
 namespace {
@@ -109,10 +109,12 @@ double Grid::MetresPerCol(double row, double col) const {
 }
 
 std::string Grid::Hash() const {
-  Digest digest;
-  digest.Add(lon_deg());
-  digest.Add(lat_deg());
-  return digest.Hex();
+  Hasher hasher;
+  hasher.Add("lon_deg");
+  for (const double lon : lon_deg()) hasher.Add(lon);
+  hasher.Add("lat_deg");
+  for (const double lat : lat_deg()) hasher.Add(lat);
+  return hasher.Hex();
 }
 
 bool Grid::AlmostEquals(const Grid& other, double tolerance) const {

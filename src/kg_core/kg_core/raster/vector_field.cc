@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kg_core/raster/digest.h"
+#include "kg_core/base/sha256.h"
 
 namespace kg_core {
 namespace {
@@ -155,15 +155,14 @@ double VectorField::MaxSpeed_mps() const {
 }
 
 std::string VectorField::Hash() const {
-  Digest digest;
-  digest.Add(grid.lon_deg());
-  digest.Add(grid.lat_deg());
+  Hasher hasher;
+  hasher.Add(grid.Hash());
   for (const FieldSlice& slice : slices) {
-    digest.Add(std::vector<double>{slice.time_s});
-    digest.Add(slice.east_mps);
-    digest.Add(slice.north_mps);
+    hasher.Add(slice.time_s);
+    hasher.Add(slice.east_mps);
+    hasher.Add(slice.north_mps);
   }
-  return digest.Hex();
+  return hasher.Hex();
 }
 
 }  // namespace kg_core
