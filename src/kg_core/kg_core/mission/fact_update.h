@@ -12,7 +12,8 @@
 
 namespace kg_core {
 
-// Three strings in Turtle's term syntax with the usual prefixes known.
+// Three strings in Turtle's term syntax with the usual prefixes known. Plain
+// strings become geo:wktLiteral where that is the property's range.
 struct Fact {
   std::string subject;
   std::string property;
@@ -20,16 +21,20 @@ struct Fact {
 };
 
 struct FactUpdate {
-  std::string id;      // Chosen by the sender, may be empty.
-  std::string author;  // Who asks; kept in the log.
-  std::vector<Fact> set;     // Replaces all values of (subject, property).
+  std::string id;         // Chosen by the sender, may be empty.
+  std::string author;     // Who asks; kept in the log.
+  std::vector<Fact> set;  // Replaces all values of (subject, property).
   std::vector<Fact> add;
-  std::vector<Fact> remove;  // Empty value: all values.
+  std::vector<Fact> remove;  // Empty value: all values; empty property, too:
+                             // everything about the subject.
   std::string turtle;        // Facts in bulk, added.
 };
 
-// Stages the update's changes in `transaction` (facts graph). Returns the
-// reasons to refuse it; empty = none. Knows nothing of files: see ingest.h.
+// Stages the update's changes in `transaction` (facts graph): first `remove`,
+// then `set`, `add` and `turtle`; then what follows from them
+// (derived_facts.h). Returns the reasons to refuse it; empty = none. With
+// reasons, the transaction is half done and to be dropped. Knows nothing of
+// files: see ingest.h. What an earlier ingest stated is dropped if IngestIsDue.
 //  - malformed terms or Turtle, with the position;
 //  - a property that the ontology does not know, with the nearest known name;
 //  - `remove` of a fact that is not there;
@@ -40,9 +45,15 @@ std::vector<std::string> StageUpdate(const FactUpdate& update,
                                      Transaction& transaction);
 
 // Adds the log entry of an accepted update (graph ex:graph/log): who, when,
-// each old and new value, and the provenance activity (ex:graph/prov).
+// each old and new value, and the provenance activity (ex:graph/prov). Adds
+// nothing if no fact changed. `time_s` is unix time.
 void LogUpdate(const FactUpdate& update, double time_s,
                Transaction& transaction);
+
+// The same for a file of facts, whose name stands in the reasons, e.g. a
+// mission's mission.ttl.
+std::vector<std::string> StageFactsFile(const std::string& path,
+                                        Transaction& transaction);
 
 }  // namespace kg_core
 

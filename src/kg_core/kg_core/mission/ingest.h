@@ -5,7 +5,8 @@
 //
 // Facts it reads (facts graph):
 //   ex:currents a ex:DataSource ; ex:file "ocean.nc" ; ex:provides "current" .
-//   ex:sst      a ex:DataSource ; ex:file "ocean.nc" ; ex:provides "temperature" .
+//   ex:sst      a ex:DataSource ; ex:file "ocean.nc" ; ex:provides
+//   "temperature" .
 // Facts it states, replacing those of an earlier ingest of the same source:
 //   ex:currents\/file   a ex:SourceFile ; ex:path, ex:sha256 .
 //   ex:currents\/w3     a ex:CurrentField ; ex:forWindow ; ex:gridRefU,

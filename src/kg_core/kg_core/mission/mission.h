@@ -28,14 +28,14 @@ struct TimeWindow {
 // ex:AgentCapabilities.
 struct Capabilities {
   std::string iri;
-  double cruise_mps = 0.0;         // ex:cruiseSpeedKts, through water.
-  double max_mps = 0.0;            // ex:maxSpeedKts.
-  double energy_per_m_j = 0.0;     // ex:energyPerKm [Wh/km], through water.
-  double hotel_load_w = 0.0;       // ex:hotelLoadW.
-  double boost_gain = 1.0;         // ex:boostGain (A17).
+  double cruise_mps = 0.0;      // ex:cruiseSpeedKts, through water.
+  double max_mps = 0.0;         // ex:maxSpeedKts.
+  double energy_per_m_j = 0.0;  // ex:energyPerKm [Wh/km], through water.
+  double hotel_load_w = 0.0;    // ex:hotelLoadW.
+  double boost_gain = 1.0;      // ex:boostGain (A17).
   std::optional<double> base_travel_m;  // ex:baseTravel [km], per window.
-  double energy_budget_j = 0.0;    // ex:energyBudget [Wh], whole mission.
-  double sensor_radius_m = 0.0;    // ex:sensorRadiusKm: footprint of a visit.
+  double energy_budget_j = 0.0;         // ex:energyBudget [Wh], whole mission.
+  double sensor_radius_m = 0.0;  // ex:sensorRadiusKm: footprint of a visit.
 };
 
 enum class Normalisation { kMax, kMinMax, kPercentile };
@@ -45,18 +45,18 @@ enum class ConfidenceMode { kPost, kPre, kHorizon };  // A1.
 struct Policy {
   std::string iri;
   std::string name;
-  double alpha_base = 1.0;                    // Eq. 1, of B_t.
-  std::map<std::string, double> beta;         // Eq. 1, by prior layer IRI.
-  double beta_poi = 0.0;                      // Of the events' bumps (A42).
-  double gamma_front = 0.0;                   // Eq. 1, of F(B_t).
-  double lambda_time_per_s = 0.0;             // ex:lambda_time, per hour.
-  double lambda_energy_per_j = 0.0;           // ex:lambda_energy, per Wh.
-  double lambda_risk = 0.0;  // Per hour at hazard 1, see SeamRules.
-  double lambda_uncertainty = 0.0;            // Times (1 - w).
-  std::map<std::string, double> soft_overrides;  // By constraint IRI.
-  bool escalate_soft = false;                 // A11.
-  std::string value_kind = "delta_sst";       // ex:valueKind (A29).
-  Normalisation normalisation = Normalisation::kMax;     // A5.
+  double alpha_base = 1.0;             // Eq. 1, of B_t.
+  std::map<std::string, double> beta;  // Eq. 1, by prior layer IRI.
+  double beta_poi = 0.0;               // Of the events' bumps (A42).
+  double gamma_front = 0.0;            // Eq. 1, of F(B_t).
+  double lambda_time_per_s = 0.0;      // ex:lambda_time, per hour.
+  double lambda_energy_per_j = 0.0;    // ex:lambda_energy, per Wh.
+  double lambda_risk = 0.0;            // Per hour at hazard 1, see SeamRules.
+  double lambda_uncertainty = 0.0;     // Times (1 - w).
+  std::map<std::string, double> soft_overrides;       // By constraint IRI.
+  bool escalate_soft = false;                         // A11.
+  std::string value_kind = "delta_sst";               // ex:valueKind (A29).
+  Normalisation normalisation = Normalisation::kMax;  // A5.
   ConfidenceMode confidence_mode = ConfidenceMode::kPost;  // A1.
 };
 
@@ -67,7 +67,7 @@ struct Agent {
   std::string mobility;
   Policy policy;
   Capabilities capabilities;
-  LonLat start;               // Position of the ex:AgentState to start from.
+  LonLat start;  // Position of the ex:AgentState to start from.
   double start_heading_rad = 0.0;  // Clockwise from north.
   std::string start_iri;
 };
@@ -78,11 +78,11 @@ enum class ConstraintKind { kNoGo, kSoft };
 struct Constraint {
   std::string iri;
   ConstraintKind kind = ConstraintKind::kNoGo;
-  std::optional<Geometry> area;   // Exactly one of area and is_land.
+  std::optional<Geometry> area;  // Exactly one of area and is_land.
   bool is_land = false;
-  double buffer_cells = 0.0;      // ex:bufferCells, Euclidean (A15).
-  double attenuation = 1.0;       // Soft: the factor inside (A10).
-  std::vector<int> windows;       // ex:appliesIn; empty = all (A28).
+  double buffer_cells = 0.0;        // ex:bufferCells, Euclidean (A15).
+  double attenuation = 1.0;         // Soft: the factor inside (A10).
+  std::vector<int> windows;         // ex:appliesIn; empty = all (A28).
   std::vector<std::string> agents;  // ex:appliesTo, IRIs; empty = all.
   bool AppliesTo(const std::string& agent_iri, int window) const;
 };
@@ -102,19 +102,19 @@ struct PriorLayer {
 struct Event {
   std::string iri;
   LonLat position;
-  double value = 0.0;              // Reward of a visit, times confidence.
-  int capacity = 1;                // Distinct agents that it rewards.
-  double radius_m = 0.0;           // ex:radiusKm: bump sigma, visit distance.
-  std::vector<int> windows;        // ex:forWindow and those before expiry.
+  double value = 0.0;        // Reward of a visit, times confidence.
+  int capacity = 1;          // Distinct agents that it rewards.
+  double radius_m = 0.0;     // ex:radiusKm: bump sigma, visit distance.
+  std::vector<int> windows;  // ex:forWindow and those before expiry.
 };
 
 // ex:ValueLayer of a window: how B_t is made of files.
 struct ValueLayer {
   std::string iri;
   int window = 0;
-  std::string kind;            // "delta_sst", "sst", ...
-  std::string file_iri;        // prov:wasDerivedFrom, an ex:SourceFile.
-  int time_index = 0;          // In that file; delta_sst: |this - previous|.
+  std::string kind;      // "delta_sst", "sst", ...
+  std::string file_iri;  // prov:wasDerivedFrom, an ex:SourceFile.
+  int time_index = 0;    // In that file; delta_sst: |this - previous|.
   int previous_time_index = 0;
 };
 
@@ -130,27 +130,27 @@ struct WorkFieldRef {
 // ex:SourceFile: a file that layers were read from.
 struct SourceFile {
   std::string iri;
-  std::string path;     // ex:path, absolute after the data folder is applied.
-  std::string sha256;   // ex:sha256.
+  std::string path;    // ex:path, absolute after the data folder is applied.
+  std::string sha256;  // ex:sha256.
 };
 
 // Team rules: ex:Mission's own properties.
 struct CoordinationFacts {
-  std::string mode = "greedy";         // ex:teamMode.
-  double separation_m = 0.0;           // ex:minimumSeparationKm.
-  bool separation_is_hard = true;      // ex:separationIsHard.
-  double separation_weight = 0.0;      // ex:separationWeight, when soft.
-  int candidates_per_agent = 10;       // ex:candidatesPerAgent (K).
-  int waypoints_per_window = 20;       // ex:waypointsPerWindow, at most 20.
-  double waypoint_spacing_m = 0.0;     // ex:waypointSpacingKm; PR's disc.
-  int max_rounds = 8;                  // ex:maxCoolingRounds.
+  std::string mode = "greedy";      // ex:teamMode.
+  double separation_m = 0.0;        // ex:minimumSeparationKm.
+  bool separation_is_hard = true;   // ex:separationIsHard.
+  double separation_weight = 0.0;   // ex:separationWeight, when soft.
+  int candidates_per_agent = 10;    // ex:candidatesPerAgent (K).
+  int waypoints_per_window = 20;    // ex:waypointsPerWindow, at most 20.
+  double waypoint_spacing_m = 0.0;  // ex:waypointSpacingKm; PR's disc.
+  int max_rounds = 8;               // ex:maxCoolingRounds.
 };
 
 struct Mission {
   std::string iri;
   std::string name;
-  std::vector<TimeWindow> windows;  // By index, contiguous from 0.
-  std::vector<Agent> agents;        // By id.
+  std::vector<TimeWindow> windows;      // By index, contiguous from 0.
+  std::vector<Agent> agents;            // By id.
   std::vector<Constraint> constraints;  // By IRI, as all below.
   std::vector<PriorLayer> priors;
   std::vector<Event> events;

@@ -21,9 +21,10 @@ namespace kg_core {
 
 struct Violation {
   Term focus_node;
-  Term path;         // Empty IRI for a node shape.
-  Term value;        // Empty IRI where none is to blame.
-  Term source_shape;
+  Term path;              // Empty IRI for a node shape.
+  Term value;             // Empty IRI where none is to blame.
+  Term source_shape;      // Often a blank node;
+  Term named_shape;       // the nearest shape around it that has a name.
   std::string component;  // "sh:MinCountConstraintComponent"
   std::string message;
 

@@ -1,0 +1,34 @@
+// Enumerations whose values facts name by strings.
+
+#ifndef KG_CORE_MISSION_CHOICE_H_
+#define KG_CORE_MISSION_CHOICE_H_
+
+#include <string>
+
+#include "kg_core/mission/entity.h"
+
+namespace kg_core {
+
+// One value of an enumeration and its name in the facts.
+template <typename Value>
+struct Named {
+  const char* name;
+  Value value;
+};
+// The value that `property` names; `fallback` if it is absent.
+template <typename Table, typename Value>
+Value Choice(const Entity& entity, const Term& property, const Table& table,
+             Value fallback) {
+  if (!entity.One(property)) return fallback;
+  const std::string name = entity.Text(property);
+  std::string names;
+  for (const auto& row : table) {
+    if (name == row.name) return row.value;
+    names += (names.empty() ? "" : ", ") + std::string(row.name);
+  }
+  entity.Refuse(property, "one of " + names + ", not \"" + name + "\"");
+}
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_MISSION_CHOICE_H_

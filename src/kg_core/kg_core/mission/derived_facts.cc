@@ -1,0 +1,220 @@
+#include "kg_core/mission/derived_facts.h"
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/mission/class_tree.h"
+#include "kg_core/mission/terms.h"
+
+namespace kg_core {
+namespace {
+
+// A property whose value is JSON, and the typed nodes that it stands for.
+struct JsonProperty {
+  const char* property;      // Of a policy: a JSON object, name -> number.
+  const char* link;          // Policy to node.
+  const char* node_class;    // The node's class,
+  const char* target;        // its property for what the name names,
+  const char* target_class;  // of this class,
+  const char* value;         // and its property for the number.
+  const char* folder;        // Part of the node's IRI.
+};
+constexpr JsonProperty kJsonProperties[] = {
+    {"priors", "hasPriorWeight", "PriorWeight", "layer", "PriorLayer", "beta",
+     "prior"},
+    {"softOverrides", "hasSoftOverride", "SoftOverride", "constraint",
+     "Constraint", "attenuation", "soft_override"},
+};
+
+using Json = nlohmann::json;
+
+std::string LocalName(const Term& term) {
+  return term.text.substr(term.text.find_last_of("/#") + 1);
+}
+
+// Subjects whose `property` the transaction changes.
+std::set<Term> Changed(const Transaction& transaction, const Term& property) {
+  std::set<Term> subjects;
+  for (const auto& statements : {transaction.added(), transaction.removed()}) {
+    for (const Statement& statement : statements) {
+      if (statement.predicate == property && statement.graph == Facts()) {
+        subjects.insert(statement.subject);
+      }
+    }
+  }
+  return subjects;
+}
+
+// Keys of the outer object, each once; strict JSON (RFC 8259).
+Json ParseObject(const std::string& text) {
+  std::set<std::string> keys;
+  const auto refuse_twins = [&](int depth, Json::parse_event_t event,
+                                Json& value) {
+    if (event == Json::parse_event_t::key && depth == 1 &&
+        !keys.insert(value.get<std::string>()).second) {
+      throw InputError("the name \"" + value.get<std::string>() +
+                       "\" stands twice");
+    }
+    return true;
+  };
+  Json json;
+  try {
+    json = Json::parse(text, refuse_twins);
+  } catch (const Json::parse_error& error) {
+    throw InputError("not JSON at byte " + std::to_string(error.byte));
+  } catch (const Json::exception&) {
+    throw InputError("not JSON that can be represented");
+  }
+  if (!json.is_object()) throw InputError("expected a JSON object {...}");
+  return json;
+}
+
+double NumberOf(const Json& value, const std::string& name) {
+  if (value.is_number()) return value.get<double>();
+  throw InputError("expected a number for \"" + name + "\", not " +
+                   value.dump());
+}
+
+class JsonExpansion {
+ public:
+  JsonExpansion(const JsonProperty& kind, Transaction& transaction)
+      : kind_(kind), transaction_(transaction) {}
+
+  void Expand(const Term& policy) {
+    DropNodes(policy);
+    for (const Term& literal : Objects(transaction_.view(), kFactsGraph, policy,
+                                       Ex(kind_.property))) {
+      const Json json = ParseObject(literal.text);
+      for (const auto& [name, value] : json.items()) {
+        AddNode(policy, Find(name), NumberOf(value, name));
+      }
+    }
+  }
+
+ private:
+  Term NodeOf(const Term& policy, const std::string& local) const {
+    return Iri(policy.text + "/" + kind_.folder + "/" + local);
+  }
+
+  // Those of an earlier expansion; nodes an operator made are not touched.
+  void DropNodes(const Term& policy) {
+    const std::string prefix = NodeOf(policy, "").text;
+    for (const Term& node :
+         Objects(transaction_.view(), kFactsGraph, policy, Ex(kind_.link))) {
+      if (node.text.compare(0, prefix.size(), prefix) != 0) continue;
+      transaction_.RemoveMatching(&node, nullptr, nullptr, Facts());
+      transaction_.Remove({policy, Ex(kind_.link), node, Facts()});
+    }
+  }
+
+  void AddNode(const Term& policy, const Term& target, double value) {
+    const Term node = NodeOf(policy, LocalName(target));
+    transaction_.Add({policy, Ex(kind_.link), node, Facts()});
+    transaction_.Add({node, RdfType(), Ex(kind_.node_class), Facts()});
+    transaction_.Add({node, Ex(kind_.target), target, Facts()});
+    transaction_.Add({node, Ex(kind_.value), DoubleLiteral(value), Facts()});
+  }
+
+  // By ex:name, "ex:corridor" or "corridor".
+  bool IsNamed(const Term& target, const std::string& name) const {
+    return ToTurtle(target) == name || LocalName(target) == name ||
+           Has(transaction_.view(), kFactsGraph, target, Ex("name"),
+               Literal(name));
+  }
+
+  Term Find(const std::string& name) const {
+    std::string known;
+    for (const Term& target : InstancesOf(transaction_.view(), kFactsGraph,
+                                          Ex(kind_.target_class))) {
+      if (IsNamed(target, name)) return target;
+      known += (known.empty() ? "" : ", ") + LocalName(target);
+    }
+    throw InputError(std::string("no ex:") + kind_.target_class +
+                     " is named \"" + name +
+                     "\"; known: " + (known.empty() ? "none" : known));
+  }
+
+  const JsonProperty& kind_;
+  Transaction& transaction_;
+};
+
+void ExpandJson(Transaction& transaction, std::vector<std::string>& reasons) {
+  for (const JsonProperty& kind : kJsonProperties) {
+    for (const Term& policy : Changed(transaction, Ex(kind.property))) {
+      try {
+        JsonExpansion(kind, transaction).Expand(policy);
+      } catch (const InputError& error) {
+        reasons.push_back(ToTurtle(policy) + " ex:" + kind.property + ": " +
+                          error.what());
+      }
+    }
+  }
+}
+
+// Makes `copy` say what `original` says.
+void CopyWkt(Transaction& transaction, const Term& original, const Term& copy) {
+  const Term as_wkt = GeoTerm("asWKT");
+  transaction.RemoveMatching(&copy, &as_wkt, nullptr, Facts());
+  for (const Term& wkt :
+       Objects(transaction.view(), kFactsGraph, original, as_wkt)) {
+    transaction.Add({copy, as_wkt, wkt, Facts()});
+  }
+}
+
+// The long form of a feature whose short form changed.
+void RenewGeometryNode(Transaction& transaction, const Term& feature) {
+  const Term has_geometry = GeoTerm("hasGeometry");
+  for (const Term& node :
+       Objects(transaction.view(), kFactsGraph, feature, has_geometry)) {
+    transaction.RemoveMatching(&node, nullptr, nullptr, Facts());
+    transaction.Remove({feature, has_geometry, node, Facts()});
+  }
+  if (!FirstObject(transaction.view(), kFactsGraph, feature,
+                   GeoTerm("asWKT"))) {
+    return;
+  }
+  const Term node = Iri(feature.text + "/geometry");
+  transaction.Add({feature, has_geometry, node, Facts()});
+  transaction.Add({node, RdfType(), GeoTerm("Geometry"), Facts()});
+  CopyWkt(transaction, feature, node);
+}
+
+void KeepGeometries(Transaction& transaction) {
+  const std::set<Term> changed = Changed(transaction, GeoTerm("asWKT"));
+  const std::set<Term> linked = Changed(transaction, GeoTerm("hasGeometry"));
+  std::set<Term> features;
+  std::set<Term> owners = linked;
+  for (const Term& subject : changed) {
+    const std::vector<Term> of = Subjects(transaction.view(), kFactsGraph,
+                                          GeoTerm("hasGeometry"), subject);
+    const bool is_node =
+        !of.empty() || Has(transaction.view(), kFactsGraph, subject, RdfType(),
+                           GeoTerm("Geometry"));
+    if (!is_node) features.insert(subject);
+    owners.insert(of.begin(), of.end());
+  }
+  for (const Term& feature : features) {
+    if (feature.is_iri()) RenewGeometryNode(transaction, feature);
+  }
+  for (const Term& owner : owners) {
+    if (features.count(owner) != 0) continue;
+    const auto node = FirstObject(transaction.view(), kFactsGraph, owner,
+                                  GeoTerm("hasGeometry"));
+    if (node) CopyWkt(transaction, *node, owner);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> StageDerivedFacts(Transaction& transaction) {
+  std::vector<std::string> reasons;
+  ExpandJson(transaction, reasons);
+  KeepGeometries(transaction);
+  return reasons;
+}
+
+}  // namespace kg_core

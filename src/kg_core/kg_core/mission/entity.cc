@@ -1,0 +1,118 @@
+#include "kg_core/mission/entity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/mission/literals.h"
+
+namespace kg_core {
+
+void Entity::Refuse(const Term& property,
+                    const std::string& expectation) const {
+  throw InputError(ToTurtle(subject_) + " " + ToTurtle(property) +
+                   ": expected " + expectation);
+}
+
+std::vector<Term> Entity::All(const Term& property) const {
+  std::vector<Term> values = Objects(*view_, kFactsGraph, subject_, property);
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+std::optional<Term> Entity::One(const Term& property) const {
+  std::vector<Term> values = All(property);
+  if (values.empty()) return std::nullopt;
+  if (values.size() > 1) Refuse(property, "one value, not several");
+  return std::move(values[0]);
+}
+
+Entity Entity::Follow(const Term& property) const {
+  const std::optional<Term> object = One(property);
+  if (!object || object->is_literal()) Refuse(property, "one that exists");
+  return Entity(*view_, *object);
+}
+
+std::optional<double> Entity::MaybeNumber(const Term& property) const {
+  const std::optional<Term> value = One(property);
+  if (!value) return std::nullopt;
+  const std::optional<double> number = NumericValue(*value);
+  if (!number || !std::isfinite(*number)) Refuse(property, "a finite number");
+  return number;
+}
+
+double Entity::Number(const Term& property) const {
+  const std::optional<double> number = MaybeNumber(property);
+  if (!number) Refuse(property, "a number");
+  return *number;
+}
+
+double Entity::Number(const Term& property, double fallback) const {
+  return MaybeNumber(property).value_or(fallback);
+}
+
+int Entity::Integer(const Term& property) const {
+  const double number = Number(property);
+  const bool is_int = number == std::floor(number) &&
+                      std::abs(number) <= std::numeric_limits<int>::max();
+  if (!is_int) Refuse(property, "an integer");
+  return static_cast<int>(number);
+}
+
+int Entity::Integer(const Term& property, int fallback) const {
+  return One(property) ? Integer(property) : fallback;
+}
+
+bool Entity::Flag(const Term& property, bool fallback) const {
+  const std::optional<Term> value = One(property);
+  if (!value) return fallback;
+  const std::optional<bool> flag = BooleanValue(*value);
+  if (!flag) Refuse(property, "true or false");
+  return *flag;
+}
+
+std::string Entity::Text(const Term& property) const {
+  const std::optional<Term> value = One(property);
+  if (!value || !value->is_literal()) Refuse(property, "a string");
+  return value->text;
+}
+
+std::string Entity::Text(const Term& property,
+                         const std::string& fallback) const {
+  return One(property) ? Text(property) : fallback;
+}
+
+std::optional<double> Entity::MaybeTime_s(const Term& property) const {
+  const std::optional<Term> value = One(property);
+  if (!value) return std::nullopt;
+  const std::optional<double> time_s = UnixSeconds(*value);
+  if (!time_s) Refuse(property, "an xsd:dateTime");
+  return time_s;
+}
+
+std::vector<std::string> Entity::Iris(const Term& property) const {
+  std::vector<std::string> iris;
+  for (const Term& value : All(property)) {
+    if (value.is_literal()) Refuse(property, "IRIs only");
+    iris.push_back(value.text);
+  }
+  return iris;
+}
+
+Geometry Entity::Wkt() const {
+  const Term as_wkt = GeoTerm("asWKT");
+  try {
+    return Geometry::FromWkt(Text(as_wkt));
+  } catch (const InputError& error) {
+    Refuse(as_wkt, std::string("well-known text: ") + error.what());
+  }
+}
+
+LonLat Entity::Position() const {
+  const Geometry geometry = Wkt();
+  if (!geometry.IsPoint()) Refuse(GeoTerm("asWKT"), "POINT(lon lat)");
+  return geometry.Point();
+}
+
+}  // namespace kg_core

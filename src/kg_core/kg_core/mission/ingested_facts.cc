@@ -1,0 +1,63 @@
+#include "kg_core/mission/ingested_facts.h"
+
+#include <algorithm>
+#include <set>
+
+#include "kg_core/mission/ingest.h"
+#include "kg_core/mission/terms.h"
+
+namespace kg_core {
+namespace {
+
+// Properties that only data sources and windows have.
+bool AlwaysMatters(const Term& property) {
+  static const std::set<Term> kMatters = {
+      Ex("file"),          Ex("provides"),  Ex("index"),
+      Ex("durationHours"), Ex("hasWindow"), TimeTerm("hasBeginning"),
+      TimeTerm("hasEnd")};
+  return kMatters.count(property) != 0;
+}
+
+bool IsDataSource(const GraphView& view, const Term& subject) {
+  return Has(view, kFactsGraph, subject, RdfType(), Ex("DataSource"));
+}
+
+bool Matters(const Statement& statement, const GraphView& view) {
+  if (statement.graph != Facts()) return false;
+  if (AlwaysMatters(statement.predicate)) return true;
+  if (statement.predicate == RdfType()) {
+    return statement.object == Ex("DataSource");
+  }
+  return statement.predicate == Ex("kind") &&
+         IsDataSource(view, statement.subject);
+}
+
+}  // namespace
+
+bool IngestIsDue(const Transaction& transaction) {
+  const auto any = [&](const std::vector<Statement>& statements) {
+    return std::any_of(statements.begin(), statements.end(),
+                       [&](const Statement& statement) {
+                         return Matters(statement, transaction.view());
+                       });
+  };
+  return any(transaction.added()) || any(transaction.removed());
+}
+
+void DropIngestedFacts(Transaction& transaction) {
+  std::set<Term> subjects;
+  const GraphView& view = transaction.view();
+  Quad pattern;
+  pattern.predicate = view.Find(Ex("ingestedFrom"));
+  pattern.graph = view.Find(Facts());
+  if (pattern.predicate == kNoTerm || pattern.graph == kNoTerm) return;
+  view.Match(pattern, [&](const Quad& quad) {
+    subjects.insert(view.Get(quad.subject));
+    return true;
+  });
+  for (const Term& subject : subjects) {
+    transaction.RemoveMatching(&subject, nullptr, nullptr, Facts());
+  }
+}
+
+}  // namespace kg_core

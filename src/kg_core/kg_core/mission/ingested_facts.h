@@ -1,0 +1,16 @@
+// What an ingest has stated of a data source, as seen by those who need no
+// files.
+
+#ifndef KG_CORE_MISSION_INGESTED_FACTS_H_
+#define KG_CORE_MISSION_INGESTED_FACTS_H_
+
+#include "kg_core/rdf/store.h"
+
+namespace kg_core {
+
+// Removes all facts about subjects with ex:ingestedFrom.
+void DropIngestedFacts(Transaction& transaction);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_MISSION_INGESTED_FACTS_H_

@@ -1,0 +1,91 @@
+#include "kg_core/mission/policy_reader.h"
+
+#include <map>
+#include <string>
+
+#include "kg_core/base/units.h"
+#include "kg_core/mission/choice.h"
+#include "kg_core/mission/terms.h"
+
+namespace kg_core {
+namespace {
+
+constexpr Named<Normalisation> kNormalisations[] = {
+    {"max", Normalisation::kMax},
+    {"minmax", Normalisation::kMinMax},
+    {"percentile", Normalisation::kPercentile}};
+constexpr Named<ConfidenceMode> kConfidenceModes[] = {
+    {"post", ConfidenceMode::kPost},
+    {"pre", ConfidenceMode::kPre},
+    {"horizon", ConfidenceMode::kHorizon}};
+
+std::string LocalName(const std::string& iri) {
+  return iri.substr(iri.find_last_of("/#") + 1);
+}
+
+struct WeightNames {
+  const char* link;
+  const char* target;
+  const char* value;
+};
+std::map<std::string, double> Weights(const GraphView& view,
+                                      const Entity& policy,
+                                      const WeightNames& names) {
+  std::map<std::string, double> weights;
+  for (const Term& term : policy.All(Ex(names.link))) {
+    const Entity node(view, term);
+    const std::string target = node.Follow(Ex(names.target)).iri();
+    if (!weights.emplace(target, node.Number(Ex(names.value))).second) {
+      policy.Refuse(Ex(names.link),
+                    "one weight for " + ToTurtle(Iri(target)) + ", not two");
+    }
+  }
+  return weights;
+}
+
+}  // namespace
+
+Capabilities ReadCapabilities(const Entity& entity) {
+  Capabilities can;
+  can.iri = entity.iri();
+  can.cruise_mps = KnotsToMps(entity.Number(Ex("cruiseSpeedKts")));
+  can.max_mps = KnotsToMps(entity.Number(Ex("maxSpeedKts")));
+  can.energy_per_m_j =
+      WhPerKmToJoulesPerMetre(entity.Number(Ex("energyPerKm")));
+  can.hotel_load_w = entity.Number(Ex("hotelLoadW"), can.hotel_load_w);
+  can.boost_gain = entity.Number(Ex("boostGain"), can.boost_gain);
+  if (const auto km = entity.MaybeNumber(Ex("baseTravel"))) {
+    can.base_travel_m = KmToMetres(*km);
+  }
+  can.energy_budget_j = WhToJoules(entity.Number(Ex("energyBudget")));
+  can.sensor_radius_m = KmToMetres(entity.Number(Ex("sensorRadiusKm")));
+  return can;
+}
+
+Policy ReadPolicy(const GraphView& view, const Entity& entity) {
+  Policy policy;
+  policy.iri = entity.iri();
+  policy.name = entity.Text(Ex("name"), LocalName(policy.iri));
+  policy.alpha_base = entity.Number(Ex("alpha_base"));
+  policy.beta_poi = entity.Number(Ex("beta_poi"), policy.beta_poi);
+  policy.gamma_front = entity.Number(Ex("gamma_front"), policy.gamma_front);
+  policy.lambda_time_per_s =
+      entity.Number(Ex("lambda_time"), 0.0) / kSecondsPerHour;
+  policy.lambda_energy_per_j =
+      entity.Number(Ex("lambda_energy"), 0.0) / kJoulesPerWh;
+  policy.lambda_risk = entity.Number(Ex("lambda_risk"), policy.lambda_risk);
+  policy.lambda_uncertainty =
+      entity.Number(Ex("lambda_unc"), policy.lambda_uncertainty);
+  policy.escalate_soft = entity.Flag(Ex("escalateSoft"), false);
+  policy.value_kind = entity.Text(Ex("valueKind"), policy.value_kind);
+  policy.normalisation = Choice(entity, Ex("normalisation"), kNormalisations,
+                                policy.normalisation);
+  policy.confidence_mode = Choice(entity, Ex("confidenceMode"),
+                                  kConfidenceModes, policy.confidence_mode);
+  policy.beta = Weights(view, entity, {"hasPriorWeight", "layer", "beta"});
+  policy.soft_overrides =
+      Weights(view, entity, {"hasSoftOverride", "constraint", "attenuation"});
+  return policy;
+}
+
+}  // namespace kg_core

@@ -1,0 +1,167 @@
+#include "kg_core/mission/statement_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/geo/wkt.h"
+#include "kg_core/mission/literals.h"
+#include "kg_core/mission/terms.h"
+
+namespace kg_core {
+namespace {
+
+std::string Where(const Statement& statement) {
+  return ToTurtle(statement.subject) + " " + ToTurtle(statement.predicate) +
+         ": ";
+}
+
+std::string List(const std::vector<Term>& terms) {
+  std::string text;
+  for (const Term& term : terms) {
+    text += (text.empty() ? "" : " or ") + ToTurtle(term);
+  }
+  return text;
+}
+
+bool IsFiniteNumber(const Term& literal) {
+  const std::optional<double> number = NumericValue(literal);
+  return number && std::isfinite(*number);
+}
+
+// xsd:double takes numbers as people write them: 3, 0.4, 4e-1.
+bool Fits(const Term& literal, const Term& datatype) {
+  if (datatype == Rdfs("Literal")) return true;
+  const std::string xsd = kXsd;
+  if (datatype.text == xsd + "double") {
+    return IsFiniteNumber(literal);
+  }
+  return literal.datatype == datatype.text && IsWellFormed(literal);
+}
+
+std::vector<Statement> StatementsOf(const GraphView& view,
+                                    const Term& subject) {
+  std::vector<Statement> statements;
+  Quad pattern;
+  pattern.subject = view.Find(subject);
+  pattern.graph = view.Find(Facts());
+  if (pattern.subject == kNoTerm || pattern.graph == kNoTerm) return {};
+  view.Match(pattern, [&](const Quad& quad) {
+    statements.push_back(
+        {subject, view.Get(quad.predicate), view.Get(quad.object), Facts()});
+    return true;
+  });
+  return statements;
+}
+
+class SubjectCheck {
+ public:
+  SubjectCheck(const Vocabulary& vocabulary, const GraphView& view,
+               const Term& subject)
+      : vocabulary_(vocabulary),
+        statements_(StatementsOf(view, subject)),
+        types_(Objects(view, kFactsGraph, subject, RdfType())),
+        subject_(subject) {}
+
+  std::vector<std::string> Run() {
+    if (statements_.empty()) return {};
+    if (types_.empty()) {
+      reasons_.push_back(ToTurtle(subject_) +
+                         ": has facts but no class (a ex:...)" + UsedHint());
+    }
+    for (const Term& type : types_) {
+      if (!vocabulary_.HasClass(type)) {
+        reasons_.push_back(ToTurtle(subject_) +
+                           " a: " + vocabulary_.UnknownClass(type));
+      }
+    }
+    for (const Statement& statement : statements_) Check(statement);
+    return std::move(reasons_);
+  }
+
+ private:
+  std::string UsedHint() const {
+    const PropertyFacts* facts =
+        vocabulary_.FindProperty(statements_.front().predicate);
+    if (facts == nullptr) return "";
+    return ", and " + ToTurtle(statements_.front().predicate) + " belongs to " +
+           List(facts->domains);
+  }
+
+  void Check(const Statement& statement) {
+    const PropertyFacts* facts = vocabulary_.FindProperty(statement.predicate);
+    if (facts == nullptr) {
+      reasons_.push_back(ToTurtle(subject_) + ": " +
+                         vocabulary_.UnknownProperty(statement.predicate));
+      return;
+    }
+    if (facts->is_annotation) return;
+    CheckDomain(statement, *facts);
+    CheckRange(statement, *facts);
+  }
+
+  void CheckDomain(const Statement& statement, const PropertyFacts& facts) {
+    if (types_.empty() || facts.domains.empty()) return;
+    if (vocabulary_.IsAnyOf(types_, facts.domains)) return;
+    reasons_.push_back(Where(statement) + "belongs to " + List(facts.domains) +
+                       ", not to " + List(types_));
+  }
+
+  void CheckRange(const Statement& statement, const PropertyFacts& facts) {
+    const Term& value = statement.object;
+    if (facts.datatypes.empty()) {
+      if (!value.is_literal()) return;
+      reasons_.push_back(Where(statement) + "expected an instance of " +
+                         List(facts.classes) + ", not " + ToTurtle(value));
+      return;
+    }
+    const bool fits =
+        value.is_literal() &&
+        std::any_of(facts.datatypes.begin(), facts.datatypes.end(),
+                    [&](const Term& type) { return Fits(value, type); });
+    if (fits) {
+      CheckWkt(statement);
+      return;
+    }
+    reasons_.push_back(Where(statement) + "expected " + List(facts.datatypes) +
+                       ", not " + ToTurtle(value));
+  }
+
+  void CheckWkt(const Statement& statement) {
+    if (statement.object.datatype != std::string(kGeo) + "wktLiteral") return;
+    try {
+      Geometry::FromWkt(statement.object.text);
+    } catch (const InputError& error) {
+      reasons_.push_back(Where(statement) + error.what());
+    }
+  }
+
+  const Vocabulary& vocabulary_;
+  const std::vector<Statement> statements_;
+  const std::vector<Term> types_;
+  const Term& subject_;
+  std::vector<std::string> reasons_;
+};
+
+}  // namespace
+
+std::vector<std::string> CheckChangedSubjects(const Vocabulary& vocabulary,
+                                              const Transaction& transaction) {
+  std::set<Term> subjects;
+  for (const auto& statements : {transaction.added(), transaction.removed()}) {
+    for (const Statement& statement : statements) {
+      if (statement.graph == Facts()) subjects.insert(statement.subject);
+    }
+  }
+  std::vector<std::string> reasons;
+  for (const Term& subject : subjects) {
+    for (std::string& reason :
+         SubjectCheck(vocabulary, transaction.view(), subject).Run()) {
+      reasons.push_back(std::move(reason));
+    }
+  }
+  return reasons;
+}
+
+}  // namespace kg_core

@@ -1,0 +1,23 @@
+// Facts against the vocabulary, before the shapes: what SHACL's open world
+// would let pass. A property that nobody knows, a subject without a class, a
+// knot written on an agent instead of its capabilities, a word where a number
+// belongs.
+
+#ifndef KG_CORE_MISSION_STATEMENT_CHECK_H_
+#define KG_CORE_MISSION_STATEMENT_CHECK_H_
+
+#include <string>
+#include <vector>
+
+#include "kg_core/mission/vocabulary.h"
+#include "kg_core/rdf/store.h"
+
+namespace kg_core {
+
+// Reasons to refuse what stands about the subjects that `transaction` changes.
+std::vector<std::string> CheckChangedSubjects(const Vocabulary& vocabulary,
+                                              const Transaction& transaction);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_MISSION_STATEMENT_CHECK_H_

@@ -1,0 +1,147 @@
+#include "kg_core/mission/vocabulary.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <string_view>
+
+#include "kg_core/base/sha256.h"
+#include "kg_core/mission/class_tree.h"
+#include "kg_core/mission/terms.h"
+#include "kg_core/rdf/turtle.h"
+
+namespace kg_core {
+namespace {
+
+constexpr const char* kOntologyFiles[] = {"mission.ttl", "shapes.ttl"};
+
+bool StartsWith(std::string_view text, std::string_view prefix) {
+  return text.substr(0, prefix.size()) == prefix;
+}
+
+bool IsDatatype(const Term& range) {
+  return StartsWith(range.text, kXsd) || range == GeoTerm("wktLiteral") ||
+         range == Rdfs("Literal");
+}
+
+PropertyFacts ReadProperty(const GraphView& view, const Term& property) {
+  PropertyFacts facts;
+  facts.domains = Objects(view, kVocabGraph, property, Ex("domainIncludes"));
+  for (Term& range :
+       Objects(view, kVocabGraph, property, Ex("rangeIncludes"))) {
+    (IsDatatype(range) ? facts.datatypes : facts.classes)
+        .push_back(std::move(range));
+  }
+  return facts;
+}
+
+// The term whose abbreviated name is nearest to that of `wanted`.
+template <typename Terms>
+std::string Nearest(const Terms& terms, const std::string& wanted) {
+  std::string best;
+  int best_distance = static_cast<int>(wanted.size()) + 1;
+  for (const Term& term : terms) {
+    const std::string name = ToTurtle(term);
+    const int distance = EditDistance(name, wanted);
+    if (distance < best_distance) {
+      best = name;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+template <typename Terms>
+std::string Unknown(const Terms& terms, const Term& term, const char* what) {
+  const std::string name = ToTurtle(term);
+  return name + " is not a " + what + " of the ontology, the nearest is " +
+         Nearest(terms, name);
+}
+
+// States which version of the files the vocabulary graph holds.
+Statement VersionOf(const std::string& folder) {
+  Hasher hasher;
+  for (const char* file : kOntologyFiles) {
+    hasher.Add(Sha256HexOfFile(folder + "/" + file));
+  }
+  return {Ex("ontology"), Ex("sha256"), Literal(hasher.Hex()),
+          Iri(kVocabGraph)};
+}
+
+}  // namespace
+
+Vocabulary::Vocabulary(const GraphView& view) : view_(view) {
+  for (const char* type :
+       {"ObjectProperty", "DatatypeProperty", "AnnotationProperty"}) {
+    const Term owl_type = Iri(std::string(kOwl) + type);
+    for (const Term& property :
+         Subjects(view, kVocabGraph, RdfType(), owl_type)) {
+      PropertyFacts facts = ReadProperty(view, property);
+      facts.is_annotation = type == std::string_view("AnnotationProperty");
+      properties_[property] = std::move(facts);
+    }
+  }
+  const std::vector<Term> classes =
+      Subjects(view, kVocabGraph, RdfType(), Iri(std::string(kOwl) + "Class"));
+  classes_.insert(classes.begin(), classes.end());
+}
+
+const PropertyFacts* Vocabulary::FindProperty(const Term& property) const {
+  const auto found = properties_.find(property);
+  return found == properties_.end() ? nullptr : &found->second;
+}
+
+bool Vocabulary::IsAnyOf(const std::vector<Term>& types,
+                         const std::vector<Term>& tops) const {
+  for (const Term& top : tops) {
+    const std::set<Term> below = ClassAndSubclasses(view_, top);
+    const auto is_below = [&](const Term& type) {
+      return below.count(type) != 0;
+    };
+    if (std::any_of(types.begin(), types.end(), is_below)) return true;
+  }
+  return false;
+}
+
+std::string Vocabulary::UnknownProperty(const Term& property) const {
+  std::vector<Term> names;
+  for (const auto& [name, facts] : properties_) names.push_back(name);
+  return Unknown(names, property, "property");
+}
+
+std::string Vocabulary::UnknownClass(const Term& type) const {
+  return Unknown(classes_, type, "class");
+}
+
+int EditDistance(const std::string& a, const std::string& b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    int diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const int replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+void StageVocabulary(const std::string& folder, Transaction& transaction) {
+  const Term graph = Iri(kVocabGraph);
+  const Statement version = VersionOf(folder);
+  if (Has(transaction.view(), kVocabGraph, version.subject, version.predicate,
+          version.object)) {
+    return;
+  }
+  transaction.RemoveMatching(nullptr, nullptr, nullptr, graph);
+  for (const char* file : kOntologyFiles) {
+    for (const Statement& statement :
+         ParseTurtleFile(folder + "/" + file, graph)) {
+      transaction.Add(statement);
+    }
+  }
+  transaction.Add(version);
+}
+
+}  // namespace kg_core
