@@ -10,6 +10,19 @@
 //   if (Validate(change.view()).empty()) change.Commit(WorldChange::kYes);
 //   const std::shared_ptr<const GraphView> world = store.Read();
 //
+// Snapshot isolation is by immutable versions that share structure: each of the
+// four orders is a B+ tree whose nodes are never changed once published
+// (quad_tree.h). A commit copies the few nodes on the way to its changes and
+// then exchanges one pointer; a snapshot is that pointer. So a reader takes no
+// lock while it matches, cannot see a later change, and cannot hold up the
+// writer, however long it holds the snapshot; what it costs is the memory of
+// the nodes that have been replaced since. Versioned entries filtered by each
+// reader would need a lock per step, a vacuum, and a second mechanism for
+// Transaction::view(), which here is just the next, unpublished version.
+//
+// Terms are only ever added while the store is open (dictionary.h), so the
+// references that Get returns live as long as the snapshot.
+//
 // Design and measurements behind it: docs/architecture.md, "The store".
 
 #ifndef KG_CORE_RDF_STORE_H_
@@ -47,6 +60,8 @@ class Transaction {
   Transaction& operator=(Transaction&&) noexcept;
   ~Transaction();
 
+  // Throws InputError if the statement is not RDF: a literal as subject, a
+  // predicate or graph that is no IRI.
   void Add(const Statement& statement);
   void Remove(const Statement& statement);
   // Removes what matches; a null pointer matches any term.
@@ -54,7 +69,9 @@ class Transaction {
                       const Term* object, const Term& graph);
   bool empty() const;  // Would Commit() change no quad?
 
-  // What it would leave behind: committed state plus changes so far.
+  // What it would leave behind: committed state plus changes so far, under the
+  // world version it began with. Follows later changes; a Match under way goes
+  // on with the state it began with. Dies with the transaction.
   const GraphView& view() const;
   // The net changes so far, in a stable order.
   std::vector<Statement> added() const;
@@ -63,7 +80,8 @@ class Transaction {
   // Makes it durable, then visible; returns the world version after it (one
   // more than before if `change` is kYes and a quad changed). Throws
   // std::runtime_error if the record cannot be written (disk full, I/O
-  // error); then nothing has changed.
+  // error); then nothing has changed, and it may be tried again. Afterwards
+  // the transaction is over: only view(), added() and removed() may be used.
   std::uint64_t Commit(WorldChange change);
 
  private:
@@ -84,11 +102,12 @@ class Store {
   Store& operator=(const Store&) = delete;
 
   // Blocks while another transaction is open. Only the thread that began it
-  // may use it.
+  // may use it; the store must outlive it. Throws std::logic_error if this
+  // thread has one open already.
   Transaction Begin();
 
-  // The committed state of now. Safe from any thread; holding it does not
-  // block the writer for longer than a reader needs.
+  // The committed state of now. Safe from any thread, also used by several at
+  // once; never blocks the writer; may outlive the store.
   std::shared_ptr<const GraphView> Read() const;
 
   std::uint64_t world_version() const;

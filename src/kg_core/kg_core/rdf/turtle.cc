@@ -261,7 +261,7 @@ std::string WriteTurtle(const GraphView& view, std::string_view graph) {
   }
   for (auto& [subject, properties] : subjects) {
     out += "\n" + subject;
-    const char* before_property = "\n    ";
+    const char* before_property = " ";
     for (auto& [property, objects] : properties) {
       out += before_property + property + " ";
       before_property = " ;\n    ";

@@ -1,0 +1,64 @@
+// As much of SQLite as the store's record needs, with errors as exceptions.
+
+#ifndef KG_CORE_RDF_SQLITE_H_
+#define KG_CORE_RDF_SQLITE_H_
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace kg_core {
+
+class SqliteError : public std::runtime_error {
+ public:
+  SqliteError(int code, const std::string& what);
+  bool is_busy() const;
+  bool is_corrupt() const;
+
+ private:
+  int code_;
+};
+
+// A prepared statement. One use: Bind..., Step until false (or Run), Reset.
+class SqliteQuery {
+ public:
+  SqliteQuery(sqlite3* database, const char* sql);
+
+  // Parameters and columns count from 1 and from 0, as in SQLite.
+  SqliteQuery& Bind(int parameter, std::int64_t value);
+  SqliteQuery& Bind(int parameter, std::string_view bytes);
+  bool Step();  // True: there is a row.
+  void Run();   // Steps to the end and resets, also on an error.
+  void Reset();
+
+  std::int64_t Integer(int column) const;
+  std::string Bytes(int column) const;
+
+ private:
+  void Check(int code) const;
+
+  std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> statement_;
+};
+
+class SqliteDatabase {
+ public:
+  // Opens a file that is there, or creates it if `create`.
+  SqliteDatabase(const std::string& path, bool create);
+
+  void Execute(const char* sql);
+  SqliteQuery Prepare(const char* sql);
+  std::int64_t changed_rows() const;  // By the last statement.
+  bool in_transaction() const;
+
+ private:
+  std::unique_ptr<sqlite3, int (*)(sqlite3*)> database_;
+};
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_RDF_SQLITE_H_

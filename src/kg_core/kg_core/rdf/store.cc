@@ -1,0 +1,312 @@
+#include "kg_core/rdf/store.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+#include <tuple>
+#include <utility>
+
+#include "absl/container/btree_set.h"
+#include "absl/synchronization/mutex.h"
+#include "kg_core/base/input_error.h"
+#include "kg_core/rdf/dictionary.h"
+#include "kg_core/rdf/quad_index.h"
+#include "kg_core/rdf/record.h"
+
+namespace kg_core {
+namespace {
+
+// One committed state; never changed.
+struct Version {
+  QuadIndex index;
+  std::uint64_t world_version = 0;
+};
+
+class Snapshot : public GraphView {
+ public:
+  Snapshot(std::shared_ptr<const Dictionary> dictionary,
+           std::shared_ptr<const Version> version)
+      : dictionary_(std::move(dictionary)), version_(std::move(version)) {}
+
+  TermId Find(const Term& term) const override {
+    return dictionary_->Find(term);
+  }
+  const Term& Get(TermId id) const override { return dictionary_->Get(id); }
+  void Match(const Quad& pattern,
+             absl::FunctionRef<bool(const Quad&)> visit) const override {
+    version_->index.Match(pattern, visit);
+  }
+  std::size_t Estimate(const Quad& pattern) const override {
+    return version_->index.Estimate(pattern);
+  }
+  std::uint64_t world_version() const override {
+    return version_->world_version;
+  }
+
+ private:
+  const std::shared_ptr<const Dictionary> dictionary_;
+  const std::shared_ptr<const Version> version_;
+};
+
+void CheckIsRdf(const Statement& s) {
+  const auto refuse = [&](const char* why) {
+    throw InputError(ToTurtle(s.subject) + " " + ToTurtle(s.predicate) + " " +
+                     ToTurtle(s.object) + ": " + why);
+  };
+  if (s.subject.is_literal())
+    refuse("expected an IRI or blank node as subject");
+  if (!s.predicate.is_iri()) refuse("expected an IRI as property");
+  if (!s.graph.is_iri()) refuse("expected an IRI as graph");
+}
+
+}  // namespace
+
+class QuadStore {
+ public:
+  explicit QuadStore(const std::string& path)
+      : dictionary_(std::make_shared<Dictionary>()) {
+    auto version = std::make_shared<Version>();
+    if (!path.empty()) {
+      record_.emplace(path);
+      RecordContent content = record_->Load();
+      for (auto& [id, term] : content.terms) {
+        dictionary_->Restore(id, std::move(term));
+      }
+      version->index = QuadIndex(content.quads);
+      version->world_version = content.world_version;
+    }
+    current_ = std::move(version);
+  }
+
+  std::shared_ptr<const Version> current() const {
+    const absl::MutexLock lock(&current_mutex_);
+    return current_;
+  }
+  const std::shared_ptr<Dictionary>& dictionary() const { return dictionary_; }
+
+  std::unique_lock<std::mutex> LockForWriting() {
+    if (writer_.load() == std::this_thread::get_id()) {
+      throw std::logic_error("this thread has a transaction open already");
+    }
+    std::unique_lock<std::mutex> lock(writer_mutex_);
+    writer_.store(std::this_thread::get_id());
+    return lock;
+  }
+  void Unlock(std::unique_lock<std::mutex>* lock) {
+    writer_.store(std::thread::id());
+    lock->unlock();
+  }
+
+  // Durable first, then visible. Only the durable step may fail.
+  void Commit(const RecordChange& change,
+              std::shared_ptr<const Version> version) {
+    dictionary_->PrepareToPublish();
+    if (record_) record_->Write(change);
+    dictionary_->Publish();
+    const absl::MutexLock lock(&current_mutex_);
+    current_.swap(version);
+  }
+
+ private:
+  const std::shared_ptr<Dictionary> dictionary_;
+  std::optional<Record> record_;
+  std::mutex writer_mutex_;
+  std::atomic<std::thread::id> writer_{};
+  mutable absl::Mutex current_mutex_;
+  std::shared_ptr<const Version> current_ ABSL_GUARDED_BY(current_mutex_);
+};
+
+struct Transaction::State : GraphView {
+  explicit State(QuadStore* quads)
+      : store(quads),
+        lock(quads->LockForWriting()),
+        dictionary(quads->dictionary()),
+        base(quads->current()),
+        index(base->index),
+        edit(QuadTree::NewEdit()),
+        first_new_term(dictionary->end()) {}
+  ~State() override { Finish(); }
+
+  // Ends it; what was not committed is forgotten.
+  void Finish() {
+    if (!lock.owns_lock()) return;
+    dictionary->Discard();
+    store->Unlock(&lock);
+  }
+
+  void CheckOpen() const {
+    if (!lock.owns_lock()) throw std::logic_error("the transaction is over");
+  }
+
+  void Add(const Quad& quad) {
+    if (!index.Insert(quad, edit)) return;
+    const QuadKey key = PackQuad(quad, QuadOrder::kSpog);
+    if (removed.erase(key) == 0) added.insert(key);
+  }
+  void Remove(const Quad& quad) {
+    if (!index.Erase(quad, edit)) return;
+    const QuadKey key = PackQuad(quad, QuadOrder::kSpog);
+    if (added.erase(key) == 0) removed.insert(key);
+  }
+
+  // kNoTerm if nobody knows the term.
+  TermId Find(const Term& term) const override {
+    const TermId id = dictionary->Find(term);
+    return id != kNoTerm ? id : dictionary->FindUnpublished(term);
+  }
+  const Term& Get(TermId id) const override { return dictionary->Get(id); }
+  // `visit` may change the transaction: the match keeps to its own copy, and
+  // the nodes of it are no longer changed in place.
+  void Match(const Quad& pattern,
+             absl::FunctionRef<bool(const Quad&)> visit) const override {
+    const QuadIndex now = index;
+    edit = QuadTree::NewEdit();
+    now.Match(pattern, visit);
+  }
+  std::size_t Estimate(const Quad& pattern) const override {
+    return index.Estimate(pattern);
+  }
+  std::uint64_t world_version() const override { return base->world_version; }
+
+  RecordChange Change(std::uint64_t world_version) const {
+    RecordChange change;
+    for (TermId id = first_new_term; id < dictionary->end(); ++id) {
+      change.terms.emplace_back(id, &dictionary->Get(id));
+    }
+    change.added = QuadsOf(added);
+    change.removed = QuadsOf(removed);
+    change.world_version = world_version;
+    return change;
+  }
+
+  using KeySet = absl::btree_set<QuadKey>;
+
+  static std::vector<Quad> QuadsOf(const KeySet& keys) {
+    std::vector<Quad> quads;
+    for (const QuadKey& key : keys) {
+      quads.push_back(UnpackQuad(key, QuadOrder::kSpog));
+    }
+    return quads;
+  }
+
+  std::vector<Statement> StatementsOf(const KeySet& keys) const {
+    std::vector<Statement> statements;
+    for (const Quad& q : QuadsOf(keys)) {
+      statements.push_back(
+          {Get(q.subject), Get(q.predicate), Get(q.object), Get(q.graph)});
+    }
+    const auto order = [](const Statement& s) {
+      return std::tie(s.graph, s.subject, s.predicate, s.object);
+    };
+    std::sort(
+        statements.begin(), statements.end(),
+        [&](const auto& a, const auto& b) { return order(a) < order(b); });
+    return statements;
+  }
+
+  QuadStore* const store;
+  std::unique_lock<std::mutex> lock;  // Held while the transaction is open.
+  const std::shared_ptr<Dictionary> dictionary;
+  const std::shared_ptr<const Version> base;
+  QuadIndex index;  // The version that Commit would publish.
+  mutable std::atomic<std::uint64_t> edit;
+  const TermId first_new_term;
+  KeySet added;  // In SPOG order; against `base`.
+  KeySet removed;
+};
+
+Transaction::Transaction(std::unique_ptr<State> state)
+    : state_(std::move(state)) {}
+Transaction::Transaction(Transaction&&) noexcept = default;
+Transaction& Transaction::operator=(Transaction&&) noexcept = default;
+Transaction::~Transaction() = default;
+
+void Transaction::Add(const Statement& s) {
+  state_->CheckOpen();
+  CheckIsRdf(s);
+  Dictionary& terms = *state_->dictionary;
+  Quad quad;
+  quad.subject = terms.Intern(s.subject);
+  quad.predicate = terms.Intern(s.predicate);
+  quad.object = terms.Intern(s.object);
+  quad.graph = terms.Intern(s.graph);
+  state_->Add(quad);
+}
+
+void Transaction::Remove(const Statement& s) {
+  state_->CheckOpen();
+  const Quad quad{state_->Find(s.subject), state_->Find(s.predicate),
+                  state_->Find(s.object), state_->Find(s.graph)};
+  if (BoundPlaces(quad) == 15) state_->Remove(quad);
+}
+
+void Transaction::RemoveMatching(const Term* subject, const Term* predicate,
+                                 const Term* object, const Term& graph) {
+  state_->CheckOpen();
+  const auto find = [&](const Term* term, TermId* id) {
+    if (term != nullptr) *id = state_->Find(*term);
+    return term == nullptr || *id != kNoTerm;
+  };
+  Quad pattern;
+  const bool known =
+      find(subject, &pattern.subject) && find(predicate, &pattern.predicate) &&
+      find(object, &pattern.object) && find(&graph, &pattern.graph);
+  if (!known) return;
+  state_->Match(pattern, [&](const Quad& quad) {
+    state_->Remove(quad);
+    return true;
+  });
+}
+
+bool Transaction::empty() const {
+  return state_->added.empty() && state_->removed.empty();
+}
+
+const GraphView& Transaction::view() const { return *state_; }
+
+std::vector<Statement> Transaction::added() const {
+  return state_->StatementsOf(state_->added);
+}
+
+std::vector<Statement> Transaction::removed() const {
+  return state_->StatementsOf(state_->removed);
+}
+
+std::uint64_t Transaction::Commit(WorldChange change) {
+  state_->CheckOpen();
+  std::uint64_t world_version = state_->base->world_version;
+  if (!empty()) {
+    if (change == WorldChange::kYes) ++world_version;
+    auto version = std::make_shared<Version>();
+    version->index = state_->index;
+    version->world_version = world_version;
+    state_->store->Commit(state_->Change(world_version), std::move(version));
+  }
+  state_->Finish();
+  return world_version;
+}
+
+Store::Store(const std::string& path)
+    : quads_(std::make_unique<QuadStore>(path)) {}
+Store::~Store() = default;
+
+Transaction Store::Begin() {
+  return Transaction(std::make_unique<Transaction::State>(quads_.get()));
+}
+
+std::shared_ptr<const GraphView> Store::Read() const {
+  return std::make_shared<Snapshot>(quads_->dictionary(), quads_->current());
+}
+
+std::uint64_t Store::world_version() const {
+  return quads_->current()->world_version;
+}
+
+std::size_t Store::quad_count() const {
+  return quads_->current()->index.size();
+}
+
+}  // namespace kg_core
