@@ -1,11 +1,16 @@
 // The K best paths through a trellis, exact, best first.
 //
 // Recursive enumeration on the Viterbi table: the n-th best path into a node is
-// worked out only when asked for [1]. Tokens and the resource limit make a
-// path's true score differ from the table's, which is an upper bound:
-// enumeration goes on until the bound can no longer beat the K-th best found,
-// or `enumeration_limit` paths were looked at (then the result says so). Ties
-// by node numbers, lexicographically: the answer is deterministic.
+// worked out only when asked for [1]; here from the end, so into becomes out
+// of. Tokens and the resource limit make a path's true score differ from the
+// table's, which is an upper bound: enumeration goes on until the bound can no
+// longer beat the K-th best found, or `enumeration_limit` paths were looked at
+// (then the result says so). Two things keep the bound close: tokens that a
+// path can meet twice are unrolled (token_unrolling.h), and a binding limit
+// gets its dual price.
+//
+// Ties by node numbers, lexicographically: the answer is deterministic. Scores
+// are compared on a grid of 2^-50 of the largest total (score_grid.h).
 //
 // [1] V. M. Jimenez and A. Marzal, "Computing the K Shortest Paths: A New
 //     Algorithm and an Experimental Comparison", WAE 1999, LNCS 1668, 15-29.
@@ -53,7 +58,8 @@ struct KBest {
   bool proven = true;       // False: the enumeration limit was hit first.
 };
 
-// Empty if no path crosses all stages. Throws as Check() does.
+// Empty if no path crosses all stages, or there are none. Throws as Check()
+// does, and if a mask names a node that is not there.
 KBest FindKBest(const Trellis& trellis, const Masks& masks,
                 const KBestOptions& options);
 

@@ -26,9 +26,9 @@ struct Node {
 };
 
 struct Seam {
-  int from = 0;         // Node of the stage before; 0 = the start, if first.
-  int to = 0;           // Node of this stage.
-  double cost = 0.0;    // >= 0.
+  int from = 0;           // Node of the stage before; 0 = the start, if first.
+  int to = 0;             // Node of this stage.
+  double cost = 0.0;      // >= 0.
   double resource = 0.0;  // >= 0.
 };
 
@@ -39,6 +39,7 @@ struct Stage {
 
 struct Trellis {
   std::vector<Stage> stages;
+  // Of the sum over a path's seams, in their order.
   double resource_limit = std::numeric_limits<double>::infinity();
 };
 
