@@ -1,0 +1,353 @@
+"""Does a plan keep the rules? Judged from tracks and facts alone, by means that
+the planner does not use: shapely for areas, Vincenty's geodesics, numpy.
+
+A track is where an agent is when: arrays of unix seconds and WGS84 lon/lat
+[deg], straight and steady between its points. Every leg is sampled so that
+neighbouring samples are at most a tenth of a cell apart.
+
+    separation  two agents nearer than ex:minimumSeparationKm at the same time
+    no_go       entries into a no_go area of that window and agent, touching
+                its edge included
+    land        entries into cells without currents or within the land buffer
+    capacity    agents rewarded by an event beyond ex:capacity, and visits that
+                are none (outside the radius or the event's windows)
+    speed       legs that need more speed through the water than the agent has
+    visits      waypoints that the track does not come to in their window
+"""
+
+import dataclasses
+
+import numpy as np
+import shapely.vectorized
+from shapely.geometry import LineString
+
+from geodesic import distance_m
+
+KINDS = ('no_go', 'land', 'capacity', 'separation', 'speed', 'visits')
+SAMPLES_PER_CELL = 10
+SPEED_TOLERANCE = 0.02     # Of the speed through water.
+SEPARATION_STEP_S = 60.0   # Between looks at a pair; refined at the minimum.
+DISTANCE_TOLERANCE_M = 1.0  # Of separation; rounding of positions.
+VISIT_TOLERANCE_M = 50.0   # Between a waypoint and the track at that time.
+
+
+@dataclasses.dataclass
+class Track:
+    time_s: np.ndarray
+    lon_deg: np.ndarray
+    lat_deg: np.ndarray
+
+    @classmethod
+    def of(cls, points):
+        """From (unix seconds, lon, lat) triples; drops repeated times."""
+        table = np.array(sorted(points), float).reshape(-1, 3)
+        keep = np.ones(len(table), bool)
+        keep[1:] = np.diff(table[:, 0]) > 0.0
+        return cls(*table[keep].T)
+
+    def __len__(self):
+        return len(self.time_s)
+
+    def at(self, time_s):
+        return (np.interp(time_s, self.time_s, self.lon_deg),
+                np.interp(time_s, self.time_s, self.lat_deg))
+
+    def between(self, begin_s, end_s):
+        """The part inside [begin, end], cut at both, possibly empty."""
+        if not len(self):
+            return self
+        begin_s = max(begin_s, self.time_s[0])
+        end_s = min(end_s, self.time_s[-1])
+        if end_s < begin_s:
+            return Track(*np.empty((3, 0)))
+        inside = (self.time_s > begin_s) & (self.time_s < end_s)
+        times = np.unique(np.concatenate(
+            ([begin_s], self.time_s[inside], [end_s])))
+        return Track(times, *self.at(times))
+
+    def followed_by(self, other):
+        """This one until the other begins, then the other."""
+        if not len(other):
+            return self
+        if not len(self):
+            return other
+        before = self.time_s < other.time_s[0]
+        return Track(*(np.concatenate((mine[before], theirs)) for mine, theirs
+                       in ((self.time_s, other.time_s),
+                           (self.lon_deg, other.lon_deg),
+                           (self.lat_deg, other.lat_deg))))
+
+    def densified(self, step_deg):
+        """With points added until no two are farther apart than step_deg."""
+        if len(self) < 2:
+            return self
+        jump = np.maximum(np.abs(np.diff(self.lon_deg)) / step_deg[0],
+                          np.abs(np.diff(self.lat_deg)) / step_deg[1])
+        parts = np.maximum(1, np.ceil(jump)).astype(int)
+        leg = np.repeat(np.arange(len(parts)), parts)
+        first = np.concatenate(([0], np.cumsum(parts)[:-1]))
+        share = (np.arange(len(leg)) - first[leg]) / parts[leg]
+        times = self.time_s[leg] + share * np.diff(self.time_s)[leg]
+        return Track(*(np.concatenate((column, last)) for column, last in zip(
+            (times, *self.at(times)),
+            ([self.time_s[-1]], [self.lon_deg[-1]], [self.lat_deg[-1]]))))
+
+
+class Field:
+    """One window's currents on a lon/lat grid, in time slices.
+
+    Bilinear between cell centres, linear in time; a missing corner counts as
+    no flow, and a position in a cell without data has none (NaN).
+    """
+
+    def __init__(self, lon_deg, lat_deg, time_s, east_mps, north_mps):
+        self.lon_deg = np.asarray(lon_deg, float)
+        self.lat_deg = np.asarray(lat_deg, float)
+        self.time_s = np.asarray(time_s, float)
+        velocity_mps = np.stack([np.asarray(east_mps, np.float32),
+                                 np.asarray(north_mps, np.float32)])
+        self.land = np.isnan(velocity_mps).any(axis=(0, 1))
+        self._flow_mps = np.nan_to_num(velocity_mps)
+
+    def step_deg(self):
+        return (np.diff(self.lon_deg).min() / SAMPLES_PER_CELL,
+                np.diff(self.lat_deg).min() / SAMPLES_PER_CELL)
+
+    def cells(self, lon_deg, lat_deg):
+        """Row, column and whether it is on the grid at all."""
+        col, in_cols = _nearest(self.lon_deg, lon_deg)
+        row, in_rows = _nearest(self.lat_deg, lat_deg)
+        return row, col, in_rows & in_cols
+
+    def sample(self, lon_deg, lat_deg, time_s):
+        """East and north velocity [m/s] at positions and times."""
+        later = np.clip(np.searchsorted(self.time_s, time_s), 1,
+                        max(1, len(self.time_s) - 1))
+        earlier = later - 1
+        later = np.minimum(later, len(self.time_s) - 1)
+        span = np.where(later > earlier,
+                        self.time_s[later] - self.time_s[earlier], 1.0)
+        share = np.clip((time_s - self.time_s[earlier]) / span, 0.0, 1.0)
+        first = self._bilinear(earlier, lon_deg, lat_deg)
+        second = self._bilinear(later, lon_deg, lat_deg)
+        velocity = first + share * (second - first)
+        row, col, on_grid = self.cells(lon_deg, lat_deg)
+        velocity[:, self.land[row, col] | ~on_grid] = np.nan
+        return velocity
+
+    def _bilinear(self, index, lon_deg, lat_deg):
+        col, u = _interval(self.lon_deg, lon_deg)
+        row, v = _interval(self.lat_deg, lat_deg)
+        corner = self._flow_mps
+        return (corner[:, index, row, col] * (1 - v) * (1 - u) +
+                corner[:, index, row, col + 1] * (1 - v) * u +
+                corner[:, index, row + 1, col] * v * (1 - u) +
+                corner[:, index, row + 1, col + 1] * v * u)
+
+
+def _nearest(centres, values):
+    middle = (centres[1:] + centres[:-1]) / 2.0
+    low = centres[0] - (centres[1] - centres[0]) / 2.0
+    high = centres[-1] + (centres[-1] - centres[-2]) / 2.0
+    return (np.searchsorted(middle, values),
+            (values >= low) & (values <= high))
+
+
+def _interval(centres, values):
+    """Index of the interval between centres and the place in it, 0 to 1."""
+    index = np.clip(np.searchsorted(centres, values) - 1, 0, len(centres) - 2)
+    share = (values - centres[index]) / (centres[index + 1] - centres[index])
+    return index, np.clip(share, 0.0, 1.0)
+
+
+def grown(mask, cells):
+    """Cells whose centre is within `cells` (Euclidean) of a set cell's."""
+    out = mask.copy()
+    reach = int(np.floor(cells))
+    rows, cols = mask.shape
+    for dr in range(-reach, reach + 1):
+        for dc in range(-reach, reach + 1):
+            if dr * dr + dc * dc > cells * cells:
+                continue
+            to = (slice(max(0, dr), rows + min(0, dr)),
+                  slice(max(0, dc), cols + min(0, dc)))
+            of = (slice(max(0, -dr), rows + min(0, -dr)),
+                  slice(max(0, -dc), cols + min(0, -dc)))
+            out[to] |= mask[of]
+    return out
+
+
+def entries(inside):
+    """How often a sequence of booleans becomes true."""
+    inside = np.asarray(inside, bool)
+    return int(inside[0]) + int((inside[1:] & ~inside[:-1]).sum()) if len(
+        inside) else 0
+
+
+def area_entries(track, area):
+    """Entries of a (densely sampled) track into an area or onto its edge."""
+    if not len(track):
+        return 0
+    path = np.column_stack((track.lon_deg, track.lat_deg))
+    shape = LineString(path if len(path) > 1 else np.repeat(path, 2, axis=0))
+    if not area.intersects(shape):
+        return 0
+    return max(1, entries(shapely.vectorized.contains(
+        area, track.lon_deg, track.lat_deg)))
+
+
+def land_entries(track, field, forbidden):
+    if not len(track):
+        return 0
+    row, col, on_grid = field.cells(track.lon_deg, track.lat_deg)
+    return entries(forbidden[row, col] | ~on_grid)
+
+
+def closest(a, b, begin_s, end_s):
+    """Least distance of two tracks in [begin, end] [m] and when, or None."""
+    begin_s = max(begin_s, a.time_s[0], b.time_s[0])
+    end_s = min(end_s, a.time_s[-1], b.time_s[-1])
+    if end_s < begin_s:
+        return None
+    times = np.append(np.arange(begin_s, end_s, SEPARATION_STEP_S), end_s)
+    best = times[np.argmin(distance_m(*a.at(times), *b.at(times)))]
+    near = np.arange(max(begin_s, best - SEPARATION_STEP_S),
+                     min(end_s, best + SEPARATION_STEP_S) + 0.5)
+    distance = distance_m(*a.at(near), *b.at(near))
+    return float(distance.min()), float(near[distance.argmin()])
+
+
+def needed_speed_mps(track, field, boost_gain):
+    """Mean speed through water that each leg needs, and its way over ground.
+
+    What the currents give is averaged along the leg as it is flown; a mean is
+    never larger than the largest, so a feasible leg is never accused.
+    """
+    dense = track.densified(field.step_deg())
+    velocity = field.sample(dense.lon_deg, dense.lat_deg, dense.time_s)
+    step_s = np.diff(dense.time_s)
+    carried = np.concatenate((np.zeros((2, 1)), np.cumsum(
+        (velocity[:, 1:] + velocity[:, :-1]) / 2.0 * step_s, axis=1)), axis=1)
+    at_points = np.searchsorted(dense.time_s, track.time_s)
+    current_mps = np.diff(carried[:, at_points]) / np.diff(track.time_s)
+    ground_mps = _ground_velocity(track)
+    return (np.hypot(*(ground_mps - boost_gain * current_mps)),
+            np.hypot(*ground_mps))
+
+
+def _ground_velocity(track):
+    lat = (track.lat_deg[1:] + track.lat_deg[:-1]) / 2.0
+    east = distance_m(track.lon_deg[:-1], lat, track.lon_deg[1:], lat)
+    north = distance_m(0.0, track.lat_deg[:-1], 0.0, track.lat_deg[1:])
+    return (np.stack((np.sign(np.diff(track.lon_deg)) * east,
+                      np.sign(np.diff(track.lat_deg)) * north)) /
+            np.diff(track.time_s))
+
+
+def too_fast(track, field, agent):
+    """Legs that the agent cannot make: cruising, or holding station."""
+    if len(track) < 2:
+        return 0
+    speed, ground = needed_speed_mps(track, field, agent.boost_gain)
+    limit = np.where(ground > 0.0, agent.cruise_mps, agent.max_mps)
+    return int((~(speed <= limit * (1.0 + SPEED_TOLERANCE))).sum())
+
+
+class PlanCheck:
+    """Judges tracks and visits of a team against one state of the facts."""
+
+    def __init__(self, facts, fields):
+        self._facts = facts
+        self._fields = fields  # By window index.
+        self.violations = dict.fromkeys(KINDS, 0)
+        self.lines = []        # One a finding, for a person.
+        self.points = 0        # Samples looked at.
+
+    def _found(self, kind, count, line):
+        self.violations[kind] += count
+        if count:
+            self.lines.append('%s: %s' % (kind, line))
+
+    def check_tracks(self, tracks, begin_s, end_s):
+        """`tracks` by agent id, judged inside [begin, end]."""
+        for agent_id, track in sorted(tracks.items()):
+            for window in self._facts.windows:
+                part = track.between(max(begin_s, window.begin_s),
+                                     min(end_s, window.end_s))
+                if len(part):
+                    self._check_part(self._facts.agents[agent_id], window,
+                                     part)
+        self._check_separation(tracks, begin_s, end_s)
+
+    def _check_part(self, agent, window, part):
+        field = self._fields[window.index]
+        dense = part.densified(field.step_deg())
+        self.points += len(dense)
+        where = '%s in window %d' % (agent.id, window.index)
+        self._check_areas(agent, window, dense)
+        count = land_entries(dense, field, self._no_land(agent, window, field))
+        self._found('land', count, '%s enters land or its buffer' % where)
+        count = too_fast(part, field, agent)
+        self._found('speed', count, '%s is too fast on %d of %d legs' %
+                    (where, count, len(part) - 1))
+
+    def _check_areas(self, agent, window, dense):
+        for constraint in self._facts.constraints:
+            if constraint.area is None or not constraint.applies(
+                    agent.iri, window.index):
+                continue
+            count = area_entries(dense, constraint.area)
+            self._found('no_go', count, '%s in window %d enters %s' %
+                        (agent.id, window.index, constraint.iri))
+
+    def _no_land(self, agent, window, field):
+        buffers = [constraint.buffer_cells
+                   for constraint in self._facts.constraints
+                   if constraint.area is None and constraint.applies(
+                       agent.iri, window.index)]
+        return grown(field.land, max(buffers, default=0.0))
+
+    def _check_separation(self, tracks, begin_s, end_s):
+        limit_m = self._facts.separation_m
+        if limit_m <= 0.0 or not self._facts.separation_is_hard:
+            return
+        ids = sorted(agent for agent, track in tracks.items() if len(track))
+        for i, one in enumerate(ids):
+            for other in ids[i + 1:]:
+                near = closest(tracks[one], tracks[other], begin_s, end_s)
+                if near and not near[0] >= limit_m - DISTANCE_TOLERANCE_M:
+                    self._found('separation', 1,
+                                '%s and %s come to %.0f m of %.0f m' %
+                                (one, other, near[0], limit_m))
+
+    def check_visits(self, visits, tracks):
+        """`visits`: (agent id, window) -> (lon, lat, event IRIs)."""
+        for (agent_id, window), (lon, lat, _) in sorted(visits.items()):
+            end_s = self._facts.windows[window].end_s
+            track = tracks[agent_id]
+            there = track.at(min(end_s, track.time_s[-1]))
+            off_m = float(distance_m(lon, lat, *there))
+            self._found('visits', int(not off_m <= VISIT_TOLERANCE_M),
+                        '%s is %.0f m off its waypoint of window %d' %
+                        (agent_id, off_m, window))
+        self._check_capacity(visits)
+
+    def _check_capacity(self, visits):
+        guests = {}
+        for (agent_id, window), (lon, lat, claimed) in sorted(visits.items()):
+            for iri in claimed:
+                event = self._facts.events.get(iri)
+                if event is None:
+                    continue  # Removed from the facts after the visit.
+                guests.setdefault(iri, set()).add(agent_id)
+                off_m = float(distance_m(lon, lat, event.lon_deg,
+                                         event.lat_deg))
+                real = (window in event.windows and
+                        off_m <= event.radius_m + DISTANCE_TOLERANCE_M)
+                self._found('capacity', int(not real),
+                            '%s does not visit %s in window %d' %
+                            (agent_id, iri, window))
+        for iri, agents in sorted(guests.items()):
+            over = len(agents) - self._facts.events[iri].capacity
+            self._found('capacity', max(0, over), '%s has %d visitors too many'
+                        % (iri, over))

@@ -1,0 +1,298 @@
+#!/usr/bin/env python3
+"""verdict: an independent check of every plan, written to verdict.json.
+
+    subscribes  kg/assignments, kg/world, kg/work_fields, kg/agent_states,
+                kg/candidates, kg/updates
+    calls       kg/query (SPARQL SELECT: windows, agents, constraints, events)
+    writes      <state>/verdict.json, replaced whole after every plan and at
+                the end of the mission
+    parameters  ~state_folder
+                ~once       exit when done: with ~sim at the mission's end,
+                            else as soon as a plan of all windows stands
+                ~sim        do agents move?
+                ~give_up_s  with ~once: the longest wait without a new plan or
+                            window [s, wall clock]; then the verdict says what
+                            was missing
+
+Every rule is looked at with other means than the planner's: plan_check.py.
+"""
+
+import json
+import math
+import os
+import queue
+import sys
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+import numpy as np
+import rospy
+from kg_msgs.msg import (AgentState, Assignments, Candidates, UpdateReport,
+                         WorkField, World)
+from rospy.numpy_msg import numpy_msg
+
+from kg_query import KgQuery
+from mission_facts import FactsReader, WorldChanged
+from mission_record import MissionRecord, Plan, Visit
+from plan_check import KINDS, Field, Track
+
+FIELD_BUFFER_BYTES = 1 << 26  # Of a subscriber to fields of some megabytes.
+STEP_S = 0.1
+FAILED_S = 30.0  # A plan that failed is not waited for any longer.
+
+
+def to_plan(message):
+    tracks, visits = {}, {}
+    for assignment in message.assignments:
+        pathlet = assignment.pathlet
+        tracks[assignment.agent] = Track.of(
+            (point.stamp.to_sec(), math.degrees(point.lon_rad),
+             math.degrees(point.lat_rad)) for point in pathlet.track)
+        for visit in pathlet.visits:
+            visits[assignment.agent, visit.window] = Visit(
+                math.degrees(visit.lon_rad), math.degrees(visit.lat_rad),
+                list(visit.events), visit.reward, visit.cost.seam_cost,
+                visit.cost.energy_j)
+    return Plan(message.world_version, message.plan_run, tracks, visits,
+                list(message.unassigned))
+
+
+def to_field(message):
+    lon_deg = np.degrees(message.grid.lon_rad)
+    lat_deg = np.degrees(message.grid.lat_rad)
+    shape = (len(lat_deg), len(lon_deg))
+    return Field(lon_deg, lat_deg,
+                 [part.stamp.to_sec() for part in message.slices],
+                 [part.east_mps.reshape(shape) for part in message.slices],
+                 [part.north_mps.reshape(shape) for part in message.slices])
+
+
+def write_whole(path, value):
+    """Replaces a file: a reader sees the old or the new one."""
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path + '.new', 'w') as file:
+        json.dump(value, file, indent=2, allow_nan=False, default=str)
+        file.write('\n')
+        file.flush()
+        os.fsync(file.fileno())
+    os.replace(path + '.new', path)
+
+
+class Heard:
+    """What has come from the nodes so far."""
+
+    def __init__(self):
+        self.world = None
+        self.fields = {}      # By window.
+        self.hashes = {}      # Of the fields, by window.
+        self.planners = {}    # World version of the last candidates, by id.
+        self.plan = None      # Newest Assignments, not judged yet.
+        self.plans = 0
+        self.stage_seconds = {}
+
+    def take(self, message):
+        getattr(self, '_take_' + message._type.split('/')[1])(message)
+
+    def _take_World(self, message):
+        self.world = message
+
+    def _take_WorkField(self, message):
+        self.fields[message.window] = to_field(message)
+        self.hashes[message.window] = message.hash
+
+    def _take_Candidates(self, message):
+        self.planners[message.agent] = message.world_version
+        self._take_stages(message)
+
+    def _take_Assignments(self, message):
+        self.plan = message
+        self.plans += 1
+        self._take_stages(message)
+
+    def _take_UpdateReport(self, message):
+        self._take_stages(message)
+
+    def _take_stages(self, message):
+        for stage in message.stages:
+            self.stage_seconds[stage.stage] = stage.seconds
+
+    def missing(self):
+        """The first stage that nothing was heard of, in words."""
+        if self.world is None:
+            return 'kg: no kg/world'
+        windows = len(self.world.windows)
+        if len(self.fields) < windows:
+            return 'ingest: %d of %d kg/work_fields' % (len(self.fields),
+                                                        windows)
+        late = sorted(agent.id for agent in self.world.agents
+                      if self.planners.get(agent.id, -1) <
+                      self.world.world_version)
+        if late and not self.plans:
+            return 'plan: no kg/candidates of %s' % ', '.join(late)
+        if not self.plans:
+            return 'select: no kg/assignments'
+        return 'commit: plan_status %d %s' % (self.world.plan_status,
+                                              self.world.plan_note)
+
+
+class Verdict:
+    """Judges what is heard, one step at a time."""
+
+    def __init__(self, path, once, sim):
+        self._path = path
+        self._once = once
+        self._sim = sim
+        self._heard = Heard()
+        self._record = MissionRecord()
+        self._query = KgQuery()
+        self._facts = None
+        self._began_s = time.monotonic()
+        self.progress_s = self._began_s  # When something last went on.
+        self._window = None
+        self.last = None
+
+    def take(self, message):
+        if message._type == AgentState._type:
+            self._record.take_state(message.agent,
+                                    message.header.stamp.to_sec(),
+                                    math.degrees(message.lon_rad),
+                                    math.degrees(message.lat_rad))
+            return
+        self._heard.take(message)
+        world = self._heard.world
+        if world and world.current_window != self._window:
+            self._window = world.current_window
+            self.progress_s = time.monotonic()
+
+    def step(self):
+        """Judges a plan that is due. True when there is nothing left to do."""
+        if self._heard.plan is not None and self._judge(self._heard.plan):
+            self._heard.plan = None
+            self.progress_s = time.monotonic()
+            self.write()
+        if not (self._once and self._done()):
+            return False
+        self.write()
+        return True
+
+    def _judge(self, message):
+        """False if it cannot be judged yet."""
+        world = self._heard.world
+        if world is None or not self._fields_are_here(message):
+            return False
+        facts = self._facts_of(message.world_version)
+        if facts is None:
+            return world.world_version > message.world_version
+        self._record.take_plan(to_plan(message), facts,
+                               dict(self._heard.fields),
+                               world.mission_time.to_sec())
+        return True
+
+    def _fields_are_here(self, message):
+        return all(visit.window in self._heard.fields
+                   for assignment in message.assignments
+                   for visit in assignment.pathlet.visits)
+
+    def _facts_of(self, world_version):
+        if self._facts is None or self._facts.world_version != world_version:
+            try:
+                self._facts = FactsReader(self._query.select).read()
+            except (WorldChanged, rospy.ServiceException):
+                return None
+        return (self._facts if self._facts.world_version == world_version
+                else None)
+
+    def _done(self):
+        world = self._heard.world
+        if self._heard.plan is not None or self._record.plan is None:
+            return False
+        if self._sim:
+            return world.current_window >= len(world.windows)
+        return (self._record.complete() and
+                world.plan_status == World.PLAN_OK and
+                world.plan_version == self._record.plan.world_version)
+
+    def patience_s(self, give_up_s):
+        """How long to wait for something to go on."""
+        world = self._heard.world
+        failed = world is not None and world.plan_status == World.PLAN_FAILED
+        return min(give_up_s, FAILED_S) if failed else give_up_s
+
+    def write(self, why_not=None):
+        verdict = self._record.verdict() if self._record.plan else {
+            'world_version': 0, 'plan_run': 0, 'windows': 0, 'complete': False,
+            'agents': {}, 'violations': dict.fromkeys(KINDS, 0),
+            'checked_points': 0, 'checked_states': 0, 'notes': []}
+        verdict['stage_seconds'] = dict(
+            self._heard.stage_seconds,
+            verdict=time.monotonic() - self._began_s)
+        if why_not:
+            verdict['complete'] = False
+            verdict['notes'].insert(0, why_not)
+        self.last = verdict
+        write_whole(self._path, verdict)
+        self._tell(verdict)
+
+    def _tell(self, verdict):
+        found = ', '.join('%s %d' % item
+                          for item in sorted(verdict['violations'].items())
+                          if item[1])
+        waypoints = sum(agent['waypoints']
+                        for agent in verdict['agents'].values())
+        say = rospy.logerr if found else rospy.loginfo
+        say('[verdict] plan %d of world version %d: %d waypoints, %d points '
+            'and %d states checked, %s', verdict['plan_run'],
+            verdict['world_version'], waypoints, verdict['checked_points'],
+            verdict['checked_states'],
+            'VIOLATIONS: ' + found if found else 'no violation')
+
+    def give_up(self):
+        why = 'gave up after %.0f s without progress; missing: %s' % (
+            time.monotonic() - self.progress_s, self._heard.missing())
+        rospy.logerr('[verdict] FAILED: %s', why)
+        self.write(why)
+
+
+def subscribe(inbox):
+    """Everything goes into one queue; one thread judges."""
+    take = inbox.put
+    rospy.Subscriber('kg/world', World, take)
+    rospy.Subscriber('kg/work_fields', numpy_msg(WorkField), take,
+                     buff_size=FIELD_BUFFER_BYTES)
+    rospy.Subscriber('kg/assignments', Assignments, take)
+    rospy.Subscriber('kg/candidates', Candidates, take)
+    rospy.Subscriber('kg/updates', UpdateReport, take)
+    rospy.Subscriber('kg/agent_states', AgentState, take)
+
+
+def drain(inbox, verdict):
+    while True:
+        try:
+            verdict.take(inbox.get_nowait())
+        except queue.Empty:
+            return
+
+
+def main():
+    rospy.init_node('verdict')
+    once = rospy.get_param('~once', False)
+    give_up_s = rospy.get_param('~give_up_s', 900.0)
+    verdict = Verdict(os.path.join(rospy.get_param('~state_folder'),
+                                   'verdict.json'),
+                      once, rospy.get_param('~sim', True))
+    inbox = queue.Queue()
+    subscribe(inbox)
+    while not rospy.is_shutdown():
+        drain(inbox, verdict)
+        if verdict.step():
+            return
+        if once and time.monotonic() - verdict.progress_s > verdict.patience_s(
+                give_up_s):
+            verdict.give_up()
+            return
+        time.sleep(STEP_S)
+
+
+if __name__ == '__main__':
+    main()

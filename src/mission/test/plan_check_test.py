@@ -1,0 +1,238 @@
+#!/usr/bin/env python3
+"""The independent checker itself: it must find what is wrong, count it rightly,
+and accuse nobody who kept the rules.
+"""
+
+import os
+import sys
+import unittest
+
+HERE = os.path.dirname(os.path.realpath(__file__))
+sys.path.insert(0, os.path.join(os.path.dirname(HERE), 'scripts'))
+
+import numpy as np
+import rosunit
+from shapely.geometry import box
+
+import mission_facts
+from geodesic import distance_m
+from mission_facts import Agent, Constraint, Event, Facts, Window
+from mission_record import MissionRecord, Plan, Visit
+from plan_check import Field, PlanCheck, Track, area_entries, closest, grown
+
+HOUR_S = 3600.0
+DAY_S = 24 * HOUR_S
+
+
+def field(east_mps=0.0, north_mps=0.0, land_cols=0):
+    """Two days on 40 x 40 cells of 0.05 degree from 0 E, 0 N."""
+    axis = 0.05 * np.arange(40)
+    flow = np.ones((3, 40, 40))
+    flow[:, :, :land_cols] = np.nan
+    return Field(axis, axis, [0.0, DAY_S, 2 * DAY_S], east_mps * flow,
+                 north_mps * flow)
+
+
+def facts(**changed):
+    values = dict(
+        world_version=3, windows=[Window(0, 0.0, DAY_S),
+                                  Window(1, DAY_S, 2 * DAY_S)],
+        agents={'a': Agent('ex:a', 'a', 0.5, 0.8, 1.0),
+                'b': Agent('ex:b', 'b', 0.5, 0.8, 1.0)},
+        constraints=[], events={}, separation_m=0.0, separation_is_hard=True)
+    return Facts(**dict(values, **changed))
+
+
+def no_go(shape, windows=(), agents=()):
+    return Constraint('ex:zone', shape, 0.0, set(windows), set(agents))
+
+
+def judged(track, the_facts, the_field=None, other=None):
+    fields = {0: the_field or field(), 1: the_field or field()}
+    check = PlanCheck(the_facts, fields)
+    tracks = {'a': track}
+    if other is not None:
+        tracks['b'] = other
+    check.check_tracks(tracks, -np.inf, np.inf)
+    return check.violations
+
+
+# Along 1 N from 0.5 E to 0.9 E in a day: 0.515 m/s would be too fast, this is
+# 0.4 degree in 30 h, 0.41 m/s.
+EASTWARD = Track.of([(0.0, 0.5, 1.0), (30 * HOUR_S, 0.9, 1.0)])
+
+
+class GeodesicTest(unittest.TestCase):
+    def test_agrees_with_vincentys_own_example_and_an_atlas(self):
+        # Flinders Peak to Buninyong (GRS80), and New York to London (WGS84).
+        self.assertAlmostEqual(54972.271, float(distance_m(
+            144 + 25 / 60 + 29.52440 / 3600, -(37 + 57 / 60 + 3.7203 / 3600),
+            143 + 55 / 60 + 35.3839 / 3600, -(37 + 39 / 60 + 10.1561 / 3600))),
+            places=3)
+        self.assertAlmostEqual(5551759.400, float(
+            distance_m(-73.8, 40.6, -0.5, 51.6)), places=2)
+        self.assertEqual(0.0, float(distance_m(10.0, 20.0, 10.0, 20.0)))
+
+
+class PlanCheckTest(unittest.TestCase):
+    def test_accuses_nobody_who_kept_the_rules(self):
+        zone = no_go(box(0.6, 1.01, 0.7, 1.05))
+        found = judged(EASTWARD, facts(constraints=[zone], separation_m=5e3),
+                       other=Track.of([(0.0, 0.5, 1.1), (DAY_S, 0.8, 1.1)]))
+        self.assertEqual({0}, set(found.values()), found)
+
+    def test_counts_every_entry_into_an_area(self):
+        comb = box(0.55, 0.9, 0.6, 1.1).union(box(0.65, 0.9, 0.7, 1.1))
+        found = judged(EASTWARD, facts(constraints=[no_go(comb)]))
+        self.assertEqual(2, found['no_go'])
+
+    def test_finds_an_area_thinner_than_any_step(self):
+        sliver = box(0.7001, 0.9, 0.70010001, 1.1)
+        self.assertEqual(1, area_entries(EASTWARD, sliver))
+
+    def test_touching_the_edge_of_an_area_counts(self):
+        self.assertEqual(1, area_entries(EASTWARD, box(0.6, 1.0, 0.7, 1.2)))
+
+    def test_an_area_binds_only_in_its_windows_and_for_its_agents(self):
+        # Passed within the first day: at 0.7 E after 15 h.
+        shape = box(0.68, 0.9, 0.72, 1.1)
+        for windows, agents, expected in (([0], [], 1), ([1], [], 0),
+                                          ([], ['ex:a'], 1),
+                                          ([], ['ex:b'], 0)):
+            found = judged(EASTWARD, facts(
+                constraints=[no_go(shape, windows, agents)]))
+            self.assertEqual(expected, found['no_go'], (windows, agents))
+
+    def test_finds_land_and_its_buffer(self):
+        coast = field(land_cols=8)  # Land up to 0.375 E.
+        land = Constraint('ex:land', None, 2.0, set(), set())
+        self.assertEqual(0, judged(EASTWARD, facts(), coast)['land'])
+        self.assertEqual(0, judged(EASTWARD, facts(constraints=[land]),
+                                   coast)['land'])
+        land.buffer_cells = 3.0     # Up to 0.525 E.
+        self.assertEqual(1, judged(EASTWARD, facts(constraints=[land]),
+                                   coast)['land'])
+
+    def test_the_buffer_is_euclidean(self):
+        mask = np.zeros((21, 21), bool)
+        mask[10, 10] = True
+        row, col = np.mgrid[:21, :21]
+        np.testing.assert_array_equal(
+            grown(mask, 5.0), np.hypot(row - 10, col - 10) <= 5.0)
+
+    def test_leaving_the_grid_counts_as_land(self):
+        out = Track.of([(0.0, 0.0, 0.1), (10 * HOUR_S, -0.1, 0.1)])
+        self.assertEqual(1, judged(out, facts())['land'])
+
+    def test_a_following_current_explains_speed_and_calm_water_does_not(self):
+        fast = Track.of([(0.0, 0.5, 1.0), (DAY_S, 1.3, 1.0)])  # 1.03 m/s.
+        self.assertEqual(1, judged(fast, facts())['speed'])
+        self.assertEqual(0, judged(fast, facts(),
+                                   field(east_mps=0.6))['speed'])
+        self.assertEqual(1, judged(fast, facts(),
+                                   field(east_mps=-0.6))['speed'])
+
+    def test_holding_station_needs_no_more_than_the_greatest_speed(self):
+        still = Track.of([(0.0, 1.0, 1.0), (DAY_S, 1.0, 1.0)])
+        self.assertEqual(0, judged(still, facts(),
+                                   field(north_mps=0.7))['speed'])
+        self.assertEqual(1, judged(still, facts(),
+                                   field(north_mps=0.9))['speed'])
+
+    def test_finds_the_closest_approach_between_samples(self):
+        other = Track.of([(0.0, 0.9, 1.0), (30 * HOUR_S, 0.5, 1.0)])
+        near_m, time_s = closest(EASTWARD, other, -np.inf, np.inf)
+        self.assertAlmostEqual(15 * HOUR_S, time_s, delta=1.0)
+        self.assertLess(near_m, 1.0)
+        found = judged(EASTWARD, facts(separation_m=1e3), other=other)
+        self.assertEqual(1, found['separation'])
+
+    def test_same_place_at_another_time_is_no_conflict(self):
+        later = Track.of([(31 * HOUR_S, 0.5, 1.0), (40 * HOUR_S, 0.6, 1.0)])
+        found = judged(EASTWARD, facts(separation_m=1e3), other=later)
+        self.assertEqual(0, found['separation'])
+
+
+class MissionRecordTest(unittest.TestCase):
+    EVENT = Event('ex:e', 0.9, 1.0, 1, 2000.0, {1})
+
+    def _plan(self, track, events, agents=('a', 'b')):
+        lon, lat = track.at(2 * DAY_S)
+        first = track.at(DAY_S)
+        visits = {}
+        for agent in agents:
+            visits[agent, 0] = Visit(*first, [], 1.0, 0.25, 10.0)
+            visits[agent, 1] = Visit(float(lon), float(lat), events, 2.0, 0.5,
+                                     20.0)
+        return Plan(3, 1, {agent: track for agent in agents}, visits, [])
+
+    def _record(self, plan, the_facts):
+        record = MissionRecord()
+        record.take_plan(plan, the_facts, {0: field(), 1: field()}, 0.0)
+        return record
+
+    def test_sums_what_the_visits_say(self):
+        verdict = self._record(self._plan(EASTWARD, []), facts()).verdict()
+        self.assertTrue(verdict['complete'])
+        self.assertEqual((2, 3.0, 0.75, 30.0), tuple(
+            verdict['agents']['a'][key]
+            for key in ('waypoints', 'reward', 'cost', 'energy_j')))
+
+    def test_an_agent_without_a_visit_is_not_complete(self):
+        plan = self._plan(EASTWARD, [], agents=('a',))
+        self.assertFalse(self._record(plan, facts()).complete())
+
+    def test_counts_agents_beyond_an_events_capacity(self):
+        plan = self._plan(EASTWARD, ['ex:e'])
+        record = self._record(plan, facts(events={'ex:e': self.EVENT}))
+        self.assertEqual(1, record.verdict()['violations']['capacity'])
+
+    def test_a_visit_outside_the_radius_is_none(self):
+        far = Event('ex:e', 0.95, 1.0, 2, 2000.0, {1})
+        record = self._record(self._plan(EASTWARD, ['ex:e']),
+                              facts(events={'ex:e': far}))
+        self.assertEqual(2, record.verdict()['violations']['capacity'])
+
+    def test_a_waypoint_that_the_track_misses_is_found(self):
+        plan = self._plan(EASTWARD, [])
+        plan.visits['a', 1].lon_deg += 0.1
+        record = self._record(plan, facts())
+        self.assertEqual(1, record.verdict()['violations']['visits'])
+
+    def test_what_was_flown_is_judged_by_the_facts_of_its_time(self):
+        zone = facts(constraints=[no_go(box(0.5, 0.9, 0.6, 1.1))])
+        record = self._record(self._plan(EASTWARD, []), facts())
+        now_s = 12 * HOUR_S  # At 0.66 E: through, before the zone was there.
+        lon = float(EASTWARD.at(now_s)[0])
+        onward = Track.of([(now_s, lon, 1.0), (2 * DAY_S, 0.9, 1.0)])
+        record.take_plan(self._plan(onward, []), zone,
+                         {0: field(), 1: field()}, now_s)
+        self.assertEqual(0, record.verdict()['violations']['no_go'])
+        record = self._record(self._plan(EASTWARD, []), zone)
+        self.assertEqual(2, record.verdict()['violations']['no_go'])
+
+    def test_a_state_off_the_track_is_found(self):
+        record = self._record(self._plan(EASTWARD, []), facts())
+        record.take_state('a', 15 * HOUR_S, 0.7, 1.0)
+        self.assertEqual(0, record.verdict()['violations']['off_track'])
+        record.take_state('a', 15 * HOUR_S, 0.7, 1.01)
+        self.assertEqual(1, record.verdict()['violations']['off_track'])
+
+
+class FactsTest(unittest.TestCase):
+    def test_reads_durations_and_geometries_with_a_prefix(self):
+        self.assertEqual(2 * DAY_S + 90.0,
+                         mission_facts.duration_s('P2DT1M30S'))
+        shape = mission_facts.geometry(
+            '<http://www.opengis.net/def/crs/OGC/1.3/CRS84> '
+            'POLYGON((0 0, 1 0, 1 1, 0 1, 0 0))')
+        self.assertEqual(1.0, shape.area)
+
+    def test_an_expired_event_has_no_windows_left(self):
+        windows = [Window(i, i * DAY_S, (i + 1) * DAY_S) for i in range(4)]
+        left = mission_facts._unexpired(windows, 'P2D')
+        self.assertEqual([0, 1], [window.index for window in left])
+
+
+if __name__ == '__main__':
+    rosunit.unitrun('mission', 'plan_check', 'plan_check_test')
