@@ -14,11 +14,14 @@
 //           applied last, so forbidden cells are exactly 0 (A4).
 //   F       gradient magnitude per km (Sobel, NaN-aware), scaled to [0, 1] by
 //           its maximum over the window's feasible cells (A16); skipped for
-//           gamma = 0. B and F enter in [0, 1].
+//           gamma = 0. B enters in [0, 1] likewise.
 //   Events  value-weighted Gaussian bumps in the windows they are active (A42).
 
 #ifndef KG_COMPILER_DATA_PLANE_H_
 #define KG_COMPILER_DATA_PLANE_H_
+
+#include <string>
+#include <vector>
 
 #include "kg_compiler/mission_tensor.h"
 #include "kg_core/mission/mission.h"
@@ -29,26 +32,51 @@ namespace kg_compiler {
 // What does not depend on the agent, for one window.
 struct WindowRasters {
   kg_core::Grid grid;
-  kg_core::Mask land;            // 1 = land (no current data).
-  kg_core::Raster value;         // B_t in its own unit; NaN = no data.
-  std::string value_iri;         // The ex:ValueLayer.
+  kg_core::Mask land;     // 1 = land (no current data).
+  kg_core::Raster value;  // B_t in its own unit; NaN = no data.
+  std::string value_iri;  // The ex:ValueLayer.
   std::string value_file_iri;
-  std::string field_iri;         // The ex:CurrentField whose gaps are land.
-  std::string content_hash;      // Of grid, land and value.
+  std::string field_iri;     // The ex:CurrentField whose gaps are land.
+  std::string content_hash;  // Of grid, land and value.
+  std::string land_hash;     // Of grid and land.
 };
 
-// Throws std::logic_error if sizes do not agree.
+// One N for all windows of an agent (A1, `horizon`).
+struct HorizonScale {
+  double low = 0.0;
+  double range = 0.0;
+  std::vector<std::string> derived_from;  // What every window's blend read.
+};
+
+// `rasters` of every window of the mission, by index.
+HorizonScale MeasureHorizon(const kg_core::Mission& mission,
+                            const kg_core::Agent& agent,
+                            const std::vector<WindowRasters>& rasters);
+
+// `horizon` if and only if the policy's confidence mode is kHorizon. Throws
+// std::logic_error if that or the rasters' sizes do not agree.
 MissionTensor CompileTensor(const kg_core::Mission& mission,
                             const kg_core::Agent& agent,
                             const kg_core::TimeWindow& window,
-                            const WindowRasters& rasters);
+                            const WindowRasters& rasters,
+                            const HorizonScale* horizon = nullptr);
 
 // The hash CompileTensor would give, without the work: of everything it would
-// read, and nothing else. Equal hash = equal tensor.
+// read, and nothing else. Equal hash = equal layers, whoever's they are.
 std::string TensorHash(const kg_core::Mission& mission,
                        const kg_core::Agent& agent,
                        const kg_core::TimeWindow& window,
-                       const WindowRasters& rasters);
+                       const WindowRasters& rasters,
+                       const HorizonScale* horizon = nullptr);
+
+// The IRIs of the facts and files that it reads, sorted: the policy, the window
+// and the field whose gaps are land always; the value layer and its file if
+// alpha or gamma is not 0; every constraint, weighted prior and bumping event
+// in force; the agent itself only if one of them is in force for naming it.
+std::vector<std::string> TensorSources(const kg_core::Mission& mission,
+                                       const kg_core::Agent& agent,
+                                       const kg_core::TimeWindow& window,
+                                       const WindowRasters& rasters);
 
 }  // namespace kg_compiler
 

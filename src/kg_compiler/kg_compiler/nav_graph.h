@@ -2,9 +2,10 @@
 // within reach, and the seams between those of consecutive windows, each flown.
 //
 // Window t's waypoints are sampled from U_t where the agent can be by the end
-// of t, having been at one of window t-1's waypoints (or its start) at the begin
-// of t, plus the reachable events of the window and the places it can stay at.
-// A seam into window t leaves when t begins and arrives before it ends.
+// of t, having been at one of window t-1's waypoints (or its start) at the
+// begin of t, plus the reachable events of the window and the places it can
+// stay at. A seam into window t leaves when t begins and arrives before it
+// ends.
 
 #ifndef KG_COMPILER_NAV_GRAPH_H_
 #define KG_COMPILER_NAV_GRAPH_H_
@@ -22,8 +23,8 @@ namespace kg_compiler {
 struct Waypoint {
   int id = 0;  // Index within its window's graph.
   kg_core::LonLat position;
-  double score = 0.0;   // PR response: sum of FUSED over the footprint (A12).
-  double value = 0.0;   // FUSED at the waypoint, in [0, 1].
+  double score = 0.0;  // PR response: sum of FUSED over the footprint (A12).
+  double value = 0.0;  // FUSED at the waypoint, in [0, 1].
   std::vector<std::string> events;  // IRIs of the events a visit here counts.
   double event_reward = 0.0;        // Their rewards' sum.
 };
@@ -41,7 +42,7 @@ struct NavGraph {
   int window = 0;
   std::vector<Waypoint> waypoints;
   std::vector<TraverseEdge> edges;  // By (from, to).
-  std::string hash;  // Of everything it is made of.
+  std::string hash;                 // Of everything it is made of.
 };
 
 // One window's rasters as published.

@@ -2,10 +2,10 @@
 //
 // R = U * disc_r (convolution with the sensor's disc in metres, an ellipse in
 // cells); take the best allowed cell of R, zero U inside its disc (radius
-// `spacing_m`), update R there, repeat. Ties by row, then column. This is greedy
-// weighted maximum coverage. Interpretation of Holmberg, Abdelguerfi and Ioup,
-// "STROOBnet Optimization via GPU-Accelerated Proximal Recurrence Strategies",
-// IEEE BigData 2023, 10.1109/BigData59044.2023.10386774 (A13).
+// `spacing_m`), update R there, repeat. Ties by row, then column. This is
+// greedy weighted maximum coverage. Interpretation of Holmberg, Abdelguerfi and
+// Ioup, "STROOBnet Optimization via GPU-Accelerated Proximal Recurrence
+// Strategies", IEEE BigData 2023, 10.1109/BigData59044.2023.10386774 (A13).
 
 #ifndef KG_COMPILER_PROXIMAL_RECURRENCE_H_
 #define KG_COMPILER_PROXIMAL_RECURRENCE_H_

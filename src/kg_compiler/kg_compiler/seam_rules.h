@@ -16,10 +16,10 @@ namespace kg_compiler {
 
 // Motion through water and its price.
 struct MotionModel {
-  double cruise_mps = 0.0;       // Through water, along a seam.
-  double max_mps = 0.0;          // For holding station only.
-  double boost_gain = 1.0;       // Share of the current that carries (A17).
-  double energy_per_m_j = 0.0;   // Through water (A46).
+  double cruise_mps = 0.0;      // Through water, along a seam.
+  double max_mps = 0.0;         // For holding station only.
+  double boost_gain = 1.0;      // Share of the current that carries (A17).
+  double energy_per_m_j = 0.0;  // Through water (A46).
   double hotel_load_w = 0.0;
 };
 
@@ -59,14 +59,14 @@ struct SeamRules {
   std::uint64_t world_version = 0;
   MotionModel motion;
   SeamWeights weights;
-  double energy_budget_j = 0.0;   // What is left for all windows below.
-  double sensor_radius_m = 0.0;   // Footprint of a visit: PR's disc.
-  double spacing_m = 0.0;         // Least distance between waypoints.
-  int max_waypoints = 20;         // Per window.
-  int candidates = 10;            // K.
-  double hazard_range_m = 10e3;   // Hazard falls to 1/e at this distance.
-  kg_core::LonLat start;          // Where the agent is at the first begin_s.
-  double start_heading_rad = 0.0;  // Clockwise from north.
+  double energy_budget_j = 0.0;      // What is left for all windows below.
+  double sensor_radius_m = 0.0;      // Footprint of a visit: PR's disc.
+  double spacing_m = 0.0;            // Least distance between waypoints.
+  int max_waypoints = 20;            // Per window.
+  int candidates = 10;               // K.
+  double hazard_range_m = 10e3;      // Hazard falls to 1/e at this distance.
+  kg_core::LonLat start;             // Where the agent is at the first begin_s.
+  double start_heading_rad = 0.0;    // Clockwise from north.
   std::vector<WindowRules> windows;  // Those still to be planned, ascending.
 };
 

@@ -36,17 +36,17 @@ struct TimedPoint {
 // separation between agents is judged on it.
 struct Flight {
   std::vector<TimedPoint> track;  // Ends with arrival and, if later, deadline.
-  double travel_s = 0.0;     // Departure to arrival.
-  double energy_j = 0.0;     // Propulsion, hotel load and holding station.
-  double hazard_s = 0.0;     // Hazard in [0, 1] integrated until the deadline.
+  double travel_s = 0.0;          // Departure to arrival.
+  double energy_j = 0.0;          // Propulsion, hotel load and holding station.
+  double hazard_s = 0.0;  // Hazard in [0, 1] integrated until the deadline.
   double through_water_m = 0.0;
 };
 
 // The world as one window's traversal sees it. All on one grid.
 struct TraversalWorld {
   const kg_core::VectorField* field = nullptr;
-  const kg_core::Mask* open = nullptr;       // 1 = may be entered.
-  const kg_core::Raster* hazard = nullptr;   // In [0, 1].
+  const kg_core::Mask* open = nullptr;      // 1 = may be entered.
+  const kg_core::Raster* hazard = nullptr;  // In [0, 1].
 };
 
 struct Departure {

@@ -1,0 +1,64 @@
+#include "kg_compiler/active_facts.h"
+
+#include <algorithm>
+
+namespace kg_compiler {
+namespace {
+
+template <typename T>
+bool Has(const std::vector<T>& values, const T& value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+template <typename T>
+bool InScope(const std::vector<T>& scope, const T& value) {
+  return scope.empty() || Has(scope, value);
+}
+
+ActiveConstraint Activate(const kg_core::Constraint& fact,
+                          const kg_core::Policy& policy) {
+  ActiveConstraint active{&fact, fact.kind == kg_core::ConstraintKind::kNoGo,
+                          1.0};
+  if (active.hard) return active;
+  const auto found = policy.soft_overrides.find(fact.iri);
+  active.attenuation =
+      found == policy.soft_overrides.end() ? fact.attenuation : found->second;
+  active.hard = policy.escalate_soft && active.attenuation < 1.0;
+  return active;
+}
+
+void FindPriors(const kg_core::Mission& mission, const kg_core::Agent& agent,
+                int window, ActiveFacts* active) {
+  for (const kg_core::PriorLayer& prior : mission.priors) {
+    const auto beta = agent.policy.beta.find(prior.iri);
+    if (beta == agent.policy.beta.end() || beta->second == 0.0) continue;
+    if (!InScope(prior.windows, window)) continue;
+    if (!InScope(prior.agents, agent.iri)) continue;
+    active->priors.push_back({&prior, beta->second});
+    active->names_agent |= !prior.agents.empty();
+  }
+}
+
+}  // namespace
+
+ActiveFacts FindActiveFacts(const kg_core::Mission& mission,
+                            const kg_core::Agent& agent,
+                            const kg_core::TimeWindow& window) {
+  ActiveFacts active;
+  const kg_core::Policy& policy = agent.policy;
+  active.reads_value = policy.alpha_base != 0.0 || policy.gamma_front != 0.0;
+  for (const kg_core::Constraint& constraint : mission.constraints) {
+    if (!InScope(constraint.windows, window.index)) continue;
+    if (!InScope(constraint.agents, agent.iri)) continue;
+    active.constraints.push_back(Activate(constraint, policy));
+    active.names_agent |= !constraint.agents.empty();
+  }
+  FindPriors(mission, agent, window.index, &active);
+  if (policy.beta_poi == 0.0) return active;
+  for (const kg_core::Event& event : mission.events) {
+    if (Has(event.windows, window.index)) active.events.push_back(&event);
+  }
+  return active;
+}
+
+}  // namespace kg_compiler

@@ -1,0 +1,43 @@
+// Which facts a mission tensor of one (agent, window) reads: chosen here once,
+// for the masks, the blend, the hash and the provenance alike, so that the four
+// cannot disagree.
+
+#ifndef KG_COMPILER_ACTIVE_FACTS_H_
+#define KG_COMPILER_ACTIVE_FACTS_H_
+
+#include <string>
+#include <vector>
+
+#include "kg_core/mission/mission.h"
+
+namespace kg_compiler {
+
+struct ActiveConstraint {
+  const kg_core::Constraint* fact = nullptr;
+  bool hard = false;         // no_go, or a soft zone escalated (A11).
+  double attenuation = 1.0;  // Of a soft zone, the policy's override applied.
+};
+
+struct ActivePrior {
+  const kg_core::PriorLayer* fact = nullptr;
+  double beta = 0.0;
+};
+
+struct ActiveFacts {
+  bool reads_value = false;  // B_t, for alpha or gamma.
+  bool names_agent =
+      false;  // Some fact is in force because it names the agent.
+  std::vector<ActiveConstraint> constraints;
+  std::vector<ActivePrior> priors;
+  std::vector<const kg_core::Event*> events;  // With beta_poi only.
+};
+
+// Points into `mission`, which must outlive it. A soft zone is escalated where
+// the policy says so and its factor is below 1.
+ActiveFacts FindActiveFacts(const kg_core::Mission& mission,
+                            const kg_core::Agent& agent,
+                            const kg_core::TimeWindow& window);
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_ACTIVE_FACTS_H_

@@ -1,0 +1,172 @@
+// What the tests of this package build their worlds from: seeded random grids,
+// masks and fields, and mission facts with plain values.
+
+#ifndef KG_COMPILER_TEST_WORLD_H_
+#define KG_COMPILER_TEST_WORLD_H_
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "kg_compiler/data_plane.h"
+#include "kg_core/base/units.h"
+#include "kg_core/mission/mission.h"
+#include "kg_core/raster/vector_field.h"
+
+namespace kg_compiler {
+
+inline constexpr float kGap = std::numeric_limits<float>::quiet_NaN();
+
+inline double Uniform(std::mt19937& rng, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(rng);
+}
+
+inline std::vector<double> EvenAxis(double first, double step, int size) {
+  std::vector<double> axis;
+  for (int i = 0; i < size; ++i) axis.push_back(first + i * step);
+  return axis;
+}
+
+inline kg_core::Grid EvenGrid(double west, double south, double step, int rows,
+                              int cols) {
+  return {EvenAxis(west, step, cols), EvenAxis(south, step, rows)};
+}
+
+// Spacing varies by a third either way.
+inline kg_core::Grid UnevenGrid(std::mt19937& rng, int rows, int cols) {
+  std::vector<double> lon(1, -92.0), lat(1, 23.0);
+  for (int c = 1; c < cols; ++c)
+    lon.push_back(lon.back() + Uniform(rng, .03, .06));
+  for (int r = 1; r < rows; ++r)
+    lat.push_back(lat.back() + Uniform(rng, .03, .06));
+  return {lon, lat};
+}
+
+inline kg_core::Mask RandomMask(std::mt19937& rng, std::size_t size,
+                                double share) {
+  kg_core::Mask mask(size);
+  for (auto& cell : mask) cell = Uniform(rng, 0, 1) < share;
+  return mask;
+}
+
+inline kg_core::Raster RandomRaster(std::mt19937& rng, std::size_t size,
+                                    double low, double high) {
+  kg_core::Raster raster(size);
+  for (float& x : raster) x = static_cast<float>(Uniform(rng, low, high));
+  return raster;
+}
+
+// A few random vortices in a random mean flow that turns with time: smooth,
+// with slices every `step_s` over [0, end_s].
+inline kg_core::VectorField RandomFlow(std::mt19937& rng,
+                                       const kg_core::Grid& grid,
+                                       double speed_mps, double step_s,
+                                       double end_s) {
+  struct Vortex {
+    double row, col, radius, strength;
+  };
+  std::vector<Vortex> vortices;
+  for (int i = 0; i < 5; ++i) {
+    vortices.push_back({Uniform(rng, 0, grid.rows()),
+                        Uniform(rng, 0, grid.cols()), Uniform(rng, 4, 12),
+                        Uniform(rng, -1, 1)});
+  }
+  const double phase = Uniform(rng, 0, 2 * kg_core::kPi);
+  kg_core::VectorField field;
+  field.grid = grid;
+  for (double t = 0; t <= end_s; t += step_s) {
+    kg_core::FieldSlice slice{t, kg_core::Raster(grid.size()),
+                              kg_core::Raster(grid.size())};
+    for (int r = 0; r < grid.rows(); ++r) {
+      for (int c = 0; c < grid.cols(); ++c) {
+        const double turn = phase + 2 * kg_core::kPi * t / 86400.0;
+        double u = 0.3 * std::cos(turn), v = 0.3 * std::sin(turn);
+        for (const Vortex& vortex : vortices) {
+          const double dy = (r - vortex.row) / vortex.radius;
+          const double dx = (c - vortex.col - t / 40000.0) / vortex.radius;
+          const double swirl = vortex.strength * std::exp(-dx * dx - dy * dy);
+          u += -2.0 * swirl * dy;
+          v += 2.0 * swirl * dx;
+        }
+        slice.east_mps[grid.Index({r, c})] = static_cast<float>(speed_mps * u);
+        slice.north_mps[grid.Index({r, c})] = static_cast<float>(speed_mps * v);
+      }
+    }
+    field.slices.push_back(slice);
+  }
+  return field;
+}
+
+inline kg_core::VectorField UniformFlow(const kg_core::Grid& grid, double east,
+                                        double north) {
+  kg_core::VectorField field;
+  field.grid = grid;
+  field.slices.push_back(
+      {0.0, kg_core::Raster(grid.size(), static_cast<float>(east)),
+       kg_core::Raster(grid.size(), static_cast<float>(north))});
+  return field;
+}
+
+inline std::string BoxWkt(double west, double south, double east,
+                          double north) {
+  const auto at = [](double x, double y) {
+    return std::to_string(x) + " " + std::to_string(y);
+  };
+  return "POLYGON((" + at(west, south) + "," + at(east, south) + "," +
+         at(east, north) + "," + at(west, north) + "," + at(west, south) + "))";
+}
+
+inline kg_core::Geometry Box(double west, double south, double east,
+                             double north) {
+  return kg_core::Geometry::FromWkt(BoxWkt(west, south, east, north));
+}
+
+inline kg_core::Constraint AreaConstraint(const std::string& iri,
+                                          kg_core::ConstraintKind kind,
+                                          const kg_core::Geometry& area) {
+  kg_core::Constraint constraint;
+  constraint.iri = iri;
+  constraint.kind = kind;
+  constraint.area = area;
+  return constraint;
+}
+
+inline kg_core::Agent TestAgent(const std::string& id) {
+  kg_core::Agent agent;
+  agent.iri = "ex:" + id;
+  agent.id = id;
+  agent.policy.iri = "ex:policy";
+  agent.capabilities.cruise_mps = 0.5;
+  agent.capabilities.max_mps = 3.0;
+  agent.capabilities.energy_per_m_j = 2.0;
+  agent.capabilities.hotel_load_w = 1.0;
+  agent.capabilities.energy_budget_j = 1e7;
+  agent.capabilities.sensor_radius_m = 12000.0;
+  return agent;
+}
+
+inline kg_core::TimeWindow TestWindow(int index, double confidence) {
+  return {"ex:w" + std::to_string(index), index, index * 86400.0,
+          (index + 1) * 86400.0, confidence};
+}
+
+inline WindowRasters TestRasters(const kg_core::Grid& grid,
+                                 const kg_core::Raster& value,
+                                 const kg_core::Mask& land) {
+  WindowRasters rasters;
+  rasters.grid = grid;
+  rasters.land = land;
+  rasters.value = value;
+  rasters.value_iri = "ex:value";
+  rasters.value_file_iri = "ex:value_file";
+  rasters.field_iri = "ex:field";
+  rasters.content_hash = "content";
+  rasters.land_hash = "land";
+  return rasters;
+}
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_TEST_WORLD_H_
