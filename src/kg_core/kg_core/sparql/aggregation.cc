@@ -1,0 +1,101 @@
+#include "kg_core/sparql/aggregation.h"
+
+#include <utility>
+
+namespace kg_core::sparql {
+
+using Kind = Aggregate::Kind;
+
+void Accumulator::AddRow(const Row& row) {
+  if (aggregate_->distinct) {
+    if (!seen_rows_.insert(row).second) return;
+    budget_->UseWorkingBytes(2 * sizeof(TermId) * (row.size() + 8));
+  }
+  ++count_;
+}
+
+// An error spoils sums and averages and does not count elsewhere.
+void Accumulator::Add(TermId value) {
+  if (value == kNoTerm) {
+    error_ = true;
+    return;
+  }
+  if (aggregate_->distinct) {
+    if (!seen_.insert(value).second) return;
+    budget_->UseWorkingBytes(4 * sizeof(TermId));
+  }
+  ++count_;
+  const Term& term = terms_->Get(value);
+  switch (aggregate_->kind) {
+    case Kind::kCount:
+      break;
+    case Kind::kSum:
+    case Kind::kAvg:
+      AddNumber(term);
+      break;
+    case Kind::kMin:
+      if (best_ == kNoTerm || OrderOf(&term, &terms_->Get(best_)) < 0) {
+        best_ = value;
+      }
+      break;
+    case Kind::kMax:
+      if (best_ == kNoTerm || OrderOf(&term, &terms_->Get(best_)) > 0) {
+        best_ = value;
+      }
+      break;
+    case Kind::kSample:
+      if (best_ == kNoTerm) best_ = value;
+      break;
+    case Kind::kGroupConcat:
+      AddText(term);
+      break;
+  }
+}
+
+void Accumulator::AddNumber(const Term& term) {
+  const std::optional<Number> number = ToNumber(term);
+  if (!number) {
+    error_ = true;
+    return;
+  }
+  if (!sum_) sum_ = Number();
+  sum_ = Calculate(Arithmetic::kAdd, *sum_, *number);
+  if (!sum_) error_ = true;
+}
+
+void Accumulator::AddText(const Term& term) {
+  if (count_ > 1) text_ += aggregate_->separator;
+  text_ += term.text;
+  budget_->UseWorkingBytes(term.text.size() + aggregate_->separator.size());
+}
+
+std::optional<Term> Accumulator::Result() const {
+  const Number number = sum_.value_or(Number());
+  switch (aggregate_->kind) {
+    case Kind::kCount:
+      return IntegerLiteral(static_cast<long long>(count_));
+    case Kind::kSum:
+      if (error_) return std::nullopt;
+      return ToTerm(number);
+    case Kind::kAvg: {
+      if (error_) return std::nullopt;
+      if (count_ == 0) return IntegerLiteral(0);
+      Number count;
+      count.exact.digits = static_cast<__int128>(count_);
+      const std::optional<Number> average =
+          Calculate(Arithmetic::kDivide, number, count);
+      if (!average) return std::nullopt;
+      return ToTerm(*average);
+    }
+    case Kind::kMin:
+    case Kind::kMax:
+    case Kind::kSample:
+      if (best_ == kNoTerm) return std::nullopt;
+      return terms_->Get(best_);
+    case Kind::kGroupConcat:
+      return Literal(text_);
+  }
+  return std::nullopt;
+}
+
+}  // namespace kg_core::sparql

@@ -1,0 +1,48 @@
+// Set functions of one group.
+// https://www.w3.org/TR/sparql11-query/#setFunctions
+
+#ifndef KG_CORE_SPARQL_AGGREGATION_H_
+#define KG_CORE_SPARQL_AGGREGATION_H_
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "absl/container/flat_hash_set.h"
+#include "kg_core/sparql/expression.h"
+#include "kg_core/sparql/values.h"
+
+namespace kg_core::sparql {
+
+// The running value of one aggregate.
+class Accumulator {
+ public:
+  Accumulator(const Aggregate* aggregate, TermTable* terms, Budget* budget)
+      : aggregate_(aggregate), terms_(terms), budget_(budget) {}
+
+  // Takes a value, kNoTerm for an error or unbound.
+  void Add(TermId value);
+  // Takes a solution: COUNT(*).
+  void AddRow(const Row& row);
+  // Nothing is SPARQL's error: the variable stays unbound.
+  std::optional<Term> Result() const;
+
+ private:
+  void AddNumber(const Term& term);
+  void AddText(const Term& term);
+
+  const Aggregate* aggregate_;
+  TermTable* terms_;
+  Budget* budget_;
+  std::size_t count_ = 0;
+  bool error_ = false;
+  std::optional<Number> sum_;
+  TermId best_ = kNoTerm;
+  std::string text_;
+  absl::flat_hash_set<TermId> seen_;  // DISTINCT.
+  absl::flat_hash_set<Row> seen_rows_;
+};
+
+}  // namespace kg_core::sparql
+
+#endif  // KG_CORE_SPARQL_AGGREGATION_H_

@@ -1,0 +1,395 @@
+#include "kg_core/sparql/algebra.h"
+
+#include <utility>
+
+#include "absl/functional/function_ref.h"
+
+namespace kg_core::sparql {
+namespace {
+
+using Kind = Pattern::Kind;
+
+void InsertNode(const Node& node, VariableSet* set) {
+  if (node.is_variable && node.index != kNone) set->Insert(node.index);
+}
+
+VariableSet TripleVariables(const Pattern& basic) {
+  VariableSet set;
+  for (const TriplePattern& triple : basic.triples) {
+    InsertNode(triple.subject, &set);
+    InsertNode(triple.object, &set);
+    if (!triple.path) InsertNode(triple.predicate, &set);
+  }
+  return set;
+}
+
+bool HasExists(const Expression& expression) {
+  if (expression.pattern != nullptr) return true;
+  for (const Expression& argument : expression.arguments) {
+    if (HasExists(argument)) return true;
+  }
+  return false;
+}
+
+VariableSet VariablesOfAll(const std::vector<Expression>& expressions) {
+  VariableSet set;
+  for (const Expression& expression : expressions) {
+    set.InsertAll(VariablesOf(expression));
+  }
+  return set;
+}
+
+void ForEachExists(Expression* expression,
+                   absl::FunctionRef<void(Pattern*)> visit) {
+  if (expression->pattern != nullptr) visit(expression->pattern.get());
+  for (Expression& argument : expression->arguments) {
+    ForEachExists(&argument, visit);
+  }
+}
+
+void ForEachExpression(Select* select,
+                       absl::FunctionRef<void(Expression*)> visit) {
+  for (Column& column : select->columns) {
+    if (column.expression) visit(&*column.expression);
+  }
+  for (Column& key : select->group_by) {
+    if (key.expression) visit(&*key.expression);
+  }
+  for (Aggregate& aggregate : select->aggregates) {
+    if (aggregate.argument) visit(&*aggregate.argument);
+  }
+  for (Expression& expression : select->having) visit(&expression);
+  for (OrderKey& key : select->order_by) visit(&key.expression);
+}
+
+VariableSet CertainValues(const Pattern& values) {
+  VariableSet certain;
+  for (std::size_t i = 0; i < values.variables.size(); ++i) {
+    bool bound = true;
+    for (const std::vector<int>& row : values.rows) {
+      bound = bound && row[i] != kNone;
+    }
+    if (bound) certain.Insert(values.variables[i]);
+  }
+  return certain;
+}
+
+// Of the columns of a subquery, those that its pattern binds for certain.
+VariableSet CertainColumns(const Select& select) {
+  VariableSet keys;
+  for (const Column& key : select.group_by) {
+    if (!key.expression) keys.Insert(key.variable);
+  }
+  VariableSet certain;
+  for (const Column& column : select.columns) {
+    const bool kept = !select.grouped || keys.Contains(column.variable);
+    if (!column.expression && kept &&
+        select.where.certain.Contains(column.variable)) {
+      certain.Insert(column.variable);
+    }
+  }
+  return certain;
+}
+
+VariableSet CertainVariables(const Pattern& pattern) {
+  VariableSet certain;
+  switch (pattern.kind) {
+    case Kind::kBasic:
+      return TripleVariables(pattern);
+    case Kind::kValues:
+      return CertainValues(pattern);
+    case Kind::kSelect:
+      return CertainColumns(*pattern.select);
+    case Kind::kUnion:
+      certain = pattern.parts[0].certain;
+      for (const Pattern& part : pattern.parts) {
+        certain = certain.And(part.certain);
+      }
+      return certain;
+    case Kind::kJoin:
+      certain = pattern.parts[0].certain;
+      certain.InsertAll(pattern.parts[1].certain);
+      return certain;
+    case Kind::kGraph:
+      certain = pattern.parts[0].certain;
+      InsertNode(pattern.graph, &certain);
+      return certain;
+    case Kind::kLeftJoin:
+    case Kind::kMinus:
+    case Kind::kFilter:
+    case Kind::kExtend:
+      break;
+  }
+  return pattern.parts[0].certain;
+}
+
+VariableSet PossibleVariables(const Pattern& pattern) {
+  VariableSet possible;
+  if (pattern.kind == Kind::kBasic) return TripleVariables(pattern);
+  if (pattern.kind == Kind::kSelect) return VisibleVariables(pattern);
+  for (const Pattern& part : pattern.parts) {
+    possible.InsertAll(part.possible);
+    if (pattern.kind == Kind::kMinus) break;
+  }
+  InsertNode(pattern.graph, &possible);
+  if (pattern.variable != kNone) possible.Insert(pattern.variable);
+  for (const int variable : pattern.variables) possible.Insert(variable);
+  return possible;
+}
+
+void Analyse(Pattern* pattern);
+
+void AnalyseExists(Expression* expression) {
+  ForEachExists(expression, [](Pattern* pattern) { Analyse(pattern); });
+}
+
+// Sets `possible` and `certain`, inside first.
+void Analyse(Pattern* pattern) {
+  for (Pattern& part : pattern->parts) Analyse(&part);
+  for (Expression& filter : pattern->filters) AnalyseExists(&filter);
+  if (pattern->kind == Kind::kSelect) {
+    Analyse(&pattern->select->where);
+    ForEachExpression(pattern->select.get(), AnalyseExists);
+  }
+  pattern->possible = PossibleVariables(*pattern);
+  pattern->certain = CertainVariables(*pattern);
+}
+
+// Moves `filter` into `pattern` if its variables are certain there.
+bool Push(Expression* filter, Pattern* pattern) {
+  const VariableSet variables = VariablesOf(*filter);
+  const auto into = [&](Pattern* part) {
+    return variables.IsSubsetOf(part->certain) && Push(filter, part);
+  };
+  switch (pattern->kind) {
+    case Kind::kBasic:
+    case Kind::kFilter:
+      if (!variables.IsSubsetOf(pattern->certain)) return false;
+      if (pattern->kind == Kind::kFilter && into(&pattern->parts[0])) {
+        return true;
+      }
+      pattern->filters.push_back(std::move(*filter));
+      return true;
+    case Kind::kJoin:
+      return into(&pattern->parts[0]) || into(&pattern->parts[1]);
+    case Kind::kLeftJoin:
+    case Kind::kMinus:
+    case Kind::kGraph:
+    case Kind::kExtend:
+      return into(&pattern->parts[0]);
+    case Kind::kUnion:
+    case Kind::kValues:
+    case Kind::kSelect:
+      break;
+  }
+  return false;
+}
+
+// A filter 'a && b' holds where a and b hold: all conjuncts, one by one.
+void SplitConjunction(Expression expression, std::vector<Expression>* out) {
+  if (expression.op != Expression::Op::kAnd) {
+    out->push_back(std::move(expression));
+    return;
+  }
+  for (Expression& argument : expression.arguments) {
+    SplitConjunction(std::move(argument), out);
+  }
+}
+
+void PushFilters(Pattern* pattern) {
+  for (Pattern& part : pattern->parts) PushFilters(&part);
+  if (pattern->kind == Kind::kSelect) PushFilters(&pattern->select->where);
+  for (Expression& filter : pattern->filters) {
+    ForEachExists(&filter, [](Pattern* inner) { PushFilters(inner); });
+  }
+  if (pattern->kind != Kind::kFilter) return;
+  std::vector<Expression> conjuncts;
+  for (Expression& filter : pattern->filters) {
+    SplitConjunction(std::move(filter), &conjuncts);
+  }
+  pattern->filters.clear();
+  for (Expression& conjunct : conjuncts) {
+    if (HasExists(conjunct) || !Push(&conjunct, &pattern->parts[0])) {
+      pattern->filters.push_back(std::move(conjunct));
+    }
+  }
+}
+
+// Does `pattern` give the same solutions whether or not it sees `seeds`?
+bool SafeToSeed(const Pattern& pattern, const VariableSet& seeds) {
+  VariableSet seen;  // What it looks at without binding it itself.
+  switch (pattern.kind) {
+    case Kind::kBasic:
+    case Kind::kValues:
+    case Kind::kJoin:   // Its parts are marked one by one,
+    case Kind::kUnion:  // and so are these.
+    case Kind::kGraph:
+      return true;
+    case Kind::kSelect:
+      return false;
+    case Kind::kExtend:
+      if (seeds.Contains(pattern.variable)) return false;
+      seen = VariablesOfAll(pattern.filters);
+      break;
+    case Kind::kFilter:
+      seen = VariablesOfAll(pattern.filters);
+      break;
+    case Kind::kLeftJoin:
+    case Kind::kMinus:
+      seen = VariablesOfAll(pattern.filters);
+      seen.InsertAll(MentionedVariables(pattern.parts[1]));
+      break;
+  }
+  return seen.And(seeds).IsSubsetOf(pattern.parts[0].certain);
+}
+
+VariableSet With(VariableSet set, const VariableSet& more) {
+  set.InsertAll(more);
+  return set;
+}
+
+// How the variables bound outside reach a pattern.
+struct Seeding {
+  VariableSet seeds;
+  // Within EXISTS they are put in place of the variables, come what may.
+  // https://www.w3.org/TR/sparql11-query/#defn_substitute
+  bool substitute = false;
+};
+
+void Mark(Pattern* pattern, Seeding seeding);
+
+void MarkExists(Expression* expression, const VariableSet& seeds) {
+  ForEachExists(expression, [&seeds](Pattern* inner) {
+    Mark(inner, {seeds, true});
+  });
+}
+
+void MarkSelect(Select* select) {
+  Mark(&select->where, {});
+  VariableSet seeds = select->where.possible;
+  for (const Column& key : select->group_by) seeds.Insert(key.variable);
+  for (const Column& column : select->columns) seeds.Insert(column.variable);
+  ForEachExpression(select, [&seeds](Expression* expression) {
+    MarkExists(expression, seeds);
+  });
+}
+
+// A right side that shares nothing with the left is evaluated once.
+void MarkRight(Pattern* right, const Seeding& seeding) {
+  Mark(right, seeding);
+  const bool shares = !right->possible.And(seeding.seeds).Members().empty();
+  const bool cheap =
+      right->kind == Kind::kBasic || right->kind == Kind::kValues;
+  if (!shares && !cheap && !seeding.substitute && !right->materialise) {
+    Mark(right, {});
+    right->materialise = true;
+  }
+}
+
+// Sets `materialise`; see the header.
+void Mark(Pattern* pattern, Seeding seeding) {
+  pattern->materialise =
+      pattern->kind == Kind::kSelect ||
+      (!seeding.substitute && !SafeToSeed(*pattern, seeding.seeds));
+  if (pattern->materialise) seeding = {};
+  Seeding inner = seeding;
+  switch (pattern->kind) {
+    case Kind::kBasic:
+    case Kind::kValues:
+      break;
+    case Kind::kSelect:
+      MarkSelect(pattern->select.get());
+      break;
+    case Kind::kJoin:
+    case Kind::kLeftJoin:
+      Mark(&pattern->parts[0], seeding);
+      inner.seeds.InsertAll(pattern->parts[0].possible);
+      MarkRight(&pattern->parts[1], inner);
+      break;
+    case Kind::kMinus:
+      Mark(&pattern->parts[0], seeding);
+      Mark(&pattern->parts[1], {});
+      break;
+    case Kind::kUnion:
+      for (Pattern& part : pattern->parts) Mark(&part, seeding);
+      break;
+    case Kind::kGraph:
+      InsertNode(pattern->graph, &inner.seeds);
+      Mark(&pattern->parts[0], inner);
+      break;
+    case Kind::kFilter:
+    case Kind::kExtend:
+      Mark(&pattern->parts[0], seeding);
+      break;
+  }
+  for (Expression& filter : pattern->filters) {
+    MarkExists(&filter, With(seeding.seeds, pattern->possible));
+  }
+}
+
+// VALUES first: it is small, and its values lead into the indices.
+void MoveValues(Pattern* pattern) {
+  for (Pattern& part : pattern->parts) MoveValues(&part);
+  if (pattern->kind == Kind::kSelect) MoveValues(&pattern->select->where);
+  if (pattern->kind != Kind::kJoin) return;
+  Pattern& left = pattern->parts[0];
+  Pattern& right = pattern->parts[1];
+  if (right.kind == Kind::kValues && SafeToSeed(left, right.possible)) {
+    std::swap(left, right);
+  }
+}
+
+}  // namespace
+
+VariableSet VariablesOf(const Expression& expression) {
+  VariableSet set;
+  const bool mentions = expression.op == Expression::Op::kVariable ||
+                        expression.op == Expression::Op::kBound;
+  if (mentions) set.Insert(expression.index);
+  for (const Expression& argument : expression.arguments) {
+    set.InsertAll(VariablesOf(argument));
+  }
+  if (expression.pattern != nullptr) {
+    set.InsertAll(MentionedVariables(*expression.pattern));
+  }
+  return set;
+}
+
+VariableSet VisibleVariables(const Pattern& pattern) {
+  VariableSet set;
+  if (pattern.kind == Kind::kBasic) return TripleVariables(pattern);
+  if (pattern.kind == Kind::kSelect) {
+    for (const Column& column : pattern.select->columns) {
+      set.Insert(column.variable);
+    }
+    return set;
+  }
+  for (const Pattern& part : pattern.parts) {
+    set.InsertAll(VisibleVariables(part));
+    if (pattern.kind == Kind::kMinus) break;
+  }
+  InsertNode(pattern.graph, &set);
+  if (pattern.variable != kNone) set.Insert(pattern.variable);
+  for (const int variable : pattern.variables) set.Insert(variable);
+  return set;
+}
+
+VariableSet MentionedVariables(const Pattern& pattern) {
+  VariableSet set = VisibleVariables(pattern);
+  if (pattern.kind == Kind::kSelect) return set;
+  set.InsertAll(VariablesOfAll(pattern.filters));
+  for (const Pattern& part : pattern.parts) {
+    set.InsertAll(MentionedVariables(part));
+  }
+  return set;
+}
+
+void Prepare(Select* select) {
+  Analyse(&select->where);
+  ForEachExpression(select, AnalyseExists);
+  PushFilters(&select->where);
+  MoveValues(&select->where);
+  MarkSelect(select);
+}
+
+}  // namespace kg_core::sparql

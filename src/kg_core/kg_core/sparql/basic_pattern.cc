@@ -1,0 +1,169 @@
+// Basic graph patterns: an index nested loop join, cheapest triple first.
+// https://www.w3.org/TR/sparql11-query/#BasicGraphPattern
+
+#include <algorithm>
+#include <limits>
+
+#include "kg_core/sparql/algebra.h"
+#include "kg_core/sparql/evaluator.h"
+#include "kg_core/sparql/path_walker.h"
+
+namespace kg_core::sparql {
+namespace {
+
+// How many times fewer triples match once a position is bound: guesses, for the
+// order only.
+constexpr double kBoundSubject = 1000.0;
+constexpr double kBoundPredicate = 10.0;
+constexpr double kBoundObject = 100.0;
+// Solutions expected of a path by its bound ends.
+constexpr double kOpenPath = 1e7;
+constexpr double kHalfBoundPath = 100.0;
+
+// Up to three variables bound by one match, unbound when it goes out of scope.
+class Binding {
+ public:
+  explicit Binding(Row* row) : row_(row) {}
+  ~Binding() {
+    for (int i = 0; i < count_; ++i) (*row_)[bound_[i]] = kNoTerm;
+  }
+  Binding(const Binding&) = delete;
+  Binding& operator=(const Binding&) = delete;
+
+  // False if the variable already has another value.
+  bool Bind(const Node& node, TermId value) {
+    if (!node.is_variable) return true;
+    const auto variable = static_cast<std::size_t>(node.index);
+    TermId& slot = (*row_)[variable];
+    if (slot != kNoTerm) return slot == value;
+    slot = value;
+    bound_[count_++] = variable;
+    return true;
+  }
+
+ private:
+  Row* row_;
+  std::size_t bound_[3] = {};
+  int count_ = 0;
+};
+
+}  // namespace
+
+struct Evaluator::BasicRun {
+  const Plan& plan;
+  const ActiveGraph& graph;
+  Row* row;
+  Emit emit;
+};
+
+TermId Evaluator::ConstantOf(const Node& node) const {
+  if (node.is_variable || node.index == kNone) return kNoTerm;
+  return constants_[static_cast<std::size_t>(node.index)];
+}
+
+TermId Evaluator::ValueOf(const Node& node, const Row& row) const {
+  return node.is_variable ? row[static_cast<std::size_t>(node.index)]
+                          : ConstantOf(node);
+}
+
+double Evaluator::Cost(const TriplePattern& triple, const ActiveGraph& g,
+                       const VariableSet& bound) const {
+  const auto is_bound = [&bound](const Node& node) {
+    return node.is_variable && bound.Contains(node.index);
+  };
+  const bool from = is_bound(triple.subject);
+  const bool to = is_bound(triple.object);
+  if (triple.path) {
+    const int ends = int{from || !triple.subject.is_variable} +
+                     int{to || !triple.object.is_variable};
+    return ends == 0 ? kOpenPath : ends == 1 ? kHalfBoundPath : 1.0;
+  }
+  double cost = static_cast<double>(
+      g.Estimate({ConstantOf(triple.subject), ConstantOf(triple.predicate),
+                  ConstantOf(triple.object), kNoTerm}));
+  if (from) cost /= kBoundSubject;
+  if (is_bound(triple.predicate)) cost /= kBoundPredicate;
+  if (to) cost /= kBoundObject;
+  return cost;
+}
+
+const Evaluator::Plan& Evaluator::PlanOf(const Pattern& p, const ActiveGraph& g,
+                                         const Row& row) {
+  std::unique_ptr<Plan>& slot = plans_[&p];
+  if (slot != nullptr) return *slot;
+  slot = std::make_unique<Plan>();
+  VariableSet bound;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (row[i] != kNoTerm) bound.Insert(static_cast<int>(i));
+  }
+  std::vector<const TriplePattern*> left;
+  for (const TriplePattern& triple : p.triples) left.push_back(&triple);
+  while (!left.empty()) {
+    auto best = left.begin();
+    double best_cost = std::numeric_limits<double>::infinity();
+    for (auto it = left.begin(); it != left.end(); ++it) {
+      budget_->Step();
+      const double cost = Cost(**it, g, bound);
+      if (!(cost < best_cost)) continue;
+      best_cost = cost;
+      best = it;
+    }
+    slot->steps.push_back(*best);
+    for (const Node& node :
+         {(*best)->subject, (*best)->predicate, (*best)->object}) {
+      if (node.is_variable) bound.Insert(node.index);
+    }
+    left.erase(best);
+  }
+  slot->filters.resize(slot->steps.size() + 1);
+  for (const Expression& filter : p.filters) {
+    VariableSet known;
+    std::size_t step = 0;
+    const VariableSet wanted = VariablesOf(filter);
+    while (step < slot->steps.size() && !wanted.IsSubsetOf(known)) {
+      const TriplePattern& triple = *slot->steps[step++];
+      for (const Node& node :
+           {triple.subject, triple.predicate, triple.object}) {
+        if (node.is_variable) known.Insert(node.index);
+      }
+    }
+    slot->filters[step].push_back(&filter);
+  }
+  return *slot;
+}
+
+bool Evaluator::Basic(const Pattern& p, const ActiveGraph& g, Row* row,
+                      Emit emit) {
+  const BasicRun run{PlanOf(p, g, *row), g, row, emit};
+  return Step(run, 0);
+}
+
+bool Evaluator::Step(const BasicRun& run, std::size_t step) {
+  budget_->Step();
+  for (const Expression* filter : run.plan.filters[step]) {
+    if (!expressions_.Holds(*filter, {*run.row, run.graph})) return true;
+  }
+  if (step == run.plan.steps.size()) return run.emit(*run.row);
+  const TriplePattern& triple = *run.plan.steps[step];
+  const TermId subject = ValueOf(triple.subject, *run.row);
+  const TermId object = ValueOf(triple.object, *run.row);
+  if (triple.path) {
+    const PathWalker walker(&run.graph, &constants_, budget_);
+    return walker.Walk(
+        *triple.path, subject, object, [&](TermId from, TermId to) {
+          Binding binding(run.row);
+          return !binding.Bind(triple.subject, from) ||
+                 !binding.Bind(triple.object, to) || Step(run, step + 1);
+        });
+  }
+  const TermId predicate = ValueOf(triple.predicate, *run.row);
+  return run.graph.Match(
+      {subject, predicate, object, kNoTerm}, [&](const Quad& quad) {
+        Binding binding(run.row);
+        return !binding.Bind(triple.subject, quad.subject) ||
+               !binding.Bind(triple.predicate, quad.predicate) ||
+               !binding.Bind(triple.object, quad.object) || Step(run, step + 1);
+      });
+}
+
+}  // namespace kg_core::sparql

@@ -1,0 +1,53 @@
+#include "kg_core/sparql/budget.h"
+
+#include <cstdio>
+#include <string>
+
+#include "kg_core/base/input_error.h"
+
+namespace kg_core::sparql {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// A limit that is not a number, or beyond a day, is a day.
+Clock::time_point EndOf(double seconds) {
+  constexpr double kDay_s = 86400.0;
+  const double limited = seconds < kDay_s ? seconds : kDay_s;
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                            std::chrono::duration<double>(limited));
+}
+
+}  // namespace
+
+Budget::Budget(const QueryLimits& limits)
+    : limits_(limits), end_(EndOf(limits.seconds)) {}
+
+void Budget::CheckTime() const {
+  if (Clock::now() < end_) return;
+  char text[96];
+  std::snprintf(text, sizeof text,
+                "the query took longer than the limit of %g s",
+                limits_.seconds);
+  throw InputError(text);
+}
+
+void Budget::UseWorkingBytes(std::size_t bytes) {
+  working_bytes_ += bytes;
+  if (working_bytes_ <= limits_.working_bytes) return;
+  throw InputError("the query needs more memory than the limit of " +
+                   std::to_string(limits_.working_bytes) + " bytes");
+}
+
+void Budget::AddResultRow(std::size_t bytes) {
+  if (++rows_ > limits_.rows) {
+    throw InputError("the result has more rows than the limit of " +
+                     std::to_string(limits_.rows));
+  }
+  result_bytes_ += bytes;
+  if (result_bytes_ <= limits_.bytes) return;
+  throw InputError("the result has more bytes than the limit of " +
+                   std::to_string(limits_.bytes));
+}
+
+}  // namespace kg_core::sparql

@@ -1,0 +1,125 @@
+// Casts by XSD constructor functions.
+// https://www.w3.org/TR/sparql11-query/#FunctionMapping
+
+#include <cmath>
+#include <string>
+
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/sparql/date_time.h"
+#include "kg_core/sparql/functions.h"
+#include "kg_core/sparql/values.h"
+
+namespace kg_core::sparql {
+namespace {
+
+std::string Xsd(const char* name) { return std::string(kXsd) + name; }
+
+// Without blanks around; what a lexical form may be written with.
+std::string Stripped(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+std::optional<bool> BooleanOf(const Term& term) {
+  if (term.datatype != Xsd("boolean")) return std::nullopt;
+  if (term.text == "true" || term.text == "1") return true;
+  if (term.text == "false" || term.text == "0") return false;
+  return std::nullopt;
+}
+
+Answer ToStringCast(FunctionContext&, const Arguments& a) {
+  if (a[0]->is_blank()) return std::nullopt;
+  return Literal(a[0]->text);
+}
+
+Answer ToBooleanCast(FunctionContext&, const Arguments& a) {
+  const Term& term = *a[0];
+  if (const std::optional<bool> value = BooleanOf(term)) {
+    return BooleanLiteral(*value);
+  }
+  if (const std::optional<Number> number = ToNumber(term)) {
+    const double value = number->ToDouble();
+    return BooleanLiteral(!(std::isnan(value) || value == 0.0));
+  }
+  if (!IsString(term)) return std::nullopt;
+  const std::string text = Stripped(term.text);
+  if (text == "true" || text == "1") return BooleanLiteral(true);
+  if (text == "false" || text == "0") return BooleanLiteral(false);
+  return std::nullopt;
+}
+
+// Numbers, booleans and strings as a number; a string is read as `type`.
+std::optional<Number> AsNumber(const Term& term, Number::Type type) {
+  if (const std::optional<Number> number = ToNumber(term)) return number;
+  Number number;
+  if (const std::optional<bool> truth = BooleanOf(term)) {
+    number.exact.digits = *truth ? 1 : 0;
+    return number;
+  }
+  if (!IsString(term)) return std::nullopt;
+  number.type = type;
+  return ToNumber(Literal(Stripped(term.text), ToTerm(number).datatype));
+}
+
+template <Number::Type kType>
+Answer ToNumberCast(FunctionContext&, const Arguments& a) {
+  std::optional<Number> number = AsNumber(*a[0], kType);
+  if (!number) return std::nullopt;
+  const bool to_exact = kType <= Number::Type::kDecimal;
+  if (to_exact && !number->is_exact()) {
+    const std::optional<Decimal> exact = FromDouble(number->real);
+    if (!exact) return std::nullopt;
+    number->exact = *exact;
+  }
+  if (!to_exact) number->real = number->ToDouble();
+  if (kType == Number::Type::kInteger) number->exact = Truncate(number->exact);
+  number->type = kType;
+  return ToTerm(*number);
+}
+
+Answer ToDateTimeCast(FunctionContext&, const Arguments& a) {
+  const Term& term = *a[0];
+  if (!IsString(term) && term.datatype != Xsd("dateTime") &&
+      term.datatype != Xsd("date")) {
+    return std::nullopt;
+  }
+  std::string text = Stripped(term.text);
+  if (term.datatype == Xsd("date") && text.size() >= 10) {
+    text.insert(10, "T00:00:00");
+  }
+  if (!ParseDateTime(text)) return std::nullopt;
+  return Literal(text, Xsd("dateTime"));
+}
+
+Answer ToDateCast(FunctionContext&, const Arguments& a) {
+  const Term& term = *a[0];
+  std::string text = Stripped(term.text);
+  if (term.datatype == Xsd("dateTime")) {
+    const std::optional<DateTime> time = ParseDateTime(text);
+    const std::size_t t = text.find('T');
+    if (!time) return std::nullopt;
+    const std::size_t zone = text.find_first_of("Z+-", t);
+    text = text.substr(0, t) +
+           (zone == std::string::npos ? "" : text.substr(zone));
+  } else if (!IsString(term) && term.datatype != Xsd("date")) {
+    return std::nullopt;
+  }
+  if (!ParseDate(text)) return std::nullopt;
+  return Literal(text, Xsd("date"));
+}
+
+}  // namespace
+
+std::vector<Function> CastFunctions() {
+  return {{Xsd("string"), 1, 1, ToStringCast},
+          {Xsd("boolean"), 1, 1, ToBooleanCast},
+          {Xsd("integer"), 1, 1, ToNumberCast<Number::Type::kInteger>},
+          {Xsd("decimal"), 1, 1, ToNumberCast<Number::Type::kDecimal>},
+          {Xsd("float"), 1, 1, ToNumberCast<Number::Type::kFloat>},
+          {Xsd("double"), 1, 1, ToNumberCast<Number::Type::kDouble>},
+          {Xsd("dateTime"), 1, 1, ToDateTimeCast},
+          {Xsd("date"), 1, 1, ToDateCast}};
+}
+
+}  // namespace kg_core::sparql

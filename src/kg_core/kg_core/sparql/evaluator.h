@@ -1,0 +1,108 @@
+// Evaluates patterns: solutions are pushed, one by one, through the algebra.
+// https://www.w3.org/TR/sparql11-query/#sparqlAlgebraEval
+//
+// Bindings found so far go into the next pattern (index nested loop join); a
+// pattern marked `materialise` is evaluated alone, once, and hash joined
+// (algebra.h says when and why).
+
+#ifndef KG_CORE_SPARQL_EVALUATOR_H_
+#define KG_CORE_SPARQL_EVALUATOR_H_
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "absl/container/flat_hash_map.h"
+#include "absl/container/flat_hash_set.h"
+#include "absl/functional/function_ref.h"
+#include "kg_core/sparql/active_graph.h"
+#include "kg_core/sparql/budget.h"
+#include "kg_core/sparql/expression.h"
+#include "kg_core/sparql/join_table.h"
+#include "kg_core/sparql/query.h"
+#include "kg_core/sparql/term_table.h"
+
+namespace kg_core::sparql {
+
+// The graphs of a query, by id.
+struct DatasetIds {
+  std::vector<TermId> default_graphs;
+  std::optional<std::vector<TermId>> named_graphs;  // Nothing: all.
+};
+
+class Evaluator {
+ public:
+  // A solution; false stops the evaluation.
+  using Emit = absl::FunctionRef<bool(Row&)>;
+
+  Evaluator(const Query* query, TermTable* terms, DatasetIds dataset,
+            Budget* budget);
+
+  // Calls `emit` with the columns of each solution of the query (of ASK: the
+  // whole solution).
+  void Run(Emit emit);
+
+ private:
+  // The order in which the triples of a basic graph pattern are matched, and
+  // the filters that can be decided before step i.
+  struct Plan {
+    std::vector<const TriplePattern*> steps;
+    std::vector<std::vector<const Expression*>> filters;
+  };
+  struct BasicRun;
+  struct Sorted;
+
+  // Each returns false if `emit` stopped it, and leaves `row` as it was.
+  bool Evaluate(const Pattern& p, const ActiveGraph& g, Row* row, Emit emit);
+  bool EvaluateBody(const Pattern& p, const ActiveGraph& g, Row* row,
+                    Emit emit);
+  bool LeftJoin(const Pattern& p, const ActiveGraph& g, Row* row, Emit emit);
+  bool Minus(const Pattern& p, const ActiveGraph& g, Row* row, Emit emit);
+  bool Extend(const Pattern& p, const ActiveGraph& g, Row* row, Emit emit);
+  bool Graph(const Pattern& p, Row* row, Emit emit);
+  bool Values(const Pattern& p, Row* row, Emit emit);
+  bool HoldAll(const std::vector<Expression>& filters, const ActiveGraph& g,
+               Row* row);
+  bool HasSolution(const Pattern& p, const Solution& solution);
+  JoinTable& TableOf(const Pattern& p, const ActiveGraph& g);
+
+  // Graphs (named_graphs.cc).
+  const ActiveGraph* NamedGraph(TermId graph);
+  std::vector<TermId> CandidateGraphs(const Pattern& p, const Row& row);
+
+  // Basic graph patterns (basic_pattern.cc).
+  bool Basic(const Pattern& p, const ActiveGraph& g, Row* row, Emit emit);
+  bool Step(const BasicRun& run, std::size_t step);
+  const Plan& PlanOf(const Pattern& p, const ActiveGraph& g, const Row& row);
+  double Cost(const TriplePattern& triple, const ActiveGraph& g,
+              const VariableSet& bound) const;
+  TermId ValueOf(const Node& node, const Row& row) const;
+  TermId ConstantOf(const Node& node) const;
+
+  // Subqueries and solution modifiers (select.cc).
+  bool RunSelect(const Select& select, const ActiveGraph& g, Emit emit);
+  bool Solutions(const Select& select, const ActiveGraph& g, Emit emit);
+  bool Grouped(const Select& select, const ActiveGraph& g, Emit emit);
+  bool FinishRow(const Select& select, const ActiveGraph& g, Row* row,
+                 Emit emit);
+  std::vector<Sorted> SortedSolutions(const Select& select,
+                                      const ActiveGraph& g);
+
+  const Query* query_;
+  TermTable* terms_;
+  DatasetIds dataset_;
+  Budget* budget_;
+  ExpressionEvaluator expressions_;
+  std::vector<TermId> constants_;  // Ids of the query's constants.
+  ActiveGraph default_graph_;
+  absl::flat_hash_map<TermId, std::unique_ptr<ActiveGraph>> graphs_;
+  absl::flat_hash_map<const Pattern*, std::unique_ptr<Plan>> plans_;
+  absl::flat_hash_map<std::pair<const Pattern*, const ActiveGraph*>,
+                      std::unique_ptr<JoinTable>>
+      tables_;
+};
+
+}  // namespace kg_core::sparql
+
+#endif  // KG_CORE_SPARQL_EVALUATOR_H_

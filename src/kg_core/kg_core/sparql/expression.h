@@ -1,0 +1,71 @@
+// Evaluates expressions over one solution.
+// https://www.w3.org/TR/sparql11-query/#evaluation
+//
+// nullptr (or std::nullopt) is an unbound variable or SPARQL's type error;
+// logical operators follow the three-valued table of #evaluation.
+
+#ifndef KG_CORE_SPARQL_EXPRESSION_H_
+#define KG_CORE_SPARQL_EXPRESSION_H_
+
+#include <deque>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "kg_core/sparql/active_graph.h"
+#include "kg_core/sparql/functions.h"
+#include "kg_core/sparql/query.h"
+#include "kg_core/sparql/term_table.h"
+
+namespace kg_core::sparql {
+
+// A solution: the term of every variable of the query, kNoTerm = unbound.
+using Row = std::vector<TermId>;
+
+// What an expression is evaluated over.
+struct Solution {
+  Row& row;
+  const ActiveGraph& graph;
+};
+
+class ExpressionEvaluator {
+ public:
+  // Has `pattern` a solution that agrees with this one?
+  using Exists = std::function<bool(const Pattern&, const Solution&)>;
+
+  ExpressionEvaluator(const Query* query, TermTable* terms, Budget* budget,
+                      Exists exists);
+
+  // Is its effective boolean value true?
+  bool Holds(const Expression& expression, const Solution& solution);
+  // Its value as an id; kNoTerm for an error.
+  TermId Evaluate(const Expression& expression, const Solution& solution);
+  // BNODE("x") means another node from here on.
+  void BeginRow() { context_.blanks_of_row.clear(); }
+
+ private:
+  const Term* Value(const Expression& e, const Solution& solution);
+  const Term* Variable(int variable, const Solution& solution) const;
+  std::optional<bool> Truth(const Expression& e, const Solution& solution);
+  const Term* Logical(const Expression& e, const Solution& solution);
+  const Term* Comparison(const Expression& e, const Solution& solution);
+  const Term* Membership(const Expression& e, const Solution& solution);
+  const Term* Arithmetic(const Expression& e, const Solution& solution);
+  const Term* Sign(const Expression& e, const Solution& solution);
+  const Term* Call(const Expression& e, const Solution& solution);
+  const Term* Form(const Expression& e, const Solution& solution);
+  // Keeps a computed term until the outermost evaluation ends.
+  const Term* Own(Term term);
+  const Term* Own(std::optional<bool> truth);
+
+  const Query* query_;
+  TermTable* terms_;
+  Budget* budget_;
+  Exists exists_;
+  FunctionContext context_;
+  std::deque<Term> computed_;
+};
+
+}  // namespace kg_core::sparql
+
+#endif  // KG_CORE_SPARQL_EXPRESSION_H_

@@ -1,0 +1,68 @@
+// The functions of SPARQL, as tables of data.
+// https://www.w3.org/TR/sparql11-query/#SparqlOps
+//
+// A function takes terms and gives a term or, as std::nullopt, SPARQL's error.
+// What may take unbound arguments or answers lazily (BOUND, IF, COALESCE, IN,
+// sameTerm, EXISTS) is no function but part of expression.cc.
+
+#ifndef KG_CORE_SPARQL_FUNCTIONS_H_
+#define KG_CORE_SPARQL_FUNCTIONS_H_
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/container/flat_hash_map.h"
+#include "kg_core/rdf/term.h"
+#include "kg_core/sparql/regex.h"
+
+namespace kg_core {
+class Geometry;
+}
+
+namespace kg_core::sparql {
+
+// What functions may know besides their arguments; one per query.
+struct FunctionContext {
+  std::string base;
+  Term now;
+  std::mt19937_64 random;
+  RegexCache regexes;
+  // Parsed WKT; nullptr for a text that is none.
+  absl::flat_hash_map<std::string, std::shared_ptr<const Geometry>> geometries;
+  std::size_t fresh_blanks = 0;
+  // BNODE("x") is the same within one solution.
+  absl::flat_hash_map<std::string, Term> blanks_of_row;
+};
+
+using Arguments = std::vector<const Term*>;
+using Answer = std::optional<Term>;
+
+struct Function {
+  std::string name;  // Upper case keyword, or an IRI.
+  std::size_t least = 1;
+  std::size_t most = 1;
+  Answer (*call)(FunctionContext& context, const Arguments& arguments);
+};
+
+inline constexpr std::size_t kAnyNumber = 1000000;
+
+std::vector<Function> TermFunctions();
+std::vector<Function> StringFunctions();
+std::vector<Function> NumberFunctions();
+std::vector<Function> TimeFunctions();
+std::vector<Function> HashFunctions();
+std::vector<Function> CastFunctions();
+std::vector<Function> GeoFunctions();
+
+// By keyword in any case, or by IRI; nullptr if there is none.
+const Function* FindKeywordFunction(std::string_view name);
+const Function* FindIriFunction(std::string_view iri);
+
+}  // namespace kg_core::sparql
+
+#endif  // KG_CORE_SPARQL_FUNCTIONS_H_

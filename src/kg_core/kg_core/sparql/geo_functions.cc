@@ -1,0 +1,101 @@
+// GeoSPARQL's simple feature relations and distance on geo:wktLiteral.
+// https://docs.ogc.org/is/22-047r1/22-047r1.html (Annex: functions)
+//
+// Relations are planar, in longitude and latitude. geof:distance wants its unit
+// as third argument: uom:degree is planar; uom:metre is geodesic and between
+// points only.
+
+#include <string>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/geo/geodesy.h"
+#include "kg_core/geo/wkt.h"
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/sparql/functions.h"
+
+namespace kg_core::sparql {
+namespace {
+
+constexpr std::size_t kCachedGeometries = 10000;
+
+// The geometry of a literal, parsed once per query; nullptr if it is none.
+const Geometry* GeometryOf(FunctionContext& context, const Term& term) {
+  const bool typed = term.datatype == std::string(kGeo) + "wktLiteral" ||
+                     term.datatype == std::string(kXsd) + "string";
+  if (!term.is_literal() || !typed) return nullptr;
+  const auto known = context.geometries.find(term.text);
+  if (known != context.geometries.end()) return known->second.get();
+  std::shared_ptr<const Geometry> geometry;
+  try {
+    geometry = std::make_shared<const Geometry>(Geometry::FromWkt(term.text));
+  } catch (const InputError&) {
+    geometry = nullptr;  // Not a geometry: SPARQL's error, kept like others.
+  }
+  return context.geometries.emplace(term.text, std::move(geometry))
+      .first->second.get();
+}
+
+struct Pair {
+  const Geometry* a = nullptr;
+  const Geometry* b = nullptr;
+  explicit operator bool() const { return a != nullptr && b != nullptr; }
+};
+
+Pair GeometriesOf(FunctionContext& context, const Arguments& arguments) {
+  if (context.geometries.size() + 2 > kCachedGeometries) {
+    context.geometries.clear();
+  }
+  return {GeometryOf(context, *arguments[0]),
+          GeometryOf(context, *arguments[1])};
+}
+
+Answer Intersects(FunctionContext& context, const Arguments& arguments) {
+  const Pair pair = GeometriesOf(context, arguments);
+  if (!pair) return std::nullopt;
+  return BooleanLiteral(pair.a->Intersects(*pair.b));
+}
+
+Answer Disjoint(FunctionContext& context, const Arguments& arguments) {
+  const Pair pair = GeometriesOf(context, arguments);
+  if (!pair) return std::nullopt;
+  return BooleanLiteral(!pair.a->Intersects(*pair.b));
+}
+
+Answer Within(FunctionContext& context, const Arguments& arguments) {
+  const Pair pair = GeometriesOf(context, arguments);
+  if (!pair) return std::nullopt;
+  return BooleanLiteral(pair.a->Within(*pair.b));
+}
+
+Answer Contains(FunctionContext& context, const Arguments& arguments) {
+  const Pair pair = GeometriesOf(context, arguments);
+  if (!pair) return std::nullopt;
+  return BooleanLiteral(pair.b->Within(*pair.a));
+}
+
+Answer Distance(FunctionContext& context, const Arguments& arguments) {
+  const Pair pair = GeometriesOf(context, arguments);
+  if (!pair) return std::nullopt;
+  const std::string uom = "http://www.opengis.net/def/uom/OGC/1.0/";
+  const std::string& unit = arguments[2]->text;
+  if (unit == uom + "degree") {
+    return DoubleLiteral(pair.a->DistanceDegrees(*pair.b));
+  }
+  if (unit != uom + "metre" || !pair.a->IsPoint() || !pair.b->IsPoint()) {
+    return std::nullopt;
+  }
+  return DoubleLiteral(Distance_m(pair.a->Point(), pair.b->Point()));
+}
+
+}  // namespace
+
+std::vector<Function> GeoFunctions() {
+  const std::string geof(kGeof);
+  return {{geof + "sfIntersects", 2, 2, Intersects},
+          {geof + "sfDisjoint", 2, 2, Disjoint},
+          {geof + "sfWithin", 2, 2, Within},
+          {geof + "sfContains", 2, 2, Contains},
+          {geof + "distance", 3, 3, Distance}};
+}
+
+}  // namespace kg_core::sparql

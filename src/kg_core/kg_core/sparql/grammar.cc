@@ -1,0 +1,209 @@
+#include "kg_core/sparql/grammar.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/sparql/iri.h"
+
+namespace kg_core::sparql {
+namespace {
+
+bool SameWord(std::string_view a, std::string_view b) {
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) {
+           return std::toupper(static_cast<unsigned char>(x)) ==
+                  std::toupper(static_cast<unsigned char>(y));
+         });
+}
+
+std::string Describe(const Token& token) {
+  switch (token.kind) {
+    case Token::Kind::kEnd:
+      return "the end of the query";
+    case Token::Kind::kIri:
+      return "<" + token.text + ">";
+    case Token::Kind::kPrefixedName:
+      return token.prefix + ":" + token.text;
+    case Token::Kind::kBlankLabel:
+      return "_:" + token.text;
+    case Token::Kind::kVariable:
+      return "?" + token.text;
+    case Token::Kind::kString:
+      return "a string";
+    case Token::Kind::kLanguageTag:
+      return "@" + token.text;
+    case Token::Kind::kInteger:
+    case Token::Kind::kDecimal:
+    case Token::Kind::kDouble:
+    case Token::Kind::kWord:
+    case Token::Kind::kPunctuation:
+      break;
+  }
+  return token.text;
+}
+
+}  // namespace
+
+Grammar::Grammar(std::vector<Token> tokens, int nesting)
+    : tokens_(std::move(tokens)), nesting_(nesting) {
+  for (const Prefix& prefix : kPrefixes) prefixes_[prefix.name] = prefix.iri;
+}
+
+Grammar::Nested::Nested(Grammar* grammar) : grammar_(grammar) {
+  if (++grammar->depth_ > grammar->nesting_) {
+    grammar->Fail(grammar->Peek(), "nested deeper than the limit of " +
+                                       std::to_string(grammar->nesting_));
+  }
+}
+
+const Token& Grammar::Peek(std::size_t ahead) const {
+  return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
+}
+
+Token Grammar::Take() {
+  const Token token = Peek();
+  if (at_ + 1 < tokens_.size()) ++at_;
+  return token;
+}
+
+bool Grammar::AtWord(std::string_view word, std::size_t ahead) const {
+  const Token& token = Peek(ahead);
+  return token.kind == Token::Kind::kWord && SameWord(token.text, word);
+}
+
+bool Grammar::AtMark(std::string_view mark, std::size_t ahead) const {
+  const Token& token = Peek(ahead);
+  return token.kind == Token::Kind::kPunctuation && token.text == mark;
+}
+
+bool Grammar::TakeWord(std::string_view word) {
+  if (!AtWord(word)) return false;
+  Take();
+  return true;
+}
+
+bool Grammar::TakeMark(std::string_view mark) {
+  if (!AtMark(mark)) return false;
+  Take();
+  return true;
+}
+
+void Grammar::ExpectWord(std::string_view word) {
+  if (!TakeWord(word)) Expected(std::string(word));
+}
+
+void Grammar::ExpectMark(std::string_view mark) {
+  if (!TakeMark(mark)) Expected("'" + std::string(mark) + "'");
+}
+
+void Grammar::FailAt(Position position, const std::string& what) const {
+  throw InputError(std::to_string(position.line) + ":" +
+                   std::to_string(position.column) + ": " + what);
+}
+
+void Grammar::Fail(const Token& token, const std::string& what) const {
+  FailAt(token.position, what);
+}
+
+void Grammar::Expected(const std::string& what) const {
+  Fail(Peek(), "expected " + what + ", got " + Describe(Peek()));
+}
+
+bool Grammar::AtIri() const {
+  return Peek().kind == Token::Kind::kIri ||
+         Peek().kind == Token::Kind::kPrefixedName;
+}
+
+// [136] iri
+std::string Grammar::ReadIri() {
+  if (!AtIri()) Expected("an IRI");
+  const Token token = Take();
+  if (token.kind == Token::Kind::kIri) {
+    return ResolveIri(query_.base, token.text);
+  }
+  const auto prefix = prefixes_.find(token.prefix);
+  if (prefix == prefixes_.end()) {
+    Fail(token, "prefix '" + token.prefix + ":' is not declared");
+  }
+  return prefix->second + token.text;
+}
+
+bool Grammar::AtLiteral() const {
+  const auto numeric = [](const Token& token) {
+    return token.kind == Token::Kind::kInteger ||
+           token.kind == Token::Kind::kDecimal ||
+           token.kind == Token::Kind::kDouble;
+  };
+  if (AtMark("+") || AtMark("-")) return numeric(Peek(1));
+  return numeric(Peek()) || Peek().kind == Token::Kind::kString ||
+         AtWord("true") || AtWord("false");
+}
+
+// [129] RDFLiteral, [130] NumericLiteral, [134] BooleanLiteral
+Term Grammar::ReadLiteral() {
+  std::string sign;
+  if (AtMark("+") || AtMark("-")) sign = Take().text;
+  const Token token = Take();
+  const std::string xsd(kXsd);
+  switch (token.kind) {
+    case Token::Kind::kInteger:
+      return Literal(sign + token.text, xsd + "integer");
+    case Token::Kind::kDecimal:
+      return Literal(sign + token.text, xsd + "decimal");
+    case Token::Kind::kDouble:
+      return Literal(sign + token.text, xsd + "double");
+    case Token::Kind::kWord:
+      return BooleanLiteral(SameWord(token.text, "true"));
+    case Token::Kind::kString:
+      break;
+    default:
+      Fail(token, "expected a literal, got " + Describe(token));
+  }
+  if (Peek().kind == Token::Kind::kLanguageTag) {
+    return LanguageLiteral(token.text, Take().text);
+  }
+  return TakeMark("^^") ? Literal(token.text, ReadIri()) : Literal(token.text);
+}
+
+int Grammar::ReadVariable() {
+  if (Peek().kind != Token::Kind::kVariable) Expected("a variable");
+  return VariableNumber(Take().text);
+}
+
+int Grammar::VariableNumber(const std::string& name) {
+  const int next = static_cast<int>(query_.variables.size());
+  const auto [found, is_new] = variable_numbers_.emplace(name, next);
+  if (is_new) query_.variables.push_back(name);
+  return found->second;
+}
+
+int Grammar::FreshVariable() {
+  return VariableNumber("." + std::to_string(query_.variables.size()));
+}
+
+// A label belongs to one basic graph pattern.
+// https://www.w3.org/TR/sparql11-query/#grammarBNodes
+Node Grammar::BlankNode(const std::string& label) {
+  const auto [found, is_new] = block_of_label_.emplace(label, block_);
+  if (!is_new && found->second != block_) {
+    Fail(Peek(),
+         "blank node _:" + label + " is used in two different graph patterns");
+  }
+  return {true, VariableNumber("_:" + label)};
+}
+
+int Grammar::ConstantNumber(const Term& term) {
+  const int next = static_cast<int>(query_.constants.size());
+  const auto [found, is_new] =
+      constant_numbers_.emplace(ToNTriples(term), next);
+  if (is_new) query_.constants.push_back(term);
+  return found->second;
+}
+
+Node Grammar::ConstantNode(const Term& term) {
+  return {false, ConstantNumber(term)};
+}
+
+}  // namespace kg_core::sparql

@@ -1,0 +1,51 @@
+// The solutions of a pattern that was evaluated alone, ready to be joined.
+// https://www.w3.org/TR/sparql11-query/#defn_algCompatibleMapping
+
+#ifndef KG_CORE_SPARQL_JOIN_TABLE_H_
+#define KG_CORE_SPARQL_JOIN_TABLE_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "absl/container/flat_hash_map.h"
+#include "absl/functional/function_ref.h"
+#include "kg_core/sparql/budget.h"
+#include "kg_core/sparql/expression.h"
+
+namespace kg_core::sparql {
+
+class JoinTable {
+ public:
+  // For solutions of `pattern`.
+  JoinTable(const Pattern& pattern, Budget* budget);
+
+  void Add(const Row& row);
+  // Calls `emit` with `row` merged with each solution that agrees with it;
+  // `row` is afterwards as before. False if `emit` was: stop.
+  bool Join(Row* row, absl::FunctionRef<bool(Row&)> emit);
+  // Does a solution agree with `row` that shares a variable with it?
+  bool HasSharing(const Row& row);
+
+ private:
+  using Index = absl::flat_hash_map<Row, std::vector<std::uint32_t>>;
+
+  // The numbers of the solutions that may agree with `row`.
+  const std::vector<std::uint32_t>& Candidates(const Row& row);
+  TermId At(std::size_t solution, std::size_t column) const {
+    return cells_[solution * columns_.size() + column];
+  }
+  bool Agrees(std::size_t solution, const Row& row, bool* shares) const;
+
+  std::vector<std::size_t> columns_;  // Variables.
+  std::vector<bool> certain_;         // By column.
+  std::vector<TermId> cells_;
+  std::vector<std::uint32_t> all_;
+  // By the columns that are its key.
+  absl::flat_hash_map<std::vector<std::size_t>, Index> indices_;
+  Budget* budget_;
+};
+
+}  // namespace kg_core::sparql
+
+#endif  // KG_CORE_SPARQL_JOIN_TABLE_H_

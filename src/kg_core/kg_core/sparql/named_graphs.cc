@@ -1,0 +1,81 @@
+// Which named graphs GRAPH looks into.
+
+#include <algorithm>
+
+#include "kg_core/sparql/evaluator.h"
+
+namespace kg_core::sparql {
+namespace {
+
+using Kind = Pattern::Kind;
+
+// A triple pattern that every solution of `pattern` must match, if there is one
+// that is easy to see.
+const TriplePattern* Anchor(const Pattern& pattern) {
+  switch (pattern.kind) {
+    case Kind::kBasic:
+      for (const TriplePattern& triple : pattern.triples) {
+        const bool constant = !triple.subject.is_variable ||
+                              !triple.object.is_variable ||
+                              !triple.predicate.is_variable;
+        if (!triple.path && constant) return &triple;
+      }
+      return nullptr;
+    case Kind::kJoin:
+    case Kind::kLeftJoin:
+    case Kind::kFilter:
+    case Kind::kMinus:
+    case Kind::kExtend:
+      return Anchor(pattern.parts[0]);
+    case Kind::kUnion:
+    case Kind::kGraph:
+    case Kind::kValues:
+    case Kind::kSelect:
+      break;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+// The graph named `graph`; nullptr if the dataset has none of this name.
+const ActiveGraph* Evaluator::NamedGraph(TermId graph) {
+  const auto known = graphs_.find(graph);
+  if (known != graphs_.end()) return known->second.get();
+  auto active = std::make_unique<ActiveGraph>(
+      &terms_->view(), std::vector<TermId>{graph}, budget_);
+  const bool there = dataset_.named_graphs
+                         ? std::find(dataset_.named_graphs->begin(),
+                                     dataset_.named_graphs->end(),
+                                     graph) != dataset_.named_graphs->end()
+                         : !active->empty();
+  if (!there) active.reset();
+  return (graphs_[graph] = std::move(active)).get();
+}
+
+// The graphs that may have solutions of `p`, in the order of the store.
+std::vector<TermId> Evaluator::CandidateGraphs(const Pattern& p,
+                                               const Row& row) {
+  if (dataset_.named_graphs) return *dataset_.named_graphs;
+  Quad quad;
+  const TriplePattern* anchor = p.materialise ? nullptr : Anchor(p);
+  if (anchor != nullptr) {
+    quad.subject = ValueOf(anchor->subject, row);
+    quad.predicate = ValueOf(anchor->predicate, row);
+    quad.object = ValueOf(anchor->object, row);
+  }
+  std::vector<TermId> graphs;
+  if (TermTable::IsLocal(quad.subject) || TermTable::IsLocal(quad.predicate) ||
+      TermTable::IsLocal(quad.object)) {
+    return graphs;
+  }
+  absl::flat_hash_set<TermId> seen;
+  terms_->view().Match(quad, [&](const Quad& found) {
+    budget_->Step();
+    if (seen.insert(found.graph).second) graphs.push_back(found.graph);
+    return true;
+  });
+  return graphs;
+}
+
+}  // namespace kg_core::sparql

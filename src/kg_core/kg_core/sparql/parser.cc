@@ -1,0 +1,297 @@
+// Query forms and solution modifiers, rules [1] to [28].
+
+#include "kg_core/sparql/parser.h"
+
+#include <cstdlib>
+
+#include "kg_core/sparql/grammar.h"
+#include "kg_core/sparql/iri.h"
+#include "kg_core/sparql/lexer.h"
+
+namespace kg_core::sparql {
+namespace {
+
+struct Refusal {
+  const char* word;
+  const char* reason;
+};
+constexpr Refusal kOtherForms[] = {
+    {"CONSTRUCT", "CONSTRUCT is not available yet: use SELECT or ASK"},
+    {"DESCRIBE", "DESCRIBE is not available yet: use SELECT or ASK"},
+    {"INSERT", "INSERT is not available: a query changes nothing"},
+    {"DELETE", "DELETE is not available: a query changes nothing"},
+    {"LOAD", "LOAD is not available: a query changes nothing"},
+    {"CLEAR", "CLEAR is not available: a query changes nothing"},
+    {"CREATE", "CREATE is not available: a query changes nothing"},
+    {"DROP", "DROP is not available: a query changes nothing"},
+    {"COPY", "COPY is not available: a query changes nothing"},
+    {"MOVE", "MOVE is not available: a query changes nothing"},
+    {"ADD", "ADD is not available: a query changes nothing"},
+    {"WITH", "WITH is not available: a query changes nothing"},
+};
+
+Expression VariableExpression(int variable) {
+  Expression expression;
+  expression.op = Expression::Op::kVariable;
+  expression.index = variable;
+  return expression;
+}
+
+bool IsHidden(const std::string& name) {
+  return name[0] == '.' || name.compare(0, 2, "_:") == 0;
+}
+
+}  // namespace
+
+// [4] Prologue
+void Grammar::ReadPrologue() {
+  while (true) {
+    if (TakeWord("BASE")) {
+      if (Peek().kind != Token::Kind::kIri) Expected("an IRI in <>");
+      query_.base = ResolveIri(query_.base, Take().text);
+    } else if (TakeWord("PREFIX")) {
+      const Token name = Peek();
+      if (name.kind != Token::Kind::kPrefixedName || !name.text.empty()) {
+        Expected("a prefix such as ex:");
+      }
+      Take();
+      if (Peek().kind != Token::Kind::kIri) Expected("an IRI in <>");
+      prefixes_[name.prefix] = ResolveIri(query_.base, Take().text);
+    } else {
+      return;
+    }
+  }
+}
+
+void Grammar::RefuseOtherForms() {
+  for (const Refusal& form : kOtherForms) {
+    if (AtWord(form.word)) Fail(Peek(), form.reason);
+  }
+}
+
+// [1] QueryUnit
+Query Grammar::ReadQuery() {
+  ReadPrologue();
+  RefuseOtherForms();
+  if (AtWord("SELECT")) {
+    ReadSelect(&query_.select);
+  } else if (TakeWord("ASK")) {
+    query_.form = Query::Form::kAsk;
+    ReadDatasetClauses();
+    ReadWhere(&query_.select);
+    aggregates_of_ = &query_.select;
+    ReadModifiers(&query_.select);
+  } else {
+    Expected("SELECT or ASK");
+  }
+  if (Peek().kind != Token::Kind::kEnd) Expected("the end of the query");
+  return std::move(query_);
+}
+
+// [13] DatasetClause
+void Grammar::ReadDatasetClauses() {
+  while (TakeWord("FROM")) {
+    query_.has_dataset = true;
+    const bool named = TakeWord("NAMED");
+    (named ? query_.from_named : query_.from).push_back(ReadIri());
+  }
+}
+
+// [7] SelectQuery, [8] SubSelect
+void Grammar::ReadSelect(Select* select) {
+  const Position start = Peek().position;
+  aggregates_of_ = select;
+  const bool all = ReadSelectClause(select);
+  aggregates_of_ = nullptr;
+  if (select == &query_.select) ReadDatasetClauses();
+  ReadWhere(select);
+  aggregates_of_ = select;
+  ReadModifiers(select);
+  aggregates_of_ = nullptr;
+  if (!all) return CheckColumns(*select, start);
+  if (select->grouped) {
+    FailAt(start, "SELECT * does not go with GROUP BY or an aggregate");
+  }
+  for (const int variable : VisibleVariables(select->where).Members()) {
+    if (IsHidden(query_.variables[static_cast<std::size_t>(variable)])) {
+      continue;
+    }
+    select->columns.push_back({variable, std::nullopt});
+  }
+}
+
+// [9] SelectClause; true for SELECT *.
+bool Grammar::ReadSelectClause(Select* select) {
+  ExpectWord("SELECT");
+  select->distinct = TakeWord("DISTINCT");
+  // REDUCED may keep every solution, and we do.
+  if (!select->distinct) TakeWord("REDUCED");
+  if (TakeMark("*")) return true;
+  while (true) {
+    if (Peek().kind == Token::Kind::kVariable) {
+      select->columns.push_back({ReadVariable(), std::nullopt});
+    } else if (TakeMark("(")) {
+      select->columns.push_back(ReadAliased());
+    } else if (select->columns.empty()) {
+      Expected("a variable, '(' or '*'");
+    } else {
+      return false;
+    }
+  }
+}
+
+Column Grammar::ReadAliased() {
+  Column column;
+  column.expression = ReadExpression();
+  ExpectWord("AS");
+  column.variable = ReadVariable();
+  ExpectMark(")");
+  return column;
+}
+
+// [17] WhereClause
+void Grammar::ReadWhere(Select* select) {
+  Select* const outer = aggregates_of_;
+  aggregates_of_ = nullptr;
+  TakeWord("WHERE");
+  select->where = ReadGroupPattern();
+  aggregates_of_ = outer;
+}
+
+// [18] SolutionModifier, [28] ValuesClause
+void Grammar::ReadModifiers(Select* select) {
+  ReadGroupBy(select);
+  ReadHaving(select);
+  ReadOrderBy(select);
+  ReadLimits(select);
+  select->grouped = !select->group_by.empty() || !select->aggregates.empty() ||
+                    !select->having.empty();
+  if (TakeWord("VALUES")) {
+    select->where = Join(std::move(select->where), ReadValues());
+  }
+}
+
+// [19] GroupClause
+void Grammar::ReadGroupBy(Select* select) {
+  if (!TakeWord("GROUP")) return;
+  ExpectWord("BY");
+  Select* const outer = aggregates_of_;
+  aggregates_of_ = nullptr;
+  while (true) {
+    Column key;
+    if (Peek().kind == Token::Kind::kVariable) {
+      key.variable = ReadVariable();
+    } else if (TakeMark("(")) {
+      key.expression = ReadExpression();
+      key.variable = TakeWord("AS") ? ReadVariable() : FreshVariable();
+      ExpectMark(")");
+    } else if (AtIri() || (Peek().kind == Token::Kind::kWord &&
+                           FindKeywordFunction(Peek().text) != nullptr)) {
+      key.expression = ReadConstraint();
+      key.variable = FreshVariable();
+    } else if (select->group_by.empty()) {
+      Expected("what to group by");
+    } else {
+      break;
+    }
+    select->group_by.push_back(std::move(key));
+  }
+  aggregates_of_ = outer;
+}
+
+// [21] HavingClause
+void Grammar::ReadHaving(Select* select) {
+  if (!TakeWord("HAVING")) return;
+  do {
+    select->having.push_back(ReadConstraint());
+  } while (!AtWord("ORDER") && !AtWord("LIMIT") && !AtWord("OFFSET") &&
+           !AtWord("VALUES") &&
+           (AtMark("(") || AtIri() || Peek().kind == Token::Kind::kWord));
+}
+
+// [23] OrderClause
+void Grammar::ReadOrderBy(Select* select) {
+  if (!TakeWord("ORDER")) return;
+  ExpectWord("BY");
+  while (true) {
+    OrderKey key;
+    key.descending = AtWord("DESC");
+    if (AtWord("ASC") || AtWord("DESC")) {
+      Take();
+      key.expression = ReadBracketed();
+    } else if (Peek().kind == Token::Kind::kVariable) {
+      key.expression = VariableExpression(ReadVariable());
+    } else if (AtMark("(") || AtIri() ||
+               (Peek().kind == Token::Kind::kWord && !AtWord("LIMIT") &&
+                !AtWord("OFFSET") && !AtWord("VALUES"))) {
+      key.expression = ReadConstraint();
+    } else if (select->order_by.empty()) {
+      Expected("what to order by");
+    } else {
+      return;
+    }
+    select->order_by.push_back(std::move(key));
+  }
+}
+
+std::size_t Grammar::ReadCount() {
+  if (Peek().kind != Token::Kind::kInteger || Peek().text.size() > 18) {
+    Expected("a whole number");
+  }
+  return static_cast<std::size_t>(
+      std::strtoull(Take().text.c_str(), nullptr, 10));
+}
+
+// [25] LimitOffsetClauses
+void Grammar::ReadLimits(Select* select) {
+  bool offset_seen = false;
+  while (true) {
+    if (!select->limit && TakeWord("LIMIT")) {
+      select->limit = ReadCount();
+    } else if (!offset_seen && TakeWord("OFFSET")) {
+      offset_seen = true;
+      select->offset = ReadCount();
+    } else {
+      return;
+    }
+  }
+}
+
+// https://www.w3.org/TR/sparql11-query/#selectExpressions and
+// #aggregateRestrictions
+void Grammar::CheckColumns(const Select& select, Position position) {
+  const VariableSet visible = VisibleVariables(select.where);
+  VariableSet known;  // What a column of a grouped query may mention.
+  for (const Column& key : select.group_by) known.Insert(key.variable);
+  for (const Aggregate& aggregate : select.aggregates) {
+    known.Insert(aggregate.variable);
+  }
+  VariableSet columns;
+  for (const Column& column : select.columns) {
+    const std::string name =
+        "?" + query_.variables[static_cast<std::size_t>(column.variable)];
+    if (!column.expression) {
+      if (select.grouped && !known.Contains(column.variable)) {
+        FailAt(position, name + " is neither grouped by nor aggregated");
+      }
+      columns.Insert(column.variable);
+      continue;
+    }
+    if (visible.Contains(column.variable) ||
+        columns.Contains(column.variable)) {
+      FailAt(position, name + " already has values in this query");
+    }
+    if (select.grouped && !VariablesOf(*column.expression).IsSubsetOf(known)) {
+      FailAt(position, "the expression of " + name +
+                           " mentions a variable that is not grouped by");
+    }
+    columns.Insert(column.variable);
+    known.Insert(column.variable);
+  }
+}
+
+Query ParseQuery(std::string_view text, int nesting) {
+  return Grammar(Tokenize(text), nesting).ReadQuery();
+}
+
+}  // namespace kg_core::sparql

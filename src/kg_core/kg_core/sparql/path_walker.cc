@@ -1,0 +1,130 @@
+#include "kg_core/sparql/path_walker.h"
+
+#include <algorithm>
+
+#include "absl/container/flat_hash_set.h"
+
+namespace kg_core::sparql {
+
+bool PathWalker::Walk(const Path& path, TermId from, TermId to,
+                      Visit visit) const {
+  switch (path.kind) {
+    case Path::Kind::kLink:
+      return graph_->Match(
+          {from, IdOf(path), to, kNoTerm},
+          [&](const Quad& quad) { return visit(quad.subject, quad.object); });
+    case Path::Kind::kInverse:
+      return Walk(path.parts[0], to, from,
+                  [&](TermId a, TermId b) { return visit(b, a); });
+    case Path::Kind::kSequence:
+      return WalkSequence(path.parts.data(), path.parts.size(), {from, to},
+                          visit);
+    case Path::Kind::kAlternative:
+      return std::all_of(
+          path.parts.begin(), path.parts.end(),
+          [&](const Path& part) { return Walk(part, from, to, visit); });
+    case Path::Kind::kNegated:
+      return WalkNegated(path, {from, to}, visit);
+    case Path::Kind::kZeroOrMore:
+    case Path::Kind::kOneOrMore:
+    case Path::Kind::kZeroOrOne:
+      return WalkClosure(path, {from, to}, visit);
+  }
+  return true;
+}
+
+bool PathWalker::WalkSequence(const Path* parts, std::size_t count, Ends ends,
+                              Visit visit) const {
+  if (count == 1) return Walk(parts[0], ends.from, ends.to, visit);
+  if (ends.from == kNoTerm && ends.to != kNoTerm) {
+    return Walk(parts[count - 1], kNoTerm, ends.to,
+                [&](TermId middle, TermId to) {
+                  return WalkSequence(
+                      parts, count - 1, {kNoTerm, middle},
+                      [&](TermId from, TermId) { return visit(from, to); });
+                });
+  }
+  return Walk(parts[0], ends.from, kNoTerm, [&](TermId from, TermId middle) {
+    return WalkSequence(parts + 1, count - 1, {middle, ends.to},
+                        [&](TermId, TermId to) { return visit(from, to); });
+  });
+}
+
+// https://www.w3.org/TR/sparql11-query/#defn_evalPP_negatedPropertySet
+bool PathWalker::WalkNegated(const Path& path, Ends ends, Visit visit) const {
+  std::vector<TermId> forward;
+  std::vector<TermId> backward;
+  for (const Path& part : path.parts) {
+    const bool inverse = part.kind == Path::Kind::kInverse;
+    (inverse ? backward : forward)
+        .push_back(IdOf(inverse ? part.parts[0] : part));
+  }
+  const auto contains = [](const std::vector<TermId>& ids, TermId id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+  };
+  if (!forward.empty() || backward.empty()) {
+    const bool go_on = graph_->Match(
+        {ends.from, kNoTerm, ends.to, kNoTerm}, [&](const Quad& quad) {
+          return contains(forward, quad.predicate) ||
+                 visit(quad.subject, quad.object);
+        });
+    if (!go_on) return false;
+  }
+  if (backward.empty()) return true;
+  return graph_->Match({ends.to, kNoTerm, ends.from, kNoTerm},
+                       [&](const Quad& quad) {
+                         return contains(backward, quad.predicate) ||
+                                visit(quad.object, quad.subject);
+                       });
+}
+
+// https://www.w3.org/TR/sparql11-query/#defn_evalPP_ZeroOrMorePath
+std::vector<TermId> PathWalker::Reach(const Path& path, TermId start,
+                                      bool forward) const {
+  absl::flat_hash_set<TermId> seen;
+  std::vector<TermId> reached;
+  const auto add = [&](TermId node) {
+    budget_->Step();
+    if (seen.insert(node).second) reached.push_back(node);
+  };
+  const auto expand = [&](TermId node) {
+    Walk(path.parts[0], forward ? node : kNoTerm, forward ? kNoTerm : node,
+         [&](TermId from, TermId to) {
+           add(forward ? to : from);
+           return true;
+         });
+  };
+  if (path.kind == Path::Kind::kOneOrMore) {
+    expand(start);
+  } else {
+    add(start);
+  }
+  if (path.kind == Path::Kind::kZeroOrOne) {
+    expand(start);
+    return reached;
+  }
+  for (std::size_t i = 0; i < reached.size(); ++i) expand(reached[i]);
+  return reached;
+}
+
+bool PathWalker::WalkClosure(const Path& path, Ends ends, Visit visit) const {
+  if (ends.from == kNoTerm && ends.to == kNoTerm) {
+    for (const TermId node : graph_->Nodes()) {
+      if (!WalkClosure(path, {node, kNoTerm}, visit)) return false;
+    }
+    return true;
+  }
+  if (ends.from == kNoTerm) {
+    for (const TermId node : Reach(path, ends.to, false)) {
+      if (!visit(node, ends.to)) return false;
+    }
+    return true;
+  }
+  for (const TermId node : Reach(path, ends.from, true)) {
+    if (ends.to != kNoTerm && ends.to != node) continue;
+    if (!visit(ends.from, node)) return false;
+  }
+  return true;
+}
+
+}  // namespace kg_core::sparql

@@ -1,0 +1,54 @@
+// Property paths. https://www.w3.org/TR/sparql11-query/#propertypaths
+//
+// '*', '+' and '?' answer with sets, by breadth-first search from the end that
+// is known; '/' and '|' keep duplicates.
+
+#ifndef KG_CORE_SPARQL_PATH_WALKER_H_
+#define KG_CORE_SPARQL_PATH_WALKER_H_
+
+#include <cstddef>
+#include <vector>
+
+#include "absl/functional/function_ref.h"
+#include "kg_core/sparql/active_graph.h"
+#include "kg_core/sparql/query.h"
+
+namespace kg_core::sparql {
+
+class PathWalker {
+ public:
+  using Visit = absl::FunctionRef<bool(TermId from, TermId to)>;
+
+  // `constants` are the ids of the query's constants, by number.
+  PathWalker(const ActiveGraph* graph, const std::vector<TermId>* constants,
+             Budget* budget)
+      : graph_(graph), constants_(constants), budget_(budget) {}
+
+  // Visits all pairs that `path` connects; kNoTerm is any end. False if `visit`
+  // was: stop.
+  bool Walk(const Path& path, TermId from, TermId to, Visit visit) const;
+
+ private:
+  struct Ends {
+    TermId from;
+    TermId to;
+  };
+
+  TermId IdOf(const Path& link) const {
+    return (*constants_)[static_cast<std::size_t>(link.constant)];
+  }
+  bool WalkSequence(const Path* parts, std::size_t count, Ends ends,
+                    Visit visit) const;
+  bool WalkNegated(const Path& path, Ends ends, Visit visit) const;
+  bool WalkClosure(const Path& path, Ends ends, Visit visit) const;
+  // What is reached from `start`, each once, in order of discovery.
+  std::vector<TermId> Reach(const Path& path, TermId start, bool forward) const;
+
+  const ActiveGraph* graph_;
+  const std::vector<TermId>* constants_;
+  Budget* budget_;
+};
+
+}  // namespace kg_core::sparql
+
+#endif  // KG_CORE_SPARQL_PATH_WALKER_H_

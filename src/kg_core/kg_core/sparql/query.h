@@ -1,0 +1,171 @@
+// A parsed query: the SPARQL algebra as plain values.
+// https://www.w3.org/TR/sparql11-query/#sparqlAlgebra
+//
+// Variables and constants are numbered once for the whole text; blank nodes of
+// a query are variables that nobody can select ("_:" and "." begin no name).
+
+#ifndef KG_CORE_SPARQL_QUERY_H_
+#define KG_CORE_SPARQL_QUERY_H_
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kg_core/rdf/term.h"
+#include "kg_core/sparql/functions.h"
+#include "kg_core/sparql/variable_set.h"
+
+namespace kg_core::sparql {
+
+inline constexpr int kNone = -1;
+
+struct Pattern;
+struct Select;
+
+// A position of a triple pattern: a variable or a constant, by number.
+struct Node {
+  bool is_variable = false;
+  int index = kNone;
+};
+
+// https://www.w3.org/TR/sparql11-query/#propertypaths
+struct Path {
+  enum class Kind {
+    kLink,         // constant
+    kInverse,      // ^part
+    kSequence,     // part / part ...
+    kAlternative,  // part | part ...
+    kZeroOrMore,   // part *
+    kOneOrMore,    // part +
+    kZeroOrOne,    // part ?
+    kNegated,      // !( part | part ... ): links and inverse links
+  };
+  Kind kind = Kind::kLink;
+  int constant = kNone;
+  std::vector<Path> parts;
+};
+
+struct TriplePattern {
+  Node subject;
+  Node predicate;  // Not used if there is a path.
+  Node object;
+  std::optional<Path> path;
+};
+
+struct Expression {
+  enum class Op {
+    kVariable,
+    kConstant,
+    kOr,   // Any number of arguments.
+    kAnd,  // Any number of arguments.
+    kNot,
+    kEqual,
+    kNotEqual,
+    kLess,
+    kGreater,
+    kLessEqual,
+    kGreaterEqual,
+    kIn,  // The first argument in the others.
+    kNotIn,
+    kAdd,
+    kSubtract,
+    kMultiply,
+    kDivide,
+    kNegate,
+    kPlus,  // Unary.
+    kBound,
+    kIf,
+    kCoalesce,
+    kSameTerm,
+    kExists,
+    kNotExists,
+    kCall,
+  };
+  Op op = Op::kConstant;
+  int index = kNone;                   // kVariable, kBound, kConstant.
+  const Function* function = nullptr;  // kCall.
+  std::vector<Expression> arguments;
+  std::unique_ptr<Pattern> pattern;  // kExists, kNotExists.
+};
+
+// https://www.w3.org/TR/sparql11-query/#sparqlAlgebra
+struct Pattern {
+  enum class Kind {
+    kBasic,     // triples; filters as soon as their variables are bound
+    kJoin,      // parts[0] and parts[1]
+    kLeftJoin,  // parts[0], if possible with parts[1] and filters
+    kFilter,    // parts[0] where all filters hold
+    kUnion,     // any of parts
+    kMinus,     // parts[0] without parts[1]
+    kGraph,     // parts[0] within graph
+    kExtend,    // parts[0] with variable := filters[0]
+    kValues,    // rows over variables
+    kSelect,    // a subquery
+  };
+  Kind kind = Kind::kBasic;
+  std::vector<TriplePattern> triples;
+  std::vector<Pattern> parts;
+  std::vector<Expression> filters;
+  Node graph;
+  int variable = kNone;
+  std::vector<int> variables;
+  std::vector<std::vector<int>> rows;  // Constants, kNone = UNDEF.
+  std::unique_ptr<Select> select;
+
+  // Set by Prepare() (algebra.h).
+  VariableSet possible;      // May be bound in a solution.
+  VariableSet certain;       // Bound in every solution.
+  bool materialise = false;  // Evaluate alone and join, see Prepare().
+};
+
+// https://www.w3.org/TR/sparql11-query/#aggregates
+struct Aggregate {
+  enum class Kind { kCount, kSum, kAvg, kMin, kMax, kSample, kGroupConcat };
+  Kind kind = Kind::kCount;
+  bool distinct = false;
+  std::optional<Expression> argument;  // Nothing: COUNT(*).
+  std::string separator = " ";
+  int variable = kNone;  // Where its value goes.
+};
+
+struct Column {
+  int variable = kNone;
+  std::optional<Expression> expression;
+};
+
+struct OrderKey {
+  Expression expression;
+  bool descending = false;
+};
+
+struct Select {
+  Pattern where;
+  std::vector<Column> columns;
+  bool distinct = false;
+  bool grouped = false;  // GROUP BY or an aggregate.
+  std::vector<Column> group_by;
+  std::vector<Aggregate> aggregates;
+  std::vector<Expression> having;
+  std::vector<OrderKey> order_by;
+  std::optional<std::size_t> limit;
+  std::size_t offset = 0;
+};
+
+struct Query {
+  enum class Form { kSelect, kAsk };
+  Form form = Form::kSelect;
+  Select select;                       // Of ASK: its pattern.
+  std::vector<std::string> variables;  // Names by number.
+  std::vector<Term> constants;
+  // FROM and FROM NAMED; nothing if there is neither.
+  bool has_dataset = false;
+  std::vector<std::string> from;
+  std::vector<std::string> from_named;
+  std::string base;
+};
+
+}  // namespace kg_core::sparql
+
+#endif  // KG_CORE_SPARQL_QUERY_H_

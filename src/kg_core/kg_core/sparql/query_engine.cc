@@ -1,0 +1,134 @@
+#include "kg_core/sparql/query_engine.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/sparql/algebra.h"
+#include "kg_core/sparql/budget.h"
+#include "kg_core/sparql/evaluator.h"
+#include "kg_core/sparql/parser.h"
+#include "kg_core/sparql/term_table.h"
+
+namespace kg_core {
+namespace {
+
+using sparql::Budget;
+using sparql::DatasetIds;
+using sparql::Evaluator;
+using sparql::Query;
+using sparql::Row;
+using sparql::TermTable;
+
+bool HasQuads(const GraphView& view, TermId graph) {
+  bool found = false;
+  view.Match({kNoTerm, kNoTerm, kNoTerm, graph}, [&found](const Quad&) {
+    found = true;
+    return false;
+  });
+  return found;
+}
+
+// FROM names graphs of the store only: a typo must not look like "no rows".
+void CheckGraph(const GraphView& view, const std::string& iri) {
+  for (const char* ours :
+       {kFactsGraph, kVocabGraph, kProvGraph, kLogGraph, kStateGraph}) {
+    if (iri == ours) return;
+  }
+  const TermId id = view.Find(Iri(iri));
+  if (id != kNoTerm && HasQuads(view, id)) return;
+  throw InputError("FROM: the store has no graph " + AbbreviateIri(iri));
+}
+
+std::vector<TermId> IdsOf(const std::vector<std::string>& graphs,
+                          TermTable* terms) {
+  std::vector<TermId> ids;
+  for (const std::string& graph : graphs) {
+    const TermId id = terms->Intern(Iri(graph));
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  }
+  return ids;
+}
+
+DatasetIds ResolveDataset(const Query& query, const Dataset& dataset,
+                          TermTable* terms) {
+  DatasetIds ids;
+  if (query.has_dataset) {
+    for (const auto* graphs : {&query.from, &query.from_named}) {
+      for (const std::string& graph : *graphs) {
+        CheckGraph(terms->view(), graph);
+      }
+    }
+    ids.default_graphs = IdsOf(query.from, terms);
+    ids.named_graphs = IdsOf(query.from_named, terms);
+    return ids;
+  }
+  ids.default_graphs = IdsOf(dataset.default_graphs, terms);
+  if (dataset.named_graphs) {
+    ids.named_graphs = IdsOf(*dataset.named_graphs, terms);
+  }
+  return ids;
+}
+
+std::size_t BytesOf(const std::vector<std::optional<Term>>& row) {
+  std::size_t bytes = 0;
+  for (const std::optional<Term>& term : row) {
+    if (!term) continue;
+    bytes += term->text.size() + term->datatype.size() + term->language.size();
+  }
+  return bytes;
+}
+
+void CheckText(std::string_view text, const QueryLimits& limits) {
+  if (text.size() <= limits.text_bytes) return;
+  throw InputError("the query is longer than the limit of " +
+                   std::to_string(limits.text_bytes) + " bytes");
+}
+
+}  // namespace
+
+Dataset DefaultDataset(const std::optional<std::string>& plan_graph) {
+  Dataset dataset;
+  dataset.default_graphs = {kFactsGraph, kVocabGraph, kProvGraph, kStateGraph};
+  if (plan_graph) dataset.default_graphs.push_back(*plan_graph);
+  return dataset;
+}
+
+QueryResult RunQuery(const GraphView& view, std::string_view query_text,
+                     const Dataset& dataset, const QueryLimits& limits) {
+  CheckText(query_text, limits);
+  Budget budget(limits);
+  Query query = sparql::ParseQuery(query_text, limits.nesting);
+  sparql::Prepare(&query.select);
+  TermTable terms(&view, &budget);
+  Evaluator evaluator(&query, &terms, ResolveDataset(query, dataset, &terms),
+                      &budget);
+  QueryResult result;
+  if (query.form == Query::Form::kAsk) {
+    result.form = QueryResult::Form::kAsk;
+    evaluator.Run([&result](Row&) {
+      result.answer = true;
+      return false;
+    });
+    return result;
+  }
+  std::vector<std::size_t> columns;
+  for (const sparql::Column& column : query.select.columns) {
+    columns.push_back(static_cast<std::size_t>(column.variable));
+    result.variables.push_back(query.variables[columns.back()]);
+  }
+  evaluator.Run([&](Row& solution) {
+    std::vector<std::optional<Term>> row(columns.size());
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const TermId id = solution[columns[i]];
+      if (id != kNoTerm) row[i] = terms.Get(id);
+    }
+    budget.AddResultRow(BytesOf(row));
+    result.rows.push_back(std::move(row));
+    return true;
+  });
+  return result;
+}
+
+}  // namespace kg_core

@@ -1,0 +1,369 @@
+// Queries by example, on a small world; each name says which rule it is about.
+
+#include "kg_core/sparql/query_engine.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/rdf/turtle.h"
+#include "kg_core/sparql/vector_view.h"
+
+namespace kg_core {
+namespace {
+
+constexpr char kFacts[] = R"ttl(
+  ex:alpha a ex:Agent ; ex:usesPolicy ex:fast ; ex:speed 0.35 ;
+    ex:label "Alpha"@en, "Alfa"@es ; ex:carries ( ex:ctd ex:adcp ) .
+  ex:bravo a ex:Agent ; ex:usesPolicy ex:safe ; ex:speed 0.30 ;
+    ex:launched "2020-11-01T06:00:00Z"^^xsd:dateTime .
+  ex:charlie a ex:Agent ; ex:speed "fast" .
+  ex:fast ex:risk 3 . ex:safe ex:risk 1 .
+  ex:shelf geo:asWKT "POLYGON((0 0,2 0,2 2,0 2,0 0))"^^geo:wktLiteral .
+  ex:buoy geo:asWKT "POINT(1 1)"^^geo:wktLiteral .
+  ex:rig geo:asWKT "POINT(5 1)"^^geo:wktLiteral .
+)ttl";
+constexpr char kProvenance[] = R"ttl(
+  ex:plan prov:wasDerivedFrom ex:tensor, ex:rules .
+  ex:tensor prov:wasDerivedFrom ex:file .
+  ex:rules prov:wasDerivedFrom ex:tensor .
+  ex:alpha ex:usesPolicy ex:fast .
+)ttl";
+
+VectorView World() {
+  VectorView view;
+  for (const auto& [text, graph] :
+       {std::pair{kFacts, kFactsGraph}, std::pair{kProvenance, kProvGraph}}) {
+    for (const Statement& s : ParseTurtle(text, "test", Iri(graph))) {
+      view.Add(s.subject, s.predicate, s.object, s.graph);
+    }
+  }
+  view.Add(Iri(std::string(kEx) + "old"), Iri(std::string(kEx) + "speed"),
+           IntegerLiteral(9), Iri(std::string(kGraph) + "plan/1"));
+  return view;
+}
+
+QueryResult Query(const std::string& query, const QueryLimits& limits = {}) {
+  static const VectorView* const world = new VectorView(World());
+  return RunQuery(*world, query, DefaultDataset(std::nullopt), limits);
+}
+
+// Rows as "cell cell", '-' for unbound.
+std::vector<std::string> Rows(const std::string& query) {
+  std::vector<std::string> lines;
+  for (const auto& row : Query(query).rows) {
+    std::string line;
+    for (const std::optional<Term>& term : row) {
+      if (!line.empty()) line += " ";
+      line += term ? ToTurtle(*term) : "-";
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+std::vector<std::string> SortedRows(const std::string& query) {
+  std::vector<std::string> lines = Rows(query);
+  std::sort(lines.begin(), lines.end());
+  return lines;
+}
+
+using Lines = std::vector<std::string>;
+
+// The value of an expression in Turtle, "-" for an error.
+std::string Value(const std::string& expression) {
+  return Rows("SELECT (" + expression + " AS ?v) {}").at(0);
+}
+
+std::string ErrorOf(const std::string& query, const QueryLimits& limits = {}) {
+  try {
+    Query(query, limits);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(QueryEngine, MatchesABasicGraphPattern) {
+  EXPECT_EQ(SortedRows("SELECT ?a ?r { ?a a ex:Agent ; ex:usesPolicy ?p . "
+                       "?p ex:risk ?r }"),
+            (Lines{"ex:alpha 3", "ex:bravo 1"}));
+}
+
+TEST(QueryEngine, MergesGraphsOfTheDefaultGraphWithoutDuplicates) {
+  EXPECT_EQ(Rows("SELECT ?p { ex:alpha ex:usesPolicy ?p }"),
+            (Lines{"ex:fast"}));
+}
+
+TEST(QueryEngine, ReadsHistoryOnlyByGraph) {
+  EXPECT_EQ(Rows("SELECT ?v { ex:old ex:speed ?v }"), (Lines{}));
+  EXPECT_EQ(Rows("SELECT ?g ?v { GRAPH ?g { ex:old ex:speed ?v } }"),
+            (Lines{"<http://example.org/mission/graph/plan/1> 9"}));
+  EXPECT_EQ(SortedRows("SELECT ?g { GRAPH ?g { ex:alpha ex:usesPolicy ?p } }"),
+            (Lines{"graph:facts", "graph:prov"}));
+  EXPECT_EQ(Rows("SELECT ?v FROM <http://example.org/mission/graph/plan/1> "
+                 "{ ?s ex:speed ?v }"),
+            (Lines{"9"}));
+}
+
+TEST(QueryEngine, ReadsCollectionsAndBlankNodeProperties) {
+  EXPECT_EQ(Rows("SELECT ?a { ?a ex:carries (ex:ctd ?x) }"),
+            (Lines{"ex:alpha"}));
+  EXPECT_EQ(Rows("SELECT ?a { ?a ex:usesPolicy [ ex:risk 3 ] }"),
+            (Lines{"ex:alpha"}));
+  EXPECT_EQ(SortedRows("SELECT ?i { ex:alpha ex:carries/rdf:rest*/rdf:first "
+                       "?i }"),
+            (Lines{"ex:adcp", "ex:ctd"}));
+}
+
+TEST(QueryEngine, KeepsTheLeftSideOfAnOptionalWhoseFilterFails) {
+  EXPECT_EQ(SortedRows("SELECT ?a ?p { ?a a ex:Agent OPTIONAL { ?a "
+                       "ex:usesPolicy ?p . ?p ex:risk ?r FILTER(?r > 2) } }"),
+            (Lines{"ex:alpha ex:fast", "ex:bravo -", "ex:charlie -"}));
+}
+
+TEST(QueryEngine, AnswersUnionMinusExistsAndValues) {
+  EXPECT_EQ(SortedRows("SELECT ?x { { ?x ex:risk 1 } UNION { ?x ex:risk 3 } }"),
+            (Lines{"ex:fast", "ex:safe"}));
+  EXPECT_EQ(Rows("SELECT ?a { ?a a ex:Agent MINUS { ?a ex:usesPolicy ?p } }"),
+            (Lines{"ex:charlie"}));
+  EXPECT_EQ(Rows("SELECT ?a { ?a a ex:Agent FILTER NOT EXISTS { ?a "
+                 "ex:usesPolicy ?p } }"),
+            (Lines{"ex:charlie"}));
+  EXPECT_EQ(Rows("SELECT ?p ?r { ?p ex:risk ?r VALUES (?p ?r) { (ex:fast "
+                 "UNDEF) (ex:safe 7) } }"),
+            (Lines{"ex:fast 3"}));
+}
+
+TEST(QueryEngine, LetsAnInnerFilterSeeOnlyItsOwnGroup) {
+  EXPECT_EQ(Rows("SELECT ?r { ex:fast ex:risk ?r { FILTER(BOUND(?r)) } }"),
+            (Lines{}));
+  EXPECT_EQ(Rows("SELECT ?r ?s { ex:fast ex:risk ?r OPTIONAL { { ex:safe "
+                 "ex:risk ?s FILTER(?r = 3) } } }"),
+            (Lines{"3 -"}));
+}
+
+TEST(QueryEngine, FollowsPathsThroughProvenance) {
+  EXPECT_EQ(SortedRows("SELECT ?x { ex:plan prov:wasDerivedFrom+ ?x }"),
+            (Lines{"ex:file", "ex:rules", "ex:tensor"}));
+  EXPECT_EQ(SortedRows("SELECT ?x { ?x prov:wasDerivedFrom+ ex:file }"),
+            (Lines{"ex:plan", "ex:rules", "ex:tensor"}));
+  EXPECT_EQ(SortedRows("SELECT ?x { ex:tensor ^prov:wasDerivedFrom ?x }"),
+            (Lines{"ex:plan", "ex:rules"}));
+  EXPECT_EQ(Rows("SELECT ?x { ex:nowhere prov:wasDerivedFrom* ?x }"),
+            (Lines{"ex:nowhere"}));
+  EXPECT_EQ(Rows("SELECT ?x { ex:safe !(a|^ex:usesPolicy) ?x }"), (Lines{"1"}));
+  EXPECT_TRUE(
+      Query("ASK { ex:plan (prov:wasDerivedFrom|ex:none)+ ex:file }").answer);
+}
+
+TEST(QueryEngine, GroupsAndAggregates) {
+  EXPECT_EQ(Rows("SELECT (COUNT(*) AS ?n) (SUM(?r) AS ?s) (AVG(?r) AS ?m) "
+                 "(MIN(?r) AS ?a) (MAX(?r) AS ?b) { ?p ex:risk ?r }"),
+            (Lines{"2 4 " + Value("xsd:decimal(2)") + " 1 3"}));
+  EXPECT_EQ(SortedRows("SELECT ?c (COUNT(?a) AS ?n) { ?a a ?c } GROUP BY ?c "
+                       "HAVING (COUNT(?a) > 1)"),
+            (Lines{"ex:Agent 3"}));
+  EXPECT_EQ(Rows("SELECT (COUNT(*) AS ?n) { ?a ex:none ?b }"), (Lines{"0"}));
+  EXPECT_EQ(Rows("SELECT ?a (COUNT(*) AS ?n) { ?a ex:none ?b } GROUP BY ?a"),
+            (Lines{}));
+  EXPECT_EQ(Rows("SELECT (GROUP_CONCAT(?r; SEPARATOR=\"|\") AS ?t) { { SELECT "
+                 "?r { ?p ex:risk ?r } ORDER BY ?r } }"),
+            (Lines{"\"1|3\""}));
+}
+
+TEST(QueryEngine, OrdersByValueWithUnboundFirst) {
+  EXPECT_EQ(Rows("SELECT ?a ?r { ?a a ex:Agent OPTIONAL { ?a "
+                 "ex:usesPolicy/ex:risk ?r } } ORDER BY ?r"),
+            (Lines{"ex:charlie -", "ex:bravo 1", "ex:alpha 3"}));
+  EXPECT_EQ(Rows("SELECT ?v { VALUES ?v { 10 9 1e1 \"9\" ex:x 9.5 } } ORDER BY "
+                 "DESC(?v) LIMIT 3 OFFSET 1"),
+            (Lines{"10", Value("1e1"), "9.5"}));
+}
+
+TEST(QueryEngine, RemovesDuplicatesOnlyIfAsked) {
+  EXPECT_EQ(Rows("SELECT ?c { ?a a ?c }").size(), 3u);
+  EXPECT_EQ(Rows("SELECT DISTINCT ?c { ?a a ?c }").size(), 1u);
+}
+
+TEST(QueryEngine, FollowsTheThreeValuedLogicOfErrors) {
+  const std::string error = "(1/0 = 1)";
+  EXPECT_EQ(Value(error), "-");
+  EXPECT_EQ(Value(error + " || true"), "true");
+  EXPECT_EQ(Value(error + " || false"), "-");
+  EXPECT_EQ(Value(error + " && false"), "false");
+  EXPECT_EQ(Value(error + " && true"), "-");
+  EXPECT_EQ(Value("!" + error), "-");
+  EXPECT_EQ(Value("1 IN (1/0, 1)"), "true");
+  EXPECT_EQ(Value("2 NOT IN (1/0, 1)"), "-");
+  EXPECT_EQ(Value("COALESCE(1/0, ?none, 7)"), "7");
+  EXPECT_EQ(Value("IF(1/0 = 1, 1, 2)"), "-");
+}
+
+TEST(QueryEngine, CalculatesDecimalsExactly) {
+  EXPECT_EQ(Value("0.1 + 0.2"), "0.3");
+  EXPECT_EQ(Value("0.1 + 0.2 = 0.3"), "true");
+  EXPECT_EQ(Value("0.1e0 + 0.2e0 = 0.3e0"), "false");
+  EXPECT_EQ(Value("1 / 8"), "0.125");
+  EXPECT_EQ(Value("7 - 2 * 3"), "1");
+  EXPECT_EQ(Value("-(2) + 1"), "-1");
+  EXPECT_EQ(Value("9007199254740993 = 9007199254740992"), "false");
+}
+
+TEST(QueryEngine, LetsNaNFailEveryComparison) {
+  for (const char* op : {"=", "<", ">", "<=", ">="}) {
+    EXPECT_EQ(
+        Value("xsd:double('NaN') " + std::string(op) + " xsd:double('NaN')"),
+        "false")
+        << op;
+  }
+}
+
+TEST(QueryEngine, KnowsTheFunctions) {
+  const std::pair<const char*, const char*> kCases[] = {
+      {"STR(ex:a)", "\"http://example.org/mission/a\""},
+      {"LANG('a'@en-GB)", "\"en-gb\""},
+      {"DATATYPE(1.5)", "xsd:decimal"},
+      {"STRLEN('h\\u00e9llo')", "5"},
+      {"SUBSTR('foobar', 4)", "\"bar\""},
+      {"SUBSTR('foobar', 0, 3)", "\"fo\""},
+      {"UCASE('stra\\u00e9')", "\"STRA\xC3\x89\""},
+      {"STRBEFORE('abc'@en, 'b')", "\"a\"@en"},
+      {"STRAFTER('abc', 'z')", "\"\""},
+      {"CONCAT('a'@en, 'b'@en)", "\"ab\"@en"},
+      {"CONCAT('a'@en, 'b')", "\"ab\""},
+      {"ENCODE_FOR_URI('a b/\\u00e9')", "\"a%20b%2F%C3%A9\""},
+      {"REPLACE('abcd', '(b)(c)', '$2$1')", "\"acbd\""},
+      {"REPLACE('abcd', 'x*', '-')", "-"},
+      {"REGEX('Alpha', '^al', 'i')", "true"},
+      {"REGEX('Alpha', '(')", "-"},
+      {"ABS(-2.5)", "2.5"},
+      {"ROUND(-2.5)", "\"-2\"^^xsd:decimal"},
+      {"CEIL(1.1)", "\"2\"^^xsd:decimal"},
+      {"FLOOR(-1.1)", "\"-2\"^^xsd:decimal"},
+      {"YEAR('2020-11-01T06:30:15.5Z'^^xsd:dateTime)", "2020"},
+      {"SECONDS('2020-11-01T06:30:15.5Z'^^xsd:dateTime)", "15.5"},
+      {"TZ('2020-11-01T06:30:15-05:00'^^xsd:dateTime)", "\"-05:00\""},
+      {"SHA1('abc')", "\"a9993e364706816aba3e25717850c26c9cd0d89d\""},
+      {"MD5('abc')", "\"900150983cd24fb0d6963f7d28e17f72\""},
+      {"xsd:integer('12')", "12"},
+      {"xsd:integer(3.9)", "3"},
+      {"xsd:integer('x')", "-"},
+      {"xsd:boolean('1')", "true"},
+      {"xsd:string(7)", "\"7\""},
+      {"sameTerm(1, 1.0)", "false"},
+      {"1 = 1.0", "true"},
+      {"'a' = 'a'@en", "false"},
+      {"'a'^^ex:t = 'b'^^ex:t", "-"},
+      {"ex:a = ex:a", "true"},
+      {"'2020-11-01T06:00:00Z'^^xsd:dateTime < "
+       "'2020-11-01T02:00:00-05:00'^^xsd:dateTime",
+       "true"},
+      {"LANGMATCHES('en-GB', 'en')", "true"},
+      {"STRDT('1', xsd:byte) + 1", "2"},
+      {"isNumeric('x'^^xsd:integer)", "false"},
+  };
+  for (const auto& [expression, value] : kCases) {
+    EXPECT_EQ(Value(expression), value) << expression;
+  }
+}
+
+TEST(QueryEngine, AnswersGeometry) {
+  EXPECT_EQ(SortedRows("SELECT ?x { ex:shelf geo:asWKT ?s . ?x geo:asWKT ?g "
+                       "FILTER(geof:sfWithin(?g, ?s)) }"),
+            (Lines{"ex:buoy", "ex:shelf"}));
+  EXPECT_EQ(Rows("SELECT ?d { ex:shelf geo:asWKT ?s . ex:rig geo:asWKT ?g "
+                 "BIND(geof:distance(?g, ?s, "
+                 "<http://www.opengis.net/def/uom/OGC/1.0/degree>) = 3 AS ?d) "
+                 "}"),
+            (Lines{"true"}));
+}
+
+TEST(QueryEngine, SaysWhereTheMistakeIs) {
+  const std::pair<const char*, const char*> kCases[] = {
+      {"", "1:1: expected SELECT or ASK, got the end of the query"},
+      {"SELECT ?a\n { ?a no:x ?b }", "2:7: prefix 'no:' is not declared"},
+      {"SELECT ?a { ?a ex:b }", "1:21: expected a variable or a term, got }"},
+      {"SELECT ?a { ?a ex:b 'x }", "1:21: this string does not end"},
+      {"ASK { FILTER(ex:f(1)) }",
+       "1:14: function <http://example.org/mission/f> is not known"},
+      {"ASK { SERVICE <http://x/> {} }",
+       "1:7: SERVICE is not available: a query reads this store only"},
+      {"LOAD <http://x/>",
+       "1:1: LOAD is not available: a query changes nothing"},
+      {"CONSTRUCT WHERE { ?s ?p ?o }",
+       "1:1: CONSTRUCT is not available yet: use SELECT or ASK"},
+      {"PREFIX a: <http://a/> DELETE WHERE { ?s ?p ?o }",
+       "1:23: DELETE is not available: a query changes nothing"},
+      {"SELECT ?a ?b { ?a ex:p ?b } GROUP BY ?a",
+       "1:1: ?b is neither grouped by nor aggregated"},
+      {"SELECT ?a { ?a ex:p ?b BIND(1 AS ?b) }",
+       "1:34: ?b already has values in this group"},
+      {"SELECT (COUNT(COUNT(?a)) AS ?n) { ?a ex:p ?b }",
+       "1:15: COUNT may stand in SELECT, HAVING and ORDER BY only, and not "
+       "within another aggregate"},
+      {"ASK { ?a ex:p ?b } ?x", "1:20: expected the end of the query, got ?x"},
+      {"ASK { _:a ex:p ?b OPTIONAL { _:a ex:q ?c } }",
+       "1:34: blank node _:a is used in two different graph patterns"},
+      {"ASK FROM ex:no { ?a ?b ?c }", "FROM: the store has no graph ex:no"},
+      {"ASK { ?a ex:p \xff }", "1:15: this is not UTF-8"},
+  };
+  for (const auto& [query, error] : kCases) {
+    EXPECT_EQ(ErrorOf(query), error) << query;
+  }
+}
+
+TEST(QueryEngine, EndsWithinItsLimits) {
+  const std::string cross =
+      "{ ?a ?b ?c . ?d ?e ?f . ?g ?h ?i . ?j ?k ?l . ?m ?n ?o . ?p ?q ?r }";
+  QueryLimits limits;
+  limits.rows = 1000;
+  EXPECT_EQ(ErrorOf("SELECT * " + cross, limits),
+            "the result has more rows than the limit of 1000");
+  limits = {};
+  limits.bytes = 5000;
+  EXPECT_EQ(ErrorOf("SELECT * " + cross, limits),
+            "the result has more bytes than the limit of 5000");
+  limits = {};
+  limits.seconds = 0.05;
+  EXPECT_EQ(ErrorOf("SELECT (COUNT(*) AS ?total) " + cross, limits),
+            "the query took longer than the limit of 0.05 s");
+  EXPECT_EQ(ErrorOf("ASK " + cross.substr(0, cross.size() - 1) +
+                        "FILTER(STRLEN(CONCAT(STR(?a), STR(?r))) < 0) }",
+                    limits),
+            "the query took longer than the limit of 0.05 s");
+  limits = {};
+  limits.working_bytes = 100000;
+  EXPECT_EQ(ErrorOf("SELECT * " + cross + " ORDER BY ?a", limits),
+            "the query needs more memory than the limit of 100000 bytes");
+}
+
+TEST(QueryEngine, StopsARegularExpressionThatBacktracks) {
+  const std::string many(40, 'a');
+  EXPECT_EQ(ErrorOf("ASK { FILTER(REGEX('" + many + "b', '^(a+)+$')) }"),
+            "a regular expression took more steps than the limit of 200000");
+}
+
+TEST(QueryEngine, RefusesTooDeepNestingAndTooLongTexts) {
+  const std::string open(300, '(');
+  EXPECT_EQ(ErrorOf("ASK { FILTER" + open),
+            "1:213: nested deeper than the limit of 200");
+  std::string groups;
+  for (int i = 0; i < 300; ++i) groups += "{";
+  EXPECT_EQ(ErrorOf("ASK " + groups),
+            "1:205: nested deeper than the limit of 200");
+  EXPECT_EQ(ErrorOf(std::string(65537, ' ')),
+            "the query is longer than the limit of 65536 bytes");
+  std::string optionals;
+  for (int i = 0; i < 2000; ++i) optionals += "OPTIONAL{?a ex:p ?b}";
+  EXPECT_NE(ErrorOf("ASK {" + optionals + "}").find("more patterns than"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace kg_core

@@ -1,0 +1,130 @@
+#include "kg_core/sparql/results.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/sparql/utf8.h"
+
+namespace kg_core {
+namespace {
+
+// https://www.rfc-editor.org/rfc/rfc8259#section-7
+std::string JsonString(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out.push_back('\\');
+      out.push_back(c);
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      char code[8];
+      std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(c));
+      out += code;
+    } else {
+      out.push_back(c);
+    }
+  }
+  return out + "\"";
+}
+
+// https://www.w3.org/TR/sparql11-results-json/#select-encode-terms
+std::string JsonTerm(const Term& term) {
+  std::string out = "{\"type\":";
+  switch (term.kind) {
+    case Term::Kind::kIri:
+      out += "\"uri\"";
+      break;
+    case Term::Kind::kBlank:
+      out += "\"bnode\"";
+      break;
+    case Term::Kind::kLiteral:
+      out += "\"literal\"";
+      break;
+  }
+  if (!term.language.empty()) {
+    out += ",\"xml:lang\":" + JsonString(term.language);
+  } else if (term.is_literal() &&
+             term.datatype != std::string(kXsd) + "string") {
+    out += ",\"datatype\":" + JsonString(term.datatype);
+  }
+  return out + ",\"value\":" + JsonString(term.text) + "}";
+}
+
+std::string JsonRow(const QueryResult& result, std::size_t row) {
+  std::string out;
+  for (std::size_t i = 0; i < result.variables.size(); ++i) {
+    const std::optional<Term>& term = result.rows[row][i];
+    if (!term) continue;
+    if (!out.empty()) out += ",";
+    out += JsonString(result.variables[i]) + ":" + JsonTerm(*term);
+  }
+  return "{" + out + "}";
+}
+
+using Lines = std::vector<std::vector<std::string>>;
+
+Lines CellsOf(const QueryResult& result) {
+  Lines lines(1);
+  for (const std::string& name : result.variables) {
+    lines[0].push_back("?" + name);
+  }
+  for (const auto& row : result.rows) {
+    lines.emplace_back();
+    for (const std::optional<Term>& term : row) {
+      lines.back().push_back(term ? ToTurtle(*term) : "");
+    }
+  }
+  return lines;
+}
+
+std::string PaddedLine(const std::vector<std::string>& cells,
+                       const std::vector<std::size_t>& widths) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    line += cells[i];
+    line.append(widths[i] - sparql::Utf8Length(cells[i]) + 2, ' ');
+  }
+  return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+}
+
+}  // namespace
+
+std::string ToJson(const QueryResult& result) {
+  if (result.form == QueryResult::Form::kAsk) {
+    return std::string("{\"head\":{},\"boolean\":") +
+           (result.answer ? "true}" : "false}");
+  }
+  std::string out = "{\"head\":{\"vars\":[";
+  for (std::size_t i = 0; i < result.variables.size(); ++i) {
+    out += (i > 0 ? "," : "") + JsonString(result.variables[i]);
+  }
+  out += "]},\"results\":{\"bindings\":[";
+  for (std::size_t row = 0; row < result.rows.size(); ++row) {
+    out += (row > 0 ? ",\n" : "\n") + JsonRow(result, row);
+  }
+  return out + "]}}";
+}
+
+std::string ToTextTable(const QueryResult& result) {
+  if (result.form == QueryResult::Form::kAsk) {
+    return result.answer ? "yes\n" : "no\n";
+  }
+  const Lines lines = CellsOf(result);
+  std::vector<std::size_t> widths(result.variables.size(), 0);
+  for (const auto& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      widths[i] = std::max(widths[i], sparql::Utf8Length(line[i]));
+    }
+  }
+  std::string out = PaddedLine(lines[0], widths);
+  std::vector<std::string> rule;
+  for (const std::size_t width : widths) rule.emplace_back(width, '-');
+  out += PaddedLine(rule, widths);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    out += PaddedLine(lines[i], widths);
+  }
+  const std::size_t rows = result.rows.size();
+  return out + std::to_string(rows) + (rows == 1 ? " row\n" : " rows\n");
+}
+
+}  // namespace kg_core

@@ -1,0 +1,178 @@
+// SELECT: grouping, projection, order, DISTINCT, OFFSET and LIMIT.
+// https://www.w3.org/TR/sparql11-query/#convertSolMod
+
+#include <algorithm>
+#include <utility>
+
+#include "kg_core/sparql/aggregation.h"
+#include "kg_core/sparql/evaluator.h"
+#include "kg_core/sparql/values.h"
+
+namespace kg_core::sparql {
+namespace {
+
+TermId& Slot(Row* row, int variable) {
+  return (*row)[static_cast<std::size_t>(variable)];
+}
+
+}  // namespace
+
+struct Evaluator::Sorted {
+  std::vector<TermId> keys;
+  Row row;
+};
+
+// Only a stop asked for by `emit` is passed on, not the end of LIMIT.
+bool Evaluator::RunSelect(const Select& select, const ActiveGraph& g,
+                          Emit emit) {
+  absl::flat_hash_set<Row> seen;
+  std::size_t skipped = 0;
+  std::size_t given = 0;
+  bool go_on = true;
+  Row projected(query_->variables.size(), kNoTerm);
+  const auto project = [&](Row& row) {
+    if (select.limit && given >= *select.limit) return false;
+    for (const Column& column : select.columns) {
+      Slot(&projected, column.variable) = Slot(&row, column.variable);
+    }
+    if (select.distinct) {
+      if (!seen.insert(projected).second) return true;
+      budget_->UseWorkingBytes(2 * sizeof(TermId) * (projected.size() + 8));
+    }
+    if (skipped < select.offset) {
+      ++skipped;
+      return true;
+    }
+    ++given;
+    go_on = emit(projected);
+    return go_on && !(select.limit && given >= *select.limit);
+  };
+  if (select.limit && *select.limit == 0) return true;
+  if (select.order_by.empty()) {
+    Solutions(select, g, project);
+    return go_on;
+  }
+  for (Sorted& sorted : SortedSolutions(select, g)) {
+    if (!project(sorted.row)) break;
+  }
+  return go_on;
+}
+
+// https://www.w3.org/TR/sparql11-query/#modOrderBy
+std::vector<Evaluator::Sorted> Evaluator::SortedSolutions(
+    const Select& select, const ActiveGraph& g) {
+  std::vector<Sorted> all;
+  Solutions(select, g, [&](Row& row) {
+    Sorted sorted{{}, row};
+    for (const OrderKey& key : select.order_by) {
+      sorted.keys.push_back(expressions_.Evaluate(key.expression, {row, g}));
+    }
+    budget_->UseWorkingBytes(sizeof(Sorted) +
+                             2 * sizeof(TermId) * (row.size() + 16));
+    all.push_back(std::move(sorted));
+    return true;
+  });
+  const auto term = [this](TermId id) {
+    return id == kNoTerm ? nullptr : &terms_->Get(id);
+  };
+  std::stable_sort(
+      all.begin(), all.end(), [&](const Sorted& a, const Sorted& b) {
+        budget_->Step();
+        for (std::size_t i = 0; i < a.keys.size(); ++i) {
+          if (a.keys[i] == b.keys[i]) continue;
+          const int order = OrderOf(term(a.keys[i]), term(b.keys[i]));
+          if (order == 0) continue;
+          return select.order_by[i].descending ? order > 0 : order < 0;
+        }
+        return false;
+      });
+  return all;
+}
+
+// Solutions with the columns' expressions, before order and projection.
+bool Evaluator::Solutions(const Select& select, const ActiveGraph& g,
+                          Emit emit) {
+  const auto finish = [&](Row& row) {
+    return FinishRow(select, g, &row, emit);
+  };
+  if (select.grouped) return Grouped(select, g, finish);
+  Row row(query_->variables.size(), kNoTerm);
+  return Evaluate(select.where, g, &row, finish);
+}
+
+// HAVING, then the expressions of the columns.
+bool Evaluator::FinishRow(const Select& select, const ActiveGraph& g, Row* row,
+                          Emit emit) {
+  if (!HoldAll(select.having, g, row)) return true;
+  bool extended = false;
+  for (const Column& column : select.columns) {
+    if (!column.expression) continue;
+    if (!extended) expressions_.BeginRow();
+    extended = true;
+    Slot(row, column.variable) =
+        expressions_.Evaluate(*column.expression, {*row, g});
+  }
+  const bool go_on = emit(*row);
+  for (const Column& column : select.columns) {
+    if (column.expression) Slot(row, column.variable) = kNoTerm;
+  }
+  return go_on;
+}
+
+// https://www.w3.org/TR/sparql11-query/#aggregateAlgebra
+bool Evaluator::Grouped(const Select& select, const ActiveGraph& g, Emit emit) {
+  struct Group {
+    Row key;
+    std::vector<Accumulator> values;
+  };
+  std::vector<Group> groups;  // In order of appearance.
+  absl::flat_hash_map<Row, std::size_t> numbers;
+  const auto group_of = [&](const Row& key) -> Group& {
+    const auto [found, is_new] = numbers.emplace(key, groups.size());
+    if (!is_new) return groups[found->second];
+    groups.push_back({key, {}});
+    for (const Aggregate& aggregate : select.aggregates) {
+      groups.back().values.emplace_back(&aggregate, terms_, budget_);
+    }
+    budget_->UseWorkingBytes(sizeof(Group) +
+                             sizeof(Accumulator) * select.aggregates.size() +
+                             4 * sizeof(TermId) * (key.size() + 8));
+    return groups.back();
+  };
+  if (select.group_by.empty()) group_of({});
+  Row start(query_->variables.size(), kNoTerm);
+  Evaluate(select.where, g, &start, [&](Row& row) {
+    Row key;
+    for (const Column& column : select.group_by) {
+      key.push_back(column.expression
+                        ? expressions_.Evaluate(*column.expression, {row, g})
+                        : Slot(&row, column.variable));
+    }
+    Group& group = group_of(key);
+    for (std::size_t i = 0; i < select.aggregates.size(); ++i) {
+      const Aggregate& aggregate = select.aggregates[i];
+      if (aggregate.argument) {
+        group.values[i].Add(
+            expressions_.Evaluate(*aggregate.argument, {row, g}));
+      } else {
+        group.values[i].AddRow(row);
+      }
+    }
+    return true;
+  });
+  Row row(query_->variables.size(), kNoTerm);
+  for (const Group& group : groups) {
+    for (std::size_t i = 0; i < group.key.size(); ++i) {
+      Slot(&row, select.group_by[i].variable) = group.key[i];
+    }
+    for (std::size_t i = 0; i < group.values.size(); ++i) {
+      const std::optional<Term> value = group.values[i].Result();
+      Slot(&row, select.aggregates[i].variable) =
+          value ? terms_->Intern(*value) : kNoTerm;
+    }
+    if (!emit(row)) return false;
+  }
+  return true;
+}
+
+}  // namespace kg_core::sparql

@@ -1,0 +1,338 @@
+#include "kg_core/sparql/values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string_view>
+
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/sparql/date_time.h"
+
+namespace kg_core::sparql {
+namespace {
+
+constexpr char kLangString[] =
+    "http://www.w3.org/1999/02/22-rdf-syntax-ns#langString";
+
+// "integer" of an XSD datatype; empty if it is none.
+std::string_view XsdName(const std::string& datatype) {
+  const std::string_view view(datatype);
+  const std::string_view xsd(kXsd);
+  if (view.substr(0, xsd.size()) != xsd) return {};
+  return view.substr(xsd.size());
+}
+
+// https://www.w3.org/TR/sparql11-query/#operandDataTypes
+constexpr std::string_view kIntegerTypes[] = {"integer",
+                                              "nonPositiveInteger",
+                                              "negativeInteger",
+                                              "long",
+                                              "int",
+                                              "short",
+                                              "byte",
+                                              "nonNegativeInteger",
+                                              "unsignedLong",
+                                              "unsignedInt",
+                                              "unsignedShort",
+                                              "unsignedByte",
+                                              "positiveInteger"};
+
+std::optional<Number::Type> NumericType(const std::string& datatype) {
+  const std::string_view name = XsdName(datatype);
+  if (name.empty()) return std::nullopt;
+  if (name == "decimal") return Number::Type::kDecimal;
+  if (name == "double") return Number::Type::kDouble;
+  if (name == "float") return Number::Type::kFloat;
+  for (const std::string_view type : kIntegerTypes) {
+    if (name == type) return Number::Type::kInteger;
+  }
+  return std::nullopt;
+}
+
+// What kind of value a term has; the order is that of ORDER BY.
+enum class ValueKind {
+  kBlank,
+  kIri,
+  kNumber,
+  kBoolean,
+  kDateTime,
+  kDate,
+  kString,
+  kLanguageString,
+  kUnknown,  // Another datatype, or a lexical form its datatype has not.
+};
+
+std::optional<bool> ToBoolean(const Term& term) {
+  if (term.text == "true" || term.text == "1") return true;
+  if (term.text == "false" || term.text == "0") return false;
+  return std::nullopt;
+}
+
+ValueKind LiteralKind(const Term& term) {
+  if (!term.language.empty()) return ValueKind::kLanguageString;
+  const std::string_view name = XsdName(term.datatype);
+  if (name == "string") return ValueKind::kString;
+  if (name == "boolean" && ToBoolean(term)) return ValueKind::kBoolean;
+  if (name == "dateTime" && ParseDateTime(term.text)) {
+    return ValueKind::kDateTime;
+  }
+  if (name == "date" && ParseDate(term.text)) return ValueKind::kDate;
+  if (ToNumber(term)) return ValueKind::kNumber;
+  return ValueKind::kUnknown;
+}
+
+ValueKind KindOf(const Term& term) {
+  switch (term.kind) {
+    case Term::Kind::kBlank:
+      return ValueKind::kBlank;
+    case Term::Kind::kIri:
+      return ValueKind::kIri;
+    case Term::Kind::kLiteral:
+      return LiteralKind(term);
+  }
+  return ValueKind::kUnknown;
+}
+
+Order FromSign(int sign) {
+  return sign < 0 ? Order::kLess : sign > 0 ? Order::kGreater : Order::kEqual;
+}
+
+Order CompareNumbers(const Number& a, const Number& b) {
+  if (a.is_exact() && b.is_exact()) {
+    return FromSign(Compare(a.exact, b.exact));
+  }
+  const double x = a.ToDouble();
+  const double y = b.ToDouble();
+  if (x < y) return Order::kLess;
+  if (x > y) return Order::kGreater;
+  return x == y ? Order::kEqual : Order::kNone;
+}
+
+// Order of two values of one comparable kind.
+Order CompareKind(ValueKind kind, const Term& a, const Term& b) {
+  switch (kind) {
+    case ValueKind::kNumber:
+      return CompareNumbers(*ToNumber(a), *ToNumber(b));
+    case ValueKind::kBoolean:
+      return FromSign(int{*ToBoolean(a)} - int{*ToBoolean(b)});
+    case ValueKind::kDateTime:
+      return FromSign(Compare(*ParseDateTime(a.text), *ParseDateTime(b.text)));
+    case ValueKind::kDate:
+      return FromSign(Compare(*ParseDate(a.text), *ParseDate(b.text)));
+    case ValueKind::kString:
+    case ValueKind::kLanguageString:
+    case ValueKind::kBlank:
+    case ValueKind::kIri:
+    case ValueKind::kUnknown:
+      break;
+  }
+  return FromSign(a.text.compare(b.text));
+}
+
+int Sign(int value) { return value < 0 ? -1 : value > 0 ? 1 : 0; }
+
+int OrderSameKind(ValueKind kind, const Term& a, const Term& b) {
+  switch (CompareKind(kind, a, b)) {
+    case Order::kLess:
+      return -1;
+    case Order::kGreater:
+      return 1;
+    case Order::kNone: {  // NaN comes before the other numbers.
+      const bool a_is_nan = std::isnan(ToNumber(a)->ToDouble());
+      const bool b_is_nan = std::isnan(ToNumber(b)->ToDouble());
+      if (a_is_nan != b_is_nan) return a_is_nan ? -1 : 1;
+      break;
+    }
+    case Order::kEqual:
+      break;
+  }
+  if (kind == ValueKind::kNumber || kind == ValueKind::kDateTime) return 0;
+  const int by_language = Sign(a.language.compare(b.language));
+  return by_language != 0 ? by_language : Sign(a.datatype.compare(b.datatype));
+}
+
+std::string FormatReal(double value, Number::Type type) {
+  if (type == Number::Type::kDouble) return DoubleLiteral(value).text;
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value < 0 ? "-INF" : "INF";
+  char text[64];
+  for (int precision = 1; precision <= 9; ++precision) {
+    std::snprintf(text, sizeof text, "%.*g", precision, value);
+    if (std::strtof(text, nullptr) == static_cast<float>(value)) break;
+  }
+  return text;
+}
+
+std::optional<Decimal> CalculateExact(Arithmetic operation, const Decimal& a,
+                                      const Decimal& b) {
+  switch (operation) {
+    case Arithmetic::kAdd:
+      return Add(a, b);
+    case Arithmetic::kSubtract:
+      return Subtract(a, b);
+    case Arithmetic::kMultiply:
+      return Multiply(a, b);
+    case Arithmetic::kDivide:
+      return Divide(a, b);
+  }
+  return std::nullopt;
+}
+
+double CalculateReal(Arithmetic operation, double a, double b) {
+  switch (operation) {
+    case Arithmetic::kAdd:
+      return a + b;
+    case Arithmetic::kSubtract:
+      return a - b;
+    case Arithmetic::kMultiply:
+      return a * b;
+    case Arithmetic::kDivide:
+      return a / b;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+bool IsNumericType(const std::string& datatype) {
+  return NumericType(datatype).has_value();
+}
+
+std::optional<double> ParseDouble(const std::string& text) {
+  if (text == "INF" || text == "+INF") return HUGE_VAL;
+  if (text == "-INF") return -HUGE_VAL;
+  if (text == "NaN") return std::numeric_limits<double>::quiet_NaN();
+  if (text.empty() ||
+      text.find_first_not_of("0123456789+-.eE") != std::string::npos) {
+    return std::nullopt;
+  }
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end != text.c_str() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<Number> ToNumber(const Term& term) {
+  if (!term.is_literal()) return std::nullopt;
+  const std::optional<Number::Type> type = NumericType(term.datatype);
+  if (!type) return std::nullopt;
+  Number number;
+  number.type = *type;
+  if (number.is_exact()) {
+    const std::optional<Decimal> value = ParseDecimal(term.text);
+    const bool whole = term.text.find('.') == std::string::npos;
+    if (!value || (*type == Number::Type::kInteger && !whole)) {
+      return std::nullopt;
+    }
+    number.exact = *value;
+    return number;
+  }
+  const std::optional<double> value = ParseDouble(term.text);
+  if (!value) return std::nullopt;
+  number.real = *type == Number::Type::kFloat
+                    ? static_cast<double>(static_cast<float>(*value))
+                    : *value;
+  return number;
+}
+
+Term ToTerm(const Number& number) {
+  constexpr const char* kNames[] = {"integer", "decimal", "float", "double"};
+  const std::string datatype =
+      std::string(kXsd) + kNames[static_cast<int>(number.type)];
+  return Literal(number.is_exact() ? ToString(number.exact)
+                                   : FormatReal(number.real, number.type),
+                 datatype);
+}
+
+std::optional<Number> Calculate(Arithmetic operation, const Number& a,
+                                const Number& b) {
+  Number result;
+  result.type = std::max(a.type, b.type);
+  if (result.is_exact()) {
+    if (operation == Arithmetic::kDivide) {
+      result.type = Number::Type::kDecimal;
+    }
+    const std::optional<Decimal> exact =
+        CalculateExact(operation, a.exact, b.exact);
+    if (!exact) return std::nullopt;
+    result.exact = *exact;
+    return result;
+  }
+  result.real = CalculateReal(operation, a.ToDouble(), b.ToDouble());
+  if (result.type == Number::Type::kFloat) {
+    result.real = static_cast<double>(static_cast<float>(result.real));
+  }
+  return result;
+}
+
+bool IsString(const Term& term) {
+  return term.is_literal() && term.language.empty() &&
+         XsdName(term.datatype) == "string";
+}
+
+bool IsStringLike(const Term& term) {
+  return IsString(term) ||
+         (term.is_literal() &&
+          (!term.language.empty() || term.datatype == kLangString));
+}
+
+std::optional<bool> EffectiveBoolean(const Term& term) {
+  if (!term.is_literal()) return std::nullopt;
+  if (IsString(term)) return !term.text.empty();
+  if (XsdName(term.datatype) == "boolean") {
+    return ToBoolean(term).value_or(false);
+  }
+  if (!IsNumericType(term.datatype)) return std::nullopt;
+  const std::optional<Number> number = ToNumber(term);
+  if (!number) return false;
+  const double value = number->ToDouble();
+  return !(std::isnan(value) || value == 0.0);
+}
+
+std::optional<bool> Equal(const Term& a, const Term& b) {
+  const ValueKind kind = KindOf(a);
+  const ValueKind other = KindOf(b);
+  const bool literals = a.is_literal() && b.is_literal();
+  if (kind == other && kind != ValueKind::kUnknown && literals) {
+    if (kind == ValueKind::kLanguageString) return a == b;
+    return CompareKind(kind, a, b) == Order::kEqual;
+  }
+  if (a == b) return true;
+  const bool unknown =
+      kind == ValueKind::kUnknown || other == ValueKind::kUnknown;
+  if (literals && unknown) return std::nullopt;
+  return false;
+}
+
+std::optional<Order> Compare(const Term& a, const Term& b) {
+  const ValueKind kind = KindOf(a);
+  if (kind != KindOf(b)) return std::nullopt;
+  switch (kind) {
+    case ValueKind::kNumber:
+    case ValueKind::kBoolean:
+    case ValueKind::kDateTime:
+    case ValueKind::kDate:
+    case ValueKind::kString:
+      return CompareKind(kind, a, b);
+    case ValueKind::kLanguageString:
+    case ValueKind::kBlank:
+    case ValueKind::kIri:
+    case ValueKind::kUnknown:
+      break;
+  }
+  return std::nullopt;
+}
+
+int OrderOf(const Term* a, const Term* b) {
+  if (a == nullptr || b == nullptr) {
+    return int{a != nullptr} - int{b != nullptr};
+  }
+  const ValueKind kind = KindOf(*a);
+  const ValueKind other = KindOf(*b);
+  if (kind != other) return kind < other ? -1 : 1;
+  return OrderSameKind(kind, *a, *b);
+}
+
+}  // namespace kg_core::sparql

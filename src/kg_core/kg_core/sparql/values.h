@@ -1,0 +1,63 @@
+// What literals mean: numbers, truth, equality and order.
+// https://www.w3.org/TR/sparql11-query/#operandDataTypes
+//
+// std::nullopt is SPARQL's type error throughout.
+
+#ifndef KG_CORE_SPARQL_VALUES_H_
+#define KG_CORE_SPARQL_VALUES_H_
+
+#include <optional>
+#include <string>
+
+#include "kg_core/rdf/term.h"
+#include "kg_core/sparql/decimal.h"
+
+namespace kg_core::sparql {
+
+// A numeric value; types in the order of promotion.
+// https://www.w3.org/TR/xpath20/#promotion
+struct Number {
+  enum class Type { kInteger, kDecimal, kFloat, kDouble };
+  Type type = Type::kInteger;
+  Decimal exact;    // Integers and decimals.
+  double real = 0;  // Floats and doubles.
+
+  bool is_exact() const { return type <= Type::kDecimal; }
+  double ToDouble() const {
+    return is_exact() ? sparql::ToDouble(exact) : real;
+  }
+};
+
+enum class Arithmetic { kAdd, kSubtract, kMultiply, kDivide };
+
+bool IsNumericType(const std::string& datatype);
+std::optional<Number> ToNumber(const Term& term);
+Term ToTerm(const Number& number);
+std::optional<Number> Calculate(Arithmetic operation, const Number& a,
+                                const Number& b);
+// Reads the lexical forms of xsd:double and xsd:float ("1e3", "INF", "NaN").
+std::optional<double> ParseDouble(const std::string& text);
+
+bool IsString(const Term& term);  // A literal of xsd:string.
+// A literal of xsd:string or with a language.
+bool IsStringLike(const Term& term);
+
+// https://www.w3.org/TR/sparql11-query/#ebv
+std::optional<bool> EffectiveBoolean(const Term& term);
+
+// The operator '='. https://www.w3.org/TR/sparql11-query/#func-RDFterm-equal
+std::optional<bool> Equal(const Term& a, const Term& b);
+
+// The operator '<'; NaN is less than nothing.
+// https://www.w3.org/TR/sparql11-query/#OperatorMapping
+enum class Order { kLess, kEqual, kGreater, kNone };
+std::optional<Order> Compare(const Term& a, const Term& b);
+
+// Order of ORDER BY, MIN and MAX: unbound (nullptr), blank nodes, IRIs,
+// literals by value; what '<' leaves open by type, then text. -1, 0, 1.
+// https://www.w3.org/TR/sparql11-query/#modOrderBy
+int OrderOf(const Term* a, const Term* b);
+
+}  // namespace kg_core::sparql
+
+#endif  // KG_CORE_SPARQL_VALUES_H_
