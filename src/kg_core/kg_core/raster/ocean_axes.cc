@@ -1,0 +1,333 @@
+#include "kg_core/raster/ocean_axes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/base/text.h"
+#include "kg_core/raster/cf_time.h"
+
+namespace kg_core {
+namespace {
+
+constexpr std::size_t kMaxAxis = 100000;
+// A gap this many times the widest spacing is no seam of a global grid.
+constexpr double kSeamFactor = 1.5;
+
+enum class Role { kUnknown, kTime, kDepth, kLatitude, kLongitude };
+
+bool IsOneOf(const std::string& text, std::initializer_list<const char*> list) {
+  return std::find(list.begin(), list.end(), text) != list.end();
+}
+
+Role RoleByAttributes(const NetcdfVariable& variable) {
+  const std::string standard = variable.Text("standard_name");
+  const std::string units = variable.Text("units");
+  if (standard == "latitude" ||
+      IsOneOf(units, {"degrees_north", "degree_north", "degrees_N", "degree_N",
+                      "degreesN", "degreeN"})) {
+    return Role::kLatitude;
+  }
+  if (standard == "longitude" ||
+      IsOneOf(units, {"degrees_east", "degree_east", "degrees_E", "degree_E",
+                      "degreesE", "degreeE"})) {
+    return Role::kLongitude;
+  }
+  if (standard == "time" || units.find(" since ") != std::string::npos) {
+    return Role::kTime;
+  }
+  const std::string positive = ToLowerAscii(variable.Text("positive"));
+  if (standard == "depth" || variable.Text("axis") == "Z" ||
+      positive == "down" || positive == "up") {
+    return Role::kDepth;
+  }
+  return Role::kUnknown;
+}
+
+Role RoleByName(const std::string& any_case) {
+  const std::string name = ToLowerAscii(any_case);
+  if (IsOneOf(name, {"lat", "latitude", "nav_lat"})) return Role::kLatitude;
+  if (IsOneOf(name, {"lon", "longitude", "nav_lon"})) return Role::kLongitude;
+  if (IsOneOf(name, {"time", "mt", "t", "ocean_time"})) return Role::kTime;
+  if (IsOneOf(name, {"depth", "lev", "level", "deptht", "z", "layer"})) {
+    return Role::kDepth;
+  }
+  return Role::kUnknown;
+}
+
+// By name only where no attribute says what kind of quantity this is.
+Role RoleOf(const NetcdfVariable& variable) {
+  const Role role = RoleByAttributes(variable);
+  if (role != Role::kUnknown) return role;
+  if (!variable.Text("standard_name").empty()) return Role::kUnknown;
+  return RoleByName(variable.name);
+}
+
+class Reader {
+ public:
+  Reader(const NetcdfFile& file, const NetcdfVariable& variable)
+      : file_(file), variable_(variable) {
+    axes_.start.assign(variable.dimensions.size(), 0);
+  }
+
+  OceanAxes Read() {
+    RefuseCurvilinear();
+    for (std::size_t i = 0; i < variable_.dimensions.size(); ++i) {
+      Assign(static_cast<int>(i));
+    }
+    if (lat_ == nullptr || lon_ == nullptr) {
+      file_.Refuse(
+          variable_,
+          "expected a latitude and a longitude among its dimensions "
+          "(standard_name, units degrees_north/degrees_east, or name)");
+    }
+    axes_.grid = Grid(Longitudes(), Latitudes());
+    ReadTimes();
+    return std::move(axes_);
+  }
+
+ private:
+  const NetcdfDimension& Dimension(int position) const {
+    return file_.dimensions()[variable_.dimensions[position]];
+  }
+  bool HasDimension(int dimension) const {
+    const std::vector<int>& own = variable_.dimensions;
+    return std::find(own.begin(), own.end(), dimension) != own.end();
+  }
+
+  void RefuseCurvilinear() const;
+  const NetcdfVariable* CoordinateOf(int position) const;
+  void Assign(int position);
+  void AssignDepth(int position, const NetcdfVariable* coordinate);
+  void Once(const NetcdfVariable* already, int position) const;
+
+  std::vector<double> Coordinates(const NetcdfVariable& axis) const;
+  bool Descends(const NetcdfVariable& axis,
+                const std::vector<double>& values) const;
+  std::vector<double> Latitudes();
+  std::vector<double> Longitudes();
+  std::vector<double> Wrapped(const std::vector<double>& ascending) const;
+  const NetcdfVariable& TimeVariable() const;
+  void ReadTimes();
+
+  const NetcdfFile& file_;
+  const NetcdfVariable& variable_;
+  const NetcdfVariable* lat_ = nullptr;
+  const NetcdfVariable* lon_ = nullptr;
+  const NetcdfVariable* time_ = nullptr;
+  OceanAxes axes_;
+};
+
+void Reader::RefuseCurvilinear() const {
+  for (const NetcdfVariable& other : file_.variables()) {
+    const Role role = RoleOf(other);
+    if (role != Role::kLatitude && role != Role::kLongitude) continue;
+    if (other.dimensions.size() != 2 || !HasDimension(other.dimensions[0]) ||
+        !HasDimension(other.dimensions[1])) {
+      continue;
+    }
+    file_.Refuse(variable_,
+                 "lies on a curvilinear grid (" + other.name +
+                     " has two dimensions), expected latitude and longitude "
+                     "with one dimension each");
+  }
+}
+
+// The variable that gives a dimension its values: of the same name, or the only
+// one along it that is a latitude, longitude, depth or time.
+const NetcdfVariable* Reader::CoordinateOf(int position) const {
+  const NetcdfVariable* found = nullptr;
+  const int dimension = variable_.dimensions[position];
+  for (const NetcdfVariable& other : file_.variables()) {
+    if (other.dimensions != std::vector<int>{dimension}) continue;
+    if (other.name == Dimension(position).name) return &other;
+    if (found == nullptr && RoleOf(other) != Role::kUnknown) found = &other;
+  }
+  return found;
+}
+
+void Reader::Once(const NetcdfVariable* already, int position) const {
+  if (already == nullptr) return;
+  file_.Refuse(variable_, "dimension " + Dimension(position).name + " and " +
+                              already->name + " are of the same kind");
+}
+
+void Reader::Assign(int position) {
+  const NetcdfVariable* coordinate = CoordinateOf(position);
+  const Role role = coordinate == nullptr ? RoleByName(Dimension(position).name)
+                                          : RoleOf(*coordinate);
+  if (role == Role::kDepth) return AssignDepth(position, coordinate);
+  if (role == Role::kUnknown && Dimension(position).size == 1) return;
+  if (role == Role::kUnknown || coordinate == nullptr) {
+    file_.Refuse(variable_, "dimension " + Dimension(position).name +
+                                " is not understood, expected time, depth, "
+                                "latitude and longitude with their values");
+  }
+  if (role == Role::kTime) {
+    Once(time_, position);
+    time_ = coordinate;
+    axes_.time = position;
+  } else if (role == Role::kLatitude) {
+    Once(lat_, position);
+    lat_ = coordinate;
+    axes_.lat = position;
+  } else {
+    Once(lon_, position);
+    lon_ = coordinate;
+    axes_.lon = position;
+  }
+}
+
+void Reader::AssignDepth(int position, const NetcdfVariable* coordinate) {
+  if (coordinate == nullptr) return;
+  const std::vector<double> depths = Coordinates(*coordinate);
+  const auto shallowest = std::min_element(
+      depths.begin(), depths.end(),
+      [](double a, double b) { return std::abs(a) < std::abs(b); });
+  axes_.start[position] = static_cast<std::size_t>(shallowest - depths.begin());
+}
+
+std::vector<double> Reader::Coordinates(const NetcdfVariable& axis) const {
+  const std::size_t size = file_.dimensions()[axis.dimensions[0]].size;
+  if (size == 0 || size > kMaxAxis) {
+    file_.Refuse(axis, "expected 1 to " + std::to_string(kMaxAxis) +
+                           " values, found " + std::to_string(size));
+  }
+  if (axis.numbers.count("scale_factor") + axis.numbers.count("add_offset")) {
+    file_.Refuse(axis, "expected a coordinate that is not packed");
+  }
+  const std::vector<double> values = file_.Values(axis);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i]) && std::abs(values[i]) < 1e20) continue;
+    file_.Refuse(axis, "value " + std::to_string(i) + " is missing");
+  }
+  return values;
+}
+
+bool Reader::Descends(const NetcdfVariable& axis,
+                      const std::vector<double>& values) const {
+  if (values.size() < 2) {
+    file_.Refuse(axis, "expected at least two values, found one");
+  }
+  const bool descends = values[1] < values[0];
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double step = values[i] - values[i - 1];
+    if (descends ? step < 0.0 : step > 0.0) continue;
+    file_.Refuse(axis,
+                 "expected values that only ascend or only descend, "
+                 "value " +
+                     std::to_string(i) + " does not");
+  }
+  return descends;
+}
+
+std::vector<double> Reader::Latitudes() {
+  std::vector<double> values = Coordinates(*lat_);
+  axes_.file_row.resize(values.size());
+  std::iota(axes_.file_row.begin(), axes_.file_row.end(), std::size_t{0});
+  if (Descends(*lat_, values)) {
+    std::reverse(values.begin(), values.end());
+    std::reverse(axes_.file_row.begin(), axes_.file_row.end());
+  }
+  if (values.front() < -90.0 || values.back() > 90.0) {
+    file_.Refuse(*lat_, "expected degrees from -90 to 90");
+  }
+  return values;
+}
+
+std::vector<double> Reader::Longitudes() {
+  std::vector<double> values = Coordinates(*lon_);
+  axes_.file_col.resize(values.size());
+  std::iota(axes_.file_col.begin(), axes_.file_col.end(), std::size_t{0});
+  if (Descends(*lon_, values)) {
+    std::reverse(values.begin(), values.end());
+    std::reverse(axes_.file_col.begin(), axes_.file_col.end());
+  }
+  if (values.front() < -360.0 || values.back() > 720.0 ||
+      values.back() - values.front() >= 360.0) {
+    file_.Refuse(*lon_, "expected degrees that span less than a turn, found " +
+                            std::to_string(values.front()) + " to " +
+                            std::to_string(values.back()));
+  }
+  const std::vector<double> wrapped = Wrapped(values);
+  const auto west = std::min_element(wrapped.begin(), wrapped.end());
+  const auto turn = west - wrapped.begin();
+  std::rotate(axes_.file_col.begin(), axes_.file_col.begin() + turn,
+              axes_.file_col.end());
+  std::vector<double> rotated(west, wrapped.end());
+  rotated.insert(rotated.end(), wrapped.begin(), west);
+  return rotated;
+}
+
+// Each longitude in [-180, 180). Where the file runs across 180 degrees the
+// ends must meet as in a global file.
+std::vector<double> Reader::Wrapped(
+    const std::vector<double>& ascending) const {
+  std::vector<double> wrapped;
+  double widest = 0.0;
+  std::size_t seams = 0;
+  for (std::size_t i = 0; i < ascending.size(); ++i) {
+    const double lon = ascending[i];
+    wrapped.push_back(lon - 360.0 * std::floor((lon + 180.0) / 360.0));
+    if (i == 0) continue;
+    widest = std::max(widest, lon - ascending[i - 1]);
+    seams += wrapped[i] < wrapped[i - 1];
+  }
+  const double gap = ascending.front() + 360.0 - ascending.back();
+  if (seams > 0 && gap > kSeamFactor * widest) {
+    file_.Refuse(*lon_,
+                 "the grid crosses the antimeridian (longitudes " +
+                     std::to_string(ascending.front()) + " to " +
+                     std::to_string(ascending.back()) +
+                     "), which is not understood; expected one that does not");
+  }
+  return wrapped;
+}
+
+// Of the variable's own dimension, or else a scalar.
+const NetcdfVariable& Reader::TimeVariable() const {
+  if (time_ != nullptr) return *time_;
+  for (const NetcdfVariable& other : file_.variables()) {
+    const bool dated = other.Text("units").find(" since ") != std::string::npos;
+    if (other.dimensions.empty() && dated) return other;
+  }
+  file_.Refuse(variable_,
+               "expected a time (a dimension of it, or a scalar variable with "
+               "units like \"hours since 2000-01-01 00:00:00\")");
+}
+
+void Reader::ReadTimes() {
+  const NetcdfVariable& time = TimeVariable();
+  const std::vector<double> values =
+      time.dimensions.empty() ? file_.Values(time) : Coordinates(time);
+  CfTime cf;
+  try {
+    cf = ParseCfTime(time.Text("units"), time.Text("calendar"));
+  } catch (const InputError& error) {
+    file_.Refuse(time, error.what());
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double time_s = cf.epoch_s + values[i] * cf.unit_s;
+    if (!(std::abs(time_s) < 1e12)) {
+      file_.Refuse(time, "time " + std::to_string(i) + " is missing");
+    }
+    if (i > 0 && !(time_s > axes_.time_s.back())) {
+      file_.Refuse(
+          time, "expected times that only ascend, time " + std::to_string(i) +
+                    (time_s == axes_.time_s.back() ? " repeats" : " precedes") +
+                    " the one before it");
+    }
+    axes_.time_s.push_back(time_s);
+  }
+}
+
+}  // namespace
+
+OceanAxes ReadOceanAxes(const NetcdfFile& file,
+                        const NetcdfVariable& variable) {
+  return Reader(file, variable).Read();
+}
+
+}  // namespace kg_core

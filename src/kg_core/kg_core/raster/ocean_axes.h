@@ -1,0 +1,35 @@
+// Which dimension of an ocean file's variable is which, and the canonical grid
+// and times behind them. CF attributes first, names second.
+// Source: CF-1.8, sections 4 and 5.
+
+#ifndef KG_CORE_RASTER_OCEAN_AXES_H_
+#define KG_CORE_RASTER_OCEAN_AXES_H_
+
+#include <cstddef>
+#include <vector>
+
+#include "kg_core/raster/grid.h"
+#include "kg_core/raster/netcdf_file.h"
+
+namespace kg_core {
+
+struct OceanAxes {
+  // Positions in the variable's list of dimensions; -1: it has none.
+  int time = -1;
+  int lat = -1;
+  int lon = -1;
+  std::vector<std::size_t> start;  // The shallowest level; 0 elsewhere.
+
+  Grid grid;
+  std::vector<std::size_t> file_row;  // Index in the file for each row.
+  std::vector<std::size_t> file_col;
+  std::vector<double> time_s;
+};
+
+// Throws InputError for what is not understood: curvilinear grids, grids across
+// the antimeridian, axes or times that do not run one way, unknown dimensions.
+OceanAxes ReadOceanAxes(const NetcdfFile& file, const NetcdfVariable& variable);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_RASTER_OCEAN_AXES_H_

@@ -1,0 +1,57 @@
+#include "kg_core/raster/ocean_file.h"
+
+#include <stdexcept>
+
+#include "kg_core/base/sha256.h"
+#include "kg_core/raster/netcdf_file.h"
+#include "kg_core/raster/ocean_axes.h"
+#include "kg_core/raster/ocean_protocol.h"
+#include "kg_core/raster/ocean_values.h"
+
+namespace kg_core {
+namespace {
+
+void CheckSize(const NetcdfFile& file, const OceanFile& read,
+               std::size_t quantities) {
+  const double values = static_cast<double>(read.grid.size()) *
+                        static_cast<double>(read.time_s.size()) *
+                        static_cast<double>(quantities);
+  if (values > static_cast<double>(kMaxOceanValues)) {
+    file.Refuse("expected at most " + std::to_string(kMaxOceanValues) +
+                " values in all");
+  }
+}
+
+void CheckSameAxes(const NetcdfFile& file, const OceanAxes& axes,
+                   const OceanFile& read, const NetcdfVariable& variable) {
+  if (axes.grid == read.grid && axes.time_s == read.time_s) return;
+  file.Refuse(variable, "expected the grid and the times of variable " +
+                            read.series.front().variable);
+}
+
+}  // namespace
+
+OceanFile ReadOceanFile(const std::string& path,
+                        const std::vector<Quantity>& quantities) {
+  if (quantities.empty()) throw std::logic_error("no quantity is asked for");
+  const NetcdfFile file(path);
+  const std::vector<const NetcdfVariable*> variables =
+      FindVariables(file, quantities);
+  OceanFile read;
+  read.path = path;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const OceanAxes axes = ReadOceanAxes(file, *variables[i]);
+    if (i == 0) {
+      read.grid = axes.grid;
+      read.time_s = axes.time_s;
+      CheckSize(file, read, variables.size());
+    } else {
+      CheckSameAxes(file, axes, read, *variables[i]);
+    }
+    read.series.push_back(ReadSeries(file, axes, *variables[i], quantities[i]));
+  }
+  read.sha256 = Sha256HexOfFile(path);
+  return read;
+}
+
+}  // namespace kg_core

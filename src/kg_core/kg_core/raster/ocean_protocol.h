@@ -1,0 +1,32 @@
+// How a child process hands an ocean file's contents, or its error line, to its
+// parent: a fixed head with all sizes, then the numbers as both hold them.
+
+#ifndef KG_CORE_RASTER_OCEAN_PROTOCOL_H_
+#define KG_CORE_RASTER_OCEAN_PROTOCOL_H_
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "kg_core/raster/ocean_file.h"
+
+namespace kg_core {
+
+// Of all series of a file together: 1 GiB of floats.
+inline constexpr std::size_t kMaxOceanValues = std::size_t{1} << 28;
+
+using PutBytes = std::function<void(const void* bytes, std::size_t count)>;
+// Fills exactly `count` bytes or throws InputError.
+using GetBytes = std::function<void(void* bytes, std::size_t count)>;
+
+void WriteOceanFile(const OceanFile& file, const PutBytes& put);
+void WriteOceanError(const std::string& line, const PutBytes& put);
+
+// Throws InputError: the error line that was sent, or what is wrong with the
+// bytes. Nothing is allocated for sizes that are not believable, and rasters
+// only as their bytes arrive. `path` goes into the result and the errors.
+OceanFile ReadOceanBytes(const std::string& path, const GetBytes& get);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_RASTER_OCEAN_PROTOCOL_H_

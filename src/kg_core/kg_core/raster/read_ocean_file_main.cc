@@ -1,0 +1,72 @@
+// read_ocean_file FILE DEADLINE_S QUANTITY...: reads an ocean file and writes
+// its contents, or the line that says why not, to its standard output in the
+// form of ocean_protocol.h. A process of its own, because damaged NetCDF-4
+// files can hang or crash the library; it ends itself, too, soon after its
+// deadline, should its parent be gone. Exits 0 when it has said all it had to.
+
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "kg_core/raster/ocean_file.h"
+#include "kg_core/raster/ocean_protocol.h"
+
+namespace {
+
+using kg_core::Quantity;
+
+// Far more than kMaxOceanValues needs, far less than a machine has.
+constexpr rlim_t kMaxAddressSpace = rlim_t{8} << 30;
+
+void LimitMyself(double deadline_s) {
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  const rlimit memory{kMaxAddressSpace, kMaxAddressSpace};
+  setrlimit(RLIMIT_AS, &memory);
+#endif
+  alarm(static_cast<unsigned>(std::ceil(deadline_s)) + 1);
+}
+
+void Put(const void* bytes, std::size_t count) {
+  const char* at = static_cast<const char*>(bytes);
+  while (count > 0) {
+    const ssize_t written = write(STDOUT_FILENO, at, count);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) _exit(1);  // Nobody listens.
+    at += written;
+    count -= static_cast<std::size_t>(written);
+  }
+}
+
+std::vector<Quantity> Quantities(int argc, char** argv) {
+  std::vector<Quantity> quantities;
+  for (int i = 3; i < argc; ++i) {
+    quantities.push_back(static_cast<Quantity>(std::atoi(argv[i])));
+  }
+  return quantities;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 4) return 2;
+  LimitMyself(std::atof(argv[2]));
+  try {
+    const kg_core::OceanFile file =
+        kg_core::ReadOceanFile(argv[1], Quantities(argc, argv));
+    kg_core::WriteOceanFile(file, Put);
+  } catch (const std::exception& error) {
+    kg_core::WriteOceanError(error.what(), Put);
+  }
+  // Not through exit: a library that met a damaged file may not be able to
+  // tidy up.
+  _exit(0);
+}
