@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""What must not get in: each bad update or file is refused with one clear line,
+nothing has changed, and the mission that was running runs on.
+"""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+import small_mission
+from kg_msgs.msg import World
+from mission_test import main
+from small_mission_case import SmallMissionTestCase
+
+AREA = [('ex:bad', 'a', 'ex:Constraint'), ('ex:bad', 'ex:kind', '"no_go"')]
+
+
+def area(text):
+    return AREA + [('ex:bad', 'geo:asWKT', '"%s"^^geo:wktLiteral' % text)]
+
+
+# What is sent, and what the reason has to name.
+BAD_UPDATES = {
+    'a ring that does not close': (
+        dict(add=area('POLYGON((-91 25.5, -90.5 25.5, -90.5 26))')), 'ex:bad'),
+    'text that is no WKT': (dict(add=area('POLYGON(oops')), 'ex:bad'),
+    'a coordinate that is no number': (
+        dict(add=area('POLYGON((nan 1, 2 2, 3 1, nan 1))')), 'ex:bad'),
+    'a latitude beyond the pole': (
+        dict(add=area('POLYGON((-91 95, -90 95, -90 96, -91 95))')), 'ex:bad'),
+    'an agent that does not exist': (
+        dict(set=[('ex:nobody', 'ex:usesPolicy', 'ex:safe')]), 'ex:nobody'),
+    'a policy that does not exist': (
+        dict(set=[('ex:alpha', 'ex:usesPolicy', 'ex:nonsense')]),
+        'ex:usesPolicy'),
+    'a property that nobody knows': (
+        dict(set=[('ex:alpha', 'ex:usesPolicies', 'ex:safe')]),
+        'ex:usesPolicies'),
+    'a confidence of 1.2': (
+        dict(set=[('ex:w1', 'ex:confidence', '1.2')]), 'ex:confidence'),
+    'two policies': (
+        dict(add=[('ex:alpha', 'ex:usesPolicy', 'ex:safe')]), 'ex:usesPolicy'),
+    'a prefix that nobody knows': (
+        dict(set=[('nix:alpha', 'ex:usesPolicy', 'ex:safe')]), 'nix:alpha'),
+    'a term that does not end': (
+        dict(set=[('ex:w1', 'ex:confidence', '"0.5')]), '"0.5'),
+    'an empty subject': (
+        dict(set=[('', 'ex:usesPolicy', 'ex:safe')]), 'subject'),
+    'Turtle that breaks off': (
+        dict(turtle='ex:w1 ex:confidence '), '1:'),
+    'the removal of a fact that is not there': (
+        dict(remove=[('ex:alpha', 'ex:usesPolicy', 'ex:safe')]),
+        'ex:usesPolicy'),
+}
+
+
+def truncated(source, path):
+    with open(source, 'rb') as file:
+        content = file.read()
+    with open(path, 'wb') as file:
+        file.write(content[:len(content) * 3 // 4])
+
+
+def noise(path):
+    with open(path, 'wb') as file:
+        file.write(b'this is no ocean\n' * 1000)
+
+
+class BadInputTest(SmallMissionTestCase):
+    def _refused(self, what, named, **lists):
+        """Sends it; the reasons and the house's state are as they must be."""
+        before = self.house.world.last.world_version
+        report = self.house.update(**lists)
+        with self.subTest(what):
+            self.assertFalse(report.accepted, what)
+            self.assertEqual(before, report.world_version)
+            self.assertGreater(len(report.reasons), 0)
+            for reason in report.reasons:
+                self.assertNotIn('\n', reason)
+            self.assertIn(named, ' | '.join(report.reasons))
+            self._assert_runs_on(before)
+
+    def _assert_runs_on(self, version):
+        world = self.house.world.last
+        self.assertEqual(version, world.world_version)
+        self.assertEqual(World.PLAN_OK, world.plan_status)
+        self.assertTrue(self.house.ask('ASK { ex:alpha ex:usesPolicy ex:fast }'))
+
+    def test_1_refuses_facts_that_cannot_be(self):
+        self.house.wait_for_plan()
+        for what, (lists, named) in BAD_UPDATES.items():
+            self._refused(what, named, **lists)
+
+    def test_2_refuses_files_that_cannot_be_read(self):
+        self.house.wait_for_plan()
+        small_mission.write_ocean(self.file('dry.nc'), all_land=True)
+        small_mission.write_ocean(self.file('no_v.nc'), without=('water_v',))
+        small_mission.write_ocean(self.file('short.nc'), days=2)
+        truncated(self.file('ocean.nc'), self.file('truncated.nc'))
+        noise(self.file('noise.nc'))
+        for name in ('dry', 'no_v', 'short', 'truncated', 'noise', 'absent'):
+            path = self.file(name + '.nc')
+            self._refused(name, name + '.nc', set=[
+                ('ex:currents', 'ex:file', '"%s"' % path)])
+        small_mission.write_ocean(self.file('cold.nc'),
+                                  without=('water_temp',))
+        self._refused('no temperature', 'cold.nc', set=[
+            ('ex:sst', 'ex:file', '"%s"' % self.file('cold.nc'))])
+
+    def test_3_a_refused_update_changes_nothing_of_its_good_part(self):
+        self.house.wait_for_plan()
+        self._refused('one good, one bad', 'ex:confidence', set=[
+            ('ex:front', 'ex:value', '9.0'), ('ex:w1', 'ex:confidence', '7')])
+        self.assertFalse(self.house.ask('ASK { ex:front ex:value 9.0 }'))
+
+    def test_4_a_good_update_is_taken_after_all_these(self):
+        self.house.wait_for_plan()
+        report = self.house.update(set=[('ex:front', 'ex:value', '4.0')])
+        self.assertTrue(report.accepted, report.reasons)
+        self.house.wait_for_plan(report.world_version)
+        self.assert_no_violation(self.house.verdict(
+            lambda v: v['world_version'] == report.world_version))
+
+
+if __name__ == '__main__':
+    main('bad_input', BadInputTest)

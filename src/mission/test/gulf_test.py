@@ -1,0 +1,279 @@
+#!/usr/bin/env python3
+"""The default mission, as a user meets it: interface, plan, one fact changed,
+an area forbidden, questions asked.
+"""
+
+import hashlib
+import math
+import os
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+import rosgraph
+import rosservice
+import rospy
+import tf2_ros
+from kg_msgs.msg import AgentState, UpdateReport, World
+from kg_msgs.srv import Export, WhatIf, Why
+from mission_test import (CHANGE_S, Heard, MissionTestCase, by_agent, main,
+                          track_deg, wait_until)
+from nav_msgs.msg import OccupancyGrid, Path
+from shapely.geometry import LineString, box
+from visualization_msgs.msg import MarkerArray
+
+AGENTS = ('alpha', 'bravo', 'charlie')
+WINDOWS = 7
+GULF_WIDTH_M = 2197e3  # 541 columns of 0.04 degree at 24.4 N.
+TOPICS = {
+    'kg/facts': 'kg_msgs/FactUpdate',
+    'kg/updates': 'kg_msgs/UpdateReport',
+    'kg/world': 'kg_msgs/World',
+    'kg/agent_states': 'kg_msgs/AgentState',
+    'kg/work_fields': 'kg_msgs/WorkField',
+    'kg/coordination': 'kg_msgs/CoordinationRules',
+    'kg/nav_graphs': 'kg_msgs/NavGraph',
+    'kg/candidates': 'kg_msgs/Candidates',
+    'kg/assignments': 'kg_msgs/Assignments',
+    'kg/rejections': 'kg_msgs/Rejections',
+    'kg/markers': 'visualization_msgs/MarkerArray',
+    'diagnostics': 'diagnostic_msgs/DiagnosticArray',
+    'tf': 'tf2_msgs/TFMessage',
+    'tf_static': 'tf2_msgs/TFMessage',
+}
+AGENT_TOPICS = {
+    'tensors': 'kg_msgs/MissionTensor',
+    'seam_rules': 'kg_msgs/SeamRules',
+    'heatmap': 'nav_msgs/OccupancyGrid',
+    'path': 'nav_msgs/Path',
+}
+SERVICES = {
+    'kg/update': 'kg_msgs/UpdateFacts',
+    'kg/query': 'kg_msgs/Query',
+    'kg/why': 'kg_msgs/Why',
+    'kg/what_if': 'kg_msgs/WhatIf',
+    'kg/validate': 'kg_msgs/Validate',
+    'kg/export': 'kg_msgs/Export',
+}
+TO_SAFE = ('{author: operator, set: [{subject: "ex:alpha", '
+           'property: "ex:usesPolicy", value: "ex:safe"}]}')
+
+
+def hashes(world):
+    return {agent.id: list(agent.tensor_hash) for agent in world.agents}
+
+
+class GulfTest(MissionTestCase):
+    arguments = {'mission': 'gulf', 'sim': 'false'}
+
+    def test_1_plans_three_agents_for_seven_windows(self):
+        world, plan = self.house.wait_for_plan()
+        self.assertEqual(WINDOWS, len(world.windows))
+        self.assertEqual(list(AGENTS), sorted(a.id for a in world.agents))
+        self.assertEqual([], list(plan.unassigned))
+        for agent in AGENTS:
+            visits = by_agent(plan)[agent].pathlet.visits
+            self.assertEqual(list(range(WINDOWS)), [v.window for v in visits])
+
+    def test_2_the_independent_check_finds_no_violation(self):
+        world, _ = self.house.wait_for_plan()
+        verdict = self.house.verdict(
+            lambda v: v['world_version'] == world.world_version)
+        self.assert_no_violation(verdict)
+        self.assertEqual(WINDOWS, verdict['windows'])
+        for agent in AGENTS:
+            self.assertEqual(WINDOWS, verdict['agents'][agent]['waypoints'])
+            self.assertGreater(verdict['agents'][agent]['reward'], 0.0)
+        for stage in ('compile', 'plan', 'select'):
+            self.assertGreater(verdict['stage_seconds'][stage], 0.0)
+
+    def test_3_has_every_topic_and_service_of_the_interface(self):
+        self.house.wait_for_plan()
+        wanted = {'/' + name: kind for name, kind in TOPICS.items()}
+        for agent in AGENTS:
+            for name, kind in AGENT_TOPICS.items():
+                wanted['/kg/%s/%s' % (agent, name)] = kind
+        master = rosgraph.Master(rospy.get_name())
+        found = dict(master.getTopicTypes())
+        self.assertEqual(wanted, {name: found.get(name) for name in wanted})
+        self.assertEqual(SERVICES, {
+            name: rosservice.get_service_type('/' + name)
+            for name in SERVICES})
+
+    def test_3_says_what_is_not_available(self):
+        for name, kind in (('why', Why), ('what_if', WhatIf),
+                           ('export', Export)):
+            rospy.wait_for_service('kg/' + name, CHANGE_S)
+            answer = rospy.ServiceProxy('kg/' + name, kind)()
+            said = (' '.join(answer.errors) if name == 'what_if'
+                    else answer.error)
+            self.assertFalse(answer.ok, name)
+            self.assertIn('not available', said, name)
+
+    def test_3_shows_heatmaps_paths_markers_and_frames(self):
+        self.house.wait_for_plan()
+        heard = {agent: (Heard('kg/%s/heatmap' % agent, OccupancyGrid),
+                         Heard('kg/%s/path' % agent, Path))
+                 for agent in AGENTS}
+        for agent, (heatmap, path) in heard.items():
+            grid = heatmap.wait()
+            self.assertEqual('map', grid.header.frame_id)
+            self.assertAlmostEqual(GULF_WIDTH_M, grid.info.width *
+                                   grid.info.resolution, delta=20e3)
+            self.assertEqual(-1, min(grid.data), 'land')
+            self.assertGreater(max(grid.data), 50)
+            self.assertLessEqual(max(grid.data), 100)
+            way = path.wait(lambda message: len(message.poses) > WINDOWS)
+            self.assertEqual('map', way.header.frame_id)
+            self._assert_inside(grid, way)
+        self._assert_markers()
+        self._assert_frames()
+
+    def _assert_inside(self, grid, way):
+        info = grid.info
+        for pose in way.poses:
+            x = pose.pose.position.x - info.origin.position.x
+            y = pose.pose.position.y - info.origin.position.y
+            self.assertTrue(0.0 <= x <= info.width * info.resolution, x)
+            self.assertTrue(0.0 <= y, y)
+
+    def _assert_markers(self):
+        wanted = {'constraints', 'land', 'events', 'currents', 'agents'}
+        wanted |= {'%s/%s' % (kind, agent) for agent in AGENTS
+                   for kind in ('nav_graph', 'candidates')}
+        heard = Heard('kg/markers', MarkerArray)
+
+        def missing():
+            found = {marker.ns for message in heard.messages
+                     for marker in message.markers}
+            return wanted - found
+        wait_until(lambda: not missing(), CHANGE_S, 'markers of every kind')
+        for message in heard.messages:
+            for marker in message.markers:
+                self.assertTrue(all(
+                    math.isfinite(value) for point in marker.points
+                    for value in (point.x, point.y, point.z)), marker.ns)
+
+    def _assert_frames(self):
+        buffer = tf2_ros.Buffer()
+        listener = tf2_ros.TransformListener(buffer)
+        for agent in AGENTS:
+            wait_until(lambda: buffer.can_transform(
+                'earth', '%s/base_link' % agent, rospy.Time()), CHANGE_S,
+                'earth -> map -> %s/base_link' % agent)
+        listener.unregister()
+
+    def test_4_answers_select_and_ask_over_facts_and_assignments(self):
+        _, plan = self.house.wait_for_plan()
+        house = self.house
+        self.assertEqual(
+            set(AGENTS), {row['id'] for row in house.select(
+                'SELECT ?id WHERE { ?a a ex:Agent ; ex:id ?id }')})
+        self.assertTrue(house.ask('ASK { ex:alpha ex:usesPolicy ?p }'))
+        self.assertFalse(house.ask('ASK { ex:nobody ex:usesPolicy ?p }'))
+        self.assertEqual(WINDOWS, len(house.select(
+            'SELECT ?w WHERE { ?w a ex:TimeWindow ; ex:confidence ?c '
+            'FILTER(?c <= 1.0) }')))
+        self._assert_assignments(plan)
+
+    def _assert_assignments(self, plan):
+        """The facts say what the topic says."""
+        rows = self.house.select("""
+            SELECT ?id ?i ?wkt WHERE { ?x a ex:Assignment ; ex:forAgent ?a ;
+              ex:forWindow ?w ; ex:waypointWKT ?wkt .
+              ?a ex:id ?id . ?w ex:index ?i }""")
+        stated = {(row['id'], int(row['i'])): [
+            float(word) for word in
+            row['wkt'].split('(')[1].rstrip(')').split()] for row in rows}
+        sent = {(assignment.agent, visit.window): visit
+                for assignment in plan.assignments
+                for visit in assignment.pathlet.visits}
+        self.assertEqual(set(sent), set(stated))
+        for key, visit in sent.items():
+            self.assertAlmostEqual(math.degrees(visit.lon_rad), stated[key][0],
+                                   places=9)
+            self.assertAlmostEqual(math.degrees(visit.lat_rad), stated[key][1],
+                                   places=9)
+
+    def test_4_provenance_leads_from_assignments_to_runs_and_files(self):
+        world, _ = self.house.wait_for_plan()
+        runs = self.house.select("""
+            SELECT ?x ?run ?version WHERE { ?x a ex:Assignment .
+              OPTIONAL { ?x prov:wasGeneratedBy ?run . ?run a ex:PlanRun ;
+                         ex:worldVersion ?version } }""")
+        self.assertEqual(len(AGENTS) * WINDOWS, len({r['x'] for r in runs}))
+        self.assertEqual({str(world.plan_version)},
+                         {row.get('version') for row in runs})
+        files = self.house.select("""
+            SELECT DISTINCT ?path ?sha WHERE {
+              ?t a ex:HeatmapArtifact ; prov:wasDerivedFrom ?layer .
+              ?layer prov:wasDerivedFrom ?file .
+              ?file ex:path ?path ; ex:sha256 ?sha }""")
+        self.assertGreater(len(files), 0)
+        for row in files:
+            with open(row['path'], 'rb') as file:
+                self.assertEqual(hashlib.sha256(file.read()).hexdigest(),
+                                 row['sha'])
+
+    def test_5_a_policy_changes_its_agents_tensors_and_path_only(self):
+        before, plan_before = self.house.wait_for_plan()
+        reports = len(self.house.updates.messages)
+        subprocess.check_call(['rostopic', 'pub', '-1', '/kg/facts',
+                               'kg_msgs/FactUpdate', TO_SAFE],
+                              stdout=subprocess.DEVNULL)
+        report = self.house.updates.wait(
+            lambda r: r.author == 'operator' and
+            r.plan_status == UpdateReport.PLAN_OK, since=reports)
+        self.assertTrue(report.accepted, report.reasons)
+        self.assertEqual(before.world_version + 1, report.world_version)
+        world, plan = self.house.wait_for_plan(report.world_version)
+        self._assert_only_alpha(report, hashes(before), hashes(world))
+        self.assertNotEqual(track_deg(by_agent(plan_before)['alpha']),
+                            track_deg(by_agent(plan)['alpha']))
+        verdict = self.house.verdict(
+            lambda v: v['world_version'] == report.world_version)
+        self.assert_no_violation(verdict)
+
+    def _assert_only_alpha(self, report, old, new):
+        self.assertEqual(WINDOWS, len(old['alpha']))
+        for agent in AGENTS:
+            changed = [a != b for a, b in zip(old[agent], new[agent])]
+            self.assertEqual([agent == 'alpha'] * WINDOWS, changed, agent)
+        dirty = {(artifact.agent, artifact.window)
+                 for artifact in report.dirty if artifact.kind == 'tensor'}
+        self.assertEqual({('alpha', window) for window in range(WINDOWS)},
+                         dirty)
+        stages = {stage.stage for stage in report.stages}
+        self.assertLessEqual({'facts', 'compile', 'plan', 'select'}, stages)
+
+    def test_6_a_no_go_area_dropped_on_a_path_moves_it(self):
+        _, plan = self.house.wait_for_plan()
+        visit = by_agent(plan)['bravo'].pathlet.visits[3]
+        lon, lat = math.degrees(visit.lon_rad), math.degrees(visit.lat_rad)
+        area = box(lon - 0.1, lat - 0.1, lon + 0.1, lat + 0.1)
+        self.assertTrue(area.intersects(LineString(
+            track_deg(by_agent(plan)['bravo']))))
+        report = self.house.update(add=[
+            ('ex:dropped', 'a', 'ex:Constraint'),
+            ('ex:dropped', 'ex:kind', '"no_go"'),
+            ('ex:dropped', 'geo:asWKT', '"%s"^^geo:wktLiteral' % area.wkt)])
+        self.assertTrue(report.accepted, report.reasons)
+        _, plan = self.house.wait_for_plan(report.world_version)
+        for agent in AGENTS:
+            self.assertFalse(area.intersects(LineString(
+                track_deg(by_agent(plan)[agent]))), agent)
+        self.assert_no_violation(self.house.verdict(
+            lambda v: v['world_version'] == report.world_version))
+
+    def test_7_shows_the_window_that_is_asked_for(self):
+        heatmap = Heard('kg/alpha/heatmap', OccupancyGrid)
+        first = heatmap.wait()
+        rospy.set_param('/kg/view_window', 6)
+        last = heatmap.wait(lambda grid: grid.data != first.data)
+        rospy.set_param('/kg/view_window', -1)
+        self.assertNotEqual(first.data, last.data)
+
+
+if __name__ == '__main__':
+    main('gulf', GulfTest)

@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+"""A mission flown to its end with once:=true: the launch ends by itself, with a
+verdict on what was really flown, and without a node dying on the way.
+"""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+from mission_test import main
+from small_mission import WINDOWS
+from small_mission_case import SmallMissionTestCase
+
+END_S = 90.0
+
+
+class MissionEndTest(SmallMissionTestCase):
+    small_arguments = {'sim': 'true', 'rate': '8.0', 'once': 'true',
+                       'record': 'true'}
+
+    def test_1_ends_by_itself_with_a_verdict_on_what_was_flown(self):
+        self.house.wait_for_end(END_S)
+        verdict = self.house.verdict(lambda v: True)
+        self.assert_no_violation(verdict)
+        for agent in ('alpha', 'bravo'):
+            self.assertEqual(WINDOWS, verdict['agents'][agent]['waypoints'])
+        self.assertGreater(verdict['checked_states'], 100)
+
+    def test_2_recorded_the_mission(self):
+        self.house.wait_for_end(END_S)
+        bags = [name for name in os.listdir(self.house.state)
+                if name.startswith('mission') and '.bag' in name]
+        self.assertEqual(1, len(bags), os.listdir(self.house.state))
+
+    def test_zz_no_node_has_died(self):
+        """But for the verdict, whose end ends the launch."""
+        self.house.stop()
+        others = [line for line in self.house.deaths()
+                  if '[verdict' not in line]
+        self.assertEqual([], others, self.house.output()[-4000:])
+
+
+if __name__ == '__main__':
+    main('mission_end', MissionEndTest)
