@@ -1,6 +1,9 @@
 #include "kg_core/rdf/dictionary.h"
 
+#include <mutex>
+#include <shared_mutex>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "absl/hash/hash.h"
@@ -29,7 +32,7 @@ TermId Dictionary::FindIn(const EntrySet& entries, const Wanted& wanted) {
 
 TermId Dictionary::Find(const Term& term) const {
   const Wanted wanted = Want(term);
-  const absl::ReaderMutexLock lock(&mutex_);
+  const std::shared_lock<WriterFirstMutex> lock(mutex_);
   return FindIn(published_, wanted);
 }
 
@@ -67,12 +70,12 @@ void Dictionary::Put(TermId id, Term term) {
 }
 
 void Dictionary::PrepareToPublish() {
-  const absl::MutexLock lock(&mutex_);
+  const std::lock_guard<WriterFirstMutex> lock(mutex_);
   published_.reserve(published_.size() + unpublished_.size());
 }
 
 void Dictionary::Publish() noexcept {
-  const absl::MutexLock lock(&mutex_);
+  const std::lock_guard<WriterFirstMutex> lock(mutex_);
   published_.insert(unpublished_.begin(), unpublished_.end());
   unpublished_.clear();
   published_end_ = end_;
@@ -83,11 +86,14 @@ void Dictionary::Discard() {
   end_ = published_end_;
 }
 
-void Dictionary::Restore(TermId id, Term term) {
-  const absl::MutexLock lock(&mutex_);
-  published_.insert({id, Want(term).hash});
-  Put(id, std::move(term));
-  end_ = published_end_ = id + 1;
+void Dictionary::Restore(std::vector<std::pair<TermId, Term>> terms) {
+  const std::lock_guard<WriterFirstMutex> lock(mutex_);
+  published_.reserve(terms.size());
+  for (auto& [id, term] : terms) {
+    published_.insert({id, Want(term).hash});
+    Put(id, std::move(term));
+    end_ = published_end_ = id + 1;
+  }
 }
 
 }  // namespace kg_core

@@ -11,10 +11,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "absl/container/flat_hash_set.h"
-#include "absl/synchronization/mutex.h"
+#include "kg_core/base/writer_first_mutex.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_core/rdf/term.h"
 
@@ -43,8 +44,8 @@ class Dictionary {
   void Publish() noexcept;
   // Forgets all that is unpublished.
   void Discard();
-  // Puts a term of the record at its id, published. Ids rise from call to call.
-  void Restore(TermId id, Term term);
+  // Puts the terms of the record at their ids, which rise, published.
+  void Restore(std::vector<std::pair<TermId, Term>> terms);
 
  private:
   static constexpr std::size_t kChunk = 1 << 13;
@@ -87,8 +88,8 @@ class Dictionary {
   TermId end_ = 1;
   TermId published_end_ = 1;
   EntrySet unpublished_;
-  mutable absl::Mutex mutex_;
-  EntrySet published_ ABSL_GUARDED_BY(mutex_);
+  mutable WriterFirstMutex mutex_;  // Guards published_.
+  EntrySet published_;
 };
 
 }  // namespace kg_core

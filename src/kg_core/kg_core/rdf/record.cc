@@ -252,44 +252,36 @@ void Record::ReadQuads(RecordContent* content) {
   }
 }
 
-void Record::SweepUnusedTerms(RecordContent* content) {
-  auto& terms = content->terms;
-  std::vector<bool> used(terms.empty() ? 1 : terms.back().first + 1);
-  for (const Quad& q : content->quads) {
+std::vector<bool> Record::UsedTerms(const RecordContent& content) const {
+  std::vector<bool> used(
+      content.terms.empty() ? 1 : content.terms.back().first + 1);
+  for (const Quad& q : content.quads) {
     for (const TermId id : {q.subject, q.predicate, q.object, q.graph}) {
       if (id >= used.size()) RefuseDamage(path_, "a quad without its term");
       used[id] = true;
     }
   }
-  const auto unused = std::stable_partition(
-      terms.begin(), terms.end(),
-      [&](const auto& entry) { return used[entry.first]; });
-  if (terms.end() - unused > unused - terms.begin()) {
-    RemoveTerms(unused, terms.end(), content->world_version);
-    terms.erase(unused, terms.end());
-  }
-  const auto by_id = [](const auto& a, const auto& b) {
-    return a.first < b.first;
-  };
-  std::sort(terms.begin(), terms.end(), by_id);
+  return used;
 }
 
-void Record::RemoveTerms(TermIterator first, TermIterator last,
-                         std::uint64_t world_version) {
-  try {
-    database_.Execute("BEGIN IMMEDIATE");
-    std::uint64_t sum = sum_;
-    for (; first != last; ++first) {
-      queries_->remove_term.Bind(1, std::int64_t{first->first}).Run();
-      sum -= HashOf(first->first, first->second);
-    }
-    WriteWorld(sum, world_version);
-    database_.Execute("COMMIT");
-    sum_ = sum;
-  } catch (const SqliteError&) {
-    RollBack();
-    throw;
+void Record::SweepUnusedTerms(RecordContent* content) {
+  auto& terms = content->terms;
+  const std::vector<bool> used = UsedTerms(*content);
+  const std::size_t kept = std::count(used.begin(), used.end(), true);
+  if (terms.size() <= 2 * kept) return;
+  const auto first_unused = std::stable_partition(
+      terms.begin(), terms.end(),
+      [&](const auto& entry) { return used[entry.first]; });
+  database_.Execute("BEGIN IMMEDIATE");
+  std::uint64_t sum = sum_;
+  for (auto entry = first_unused; entry != terms.end(); ++entry) {
+    queries_->remove_term.Bind(1, std::int64_t{entry->first}).Run();
+    sum -= HashOf(entry->first, entry->second);
   }
+  WriteWorld(sum, content->world_version);
+  database_.Execute("COMMIT");
+  sum_ = sum;
+  terms.erase(first_unused, terms.end());
 }
 
 void Record::Write(const RecordChange& change) {

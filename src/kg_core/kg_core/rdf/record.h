@@ -50,8 +50,6 @@ class Record {
   void Write(const RecordChange& change);
 
  private:
-  using TermIterator = std::vector<std::pair<TermId, Term>>::const_iterator;
-
   struct Queries {
     explicit Queries(SqliteDatabase* database);
     SqliteQuery add_term, remove_term, add_quad, remove_quad, set_world;
@@ -61,9 +59,8 @@ class Record {
   RecordContent ReadAll();
   void ReadTerms(RecordContent* content);
   void ReadQuads(RecordContent* content);
+  std::vector<bool> UsedTerms(const RecordContent& content) const;
   void SweepUnusedTerms(RecordContent* content);
-  void RemoveTerms(TermIterator first, TermIterator last,
-                   std::uint64_t world_version);
   void WriteWorld(std::uint64_t sum, std::uint64_t world_version);
   std::uint64_t WriteRows(const RecordChange& change);
   void RunQuadQuery(SqliteQuery* query, const Quad& quad);

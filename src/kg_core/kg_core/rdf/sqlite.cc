@@ -83,7 +83,7 @@ std::string SqliteQuery::Bytes(int column) const {
 SqliteDatabase::SqliteDatabase(const std::string& path, bool create)
     : database_(nullptr, sqlite3_close_v2) {
   sqlite3* database = nullptr;
-  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_FULLMUTEX |
+  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX |
                     (create ? SQLITE_OPEN_CREATE : 0);
   const int code = sqlite3_open_v2(path.c_str(), &database, flags, nullptr);
   database_.reset(database);

@@ -1,4 +1,5 @@
-// As much of SQLite as the store's record needs, with errors as exceptions.
+// As much of SQLite as the store's record needs, with errors as exceptions. A
+// database and its queries are for one thread at a time.
 
 #ifndef KG_CORE_RDF_SQLITE_H_
 #define KG_CORE_RDF_SQLITE_H_

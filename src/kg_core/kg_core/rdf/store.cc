@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "absl/container/btree_set.h"
-#include "absl/synchronization/mutex.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/rdf/dictionary.h"
 #include "kg_core/rdf/quad_index.h"
@@ -72,9 +71,7 @@ class QuadStore {
     if (!path.empty()) {
       record_.emplace(path);
       RecordContent content = record_->Load();
-      for (auto& [id, term] : content.terms) {
-        dictionary_->Restore(id, std::move(term));
-      }
+      dictionary_->Restore(std::move(content.terms));
       version->index = QuadIndex(content.quads);
       version->world_version = content.world_version;
     }
@@ -82,7 +79,7 @@ class QuadStore {
   }
 
   std::shared_ptr<const Version> current() const {
-    const absl::MutexLock lock(&current_mutex_);
+    const std::lock_guard<std::mutex> lock(current_mutex_);
     return current_;
   }
   const std::shared_ptr<Dictionary>& dictionary() const { return dictionary_; }
@@ -106,7 +103,7 @@ class QuadStore {
     dictionary_->PrepareToPublish();
     if (record_) record_->Write(change);
     dictionary_->Publish();
-    const absl::MutexLock lock(&current_mutex_);
+    const std::lock_guard<std::mutex> lock(current_mutex_);
     current_.swap(version);
   }
 
@@ -115,8 +112,8 @@ class QuadStore {
   std::optional<Record> record_;
   std::mutex writer_mutex_;
   std::atomic<std::thread::id> writer_{};
-  mutable absl::Mutex current_mutex_;
-  std::shared_ptr<const Version> current_ ABSL_GUARDED_BY(current_mutex_);
+  mutable std::mutex current_mutex_;  // Guards current_; held for a copy.
+  std::shared_ptr<const Version> current_;
 };
 
 struct Transaction::State : GraphView {
