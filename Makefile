@@ -1,0 +1,40 @@
+# Two commands matter: `make bringup` and `make test`. Each installs what is
+# missing (apt), builds, and runs. What they do stands in scripts/.
+
+.PHONY: help install build bringup test bench figures lint clean
+
+help:
+	@echo 'make bringup   install, build and run the default mission; launch arguments'
+	@echo '               in ARGS, e.g. make bringup ARGS="mission:=gulf once:=true rviz:=false"'
+	@echo 'make test      install, build, run every test; last line: N passed, N failed'
+	@echo 'make build     build into build/ and devel/ (BUILD_TYPE=Debug, JOBS=1)'
+	@echo 'make install   install the Debian packages of apt-packages.txt'
+	@echo 'make bench     run the benchmark programs'
+	@echo 'make figures   make the pictures of README and docs'
+	@echo 'make lint      clang-format, catkin_lint and clang-tidy'
+	@echo 'make clean     remove everything made here: build, devel, install, state'
+
+install:
+	@scripts/install_packages.sh base gui
+
+build:
+	@scripts/install_packages.sh base
+	@scripts/build.sh
+
+bringup:
+	@scripts/bringup.sh $(ARGS)
+
+test:
+	@scripts/test.sh
+
+bench:
+	@scripts/bench.sh $(ARGS)
+
+figures:
+	@scripts/figures.sh
+
+lint:
+	@scripts/lint.sh $(ARGS)
+
+clean:
+	@scripts/clean.sh

@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# Removes everything that the commands here have made, the facts in state/ too.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
+
+cd "$repository"
+rm -rf build devel install state .catkin_workspace
+rm -f src/CMakeLists.txt config/missions/gulf/*.nc config/missions/gulf/*.part
+find . -name __pycache__ -not -path './.git/*' -prune -exec rm -rf {} +

@@ -1,0 +1,17 @@
+# Where ROS comes from, for every script here; to be sourced, also by hand:
+#
+#     . scripts/environment.sh && . devel/setup.bash
+#
+# Debian's ROS stands in /usr and has no setup file of its own. Its Python must
+# be found first, and everything stays on the loopback interface.
+
+repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+export PATH="/usr/bin:/bin:/usr/sbin:/sbin:$PATH"
+export ROS_VERSION=1 ROS_PYTHON_VERSION=3 ROS_DISTRO=Debian
+export ROS_HOSTNAME=localhost
+export ROS_MASTER_URI=${ROS_MASTER_URI:-http://127.0.0.1:11399}
+export ROS_HOME=${ROS_HOME:-$repository/state/ros_home}
+export ROSCONSOLE_FORMAT='[${severity}] ${node}: ${message}'
+export PYTHONDONTWRITEBYTECODE=1
+unset ROS_IP ROS_NAMESPACE

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Installs what is missing of apt-packages.txt.
+#     scripts/install_packages.sh [base] [gui]      (base alone if none is named)
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
+source "$repository/scripts/stage.sh"
+
+# The packages of one section of the list.
+listed() {
+  awk -v wanted="[$1]" '/^\[/ { inside = ($1 == wanted); next }
+                        { sub(/#.*/, "") } inside && NF { print $1 }' \
+      "$repository/apt-packages.txt"
+}
+
+# Runs a command as root, or fails with the command to run by hand.
+as_root() {
+  if [ "$(id -u)" = 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }
+  then
+    sudo "$@"
+  else
+    fail install "${#missing[@]} packages are missing and this is neither root" \
+         "nor has it sudo; as root: apt-get install --no-install-recommends" \
+         "${missing[@]}"
+  fi
+}
+
+command -v dpkg-query >/dev/null || fail install "needs Debian 12 (no dpkg here)"
+wanted=()
+for section in "${@:-base}"; do
+  mapfile -t packages < <(listed "$section")
+  [ ${#packages[@]} -gt 0 ] || fail install "apt-packages.txt has no [$section]"
+  wanted+=("${packages[@]}")
+done
+mapfile -t missing < <(comm -23 <(printf '%s\n' "${wanted[@]}" | sort -u) \
+    <(dpkg-query -W -f='${db:Status-Abbrev} ${Package}\n' |
+      awk '$1 == "ii" { print $2 }' | sort -u))
+
+if [ ${#missing[@]} -gt 0 ]; then
+  apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=600)
+  log=$(mktemp)
+  echo "install: ${#missing[@]} of ${#wanted[@]} packages are missing ..."
+  as_root true
+  as_root "${apt[@]}" update </dev/null >"$log" 2>&1 &&
+    as_root "${apt[@]}" install -y --no-install-recommends "${missing[@]}" \
+      </dev/null >>"$log" 2>&1 ||
+    { tail -n 20 "$log" >&2; fail install "apt-get; everything it said: $log"; }
+  rm -f "$log"
+fi
+stage install "${#wanted[@]} packages, ${#missing[@]} of them new"
