@@ -109,6 +109,10 @@ class Field:
         self.land = np.isnan(velocity_mps).any(axis=(0, 1))
         self._flow_mps = np.nan_to_num(velocity_mps)
 
+    def components(self):
+        """East and north, each time x row x column; 0 where there is none."""
+        return self._flow_mps
+
     def step_deg(self):
         return (np.diff(self.lon_deg).min() / SAMPLES_PER_CELL,
                 np.diff(self.lat_deg).min() / SAMPLES_PER_CELL)

@@ -32,6 +32,7 @@ from kg_msgs.msg import (AgentState, Assignments, Candidates, UpdateReport,
                          WorkField, World)
 from rospy.numpy_msg import numpy_msg
 
+from field_check import FieldCheck
 from kg_query import KgQuery
 from mission_facts import FactsReader, WorldChanged
 from mission_record import MissionRecord, Plan, Visit
@@ -132,8 +133,11 @@ class Heard:
             return 'plan: no kg/candidates of %s' % ', '.join(late)
         if not self.plans:
             return 'select: no kg/assignments'
-        return 'commit: plan_status %d %s' % (self.world.plan_status,
-                                              self.world.plan_note)
+        if self.world.plan_status != World.PLAN_OK:
+            return 'commit: plan_status %d %s' % (self.world.plan_status,
+                                                  self.world.plan_note)
+        return 'flight: in window %d of %d' % (self.world.current_window,
+                                               windows)
 
 
 class Verdict:
@@ -146,6 +150,8 @@ class Verdict:
         self._heard = Heard()
         self._record = MissionRecord()
         self._query = KgQuery()
+        self._field_check = FieldCheck(self._query.select)
+        self._field_findings = []
         self._facts = None
         self._began_s = time.monotonic()
         self.progress_s = self._began_s  # When something last went on.
@@ -187,6 +193,8 @@ class Verdict:
         self._record.take_plan(to_plan(message), facts,
                                dict(self._heard.fields),
                                world.mission_time.to_sec())
+        self._field_findings = self._field_check.findings(
+            self._heard.fields, self._heard.hashes)
         return True
 
     def _fields_are_here(self, message):
@@ -224,6 +232,9 @@ class Verdict:
             'world_version': 0, 'plan_run': 0, 'windows': 0, 'complete': False,
             'agents': {}, 'violations': dict.fromkeys(KINDS, 0),
             'checked_points': 0, 'checked_states': 0, 'notes': []}
+        verdict['violations']['field'] = sum(
+            counts for counts, _ in self._field_findings)
+        verdict['notes'] += [line for _, line in self._field_findings]
         verdict['stage_seconds'] = dict(
             self._heard.stage_seconds,
             verdict=time.monotonic() - self._began_s)
