@@ -35,6 +35,10 @@
 
 namespace kg_core {
 
+// The kind of value layer that is |T(t) - T(t - 1 day)|; any other kind is the
+// field itself.
+inline constexpr char kDifferenceKind[] = "delta_sst";
+
 // The rasters of files that facts refer to, by sha256; a file is read once,
 // in a child process (ReadOceanFileSafely).
 class FileCache {

@@ -11,10 +11,14 @@ namespace {
 
 // Properties that only data sources and windows have.
 bool AlwaysMatters(const Term& property) {
-  static const std::set<Term> kMatters = {
-      Ex("file"),          Ex("provides"),  Ex("index"),
-      Ex("durationHours"), Ex("hasWindow"), TimeTerm("hasBeginning"),
-      TimeTerm("hasEnd")};
+  static const std::set<Term> kMatters = {Ex("file"),
+                                          Ex("provides"),
+                                          Ex("index"),
+                                          Ex("durationHours"),
+                                          Ex("hasWindow"),
+                                          Ex("horizon"),
+                                          TimeTerm("hasBeginning"),
+                                          TimeTerm("hasEnd")};
   return kMatters.count(property) != 0;
 }
 

@@ -1,0 +1,276 @@
+#include "kg_core/mission/ingest.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "kg_core/base/date_time.h"
+#include "kg_core/base/input_error.h"
+#include "kg_core/geo/geodesy.h"
+#include "kg_core/mission/class_tree.h"
+#include "kg_core/mission/entity.h"
+#include "kg_core/mission/ingest_times.h"
+#include "kg_core/mission/ingested_facts.h"
+#include "kg_core/mission/mission_reader.h"
+#include "kg_core/mission/terms.h"
+
+namespace kg_core {
+namespace {
+
+double Now_s() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+Term TimeLiteral(double time_s) {
+  return Literal(FormatDateTime(time_s), std::string(kXsd) + "dateTime");
+}
+
+bool HasData(const QuantitySeries& series) {
+  const auto is_number = [](float value) { return std::isfinite(value); };
+  return std::any_of(
+      series.at_time.begin(), series.at_time.end(), [&](const Raster& raster) {
+        return std::any_of(raster.begin(), raster.end(), is_number);
+      });
+}
+
+std::string BoxWkt(const Grid& grid) {
+  const std::string west = DoubleLiteral(grid.west_deg()).text;
+  const std::string east = DoubleLiteral(grid.east_deg()).text;
+  const std::string south = DoubleLiteral(grid.south_deg()).text;
+  const std::string north = DoubleLiteral(grid.north_deg()).text;
+  return "POLYGON((" + west + " " + south + ", " + east + " " + south + ", " +
+         east + " " + north + ", " + west + " " + north + ", " + west + " " +
+         south + "))";
+}
+
+double MeanRowKm(const Grid& grid) {
+  const double lon_deg = grid.Middle().lon_deg;
+  return Distance_m({lon_deg, grid.south_deg()}, {lon_deg, grid.north_deg()}) /
+         grid.rows() / 1000.0;
+}
+
+// The ingest of one data source: what it read and what it states.
+class SourceIngest {
+ public:
+  SourceIngest(const Entity& source, const Mission& mission,
+               Transaction& transaction)
+      : source_(source.subject()),
+        kind_(source.Text(Ex("kind"), kDifferenceKind)),
+        mission_(mission),
+        transaction_(transaction),
+        started_s_(Now_s()) {}
+
+  void StateCurrents(const OceanFile& file) {
+    RequireData(file);
+    StateFile(file);
+    StateGrid(Ex("grid"), file.grid);
+    for (const TimeWindow& window : mission_.windows) {
+      StateField(file, window, StepsOfField(file.time_s, window));
+    }
+    StateActivity();
+  }
+
+  // `field_grid`: that of the currents, if there are any.
+  void StateTemperature(const OceanFile& file, const Grid* field_grid) {
+    RequireData(file);
+    StateFile(file);
+    const bool is_same = field_grid && file.grid.AlmostEquals(*field_grid);
+    const Term grid = is_same ? Ex("grid") : Part("grid");
+    if (!is_same) StateGrid(grid, file.grid);
+    for (const TimeWindow& window : mission_.windows) {
+      const Term layer = Part("w" + std::to_string(window.index));
+      StateLayer(file, window, layer);
+      Say(layer, Ex("onGrid"), grid);
+      if (!is_same) Say(layer, Ex("resampling"), Literal("bilinear"));
+    }
+    StateActivity();
+  }
+
+ private:
+  Term Part(const std::string& name) const {
+    return Iri(source_.text + "/" + name);
+  }
+
+  void Say(const Term& subject, const Term& property, const Term& object) {
+    transaction_.Add({subject, property, object, Facts()});
+  }
+  void SayProv(const Term& subject, const Term& property, const Term& object) {
+    transaction_.Add({subject, property, object, Iri(kProvGraph)});
+  }
+
+  static void RequireData(const OceanFile& file) {
+    for (const QuantitySeries& series : file.series) {
+      if (HasData(series)) continue;
+      throw InputError("variable " + series.variable +
+                       " has no data in any cell: expected water, not land "
+                       "only");
+    }
+  }
+
+  void Generate(const Term& entity, const char* type) {
+    Say(entity, RdfType(), Ex(type));
+    Say(entity, Ex("ingestedFrom"), source_);
+    generated_.push_back(entity);
+  }
+
+  void StateFile(const OceanFile& file) {
+    Generate(Part("file"), "SourceFile");
+    Say(Part("file"), Ex("path"), Literal(file.path));
+    Say(Part("file"), Ex("sha256"), Literal(file.sha256));
+  }
+
+  void StateGrid(const Term& subject, const Grid& grid) {
+    Generate(subject, "GridSpec");
+    Say(subject, Ex("rows"), IntegerLiteral(grid.rows()));
+    Say(subject, Ex("cols"), IntegerLiteral(grid.cols()));
+    Say(subject, GeoTerm("asWKT"), WktLiteral(BoxWkt(grid)));
+    Say(subject, Ex("pixelSizeKm"), DoubleLiteral(MeanRowKm(grid)));
+  }
+
+  void StateField(const OceanFile& file, const TimeWindow& window,
+                  StepRange steps) {
+    const Term field = Part("w" + std::to_string(window.index));
+    const std::string at =
+        "@" + std::to_string(steps.first) + ".." + std::to_string(steps.last);
+    Generate(field, "CurrentField");
+    Say(field, Ex("forWindow"), Iri(window.iri));
+    Say(field, Ex("gridRefU"),
+        Literal(file.path + "#" + file.series[0].variable + at));
+    Say(field, Ex("gridRefV"),
+        Literal(file.path + "#" + file.series[1].variable + at));
+    Say(field, Ex("firstTimeIndex"), IntegerLiteral(steps.first));
+    Say(field, Ex("lastTimeIndex"), IntegerLiteral(steps.last));
+    Say(field, Ex("onGrid"), Ex("grid"));
+    Say(field, Iri(std::string(kSosa) + "observedProperty"),
+        Ex("seaWaterVelocity"));
+    Say(field, Prov("wasDerivedFrom"), Part("file"));
+  }
+
+  StepPair StepsOfLayer(const OceanFile& file, const TimeWindow& window) const {
+    if (kind_ == kDifferenceKind) return StepsOfDifference(file.time_s, window);
+    const int step = StepOfWindow(file.time_s, window);
+    return {step, step};
+  }
+
+  void StateLayer(const OceanFile& file, const TimeWindow& window,
+                  const Term& layer) {
+    const StepPair steps = StepsOfLayer(file, window);
+    Generate(layer, "ValueLayer");
+    Say(layer, Ex("forWindow"), Iri(window.iri));
+    Say(layer, Ex("kind"), Literal(kind_));
+    Say(layer, Ex("timeIndex"), IntegerLiteral(steps.step));
+    std::string at = "@" + std::to_string(steps.step);
+    if (steps.previous != steps.step) {
+      Say(layer, Ex("previousTimeIndex"), IntegerLiteral(steps.previous));
+      at += "," + std::to_string(steps.previous);
+    }
+    Say(layer, Ex("gridRef"),
+        Literal(file.path + "#" + file.series[0].variable + at));
+    Say(layer, Prov("wasDerivedFrom"), Part("file"));
+  }
+
+  void StateActivity() {
+    const std::string version =
+        std::to_string(transaction_.view().world_version() + 1);
+    const std::string name =
+        source_.text.substr(source_.text.find_last_of("/#") + 1);
+    const Term activity =
+        Iri(kProvGraph + ("/ingest/v" + version + "/" + name));
+    SayProv(activity, RdfType(), Ex("Ingest"));
+    SayProv(activity, RdfType(), Prov("Activity"));
+    SayProv(activity, Prov("startedAtTime"), TimeLiteral(started_s_));
+    SayProv(activity, Prov("endedAtTime"), TimeLiteral(Now_s()));
+    SayProv(activity, Prov("used"), source_);
+    SayProv(activity, Prov("used"), Part("file"));
+    for (const Term& entity : generated_) {
+      SayProv(activity, Prov("generated"), entity);
+      SayProv(entity, Prov("wasGeneratedBy"), activity);
+    }
+  }
+
+  const Term source_;
+  const std::string kind_;
+  const Mission& mission_;
+  Transaction& transaction_;
+  const double started_s_;
+  std::vector<Term> generated_;
+};
+
+// All data sources, those of currents first: their grid is the mission's.
+class Ingest {
+ public:
+  Ingest(FileCache& cache, Transaction& transaction)
+      : cache_(cache),
+        transaction_(transaction),
+        mission_(ReadMission(transaction.view())) {}
+
+  std::vector<std::string> Run() {
+    ForEach("current", &Ingest::ReadCurrents);
+    ForEach("temperature", &Ingest::ReadTemperature);
+    return std::move(reasons_);
+  }
+
+ private:
+  void ForEach(const std::string& provides,
+               void (Ingest::*read)(const Entity&)) {
+    for (const Term& term :
+         InstancesOf(transaction_.view(), kFactsGraph, Ex("DataSource"))) {
+      const Entity source(transaction_.view(), term);
+      try {
+        if (source.Text(Ex("provides")) == provides) (this->*read)(source);
+      } catch (const InputError& error) {
+        reasons_.push_back(ToTurtle(term) + ": " + file_ + error.what());
+      }
+      file_.clear();
+    }
+  }
+
+  const OceanFile& Open(const Entity& source,
+                        const std::vector<Quantity>& wanted) {
+    const std::string path = cache_.Resolve(source.Text(Ex("file")));
+    open_.push_back(cache_.Read(path, wanted));
+    file_ = path + ": ";  // For reasons that come after the reading.
+    return *open_.back();
+  }
+
+  void ReadCurrents(const Entity& source) {
+    const OceanFile& file = Open(
+        source, {Quantity::kEastwardVelocity, Quantity::kNorthwardVelocity});
+    if (field_grid_ != nullptr) {
+      source.Refuse(Ex("provides"), "one source of \"current\", not two");
+    }
+    field_grid_ = &file.grid;
+    SourceIngest(source, mission_, transaction_).StateCurrents(file);
+  }
+
+  void ReadTemperature(const Entity& source) {
+    const OceanFile& file = Open(source, {Quantity::kTemperature});
+    SourceIngest(source, mission_, transaction_)
+        .StateTemperature(file, field_grid_);
+  }
+
+  FileCache& cache_;
+  Transaction& transaction_;
+  const Mission mission_;
+  const Grid* field_grid_ = nullptr;
+  std::string file_;
+  std::vector<std::shared_ptr<const OceanFile>> open_;
+  std::vector<std::string> reasons_;
+};
+
+}  // namespace
+
+std::vector<std::string> StageIngest(FileCache& cache,
+                                     Transaction& transaction) {
+  DropIngestedFacts(transaction);
+  try {
+    return Ingest(cache, transaction).Run();
+  } catch (const InputError& error) {
+    return {error.what()};
+  }
+}
+
+}  // namespace kg_core

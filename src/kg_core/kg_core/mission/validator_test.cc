@@ -1,0 +1,158 @@
+// SHACL components one by one, on shapes of a line each.
+
+#include "kg_core/mission/validator.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/mission/terms.h"
+#include "kg_core/rdf/store.h"
+#include "kg_core/rdf/turtle.h"
+
+namespace kg_core {
+namespace {
+
+std::vector<Violation> ValidateTexts(const std::string& shapes,
+                                     const std::string& facts) {
+  Store store("");
+  Transaction transaction = store.Begin();
+  for (const auto& s : ParseTurtle(shapes, "shapes", Iri(kVocabGraph))) {
+    transaction.Add(s);
+  }
+  for (const auto& s : ParseTurtle(facts, "facts", Facts())) transaction.Add(s);
+  return Validate(transaction.view());
+}
+
+// ex:x has ex:p `values`; the property shape holds `constraint`.
+struct ComponentCase {
+  const char* constraint;
+  const char* good;
+  const char* bad;
+  const char* component;
+};
+
+const ComponentCase kCases[] = {
+    {"sh:minCount 2", "1 , 2", "1", "MinCount"},
+    {"sh:maxCount 1", "1", "1 , 2", "MaxCount"},
+    {"sh:class ex:C", "ex:c", "ex:nothing", "Class"},
+    {"sh:class ex:C", "ex:d", "\"ex:c\"", "Class"},
+    {"sh:datatype xsd:integer", "3", "3.0", "Datatype"},
+    {"sh:datatype xsd:dateTime", "\"2026-01-01T00:00:00Z\"^^xsd:dateTime",
+     "\"2026-13-01T00:00:00Z\"^^xsd:dateTime", "Datatype"},
+    {"sh:datatype xsd:boolean", "true", "\"yes\"^^xsd:boolean", "Datatype"},
+    {"sh:nodeKind sh:IRI", "ex:c", "3", "NodeKind"},
+    {"sh:nodeKind sh:BlankNodeOrLiteral", "[]", "ex:c", "NodeKind"},
+    {"sh:minExclusive 0", "0.1", "0", "MinExclusive"},
+    {"sh:minInclusive 0", "0", "-0.1", "MinInclusive"},
+    {"sh:minInclusive 0", "1e0", "\"NaN\"^^xsd:double", "MinInclusive"},
+    {"sh:maxExclusive 1", "0.9", "1.0", "MaxExclusive"},
+    {"sh:maxInclusive 1", "1", "\"one\"", "MaxInclusive"},
+    {"sh:minLength 2", "\"\xC3\xA4\xC3\xB6\"", "\"\xC3\xA4\"", "MinLength"},
+    {"sh:maxLength 2", "\"ab\"", "\"abc\"", "MaxLength"},
+    {"sh:pattern \"^a.c$\"", "\"abc\"", "\"Abc\"", "Pattern"},
+    {"sh:pattern \"^a.c$\" ; sh:flags \"i\"", "\"ABC\"", "\"ab\"", "Pattern"},
+    {"sh:in ( \"a\" 1 )", "1", "\"1\"", "In"},
+    {"sh:hasValue 3", "3 , 4", "4", "HasValue"},
+    {"sh:lessThan ex:q", "4", "5", "LessThan"},
+    {"sh:lessThanOrEquals ex:q", "5", "6", "LessThanOrEquals"},
+    {"sh:node [ sh:class ex:C ]", "ex:c", "ex:x", "Node"},
+    {"sh:or ( [ sh:minInclusive 5 ] [ sh:maxInclusive 3 ] )", "2 , 6", "4",
+     "Or"},
+    {"sh:xone ( [ sh:minInclusive 3 ] [ sh:maxInclusive 5 ] )", "2 , 6", "4",
+     "Xone"},
+    {"sh:and ( [ sh:minInclusive 3 ] [ sh:maxInclusive 5 ] )", "3 , 5", "6",
+     "And"},
+    {"sh:not [ sh:class ex:C ]", "ex:x", "ex:c", "Not"},
+};
+
+std::string ShapeWith(const std::string& constraint) {
+  return "ex:S a sh:NodeShape ; sh:targetNode ex:x ; sh:property [ sh:path "
+         "ex:p ; " +
+         constraint + " ] . ex:D rdfs:subClassOf ex:C .";
+}
+std::string FactsWith(const std::string& values) {
+  return "ex:x ex:q 5 ; ex:p " + values + " . ex:c a ex:C . ex:d a ex:D .";
+}
+
+TEST(ValidatorTest, EveryComponentPassesTheGoodAndNamesItselfOnTheBad) {
+  for (const ComponentCase& c : kCases) {
+    const std::string shapes = ShapeWith(c.constraint);
+    EXPECT_TRUE(ValidateTexts(shapes, FactsWith(c.good)).empty())
+        << c.constraint << " with " << c.good;
+    const auto violations = ValidateTexts(shapes, FactsWith(c.bad));
+    ASSERT_EQ(violations.size(), 1u) << c.constraint << " with " << c.bad;
+    EXPECT_EQ(violations[0].component,
+              "sh:" + std::string(c.component) + "ConstraintComponent");
+    EXPECT_EQ(violations[0].focus_node, Ex("x"));
+    EXPECT_EQ(violations[0].path, Ex("p"));
+    EXPECT_EQ(violations[0].named_shape, Ex("S"));
+  }
+}
+
+TEST(ValidatorTest, NestedPropertyShapesBlameTheInnerNode) {
+  const auto violations =
+      ValidateTexts(ShapeWith("sh:property [ sh:path ex:r ; sh:minCount 1 ]"),
+                    FactsWith("ex:c"));
+  ASSERT_EQ(violations.size(), 1u);
+  EXPECT_EQ(violations[0].focus_node, Ex("c"));
+  EXPECT_EQ(violations[0].path, Ex("r"));
+}
+
+TEST(ValidatorTest, TargetClassReachesInstancesOfSubclasses) {
+  const std::string shapes =
+      "ex:S a sh:NodeShape ; sh:targetClass ex:C ; sh:property [ sh:path ex:p "
+      "; sh:minCount 1 ] . ex:E rdfs:subClassOf ex:D . ex:D rdfs:subClassOf "
+      "ex:C .";
+  const auto violations = ValidateTexts(shapes, "ex:e a ex:E . ex:f a ex:F .");
+  ASSERT_EQ(violations.size(), 1u);
+  EXPECT_EQ(violations[0].focus_node, Ex("e"));
+}
+
+TEST(ValidatorTest, SubclassCyclesEnd) {
+  EXPECT_TRUE(ValidateTexts("ex:S a sh:NodeShape ; sh:targetClass ex:C . "
+                            "ex:C rdfs:subClassOf ex:D . ex:D "
+                            "rdfs:subClassOf ex:C .",
+                            "ex:e a ex:D .")
+                  .empty());
+}
+
+TEST(ValidatorTest, LineSaysWhereWhatAndWhichValue) {
+  const auto violations = ValidateTexts(
+      ShapeWith("sh:maxInclusive 1 ; sh:message \"expected at most 1\""),
+      FactsWith("1.2"));
+  ASSERT_EQ(violations.size(), 1u);
+  EXPECT_EQ(violations[0].Line(),
+            "ex:x ex:p: expected at most 1, not 1.2 (ex:S)");
+}
+
+TEST(ValidatorTest, RefusesAComponentThatIsNotAvailable) {
+  EXPECT_THROW(ValidateTexts(ShapeWith("sh:uniqueLang true"), FactsWith("1")),
+               InputError);
+  EXPECT_THROW(ValidateTexts(ShapeWith("sh:minCuont 1"), FactsWith("1")),
+               InputError);
+}
+
+TEST(ValidatorTest, RefusesAPathThatIsNoPredicate) {
+  EXPECT_THROW(ValidateTexts("ex:S a sh:NodeShape ; sh:targetNode ex:x ; "
+                             "sh:property [ sh:path ( ex:p ex:q ) ] .",
+                             FactsWith("1")),
+               InputError);
+}
+
+TEST(ValidatorTest, RefusesShapesThatReferToThemselves) {
+  EXPECT_THROW(
+      ValidateTexts("ex:S a sh:NodeShape ; sh:targetNode ex:x ; sh:node ex:S .",
+                    FactsWith("1")),
+      InputError);
+}
+
+TEST(ValidatorTest, RefusesAPatternThatIsNone) {
+  EXPECT_THROW(ValidateTexts(ShapeWith("sh:pattern \"(\""), FactsWith("\"a\"")),
+               InputError);
+}
+
+}  // namespace
+}  // namespace kg_core
