@@ -5,16 +5,20 @@ and accuse nobody who kept the rules.
 
 import os
 import sys
+import tempfile
 import unittest
 
 HERE = os.path.dirname(os.path.realpath(__file__))
-sys.path.insert(0, os.path.join(os.path.dirname(HERE), 'scripts'))
+sys.path[:0] = [HERE, os.path.join(os.path.dirname(HERE), 'scripts')]
 
+import netCDF4
 import numpy as np
 import rosunit
 from shapely.geometry import box
 
+import field_check
 import mission_facts
+import small_mission
 from geodesic import distance_m
 from mission_facts import Agent, Constraint, Event, Facts, Window
 from mission_record import MissionRecord, Plan, Visit
@@ -217,6 +221,34 @@ class MissionRecordTest(unittest.TestCase):
         self.assertEqual(0, record.verdict()['violations']['off_track'])
         record.take_state('a', 15 * HOUR_S, 0.7, 1.01)
         self.assertEqual(1, record.verdict()['violations']['off_track'])
+
+
+class FieldCheckTest(unittest.TestCase):
+    """Against a file in HYCOM's packing."""
+
+    BEGIN_S = mission_facts.unix_seconds('2026-06-01T12:00:00Z')
+
+    def _difference(self, change=0.0, late_s=0.0):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, 'ocean.nc')
+            small_mission.write_ocean(path)
+            with netCDF4.Dataset(path) as file:
+                u = file['water_u'][:].filled(np.nan)
+                v = file['water_v'][:].filled(np.nan)
+                u[2, 10, 30] += change
+                times = (self.BEGIN_S + late_s +
+                         DAY_S * np.arange(small_mission.DAYS))
+                ours = Field(file['lon'][:], file['lat'][:], times, u, v)
+            return field_check.difference(
+                {'window': '0', 'u': path + '#water_u@0..4',
+                 'v': path + '#water_v@0..4', 'path': path}, ours)
+
+    def test_finds_nothing_where_nothing_differs(self):
+        self.assertIsNone(self._difference())
+
+    def test_finds_one_wrong_value_and_a_wrong_time(self):
+        self.assertIn('time step 2', self._difference(change=0.01))
+        self.assertIn('no such time', self._difference(late_s=HOUR_S))
 
 
 class FactsTest(unittest.TestCase):
