@@ -1,0 +1,43 @@
+// kg_node: owns the mission's facts, compiles them, records the plans.
+//
+//   parameters  ~mission_folder  holds mission.ttl
+//               ~data_folder     where its files are looked up first
+//               ~state_folder    the durable store
+//               ~view_window     window rviz looks at; -1 = the current one
+
+#include <cstdlib>
+
+#include "kg_core/base/input_error.h"
+#include "kg_ros/kg_node.h"
+#include "kg_ros/parameter_reader.h"
+#include "ros/init.h"
+#include "ros/package.h"
+
+namespace {
+
+kg_ros::MissionFolders ReadFolders(const ros::NodeHandle& own) {
+  kg_ros::ParameterReader read(own);
+  kg_ros::MissionFolders folders;
+  folders.mission = read.Text("mission_folder");
+  folders.data = read.Text("data_folder", "");
+  folders.state = read.Text("state_folder");
+  folders.ontology = ros::package::getPath("kg_core") + "/ontology";
+  read.Integer("view_window", {-1, 100000}, -1);  // Polled while it runs.
+  read.RefuseTheRest();
+  return folders;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "kg");
+  const ros::NodeHandle own("~");  // Must outlive the last log line.
+  try {
+    kg_ros::KgNode node(ReadFolders(own), ros::NodeHandle(), own);
+    node.Spin();
+    return EXIT_SUCCESS;
+  } catch (const kg_core::InputError& error) {
+    ROS_FATAL_STREAM(error.what());
+    return EXIT_FAILURE;
+  }
+}
