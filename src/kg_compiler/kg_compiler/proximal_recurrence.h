@@ -34,6 +34,10 @@ std::vector<Pick> ProximalRecurrence(const kg_core::Grid& grid,
                                      const kg_core::Mask& allowed,
                                      const RecurrenceOptions& options);
 
+// R at one cell: the sum of U over the disc around it.
+double DiscSum(const kg_core::Grid& grid, const kg_core::Raster& utility,
+               kg_core::Cell cell, double radius_m);
+
 }  // namespace kg_compiler
 
 #endif  // KG_COMPILER_PROXIMAL_RECURRENCE_H_

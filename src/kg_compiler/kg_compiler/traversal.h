@@ -8,13 +8,19 @@
 //
 // What counts is the flight: FlyTrack() integrates a track with sub-cell steps,
 // crabbing into the cross current, and every figure of a Flight comes from it.
-// Then station is held until the deadline (|current| <= max_mps, else refused).
+// Then station is held until the deadline (|current| <= max_mps, else refused):
+//
+//   c = boost_gain current, split along and across the leg
+//   ground speed  ds/dt = c_along + sqrt(V^2 - c_across^2)
+//   energy = energy_per_m (V travel_s + int |c| dt at rest) + hotel (whole
+//   time) hazard = int hazard(x(t)) dt
 //
 // [1] E. Zermelo, ZAMM 11(2), 1931, pp. 114-124.
 
 #ifndef KG_COMPILER_TRAVERSAL_H_
 #define KG_COMPILER_TRAVERSAL_H_
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -51,31 +57,52 @@ struct TraversalWorld {
 
 struct Departure {
   kg_core::LonLat from;
-  double time_s = 0.0;
+  double time_s = 0.0;  // Unix seconds, as the deadline.
   double deadline_s = 0.0;
+  // Most that may be travelled through water to get there (A17); holding
+  // station does not count.
+  double base_travel_m = std::numeric_limits<double>::infinity();
 };
 
-// Earliest arrivals found from one departure; cells not reached are NaN.
+// A cell one can be at, with the earliest arrival found.
+struct ReachedCell {
+  int index = 0;           // Of the grid.
+  double arrival_s = 0.0;  // At its centre, seconds after departure.
+  int parent = -1;         // Index of the cell one comes from, -1 = departure.
+};
+
 struct Reach {
-  kg_core::Raster arrival_s;  // Seconds after departure.
-  std::vector<int> parent;    // Cell index one comes from, -1 = none.
-  kg_core::Cell source;
+  std::vector<ReachedCell> cells;  // By index.
+
+  const ReachedCell* Find(int index) const;  // Null = not reached.
 };
 
-// Where one can be before the deadline.
+// Where one can be before the deadline, by way of 16 or 32 neighbour moves.
+// Empty if the departure itself is not in an open cell.
 Reach ComputeReach(const TraversalWorld& world, const MotionModel& motion,
-                   const Departure& departure);
+                   const Departure& departure, int neighbours = 32);
 
-// Flies along `via` (first = departure, straight legs), holding V through water
-// on every leg. Nothing if a leg cannot be held in the current, leaves the open
-// cells (every cell the leg touches counts) or the deadline passes.
+// Earliest time from which station can be held at a place until the deadline:
+// |boost_gain * current| <= max_mps all along. Infinite if not even then, or
+// where the current is unknown.
+double HoldableFrom_s(const TraversalWorld& world, const MotionModel& motion,
+                      const Departure& departure, kg_core::LonLat place);
+
+// Flies along `via` (first = departure, legs straight in longitude and
+// latitude), holding V through water on every leg. Nothing if a leg cannot be
+// held in the current, leaves the open cells (every cell the leg touches
+// counts, both beside a corner it passes), the deadline passes, or station
+// cannot be held then. A leg is held where 98 % of V make up for the cross
+// current and at least 2 % of V are left over ground.
 std::optional<Flight> FlyTrack(const TraversalWorld& world,
                                const MotionModel& motion,
                                const Departure& departure,
                                const std::vector<kg_core::LonLat>& via);
 
 // The flight from `departure` to `to`, or nothing if none was found that can
-// be flown. `reach` is ComputeReach of the same departure.
+// be flown. `reach` is ComputeReach of the same departure. Never slower than
+// the straight track. A turning point is left out of the track where that
+// costs at most 0.02 % of the time.
 std::optional<Flight> Traverse(const TraversalWorld& world,
                                const MotionModel& motion,
                                const Departure& departure, const Reach& reach,

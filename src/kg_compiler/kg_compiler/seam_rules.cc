@@ -1,0 +1,79 @@
+#include "kg_compiler/seam_rules.h"
+
+#include <algorithm>
+
+#include "kg_core/base/units.h"
+
+namespace kg_compiler {
+namespace {
+
+constexpr int kMostWaypoints = 20;
+
+MotionModel Motion(const kg_core::Capabilities& capabilities) {
+  MotionModel motion;
+  motion.cruise_mps = capabilities.cruise_mps;
+  motion.max_mps = capabilities.max_mps;
+  motion.boost_gain = capabilities.boost_gain;
+  motion.energy_per_m_j = capabilities.energy_per_m_j;
+  motion.hotel_load_w = capabilities.hotel_load_w;
+  return motion;
+}
+
+SeamWeights Weights(const kg_core::Policy& policy) {
+  SeamWeights weights;
+  weights.time_per_s = policy.lambda_time_per_s;
+  weights.energy_per_j = policy.lambda_energy_per_j;
+  weights.risk_per_s = policy.lambda_risk / kg_core::kSecondsPerHour;
+  weights.uncertainty = policy.lambda_uncertainty;
+  return weights;
+}
+
+bool IsActive(const kg_core::Event& event, int window) {
+  return std::find(event.windows.begin(), event.windows.end(), window) !=
+         event.windows.end();
+}
+
+WindowRules CompileWindow(const kg_core::Mission& mission,
+                          const kg_core::Capabilities& capabilities,
+                          const kg_core::TimeWindow& window) {
+  WindowRules rules;
+  rules.window = window.index;
+  rules.iri = window.iri;
+  rules.begin_s = window.begin_s;
+  rules.end_s = window.end_s;
+  rules.confidence = window.confidence;
+  rules.base_travel_m = capabilities.base_travel_m.value_or(
+      capabilities.cruise_mps * window.duration_s());
+  for (const kg_core::Event& event : mission.events) {
+    if (!IsActive(event, window.index)) continue;
+    rules.events.push_back({event.iri, event.position,
+                            event.value * window.confidence, event.radius_m});
+  }
+  return rules;
+}
+
+}  // namespace
+
+SeamRules CompileSeamRules(const kg_core::Mission& mission,
+                           const kg_core::Agent& agent, int first_window) {
+  const kg_core::CoordinationFacts& team = mission.coordination;
+  SeamRules rules;
+  rules.agent_iri = agent.iri;
+  rules.agent_id = agent.id;
+  rules.motion = Motion(agent.capabilities);
+  rules.weights = Weights(agent.policy);
+  rules.energy_budget_j = agent.capabilities.energy_budget_j;
+  rules.sensor_radius_m = agent.capabilities.sensor_radius_m;
+  rules.spacing_m = team.waypoint_spacing_m;
+  rules.max_waypoints = std::min(team.waypoints_per_window, kMostWaypoints);
+  rules.candidates = team.candidates_per_agent;
+  rules.start = agent.start;
+  rules.start_heading_rad = agent.start_heading_rad;
+  for (const kg_core::TimeWindow& window : mission.windows) {
+    if (window.index < first_window) continue;
+    rules.windows.push_back(CompileWindow(mission, agent.capabilities, window));
+  }
+  return rules;
+}
+
+}  // namespace kg_compiler
