@@ -1,10 +1,24 @@
 // What two members of one team may not both do.
+//
+// Capacity: an event rewards so many distinct agents over its life. A visit
+// counts if it earns the event's reward (Visit::events); being at a full
+// event's place for other reasons is allowed, and earns nothing there
+// (CloseEvents in masking.h).
+//
+// Separation: agents stay separation_m apart at all times, in the plane (depth
+// is ignored), on tracks that include holding station until a window ends. In
+// any case, and where separation is soft or 0, they never come closer than
+// kSamePlace_m: station is held until a window ends, so this keeps two visits
+// of one window from the same place.
+// Agents that begin closer together (launched from one ship) must be apart by
+// the end of the first window, and from when they are.
 
 #ifndef KG_SELECTOR_CONFLICT_H_
 #define KG_SELECTOR_CONFLICT_H_
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,25 +33,50 @@ struct TeamRules {
   // same place in the same window.
   double separation_m = 0.0;
   bool separation_is_hard = true;
-  // Soft: reward lost per metre and approach below separation_m.
+  // Soft: reward lost per metre that the closest approach to each committed
+  // agent lies below separation_m.
   double separation_weight_per_m = 0.0;
   std::string mode = "greedy";
-  int max_rounds = 8;
+  int max_rounds = 8;  // Of planning, the first included.
+  // By window index [Unix s]. If absent, a conflict's window is unknown (-1),
+  // and agents may not begin too close together.
+  std::map<int, double> window_end_s;
 };
+
+constexpr double kSamePlace_m = 1.0;
+
+// What no two tracks may come closer than [m].
+double HardSeparation_m(const TeamRules& rules);
 
 enum class ConflictKind { kSeparation, kCapacity };
 const char* Name(ConflictKind kind);  // "separation", "capacity"
 
 struct Conflict {
   ConflictKind kind = ConflictKind::kSeparation;
-  std::string with_agent;  // Who was committed before.
-  int window = -1;         // Where it happens.
-  std::string event;       // kCapacity: the event that is full.
-  double margin = 0.0;     // Metres missing, or visits too many (negative).
+  std::string with_agent;    // Who was committed before.
+  int window = -1;           // Where it happens.
+  std::string event;         // kCapacity: the event that is full.
+  double margin = 0.0;       // Metres missing, or visits too many (negative).
   std::string Line() const;  // For a person, one line.
 };
 
-// The first (by window) hard conflict of `pathlet` with those committed.
+// When the separation rule begins to hold for two tracks that may begin too
+// close together; -infinity = from the start. `first_window` is a's.
+double SeparationBegins_s(const TeamRules& rules, int first_window,
+                          const std::vector<kg_compiler::TimedPoint>& a,
+                          const std::vector<kg_compiler::TimedPoint>& b);
+
+// Events that reward nobody beyond those committed.
+std::set<std::string> FullEvents(const TeamRules& rules,
+                                 const std::vector<Pathlet>& committed);
+
+// Reward that soft separation takes off `pathlet`; 0 if separation is hard.
+double SoftPenalty(const TeamRules& rules,
+                   const std::vector<Pathlet>& committed,
+                   const Pathlet& pathlet);
+
+// The first (by window) hard conflict of `pathlet` with those committed; in
+// one window separation before capacity, and the worst first.
 std::optional<Conflict> FindConflict(const TeamRules& rules,
                                      const std::vector<Pathlet>& committed,
                                      const Pathlet& pathlet);

@@ -10,14 +10,25 @@
 //   GreedyTeam team(rules, {"a", "b", "c"});
 //   team.Offer("a", pathlets_a); ...           // Round 0: unmasked.
 //   while (!team.Advance()) {
-//     for (agent : team.waiting_for()) team.Offer(agent, PlanAround(team.committed()));
+//     for (agent : team.waiting_for()) team.Offer(agent,
+//     PlanAround(team.committed()));
 //   }
 //
 // Ties: the agent whose second choice is worse goes first (scarcity), then IRI.
+// A second choice is the best other path offered that conflicts with nobody.
+//
+// Soft separation: an agent's favourite is the best of what it offered by score
+// minus SoftPenalty() to those committed, and agents are ranked by that. With
+// hard separation the favourite is simply the best.
+//
+// An agent that waits keeps others back only if its last offer, which its next
+// cannot beat, ranks as high as theirs. After rules.max_rounds the rest is
+// chosen from what has been offered.
 
 #ifndef KG_SELECTOR_GREEDY_TEAM_H_
 #define KG_SELECTOR_GREEDY_TEAM_H_
 
+#include <cstddef>
 #include <map>
 #include <set>
 #include <string>
@@ -30,7 +41,7 @@ namespace kg_selector {
 
 struct Rejection {
   Pathlet pathlet;
-  Conflict conflict;  // Meaningful unless reason says otherwise.
+  Conflict conflict;   // Meaningful unless reason says otherwise.
   std::string reason;  // One line for a person.
   int round = 0;
 };
@@ -40,7 +51,8 @@ class GreedyTeam {
   GreedyTeam(TeamRules rules, std::vector<std::string> agents);
 
   // An agent's paths, best first; empty = it found none. Replaces an earlier
-  // offer of an agent that is not yet committed; ignored for one that is.
+  // offer of an agent that is not yet committed; ignored for one that is, was
+  // dropped or is unknown.
   void Offer(const std::string& agent, std::vector<Pathlet> pathlets);
   // Gives up on an agent (dead, or past the deadline): planned without it.
   void Drop(const std::string& agent, const std::string& why);
@@ -57,16 +69,33 @@ class GreedyTeam {
   const std::map<std::string, std::string>& unassigned() const {
     return unassigned_;
   }
-  int rounds() const { return round_; }
+  // Of planning, the first included.
+  int rounds() const { return round_ + 1; }
 
  private:
+  struct Favourite {
+    std::size_t index = 0;  // In the agent's offer.
+    double value = 0.0;
+  };
+  double Value(const Pathlet& pathlet) const;
+  Favourite FavouriteOf(const std::vector<Pathlet>& offer) const;
+  double SecondChoice(const std::vector<Pathlet>& offer,
+                      std::size_t favourite) const;
+  void RetireTheEmptyHanded();
+  void SendBackConflicting();
+  // The agent to commit next; empty if one must be waited for first.
+  std::string Next() const;
+  bool OutranksThoseWaiting(double value) const;
+  void Commit(const std::string& agent, std::size_t index);
+  void CommitFromOffers();
+
   TeamRules rules_;
-  std::map<std::string, std::vector<Pathlet>> offers_;  // Not yet committed.
+  std::map<std::string, std::vector<Pathlet>> offers_;  // Not committed.
   std::set<std::string> waiting_;
   std::vector<Pathlet> committed_;
   std::vector<Rejection> rejections_;
   std::map<std::string, std::string> unassigned_;
-  int round_ = 0;
+  int round_ = 0;  // The one offers are wanted for.
 };
 
 }  // namespace kg_selector

@@ -5,6 +5,7 @@
 #ifndef KG_SELECTOR_MASKING_H_
 #define KG_SELECTOR_MASKING_H_
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,18 +18,26 @@
 
 namespace kg_selector {
 
-// Stage = window, node = waypoint, token = event, resource = energy [J].
+// The rules without the events in `full`: visits there earn nothing more than
+// their waypoint. Capacity is kept this way; no node is masked for it.
+kg_compiler::SeamRules CloseEvents(kg_compiler::SeamRules rules,
+                                   const std::set<std::string>& full);
+
+// Stage = window, node = waypoint (reward: its score), token = event that
+// `rules` know in that window, resource = energy [J].
 kg_planner::Trellis ToTrellis(const kg_compiler::SeamRules& rules,
                               const std::vector<kg_compiler::NavGraph>& graphs);
 
-// Every seam whose flight comes too close to a committed track, and every node
-// that visits an event without capacity left, so that whatever is planned under
-// the masks has no hard conflict (FindConflict) with `committed`.
+// Exactly the seams whose flight, holding station included, comes too close to
+// a committed track. Of `committed` only tracks are read. What is planned under
+// these masks with rules that FullEvents() are closed in has no hard conflict
+// (FindConflict) with `committed`.
 kg_planner::Masks MaskCommitted(
     const TeamRules& rules, const std::vector<kg_compiler::NavGraph>& graphs,
     const std::vector<Pathlet>& committed);
 
-// A planner's path with the places and times behind its numbers.
+// A planner's path with the places and times behind its numbers. An event is
+// listed at the visit that earns its reward: the largest, the first of equals.
 Pathlet ToPathlet(const kg_compiler::SeamRules& rules,
                   const std::vector<kg_compiler::NavGraph>& graphs,
                   const kg_planner::Path& path, int rank);

@@ -1,0 +1,193 @@
+#include "kg_selector/masking.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace kg_selector {
+namespace {
+
+using kg_compiler::EventRule;
+using kg_compiler::NavGraph;
+using kg_compiler::SeamRules;
+using kg_compiler::TimedPoint;
+using kg_compiler::TraverseEdge;
+using kg_compiler::Waypoint;
+
+constexpr double kNever = -std::numeric_limits<double>::infinity();
+
+// Rewards of the events that are open in a window.
+std::map<std::string, double> OpenEvents(const SeamRules& rules, int window) {
+  std::map<std::string, double> rewards;
+  for (const auto& rule : rules.windows)
+    if (rule.window == window)
+      for (const EventRule& event : rule.events)
+        if (event.reward > 0.0) rewards[event.iri] = event.reward;
+  return rewards;
+}
+
+// A number for every event of any window.
+std::map<std::string, int> TokensOf(const SeamRules& rules) {
+  std::map<std::string, int> tokens;
+  for (const auto& window : rules.windows)
+    for (const EventRule& event : window.events) tokens.emplace(event.iri, 0);
+  int next = 0;
+  for (auto& [event, token] : tokens) token = next++;
+  return tokens;
+}
+
+kg_planner::Node ToNode(const Waypoint& waypoint,
+                        const std::map<std::string, double>& open,
+                        const std::map<std::string, int>& tokens) {
+  kg_planner::Node node;
+  node.reward = waypoint.score;
+  for (const std::string& event : waypoint.events) {
+    const auto reward = open.find(event);
+    if (reward != open.end())
+      node.tokens.push_back({tokens.at(event), reward->second});
+  }
+  return node;
+}
+
+double EndOf(const NavGraph& graph) {
+  double end_s = kNever;
+  for (const TraverseEdge& edge : graph.edges)
+    if (!edge.flight.track.empty())
+      end_s = std::max(end_s, edge.flight.track.back().time_s);
+  return end_s;
+}
+
+std::vector<double> EndsOf(const std::vector<NavGraph>& graphs) {
+  std::vector<double> ends_s;
+  for (const NavGraph& graph : graphs) ends_s.push_back(EndOf(graph));
+  return ends_s;
+}
+
+// The flight of a seam, and waiting for it to begin if there is a gap between
+// its window and the one before. A path's track is these, one after the other.
+std::vector<TimedPoint> SeamTrack(const std::vector<NavGraph>& graphs,
+                                  const std::vector<double>& ends_s,
+                                  std::size_t stage, const TraverseEdge& edge) {
+  std::vector<TimedPoint> track = edge.flight.track;
+  if (stage == 0 || track.empty()) return track;
+  const double before_s = ends_s[stage - 1];
+  if (before_s > kNever && before_s < track.front().time_s)
+    track.insert(
+        track.begin(),
+        {graphs[stage - 1].waypoints.at(edge.from).position, before_s});
+  return track;
+}
+
+const TraverseEdge& EdgeOf(const NavGraph& graph, int from, int to) {
+  for (const TraverseEdge& edge : graph.edges)
+    if (edge.from == from && edge.to == to) return edge;
+  throw std::logic_error("no edge " + std::to_string(from) + " -> " +
+                         std::to_string(to) + " in window " +
+                         std::to_string(graph.window));
+}
+
+bool ComesTooClose(const TeamRules& rules, const std::vector<TimedPoint>& seam,
+                   const std::vector<TimedPoint>& other, const Span& span) {
+  const auto approach = ClosestApproach(seam, other, span);
+  return approach && HardSeparation_m(rules) - approach->distance_m > 0.0;
+}
+
+// The visit that earns each open event on the way, by event.
+std::map<std::string, std::size_t> EarnedWhere(
+    const SeamRules& rules, const std::vector<NavGraph>& graphs,
+    const std::vector<int>& nodes) {
+  std::map<std::string, std::size_t> where;
+  std::map<std::string, double> best;
+  for (std::size_t s = 0; s < nodes.size(); ++s) {
+    const auto open = OpenEvents(rules, graphs[s].window);
+    for (const std::string& event : graphs[s].waypoints.at(nodes[s]).events) {
+      const auto reward = open.find(event);
+      if (reward == open.end() || !(reward->second > best[event])) continue;
+      best[event] = reward->second;
+      where[event] = s;
+    }
+  }
+  return where;
+}
+
+}  // namespace
+
+SeamRules CloseEvents(SeamRules rules, const std::set<std::string>& full) {
+  for (auto& window : rules.windows) {
+    auto& events = window.events;
+    events.erase(std::remove_if(events.begin(), events.end(),
+                                [&](const EventRule& event) {
+                                  return full.count(event.iri) > 0;
+                                }),
+                 events.end());
+  }
+  return rules;
+}
+
+kg_planner::Trellis ToTrellis(const SeamRules& rules,
+                              const std::vector<NavGraph>& graphs) {
+  const std::map<std::string, int> tokens = TokensOf(rules);
+  kg_planner::Trellis trellis;
+  trellis.resource_limit = rules.energy_budget_j;
+  for (const NavGraph& graph : graphs) {
+    const auto open = OpenEvents(rules, graph.window);
+    kg_planner::Stage& stage = trellis.stages.emplace_back();
+    for (const Waypoint& waypoint : graph.waypoints)
+      stage.nodes.push_back(ToNode(waypoint, open, tokens));
+    for (const TraverseEdge& edge : graph.edges)
+      stage.seams.push_back(
+          {edge.from, edge.to, edge.seam_cost, edge.flight.energy_j});
+  }
+  return trellis;
+}
+
+kg_planner::Masks MaskCommitted(const TeamRules& rules,
+                                const std::vector<NavGraph>& graphs,
+                                const std::vector<Pathlet>& committed) {
+  kg_planner::Masks masks;
+  const std::vector<double> ends_s = EndsOf(graphs);
+  for (std::size_t s = 0; s < graphs.size(); ++s) {
+    for (const TraverseEdge& edge : graphs[s].edges) {
+      const auto track = SeamTrack(graphs, ends_s, s, edge);
+      const auto too_close = [&](const Pathlet& other) {
+        Span span;
+        if (s == 0)
+          span.from_s =
+              SeparationBegins_s(rules, graphs[s].window, track, other.track);
+        return ComesTooClose(rules, track, other.track, span);
+      };
+      if (std::any_of(committed.begin(), committed.end(), too_close))
+        masks.seams.push_back({static_cast<int>(s), edge.from, edge.to});
+    }
+  }
+  return masks;
+}
+
+Pathlet ToPathlet(const SeamRules& rules, const std::vector<NavGraph>& graphs,
+                  const kg_planner::Path& path, int rank) {
+  Pathlet pathlet;
+  pathlet.agent = rules.agent_iri;
+  pathlet.rank = rank;
+  pathlet.reward = path.reward;
+  pathlet.seam_cost = path.cost;
+  const std::vector<double> ends_s = EndsOf(graphs);
+  int from = 0;
+  for (std::size_t s = 0; s < path.nodes.size(); ++s) {
+    const int to = path.nodes[s];
+    const Waypoint& waypoint = graphs[s].waypoints.at(to);
+    pathlet.visits.push_back(
+        {graphs[s].window, to, waypoint.position, waypoint.score, {}});
+    const auto track =
+        SeamTrack(graphs, ends_s, s, EdgeOf(graphs[s], from, to));
+    pathlet.track.insert(pathlet.track.end(), track.begin(), track.end());
+    from = to;
+  }
+  for (const auto& [event, s] : EarnedWhere(rules, graphs, path.nodes)) {
+    pathlet.visits[s].events.push_back(event);
+    pathlet.visits[s].reward += OpenEvents(rules, graphs[s].window).at(event);
+  }
+  return pathlet;
+}
+
+}  // namespace kg_selector

@@ -1,0 +1,61 @@
+#include "kg_selector/plan_team.h"
+
+#include <algorithm>
+#include <set>
+
+#include "kg_planner/k_best.h"
+#include "kg_selector/masking.h"
+
+namespace kg_selector {
+
+Candidates PlanAround(const TeamRules& rules, const TeamMember& member,
+                      const std::vector<Pathlet>& committed) {
+  const kg_compiler::SeamRules open =
+      CloseEvents(member.rules, FullEvents(rules, committed));
+  kg_planner::KBestOptions options;
+  options.paths = std::max(1, open.candidates);
+  const kg_planner::KBest best = kg_planner::FindKBest(
+      ToTrellis(open, member.graphs),
+      MaskCommitted(rules, member.graphs, committed), options);
+  Candidates candidates;
+  candidates.proven = best.proven;
+  for (const kg_planner::Path& path : best.paths)
+    candidates.pathlets.push_back(
+        ToPathlet(open, member.graphs, path,
+                  static_cast<int>(candidates.pathlets.size())));
+  return candidates;
+}
+
+double TeamPlan::score() const {
+  double sum = 0.0;
+  for (const Pathlet& pathlet : committed) sum += pathlet.score();
+  return sum;
+}
+
+TeamPlan PlanTeam(TeamRules rules, const std::vector<TeamMember>& members) {
+  std::map<std::string, const TeamMember*> by_agent;
+  std::vector<std::string> agents;
+  for (const TeamMember& member : members) {
+    by_agent[member.rules.agent_iri] = &member;
+    agents.push_back(member.rules.agent_iri);
+    for (const auto& window : member.rules.windows)
+      rules.window_end_s.emplace(window.window, window.end_s);
+  }
+  TeamPlan plan;
+  GreedyTeam team(rules, agents);
+  while (!team.Advance()) {
+    const std::set<std::string> waiting = team.waiting_for();
+    for (const std::string& agent : waiting) {
+      Candidates found = PlanAround(rules, *by_agent[agent], team.committed());
+      plan.proven = plan.proven && found.proven;
+      team.Offer(agent, std::move(found.pathlets));
+    }
+  }
+  plan.committed = team.committed();
+  plan.rejections = team.rejections();
+  plan.unassigned = team.unassigned();
+  plan.rounds = team.rounds();
+  return plan;
+}
+
+}  // namespace kg_selector

@@ -1,0 +1,47 @@
+// The whole way from everybody's NavGraphs to a team plan, in one process: what
+// planner and selector nodes do together, for what-ifs and benchmarks.
+
+#ifndef KG_SELECTOR_PLAN_TEAM_H_
+#define KG_SELECTOR_PLAN_TEAM_H_
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "kg_compiler/nav_graph.h"
+#include "kg_compiler/seam_rules.h"
+#include "kg_selector/conflict.h"
+#include "kg_selector/greedy_team.h"
+#include "kg_selector/pathlet.h"
+
+namespace kg_selector {
+
+struct TeamMember {
+  kg_compiler::SeamRules rules;
+  std::vector<kg_compiler::NavGraph> graphs;  // One a window of `rules`.
+};
+
+struct Candidates {
+  std::vector<Pathlet> pathlets;  // Best first; at most rules.candidates.
+  bool proven = true;
+};
+
+// One agent's best paths around those committed; none has a hard conflict.
+Candidates PlanAround(const TeamRules& rules, const TeamMember& member,
+                      const std::vector<Pathlet>& committed);
+
+struct TeamPlan {
+  std::vector<Pathlet> committed;  // In order of commitment.
+  std::vector<Rejection> rejections;
+  std::map<std::string, std::string> unassigned;  // Agent to reason.
+  int rounds = 0;
+  bool proven = true;  // Every path was proven best for its agent.
+  double score() const;
+};
+
+// rules.window_end_s as far as it is missing is taken from the members.
+TeamPlan PlanTeam(TeamRules rules, const std::vector<TeamMember>& members);
+
+}  // namespace kg_selector
+
+#endif  // KG_SELECTOR_PLAN_TEAM_H_
