@@ -9,6 +9,11 @@
 // (depth), lat, lon in any order, longitudes 0..360 or -180..180, latitudes up
 // or down, uneven spacing. `valid_range` is not a mask. A classic file that is
 // shorter than its header promises is refused (the library would read zeros).
+//
+// A quantity without `units` is in SI (degree Celsius). Values that cannot be
+// (beyond 10 m/s, outside -5..60 degree Celsius) are no data; a variable where
+// most are like that, or a time step without any data, is refused. So are
+// curvilinear grids, grids across the antimeridian, times that do not ascend.
 // Source of the conventions: CF-1.8, sections 2.5.1, 4.1-4.4, 8.1.
 
 #ifndef KG_CORE_RASTER_OCEAN_FILE_H_
