@@ -95,12 +95,17 @@ bool MayCross(const LegFlyer& flyer, kg_core::Cell a, kg_core::Cell b) {
 
 }  // namespace
 
+double LatestArrival_s(const MotionModel& motion, const Departure& departure) {
+  return std::min(departure.deadline_s - departure.time_s,
+                  departure.base_travel_m / motion.cruise_mps);
+}
+
 LegFlyer::LegFlyer(const TraversalWorld& world, const MotionModel& motion,
                    const Departure& departure)
-    : world_(world), motion_(motion), epoch_s_(departure.time_s) {
-  latest_s_ = std::min(departure.deadline_s - departure.time_s,
-                       departure.base_travel_m / motion.cruise_mps);
-}
+    : world_(world),
+      motion_(motion),
+      epoch_s_(departure.time_s),
+      latest_s_(LatestArrival_s(motion, departure)) {}
 
 std::optional<kg_core::Velocity> LegFlyer::Current(kg_core::GridPoint at,
                                                    double time_s) const {

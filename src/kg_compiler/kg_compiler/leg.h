@@ -31,8 +31,11 @@ struct LegEnd {
   double hazard_s = 0.0;
 };
 
-// Flies legs of one departure: the latest arrival is the deadline, or when the
-// base travel is used up.
+// When one must be there [s after the departure's time]: by the deadline, and
+// before the base travel is used up.
+double LatestArrival_s(const MotionModel& motion, const Departure& departure);
+
+// Flies legs of one departure.
 class LegFlyer {
  public:
   LegFlyer(const TraversalWorld& world, const MotionModel& motion,

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <memory>
 #include <queue>
-#include <stdexcept>
 
 #include "kg_compiler/leg.h"
+#include "kg_compiler/moves.h"
 #include "kg_compiler/traversal.h"
 
 namespace kg_compiler {
@@ -45,29 +45,15 @@ class Nodes {
   std::vector<std::unique_ptr<Node[]>> tiles_;
 };
 
-// Steps to neighbours: coprime offsets, up to (2, 1) for 16, (3, 2) for 32.
-std::vector<kg_core::Cell> Offsets(int neighbours) {
-  const int longest = neighbours == 16 ? 2 : 3;
-  std::vector<kg_core::Cell> offsets;
-  for (int dr = -longest; dr <= longest; ++dr) {
-    for (int dc = -longest; dc <= longest; ++dc) {
-      const int a = std::abs(dr), b = std::abs(dc);
-      const bool coprime = a + b == 1 || (a == 1 && b >= 1) ||
-                           (b == 1 && a >= 1) || (a * b == 6);
-      if (coprime) offsets.push_back({dr, dc});
-    }
-  }
-  return offsets;
-}
-
 class Search {
  public:
   Search(const TraversalWorld& world, const MotionModel& motion,
          const Departure& departure, int neighbours)
       : flyer_(world, motion, departure),
+        mover_(world, motion, departure),
         grid_(flyer_.grid()),
         nodes_(grid_),
-        offsets_(Offsets(neighbours)),
+        moves_(NeighbourMoves(neighbours)),
         from_(departure.from) {}
 
   Reach Run() {
@@ -80,10 +66,7 @@ class Search {
       if (node.settled) continue;
       node.settled = true;
       reach_.cells.push_back({index, arrival_s, node.parent});
-      for (const kg_core::Cell& offset : offsets_) {
-        Try({grid_.Centre(cell), {}, arrival_s}, index,
-            {cell.row + offset.row, cell.col + offset.col});
-      }
+      for (const Move& move : moves_) TryMove(move, cell, arrival_s);
     }
     std::sort(reach_.cells.begin(), reach_.cells.end(),
               [](const ReachedCell& a, const ReachedCell& b) {
@@ -100,27 +83,37 @@ class Search {
     if (!flyer_.IsOpen(cell)) return;
     for (int dr = -kSourceRadius_cells; dr <= kSourceRadius_cells; ++dr) {
       for (int dc = -kSourceRadius_cells; dc <= kSourceRadius_cells; ++dc) {
-        Try({from_, {}, 0.0}, -1, {cell.row + dr, cell.col + dc});
+        TryLeg({cell.row + dr, cell.col + dc});
       }
     }
   }
-  void Try(Leg leg, int parent, kg_core::Cell to) {
-    if (!grid_.Contains(to) || !flyer_.IsOpen(to)) return;
-    Node& node = nodes_.At(to);
-    if (node.settled) return;
-    leg.to = grid_.Centre(to);
-    const std::optional<LegEnd> end = flyer_.Fly(leg, kSearch);
-    if (!end || !(end->arrive_s < node.arrival_s)) return;
-    node.arrival_s = end->arrive_s;
+  void TryLeg(kg_core::Cell to) {
+    if (!mover_.MayEnter(to)) return;
+    const auto end = flyer_.Fly({from_, grid_.Centre(to), 0.0}, kSearch);
+    if (end) Improve(to, end->arrive_s, -1);
+  }
+  void TryMove(const Move& move, kg_core::Cell from, double depart_s) {
+    const kg_core::Cell to{from.row + move.rows, from.col + move.cols};
+    if (!mover_.MayEnter(to) || nodes_.At(to).settled) return;
+    const auto arrival_s = mover_.Arrival(move, from, depart_s);
+    if (arrival_s) {
+      Improve(to, *arrival_s, static_cast<int>(grid_.Index(from)));
+    }
+  }
+  void Improve(kg_core::Cell cell, double arrival_s, int parent) {
+    Node& node = nodes_.At(cell);
+    if (!(arrival_s < node.arrival_s)) return;
+    node.arrival_s = arrival_s;
     node.parent = parent;
-    queue_.push({end->arrive_s, static_cast<int>(grid_.Index(to))});
+    queue_.push({arrival_s, static_cast<int>(grid_.Index(cell))});
   }
 
   using Entry = std::pair<double, int>;
   LegFlyer flyer_;
+  Mover mover_;
   const kg_core::Grid& grid_;
   Nodes nodes_;
-  std::vector<kg_core::Cell> offsets_;
+  std::vector<Move> moves_;
   kg_core::LonLat from_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
   Reach reach_;
@@ -137,9 +130,6 @@ const ReachedCell* Reach::Find(int index) const {
 
 Reach ComputeReach(const TraversalWorld& world, const MotionModel& motion,
                    const Departure& departure, int neighbours) {
-  if (neighbours != 16 && neighbours != 32) {
-    throw std::logic_error("a search has 16 or 32 neighbours");
-  }
   return Search(world, motion, departure, neighbours).Run();
 }
 
