@@ -86,13 +86,20 @@ std::vector<TermId> ActiveGraph::Nodes() const {
   return nodes;
 }
 
-bool ActiveGraph::empty() const {
-  bool none = true;
-  Match({}, [&none](const Quad&) {
-    none = false;
+bool ActiveGraph::HasMatch(const Quad& pattern) const {
+  bool found = false;
+  Match(pattern, [&found](const Quad&) {
+    found = true;
     return false;
   });
-  return none;
+  return found;
 }
+
+bool ActiveGraph::HasNode(TermId node) const {
+  return HasMatch({node, kNoTerm, kNoTerm, kNoTerm}) ||
+         HasMatch({kNoTerm, kNoTerm, node, kNoTerm});
+}
+
+bool ActiveGraph::empty() const { return !HasMatch({}); }
 
 }  // namespace kg_core::sparql

@@ -25,9 +25,11 @@ class ActiveGraph {
   std::size_t Estimate(const Quad& pattern) const;
   // All subjects and objects, each once.
   std::vector<TermId> Nodes() const;
+  bool HasNode(TermId node) const;
   bool empty() const;
 
  private:
+  bool HasMatch(const Quad& pattern) const;
   bool HasBefore(const Quad& quad, std::size_t index) const;
 
   const GraphView* view_;

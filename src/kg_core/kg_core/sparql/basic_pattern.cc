@@ -145,24 +145,34 @@ bool Evaluator::Step(const BasicRun& run, std::size_t step) {
   }
   if (step == run.plan.steps.size()) return run.emit(*run.row);
   const TriplePattern& triple = *run.plan.steps[step];
+  if (triple.path) return PathStep(run, step, triple);
+  const Quad pattern{ValueOf(triple.subject, *run.row),
+                     ValueOf(triple.predicate, *run.row),
+                     ValueOf(triple.object, *run.row), kNoTerm};
+  return run.graph.Match(pattern, [&](const Quad& quad) {
+    Binding binding(run.row);
+    return !binding.Bind(triple.subject, quad.subject) ||
+           !binding.Bind(triple.predicate, quad.predicate) ||
+           !binding.Bind(triple.object, quad.object) || Step(run, step + 1);
+  });
+}
+
+// Between two variables, a path of length zero connects nodes of the graph
+// only, whatever else gave the variables their values.
+// https://www.w3.org/TR/sparql11-query/#defn_evalPP_ZeroOrOnePath
+bool Evaluator::PathStep(const BasicRun& run, std::size_t step,
+                         const TriplePattern& triple) {
   const TermId subject = ValueOf(triple.subject, *run.row);
   const TermId object = ValueOf(triple.object, *run.row);
-  if (triple.path) {
-    const PathWalker walker(&run.graph, &constants_, budget_);
-    return walker.Walk(
-        *triple.path, subject, object, [&](TermId from, TermId to) {
-          Binding binding(run.row);
-          return !binding.Bind(triple.subject, from) ||
-                 !binding.Bind(triple.object, to) || Step(run, step + 1);
-        });
-  }
-  const TermId predicate = ValueOf(triple.predicate, *run.row);
-  return run.graph.Match(
-      {subject, predicate, object, kNoTerm}, [&](const Quad& quad) {
+  const bool check = triple.subject.is_variable && triple.object.is_variable &&
+                     (subject != kNoTerm || object != kNoTerm);
+  const PathWalker walker(&run.graph, &constants_, budget_);
+  return walker.Walk(
+      *triple.path, subject, object, [&](TermId from, TermId to) {
+        if (check && from == to && !run.graph.HasNode(from)) return true;
         Binding binding(run.row);
-        return !binding.Bind(triple.subject, quad.subject) ||
-               !binding.Bind(triple.predicate, quad.predicate) ||
-               !binding.Bind(triple.object, quad.object) || Step(run, step + 1);
+        return !binding.Bind(triple.subject, from) ||
+               !binding.Bind(triple.object, to) || Step(run, step + 1);
       });
 }
 

@@ -2,6 +2,8 @@
 // https://www.w3.org/TR/sparql11-query/#FunctionMapping
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "kg_core/rdf/namespaces.h"
@@ -28,9 +30,37 @@ std::optional<bool> BooleanOf(const Term& term) {
   return std::nullopt;
 }
 
+// A float or double as XPath writes it: "1.25", "1.0E7".
+// https://www.w3.org/TR/xpath-functions/#casting-to-string
+std::string RealText(const Number& number) {
+  const double size = std::fabs(number.real);
+  const bool plain = size == 0 || (size >= 1e-6 && size < 1e6);
+  // The shortest digits that read back the same.
+  const std::string shortest = ToTerm(number).text;
+  if (!std::isfinite(number.real)) return shortest;
+  const std::optional<Decimal> exact =
+      ParseDouble(shortest) ? FromDouble(*ParseDouble(shortest)) : std::nullopt;
+  if (plain && exact) return ToString(*exact);
+  char text[64];
+  for (int digits = 1; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*E", digits, number.real);
+    if (std::strtod(text, nullptr) == *ParseDouble(shortest)) break;
+  }
+  std::string out(text);
+  const std::size_t e = out.find('E');
+  const int exponent = std::atoi(out.c_str() + e + 1);
+  return out.substr(0, e) + "E" + std::to_string(exponent);
+}
+
 Answer ToStringCast(FunctionContext&, const Arguments& a) {
   if (a[0]->is_blank()) return std::nullopt;
-  return Literal(a[0]->text);
+  if (const std::optional<bool> truth = BooleanOf(*a[0])) {
+    return Literal(*truth ? "true" : "false");
+  }
+  const std::optional<Number> number = ToNumber(*a[0]);
+  if (!number) return Literal(a[0]->text);
+  return Literal(number->is_exact() ? ToString(number->exact)
+                                    : RealText(*number));
 }
 
 Answer ToBooleanCast(FunctionContext&, const Arguments& a) {

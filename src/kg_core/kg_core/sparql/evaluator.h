@@ -74,6 +74,8 @@ class Evaluator {
   // Basic graph patterns (basic_pattern.cc).
   bool Basic(const Pattern& p, const ActiveGraph& g, Row* row, Emit emit);
   bool Step(const BasicRun& run, std::size_t step);
+  bool PathStep(const BasicRun& run, std::size_t step,
+                const TriplePattern& triple);
   const Plan& PlanOf(const Pattern& p, const ActiveGraph& g, const Row& row);
   double Cost(const TriplePattern& triple, const ActiveGraph& g,
               const VariableSet& bound) const;

@@ -203,10 +203,13 @@ Expression Grammar::ReadIriExpression() {
   const std::string iri = ReadIri();
   if (!AtMark("(")) return Of(Op::kConstant, ConstantNumber(Iri(iri)));
   const Function* function = FindIriFunction(iri);
-  if (function == nullptr) {
-    FailAt(position, "function <" + iri + "> is not known");
+  if (function != nullptr) return ReadCall(*function, position);
+  if (query_.unknown_function.empty()) {
+    query_.unknown_function = std::to_string(position.line) + ":" +
+                              std::to_string(position.column) + ": function <" +
+                              iri + "> is not known";
   }
-  return ReadCall(*function, position);
+  return Of(Op::kCall, ReadArguments());
 }
 
 // [71] ArgList, [79] ExpressionList

@@ -164,6 +164,9 @@ struct Query {
   std::vector<std::string> from;
   std::vector<std::string> from_named;
   std::string base;
+  // "line:column: function <...> is not known", for the first such call. The
+  // grammar allows it, RunQuery does not: it would be an error in every row.
+  std::string unknown_function;
 };
 
 }  // namespace kg_core::sparql

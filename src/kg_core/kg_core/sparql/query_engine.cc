@@ -100,6 +100,7 @@ QueryResult RunQuery(const GraphView& view, std::string_view query_text,
   CheckText(query_text, limits);
   Budget budget(limits);
   Query query = sparql::ParseQuery(query_text, limits.nesting);
+  if (!query.unknown_function.empty()) throw InputError(query.unknown_function);
   sparql::Prepare(&query.select);
   TermTable terms(&view, &budget);
   Evaluator evaluator(&query, &terms, ResolveDataset(query, dataset, &terms),

@@ -349,6 +349,18 @@ TEST(QueryEngine, StopsARegularExpressionThatBacktracks) {
             "a regular expression took more steps than the limit of 200000");
 }
 
+TEST(QueryEngine, EvaluatesAsLongAChainAsItAccepts) {
+  std::string optionals;
+  std::string triples;
+  std::string sum = "0";
+  for (int i = 0; i < 330; ++i) optionals += "OPTIONAL{?a ex:p ?b}";
+  for (int i = 0; i < 990; ++i) triples += "?a ex:usesPolicy ex:fast .";
+  for (int i = 0; i < 1000; ++i) sum += "+1";
+  EXPECT_FALSE(Query("ASK {" + optionals + "FILTER(BOUND(?b)) }").answer);
+  EXPECT_TRUE(Query("ASK {" + triples + "}").answer);
+  EXPECT_EQ(Value(sum), "1000");
+}
+
 TEST(QueryEngine, RefusesTooDeepNestingAndTooLongTexts) {
   const std::string open(300, '(');
   EXPECT_EQ(ErrorOf("ASK { FILTER" + open),
