@@ -31,25 +31,22 @@ inline constexpr char kSosa[] = "http://www.w3.org/ns/sosa/";
 inline constexpr char kGraph[] = "http://example.org/mission/graph/";
 
 inline constexpr Prefix kPrefixes[] = {
-    {"ex", kEx},     {"rdf", kRdf},   {"rdfs", kRdfs}, {"owl", kOwl},
-    {"xsd", kXsd},   {"sh", kSh},     {"prov", kProv}, {"time", kTime},
-    {"geo", kGeo},   {"geof", kGeof}, {"ssn", kSsn},   {"sosa", kSosa},
+    {"ex", kEx},       {"rdf", kRdf},   {"rdfs", kRdfs}, {"owl", kOwl},
+    {"xsd", kXsd},     {"sh", kSh},     {"prov", kProv}, {"time", kTime},
+    {"geo", kGeo},     {"geof", kGeof}, {"ssn", kSsn},   {"sosa", kSosa},
     {"graph", kGraph},
 };
 
 // Current truth: what operators and ingest assert, validated before commit.
-inline constexpr char kFactsGraph[] =
-    "http://example.org/mission/graph/facts";
+inline constexpr char kFactsGraph[] = "http://example.org/mission/graph/facts";
 // Ontology, shapes and rules.
-inline constexpr char kVocabGraph[] =
-    "http://example.org/mission/graph/vocab";
+inline constexpr char kVocabGraph[] = "http://example.org/mission/graph/vocab";
 // Activities and entities of PROV-O; append-only.
 inline constexpr char kProvGraph[] = "http://example.org/mission/graph/prov";
 // Who changed what and when, old and new value; append-only.
 inline constexpr char kLogGraph[] = "http://example.org/mission/graph/log";
 // Where agents are: mission state that arrives by itself, not by an operator.
-inline constexpr char kStateGraph[] =
-    "http://example.org/mission/graph/state";
+inline constexpr char kStateGraph[] = "http://example.org/mission/graph/state";
 // One run's artifacts, written once: kPlanGraphPrefix + run number.
 inline constexpr char kPlanGraphPrefix[] =
     "http://example.org/mission/graph/plan/";
