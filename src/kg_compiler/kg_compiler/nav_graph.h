@@ -6,6 +6,14 @@
 // begin of t, plus the reachable events of the window and the places it can
 // stay at. A seam into window t leaves when t begins and arrives before it
 // ends.
+//
+//   S = lambda_time t + lambda_energy E + lambda_risk H + lambda_unc (1 - w)
+//
+// with the flight's time t, energy E and hazard H, and w of the window one
+// arrives in (A55). Waypoints: the window's events that can be flown to, then
+// picks of Proximal Recurrence (within reach, station held until the window
+// ends), at most max_waypoints; where fewer than three can be flown to, also
+// the places one can stay at. What has no edge into it is left out.
 
 #ifndef KG_COMPILER_NAV_GRAPH_H_
 #define KG_COMPILER_NAV_GRAPH_H_
@@ -42,8 +50,14 @@ struct NavGraph {
   int window = 0;
   std::vector<Waypoint> waypoints;
   std::vector<TraverseEdge> edges;  // By (from, to).
-  std::string hash;                 // Of everything it is made of.
+  // Of everything it is made of: the rules it follows, the tensor, the field
+  // and the places one comes from.
+  std::string hash;
 };
+
+// S of a flight into a window of confidence w, in reward units.
+double SeamCost(const SeamWeights& weights, const Flight& flight,
+                double confidence);
 
 // One window's rasters as published.
 struct WindowWorld {

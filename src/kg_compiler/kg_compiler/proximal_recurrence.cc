@@ -197,11 +197,22 @@ std::vector<Pick> ProximalRecurrence(const kg_core::Grid& grid,
 
 double DiscSum(const kg_core::Grid& grid, const kg_core::Raster& utility,
                kg_core::Cell cell, double radius_m) {
-  kg_core::Mask only(grid.size(), 0);
-  only[grid.Index(cell)] = 1;
-  const std::vector<Pick> picks =
-      ProximalRecurrence(grid, utility, only, {radius_m, 0.0, 1});
-  return picks.empty() ? 0.0 : picks[0].score;
+  const kg_core::LonLat centre = grid.Centre(cell);
+  double sum = 0.0;
+  for (int r = 0; r < grid.rows(); ++r) {
+    const double lat_deg = grid.lat_deg()[r];
+    const double middle_deg = 0.5 * (lat_deg + centre.lat_deg);
+    const double north_m =
+        (lat_deg - centre.lat_deg) / kg_core::LocalScale(middle_deg).lat_deg;
+    if (!(std::abs(north_m) <= radius_m)) continue;
+    const double m_per_deg = 1.0 / kg_core::LocalScale(lat_deg).lon_deg;
+    for (int c = 0; c < grid.cols(); ++c) {
+      const double east_m = (grid.lon_deg()[c] - centre.lon_deg) * m_per_deg;
+      const double square_m2 = east_m * east_m + north_m * north_m;
+      if (square_m2 <= radius_m * radius_m) sum += utility[grid.Index({r, c})];
+    }
+  }
+  return sum;
 }
 
 }  // namespace kg_compiler

@@ -109,6 +109,54 @@ inline kg_core::VectorField UniformFlow(const kg_core::Grid& grid, double east,
   return field;
 }
 
+// The Gulf of Mexico in outline on HYCOM's grid (541 x 385 at 0.04 degree): a
+// Loop Current of up to 1.8 m/s through the east, rings drifting west of it,
+// weak flow elsewhere, land north of 30 N and in the south-west.
+inline kg_core::VectorField GulfLikeFlow(unsigned seed, double begin_s,
+                                         double end_s, double step_s) {
+  std::mt19937 rng(seed);
+  struct Ring {
+    double lon, lat, radius_deg, peak_mps, drift_deg_per_day;
+  };
+  std::vector<Ring> rings = {{-86.5, 25.5, 1.2, -1.8, 0.0},
+                             {-90.5, 25.0, 1.1, -1.2, -0.05},
+                             {-94.0, 24.5, 0.8, -0.7, -0.04}};
+  for (int i = 0; i < 12; ++i) {
+    rings.push_back({Uniform(rng, -97, -80), Uniform(rng, 20, 29),
+                     Uniform(rng, 0.3, 0.7), Uniform(rng, -0.5, 0.5),
+                     Uniform(rng, -0.05, 0.05)});
+  }
+  kg_core::VectorField field;
+  field.grid = EvenGrid(-98.0, 18.1, 0.04, 385, 541);
+  const kg_core::Grid& grid = field.grid;
+  for (double t = begin_s; t <= end_s; t += step_s) {
+    kg_core::FieldSlice slice{t, kg_core::Raster(grid.size()),
+                              kg_core::Raster(grid.size())};
+    for (int r = 0; r < grid.rows(); ++r) {
+      for (int c = 0; c < grid.cols(); ++c) {
+        const kg_core::LonLat at = grid.Centre({r, c});
+        double u = 0.05, v = 0.0;
+        for (const Ring& ring : rings) {
+          const double drift = ring.drift_deg_per_day * t / 86400.0;
+          const double x = (at.lon_deg - ring.lon - drift) / ring.radius_deg;
+          const double y = (at.lat_deg - ring.lat) / ring.radius_deg;
+          const double swirl =
+              ring.peak_mps * std::exp(0.5 * (1.0 - x * x - y * y));
+          u -= swirl * y;
+          v += swirl * x;
+        }
+        const bool land =
+            at.lat_deg > 30.0 || at.lat_deg < 21.0 - 0.8 * (at.lon_deg + 97.0);
+        const std::size_t i = grid.Index({r, c});
+        slice.east_mps[i] = land ? kGap : static_cast<float>(u);
+        slice.north_mps[i] = land ? kGap : static_cast<float>(v);
+      }
+    }
+    field.slices.push_back(std::move(slice));
+  }
+  return field;
+}
+
 inline std::string BoxWkt(double west, double south, double east,
                           double north) {
   const auto at = [](double x, double y) {
