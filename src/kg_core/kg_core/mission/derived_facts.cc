@@ -49,6 +49,20 @@ std::set<Term> Changed(const Transaction& transaction, const Term& property) {
   return subjects;
 }
 
+// Objects of (subject, link), also those that the transaction takes away.
+std::set<Term> Linked(const Transaction& transaction, const Term& subject,
+                      const Term& link) {
+  const std::vector<Term> now =
+      Objects(transaction.view(), kFactsGraph, subject, link);
+  std::set<Term> nodes(now.begin(), now.end());
+  for (const Statement& statement : transaction.removed()) {
+    const bool is_link =
+        statement.subject == subject && statement.predicate == link;
+    if (is_link) nodes.insert(statement.object);
+  }
+  return nodes;
+}
+
 // Keys of the outer object, each once; strict JSON (RFC 8259).
 Json ParseObject(const std::string& text) {
   std::set<std::string> keys;
@@ -103,8 +117,7 @@ class JsonExpansion {
   // Those of an earlier expansion; nodes an operator made are not touched.
   void DropNodes(const Term& policy) {
     const std::string prefix = NodeOf(policy, "").text;
-    for (const Term& node :
-         Objects(transaction_.view(), kFactsGraph, policy, Ex(kind_.link))) {
+    for (const Term& node : Linked(transaction_, policy, Ex(kind_.link))) {
       if (node.text.compare(0, prefix.size(), prefix) != 0) continue;
       transaction_.RemoveMatching(&node, nullptr, nullptr, Facts());
       transaction_.Remove({policy, Ex(kind_.link), node, Facts()});
@@ -168,8 +181,7 @@ void CopyWkt(Transaction& transaction, const Term& original, const Term& copy) {
 // The long form of a feature whose short form changed.
 void RenewGeometryNode(Transaction& transaction, const Term& feature) {
   const Term has_geometry = GeoTerm("hasGeometry");
-  for (const Term& node :
-       Objects(transaction.view(), kFactsGraph, feature, has_geometry)) {
+  for (const Term& node : Linked(transaction, feature, has_geometry)) {
     transaction.RemoveMatching(&node, nullptr, nullptr, Facts());
     transaction.Remove({feature, has_geometry, node, Facts()});
   }

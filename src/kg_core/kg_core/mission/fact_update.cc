@@ -80,7 +80,7 @@ class Stager {
   }
 
   Term ParseProperty(const std::string& text) const {
-    const Term property = ParseIri(text, "property");
+    const Term property = text == "a" ? RdfType() : ParseIri(text, "property");
     if (vocabulary_.FindProperty(property) != nullptr) return property;
     throw InputError(vocabulary_.UnknownProperty(property));
   }

@@ -1,0 +1,325 @@
+#include "kg_core/mission/fact_update.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+#include "kg_core/mission/ingest.h"
+#include "kg_core/mission/terms.h"
+#include "kg_core/mission/test_world.h"
+#include "kg_core/mission/vocabulary.h"
+
+namespace kg_core {
+namespace {
+
+// Does a reason hold `said`?
+void ExpectSaid(const std::vector<std::string>& reasons,
+                const std::string& said) {
+  EXPECT_NE(Joined(reasons).find(said), std::string::npos)
+      << "wanted: " << said << "\ngot: " << Joined(reasons);
+}
+
+Term PolicyOfAlpha(const TestWorld& world) {
+  return FirstObject(*world.store.Read(), kFactsGraph, Ex("alpha"),
+                     Ex("usesPolicy"))
+      .value_or(Term());
+}
+
+TEST(FactUpdateTest, SetReplacesAllValues) {
+  TestWorld world;
+  EXPECT_EQ(Joined(world.Set({"ex:alpha", "ex:usesPolicy", "ex:fast"})), "");
+  EXPECT_EQ(PolicyOfAlpha(world), Ex("fast"));
+}
+
+TEST(FactUpdateTest, SetOfTwoValuesKeepsBoth) {
+  TestWorld world;
+  const Fact w0 = {"ex:seep", "ex:forWindow", "ex:w0"};
+  const Fact w1 = {"ex:seep", "ex:forWindow", "ex:w1"};
+  EXPECT_EQ(Joined(world.Commit({"", "test", {w0, w1}, {}, {}, ""})), "");
+  EXPECT_EQ(
+      Objects(*world.store.Read(), kFactsGraph, Ex("seep"), Ex("forWindow"))
+          .size(),
+      2u);
+}
+
+TEST(FactUpdateTest, SettingWhatIsSoChangesNothing) {
+  TestWorld world;
+  Transaction transaction = world.store.Begin();
+  const FactUpdate update = {
+      "", "test", {{"ex:alpha", "ex:usesPolicy", "ex:safe"}}, {}, {}, ""};
+  EXPECT_EQ(Joined(StageUpdate(update, transaction)), "");
+  LogUpdate(update, 0.0, transaction);
+  EXPECT_TRUE(transaction.empty());
+}
+
+TEST(FactUpdateTest, RefusesAnUnknownPropertyAndNamesTheNearest) {
+  TestWorld world;
+  ExpectSaid(world.Set({"ex:alpha", "ex:usePolicy", "ex:fast"}),
+             "ex:usePolicy is not a property of the ontology, the nearest is "
+             "ex:usesPolicy");
+  ExpectSaid(world.Add("ex:alpha ex:mobilty \"glider\" ."), "ex:mobility");
+}
+
+TEST(FactUpdateTest, RefusesAnUnknownClassAndNamesTheNearest) {
+  TestWorld world;
+  ExpectSaid(world.Add("ex:e a ex:Evnt ."), "the nearest is ex:Event");
+}
+
+TEST(FactUpdateTest, RefusesFactsAboutASubjectWithoutAClass) {
+  TestWorld world;
+  ExpectSaid(world.Set({"ex:alpa", "ex:id", "\"alpa\""}),
+             "ex:alpa: has facts but no class");
+  ExpectSaid(world.Remove({"ex:seep", "a", "ex:Event"}), "no class");
+}
+
+TEST(FactUpdateTest, RefusesAPropertyOnTheWrongClass) {
+  TestWorld world;
+  ExpectSaid(world.Set({"ex:alpha", "ex:cruiseSpeedKts", "0.8"}),
+             "belongs to ex:AgentCapabilities, not to ex:Agent");
+}
+
+TEST(FactUpdateTest, RefusesValuesOfAnotherType) {
+  TestWorld world;
+  ExpectSaid(world.Set({"ex:w1", "ex:confidence", "\"0.5\""}),
+             "expected xsd:double, not \"0.5\"");
+  ExpectSaid(world.Set({"ex:w1", "ex:confidence", "\"NaN\"^^xsd:double"}),
+             "expected xsd:double");
+  ExpectSaid(world.Set({"ex:w1", "ex:index", "1.0"}), "expected xsd:integer");
+  ExpectSaid(world.Set({"ex:w1", "time:hasBeginning", "\"tomorrow\""}),
+             "expected xsd:dateTime");
+  ExpectSaid(
+      world.Set({"ex:w1", "time:hasBeginning", "\"tomorrow\"^^xsd:dateTime"}),
+      "expected xsd:dateTime");
+  ExpectSaid(world.Set({"ex:alpha", "ex:usesPolicy", "\"fast\""}),
+             "expected an instance of ex:Policy, not \"fast\"");
+}
+
+TEST(FactUpdateTest, DoublesMayBeWrittenAsIntegersAndDecimals) {
+  TestWorld world;
+  for (const char* value : {"1", "0.5", "5e-1"}) {
+    EXPECT_EQ(Joined(world.Set({"ex:w1", "ex:confidence", value})), "");
+  }
+}
+
+TEST(FactUpdateTest, RefusesMalformedTermsAndTurtleWithThePlace) {
+  TestWorld world;
+  ExpectSaid(world.Set({"ex:alpha", "ex:usesPolicy", "ex fast"}),
+             "set ex:alpha ex:usesPolicy ex fast: ");
+  ExpectSaid(world.Set({"nope:alpha", "ex:usesPolicy", "ex:fast"}), "nope");
+  ExpectSaid(world.Add("ex:e a ex:Event\nex:value 3 ."), "update of test:2");
+  ExpectSaid(world.Set({"\"alpha\"", "ex:usesPolicy", "ex:fast"}),
+             "expected an IRI as subject");
+}
+
+TEST(FactUpdateTest, RefusesMalformedWktWithThePosition) {
+  TestWorld world;
+  const auto reasons = world.Set(
+      {"ex:sanctuary", "geo:asWKT", "\"POLYGON((-94 27, -93 x, -94 27))\""});
+  ExpectSaid(reasons, "ex:sanctuary geo:asWKT: ");
+  ExpectSaid(reasons, "2");  // A column in the text.
+  ExpectSaid(reasons, "expected");
+}
+
+TEST(FactUpdateTest, PlainStringsBecomeWktAndGeometryNodesFollow) {
+  TestWorld world;
+  const std::string wkt = "POLYGON((-95 27, -93 27, -93 28, -95 28, -95 27))";
+  ASSERT_EQ(Joined(world.Set({"ex:sanctuary", "geo:asWKT", "\"" + wkt + "\""})),
+            "");
+  const auto view = world.store.Read();
+  const auto node =
+      FirstObject(*view, kFactsGraph, Ex("sanctuary"), GeoTerm("hasGeometry"));
+  ASSERT_TRUE(node);
+  EXPECT_EQ(Objects(*view, kFactsGraph, *node, GeoTerm("asWKT")),
+            std::vector<Term>{WktLiteral(wkt)});
+  EXPECT_EQ(Objects(*view, kFactsGraph, Ex("sanctuary"), GeoTerm("asWKT")),
+            std::vector<Term>{WktLiteral(wkt)});
+}
+
+TEST(FactUpdateTest, AGeometryNodeGivesItsFeatureTheShortForm) {
+  TestWorld world;
+  ASSERT_EQ(Joined(world.Add(
+                "ex:reef a ex:Constraint ; ex:kind \"no_go\" ; geo:hasGeometry "
+                "ex:reef_shape . ex:reef_shape a geo:Geometry ; geo:asWKT "
+                "\"POLYGON((-91 27, -90 27, -90 28, -91 27))\" .")),
+            "");
+  EXPECT_TRUE(FirstObject(*world.store.Read(), kFactsGraph, Ex("reef"),
+                          GeoTerm("asWKT")));
+}
+
+TEST(FactUpdateTest, JsonBecomesTypedNodesAndIsKept) {
+  TestWorld world;
+  const Term node = Iri(Ex("safe").text + "/prior/corridor");
+  const auto beta = [&] {
+    return FirstObject(*world.store.Read(), kFactsGraph, node, Ex("beta"));
+  };
+  ASSERT_TRUE(beta());
+  EXPECT_EQ(NumericValue(*beta()), 0.8);
+  ASSERT_EQ(
+      Joined(world.Set({"ex:safe", "ex:priors", "'{\"ex:corridor\": -2}'"})),
+      "");
+  EXPECT_EQ(NumericValue(*beta()), -2.0);
+  ASSERT_EQ(Joined(world.Remove({"ex:safe", "ex:priors", ""})), "");
+  EXPECT_FALSE(beta());
+  EXPECT_FALSE(FirstObject(*world.store.Read(), kFactsGraph, Ex("safe"),
+                           Ex("hasPriorWeight")));
+}
+
+TEST(FactUpdateTest, RefusesJsonThatIsNoneAndNamesThatNothingHas) {
+  TestWorld world;
+  const auto set = [&](const std::string& json) {
+    return world.Set({"ex:safe", "ex:priors", "'" + json + "'"});
+  };
+  ExpectSaid(set("{\"corridor\": 0.8"), "ex:safe ex:priors: not JSON at byte");
+  ExpectSaid(set("[1]"), "expected a JSON object");
+  ExpectSaid(set("{\"corridor\": \"high\"}"), "expected a number");
+  ExpectSaid(set("{\"corridor\": 1, \"corridor\": 2}"), "stands twice");
+  ExpectSaid(set("{\"coridor\": 0.8}"),
+             "no ex:PriorLayer is named \"coridor\"; known: corridor");
+  ExpectSaid(set("{\"corridor\": 1e400}"), "not JSON");
+  ExpectSaid(world.Set({"ex:safe", "ex:softOverrides", "'{\"land\": 0.1}'"}),
+             "of kind \"soft\"");
+}
+
+TEST(FactUpdateTest, RefusesToRemoveWhatIsNotThere) {
+  TestWorld world;
+  ExpectSaid(world.Remove({"ex:alpha", "ex:usesPolicy", "ex:fast"}),
+             "there is no such fact");
+  ExpectSaid(world.Remove({"ex:nobody", "", ""}), "there is no such fact");
+}
+
+TEST(FactUpdateTest, RemovesAWholeSubject) {
+  TestWorld world;
+  ASSERT_EQ(Joined(world.Remove({"ex:seep", "", ""})), "");
+  const auto view = world.store.Read();
+  EXPECT_FALSE(FirstObject(*view, kFactsGraph, Ex("seep"), RdfType()));
+  EXPECT_FALSE(FirstObject(*view, kFactsGraph, Ex("seep/geometry"), RdfType()));
+}
+
+TEST(FactUpdateTest, APolicyTakesItsTypedNodesWithIt) {
+  TestWorld world;
+  ASSERT_EQ(Joined(world.Set({"ex:alpha", "ex:usesPolicy", "ex:fast"})), "");
+  ASSERT_EQ(Joined(world.Remove({"ex:safe", "", ""})), "");
+  const auto view = world.store.Read();
+  EXPECT_TRUE(
+      Subjects(*view, kFactsGraph, RdfType(), Ex("PriorWeight")).empty());
+  EXPECT_TRUE(
+      Subjects(*view, kFactsGraph, RdfType(), Ex("SoftOverride")).empty());
+}
+
+TEST(FactUpdateTest, RefusesToRemoveWhatOthersPointAt) {
+  TestWorld world;
+  ExpectSaid(world.Remove({"ex:safe", "", ""}), "ex:alpha ex:usesPolicy");
+  ExpectSaid(world.Remove({"ex:corridor", "", ""}), "ex:layer");
+  ExpectSaid(world.Remove({"ex:m", "", ""}), "exactly one ex:Mission");
+}
+
+TEST(FactUpdateTest, ARefusedUpdateLeavesNothingBehind) {
+  TestWorld world;
+  const auto before = world.store.world_version();
+  const auto quads = world.store.quad_count();
+  FactUpdate update;
+  update.set = {{"ex:alpha", "ex:usesPolicy", "ex:fast"},
+                {"ex:w1", "ex:confidence", "1.2"}};
+  EXPECT_FALSE(world.Commit(update).empty());
+  EXPECT_EQ(world.store.world_version(), before);
+  EXPECT_EQ(world.store.quad_count(), quads);
+  EXPECT_EQ(PolicyOfAlpha(world), Ex("safe"));
+}
+
+TEST(FactUpdateTest, RefusesAMissionThatCanNoLongerBeRead) {
+  TestWorld world;
+  ExpectSaid(world.Remove({"ex:bravo_start", "", ""}),
+             "ex:AgentState with ex:forAgent ex:bravo");
+  ExpectSaid(world.Set({"ex:w1", "ex:index", "5"}), "run from 0");
+}
+
+TEST(FactUpdateTest, TheLogKeepsWhoWhatOldAndNew) {
+  TestWorld world;
+  FactUpdate update;
+  update.id = "u7";
+  update.author = "Ann B";
+  update.set = {{"ex:alpha", "ex:usesPolicy", "ex:fast"}};
+  ASSERT_EQ(Joined(world.Commit(update)), "");
+  const auto view = world.store.Read();
+  const Term activity =
+      Iri(kLogGraph + ("/v" + std::to_string(world.store.world_version())));
+  EXPECT_TRUE(Has(*view, kProvGraph, activity, RdfType(), Prov("Activity")));
+  EXPECT_TRUE(Has(*view, kProvGraph, activity, Ex("author"), Literal("Ann B")));
+  EXPECT_TRUE(Has(*view, kProvGraph, activity, Ex("updateId"), Literal("u7")));
+  EXPECT_TRUE(Has(*view, kProvGraph, activity, Prov("wasAssociatedWith"),
+                  Ex("author/Ann%20B")));
+  const auto changes = Subjects(*view, kLogGraph, Ex("ofSubject"), Ex("alpha"));
+  bool is_logged = false;
+  for (const Term& change : changes) {
+    is_logged |=
+        Has(*view, kLogGraph, change, Ex("inUpdate"), activity) &&
+        Has(*view, kLogGraph, change, Ex("ofProperty"), Ex("usesPolicy")) &&
+        Has(*view, kLogGraph, change, Ex("oldValue"), Ex("safe")) &&
+        Has(*view, kLogGraph, change, Ex("newValue"), Ex("fast"));
+  }
+  EXPECT_TRUE(is_logged);
+}
+
+TEST(FactUpdateTest, ManyReasonsAreCutShort) {
+  TestWorld world;
+  FactUpdate update;
+  for (int i = 0; i < 100; ++i) {
+    update.add.push_back({"ex:alpha", "ex:nothing" + std::to_string(i), "1"});
+  }
+  EXPECT_EQ(world.Commit(update).size(), 21u);
+}
+
+TEST(FactUpdateTest, ReadsTheVocabularyOnceOnly) {
+  TestWorld world;
+  Transaction again = world.store.Begin();
+  StageVocabulary("ontology", again);
+  EXPECT_TRUE(again.empty());
+}
+
+TEST(FactUpdateTest, IngestIsDueWhenSourcesOrWindowsChange) {
+  TestWorld world;
+  const auto is_due = [&](const Fact& fact) {
+    Transaction transaction = world.store.Begin();
+    const FactUpdate update = {"", "test", {fact}, {}, {}, ""};
+    EXPECT_EQ(Joined(StageUpdate(update, transaction)), "");
+    return IngestIsDue(transaction);
+  };
+  EXPECT_FALSE(is_due({"ex:alpha", "ex:usesPolicy", "ex:fast"}));
+  EXPECT_FALSE(is_due({"ex:w1", "ex:confidence", "0.5"}));
+  EXPECT_TRUE(is_due({"ex:w1", "ex:durationHours", "12"}));
+  Transaction transaction = world.store.Begin();
+  FactUpdate update;
+  update.turtle =
+      "ex:s a ex:DataSource ; ex:file \"a.nc\" ; ex:provides \"current\" .";
+  EXPECT_EQ(Joined(StageUpdate(update, transaction)), "");
+  EXPECT_TRUE(IngestIsDue(transaction));
+}
+
+// Reference: the recursion of the definition.
+int SlowDistance(const std::string& a, const std::string& b) {
+  if (a.empty()) return static_cast<int>(b.size());
+  if (b.empty()) return static_cast<int>(a.size());
+  const std::string a1 = a.substr(1), b1 = b.substr(1);
+  if (a[0] == b[0]) return SlowDistance(a1, b1);
+  return 1 + std::min({SlowDistance(a1, b), SlowDistance(a, b1),
+                       SlowDistance(a1, b1)});
+}
+
+TEST(EditDistanceTest, EqualsTheRecursiveDefinition) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> length(0, 6), letter('a', 'c');
+  const auto word = [&] {
+    std::string text(length(random), 'a');
+    for (char& c : text) c = static_cast<char>(letter(random));
+    return text;
+  };
+  for (int i = 0; i < 500; ++i) {
+    const std::string a = word(), b = word();
+    EXPECT_EQ(EditDistance(a, b), SlowDistance(a, b)) << a << " " << b;
+  }
+}
+
+}  // namespace
+}  // namespace kg_core

@@ -1,0 +1,219 @@
+#include "kg_core/mission/mission_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/base/units.h"
+#include "kg_core/mission/terms.h"
+#include "kg_core/mission/test_world.h"
+#include "kg_core/rdf/turtle.h"
+
+namespace kg_core {
+namespace {
+
+Mission ReadWith(const std::string& more = "") {
+  return ReadMission(*TestWorld(std::string(kTestFacts) + more).store.Read());
+}
+
+// What the reader says of facts that no shape has seen.
+std::string RefusalOf(const std::string& turtle) {
+  Store store("");
+  Transaction transaction = store.Begin();
+  for (const char* file : {"ontology/mission.ttl"}) {
+    for (const Statement& s : ParseTurtleFile(file, Iri(kVocabGraph))) {
+      transaction.Add(s);
+    }
+  }
+  for (const auto& s : ParseTurtle(turtle, "t", Facts())) transaction.Add(s);
+  try {
+    ReadMission(transaction.view());
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string Replace(std::string text, const std::string& what,
+                    const std::string& by) {
+  const std::size_t at = text.find(what);
+  if (at == std::string::npos) throw std::logic_error("no " + what);
+  return text.replace(at, what.size(), by);
+}
+
+TEST(MissionReaderTest, UnitsOfFactsBecomeSi) {
+  const Mission mission = ReadWith();
+  const Capabilities& can = mission.agents.at(0).capabilities;
+  EXPECT_DOUBLE_EQ(can.cruise_mps, 1852.0 / 3600.0);
+  EXPECT_DOUBLE_EQ(can.max_mps, 1.5 * 1852.0 / 3600.0);
+  EXPECT_DOUBLE_EQ(can.energy_per_m_j, 7.2);  // 2 Wh/km.
+  EXPECT_DOUBLE_EQ(can.energy_budget_j, 500 * 3600.0);
+  EXPECT_DOUBLE_EQ(can.sensor_radius_m, 12000.0);
+  EXPECT_FALSE(can.base_travel_m);
+  const Policy& safe = mission.agents.at(0).policy;
+  EXPECT_DOUBLE_EQ(safe.lambda_time_per_s, 0.001);
+  EXPECT_DOUBLE_EQ(safe.lambda_energy_per_j, 0.0001);
+  EXPECT_DOUBLE_EQ(mission.agents[0].start_heading_rad, kPi / 2);
+  EXPECT_DOUBLE_EQ(mission.coordination.separation_m, 5000.0);
+  EXPECT_DOUBLE_EQ(mission.priors.at(0).edge_m, 2000.0);
+}
+
+TEST(MissionReaderTest, AgentsCarryTheirPolicyByIri) {
+  const Mission mission = ReadWith();
+  ASSERT_EQ(mission.agents.size(), 2u);
+  const Agent& alpha = mission.agents[0];
+  EXPECT_EQ(alpha.id, "alpha");
+  EXPECT_EQ(alpha.policy.iri, Ex("safe").text);
+  EXPECT_EQ(alpha.policy.name, "safe");
+  EXPECT_EQ(alpha.policy.beta.at(Ex("corridor").text), 0.8);
+  EXPECT_EQ(alpha.policy.soft_overrides.at(Ex("sanctuary").text), 0.1);
+  EXPECT_EQ(alpha.start, (LonLat{-93.5, 26.5}));
+  EXPECT_EQ(alpha.start_iri, Ex("alpha_start").text);
+  EXPECT_EQ(mission.FindAgent(Ex("bravo").text), &mission.agents[1]);
+  EXPECT_EQ(mission.FindAgent("nobody"), nullptr);
+}
+
+TEST(MissionReaderTest, WindowsEndWithDurationOrTheNextBegin) {
+  const Mission mission = ReadWith();
+  ASSERT_EQ(mission.windows.size(), 2u);
+  EXPECT_EQ(mission.windows[0].end_s, mission.windows[1].begin_s);
+  EXPECT_EQ(mission.windows[1].duration_s(), 86400.0);
+  EXPECT_EQ(mission.windows[0].begin_s, 1780358400.0);  // 2026-06-02T00:00Z.
+}
+
+TEST(MissionReaderTest, ConstraintsAreAreasOrLand) {
+  const Mission mission = ReadWith();
+  ASSERT_EQ(mission.constraints.size(), 3u);
+  const Constraint& cool = mission.constraints[0];
+  EXPECT_TRUE(cool.AppliesTo(Ex("bravo").text, 1));
+  EXPECT_FALSE(cool.AppliesTo(Ex("bravo").text, 0));
+  EXPECT_FALSE(cool.AppliesTo(Ex("alpha").text, 1));
+  const Constraint& land = mission.constraints[1];
+  EXPECT_TRUE(land.is_land);
+  EXPECT_EQ(land.kind, ConstraintKind::kNoGo);
+  EXPECT_EQ(land.buffer_cells, 5.0);
+  const Constraint& sanctuary = mission.constraints[2];
+  EXPECT_TRUE(sanctuary.area.has_value());
+  EXPECT_EQ(sanctuary.attenuation, 0.4);
+  EXPECT_TRUE(sanctuary.AppliesTo("anybody", 1));
+}
+
+TEST(MissionReaderTest, EventsLiveFromTheirFirstWindowToTheirExpiry) {
+  const auto windows = [](const std::string& more) {
+    return ReadWith(more).events.at(0).windows;
+  };
+  EXPECT_EQ(windows(""), std::vector<int>{0});
+  EXPECT_EQ(windows("ex:seep ex:expiresAfter \"P2D\"^^xsd:duration ."),
+            (std::vector<int>{0, 1}));
+  EXPECT_EQ(windows("ex:seep ex:expiresAfter \"PT24H\"^^xsd:duration ."),
+            std::vector<int>{0});
+  EXPECT_EQ(windows("ex:seep ex:expiresAfter "
+                    "\"2026-06-01T00:00:00Z\"^^xsd:dateTime ."),
+            std::vector<int>{});
+}
+
+TEST(MissionReaderTest, AHorizonLeavesOutLaterWindows) {
+  const Mission mission = ReadWith(
+      "ex:m ex:horizon 1 . ex:late a ex:Event ; ex:forWindow ex:w1 ; ex:value "
+      "1 ; geo:asWKT \"POINT(-93 27)\" .");
+  EXPECT_EQ(mission.windows.size(), 1u);
+  EXPECT_EQ(mission.events.at(0).iri, Ex("late").text);
+  EXPECT_TRUE(mission.events[0].windows.empty());
+}
+
+TEST(MissionReaderTest, AgentsStartFromTheirEarliestState) {
+  const Mission mission = ReadWith(
+      "ex:later a ex:AgentState ; ex:forAgent ex:alpha ; ex:forWindow ex:w1 ; "
+      "geo:asWKT \"POINT(-93 26)\" .");
+  EXPECT_EQ(mission.agents[0].start_iri, Ex("alpha_start").text);
+}
+
+TEST(MissionReaderTest, LayersAndFilesKeepTheirReferences) {
+  const Mission mission = ReadWith(kTestArtifacts);
+  ASSERT_EQ(mission.work_fields.size(), 1u);
+  EXPECT_EQ(mission.work_fields[0].file_iri, Ex("file1").text);
+  EXPECT_EQ(mission.work_fields[0].last_time_index, 1);
+  ASSERT_EQ(mission.value_layers.size(), 1u);  // Stated as ex:BaseLayer.
+  EXPECT_EQ(mission.value_layers[0].kind, "delta_sst");
+  EXPECT_EQ(mission.value_layers[0].previous_time_index, 0);
+  EXPECT_EQ(mission.files.at(Ex("file1").text).path, "/data/x.nc");
+}
+
+TEST(MissionReaderTest, OrderDoesNotDependOnTheOrderOfTheFacts) {
+  const Mission a = ReadWith(
+      "ex:a1 a ex:PriorLayer ; ex:name \"a\" ; "
+      "geo:asWKT \"POLYGON((0 0, 1 0, 1 1, 0 0))\" .");
+  const Mission b =
+      ReadMission(*TestWorld("ex:a1 a ex:PriorLayer ; ex:name \"a\" ; "
+                             "geo:asWKT \"POLYGON((0 0, 1 0, 1 1, 0 0))\" ." +
+                             std::string(kTestFacts))
+                       .store.Read());
+  ASSERT_EQ(a.priors.size(), 2u);
+  EXPECT_EQ(a.priors[0].iri, b.priors[0].iri);
+  EXPECT_EQ(a.priors[0].iri, Ex("a1").text);
+  EXPECT_EQ(a.priors[1].iri, b.priors[1].iri);
+}
+
+// Facts of kTestFacts with one thing changed, and what the reader says of it.
+struct Refused {
+  const char* what;
+  const char* by;
+  const char* said;
+};
+const Refused kRefused[] = {
+    {"ex:m a ex:Mission", "ex:m a ex:Event", "exactly one ex:Mission, not 0"},
+    {"ex:index 1", "ex:index 0", "ex:w1 ex:index: expected 1"},
+    {"ex:durationHours 24", "rdfs:label \"x\"", "ex:w1 time:hasEnd: expected"},
+    {"ex:id \"bravo\"", "ex:id \"alpha\"", "an id of its own"},
+    {"ex:bravo_start a ex:AgentState", "ex:bravo_start a ex:Event",
+     "ex:AgentState with ex:forAgent ex:bravo"},
+    {"time:hasBeginning \"2026-06-03T00",
+     "time:hasEnd "
+     "\"2026-06-04T00:00:00Z\"^^xsd:dateTime ; time:hasBeginning "
+     "\"2026-06-01T00",
+     "ex:w0 time:hasEnd: expected an end after the begin"},
+    {"ex:forWindow ex:w0 ; ex:value", "ex:forWindow ex:w7 ; ex:value",
+     "a window of the mission, not ex:w7"},
+    {"ex:kind \"soft\"", "ex:kind \"hard\"", "one of no_go, soft, not"},
+    {"POINT(-90 26)", "POINT(-90)", "ex:bravo_start geo:asWKT: expected"},
+    {"ex:alpha_base 1 ;", "", "ex:safe ex:alpha_base: expected a number"},
+};
+
+TEST(MissionReaderTest, RefusesInOneLineWithSubjectAndProperty) {
+  EXPECT_EQ(RefusalOf(kTestFacts), "");
+  for (const Refused& refused : kRefused) {
+    const std::string said =
+        RefusalOf(Replace(kTestFacts, refused.what, refused.by));
+    EXPECT_NE(said.find(refused.said), std::string::npos)
+        << refused.by << ": " << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos);
+  }
+}
+
+TEST(MissionReaderTest, RefusesWindowsThatOverlap) {
+  const std::string said = RefusalOf(Replace(
+      kTestFacts, "ex:index 0 ;", "ex:index 0 ; ex:durationHours 25 ;"));
+  EXPECT_NE(said.find("by the next window's begin, 2026-06-03T00:00:00Z"),
+            std::string::npos)
+      << said;
+}
+
+TEST(MissionReaderTest, RefusesTwoWeightsForOneLayer) {
+  const std::string said =
+      RefusalOf(std::string(kTestFacts) +
+                "ex:safe ex:hasPriorWeight ex:a , ex:b . "
+                "ex:a a ex:PriorWeight ; ex:layer ex:corridor ; ex:beta 1 . "
+                "ex:b a ex:PriorWeight ; ex:layer ex:corridor ; ex:beta 2 .");
+  EXPECT_NE(said.find("one weight for ex:corridor"), std::string::npos) << said;
+}
+
+TEST(MissionReaderTest, RefusesAGridWhoseNumbersDisagree) {
+  const std::string said =
+      RefusalOf(std::string(kTestFacts) +
+                Replace(kTestArtifacts, "ex:rows 25", "ex:rows 50"));
+  EXPECT_NE(said.find("ex:grid ex:pixelSizeKm"), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace kg_core
