@@ -53,6 +53,7 @@ std::optional<Conflict> SeparationConflict(
     const Pathlet& pathlet, const WindowSpan& window) {
   const int first_window =
       pathlet.visits.empty() ? -1 : pathlet.visits.front().window;
+  const double separation_m = HardSeparation_m(rules);
   std::optional<Conflict> worst;
   for (const Pathlet& other : committed) {
     Span span = window.span;
@@ -60,10 +61,12 @@ std::optional<Conflict> SeparationConflict(
       span.from_s = std::max(
           span.from_s,
           SeparationBegins_s(rules, first_window, pathlet.track, other.track));
-    const auto approach = ClosestApproach(pathlet.track, other.track, span);
-    if (!approach) continue;
-    const double missing_m = HardSeparation_m(rules) - approach->distance_m;
-    if (!(missing_m > 0.0) || (worst && missing_m <= worst->margin)) continue;
+    if (!ComeCloserThan(pathlet.track, other.track, separation_m, span))
+      continue;
+    const double missing_m =
+        separation_m -
+        ClosestApproach(pathlet.track, other.track, span)->distance_m;
+    if (worst && missing_m <= worst->margin) continue;
     worst = Conflict{ConflictKind::kSeparation, other.agent, window.window, "",
                      missing_m};
   }

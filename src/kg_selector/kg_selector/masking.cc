@@ -87,12 +87,6 @@ const TraverseEdge& EdgeOf(const NavGraph& graph, int from, int to) {
                          std::to_string(graph.window));
 }
 
-bool ComesTooClose(const TeamRules& rules, const std::vector<TimedPoint>& seam,
-                   const std::vector<TimedPoint>& other, const Span& span) {
-  const auto approach = ClosestApproach(seam, other, span);
-  return approach && HardSeparation_m(rules) - approach->distance_m > 0.0;
-}
-
 // The visit that earns each open event on the way, by event.
 std::map<std::string, std::size_t> EarnedWhere(
     const SeamRules& rules, const std::vector<NavGraph>& graphs,
@@ -147,6 +141,7 @@ kg_planner::Masks MaskCommitted(const TeamRules& rules,
                                 const std::vector<Pathlet>& committed) {
   kg_planner::Masks masks;
   const std::vector<double> ends_s = EndsOf(graphs);
+  const double separation_m = HardSeparation_m(rules);
   for (std::size_t s = 0; s < graphs.size(); ++s) {
     for (const TraverseEdge& edge : graphs[s].edges) {
       const auto track = SeamTrack(graphs, ends_s, s, edge);
@@ -155,7 +150,7 @@ kg_planner::Masks MaskCommitted(const TeamRules& rules,
         if (s == 0)
           span.from_s =
               SeparationBegins_s(rules, graphs[s].window, track, other.track);
-        return ComesTooClose(rules, track, other.track, span);
+        return ComeCloserThan(track, other.track, separation_m, span);
       };
       if (std::any_of(committed.begin(), committed.end(), too_close))
         masks.seams.push_back({static_cast<int>(s), edge.from, edge.to});

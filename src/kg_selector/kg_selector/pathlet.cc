@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kg_core/base/units.h"
 #include "kg_core/geo/geodesy.h"
 
 namespace kg_selector {
@@ -12,8 +13,15 @@ using kg_compiler::TimedPoint;
 using kg_core::LonLat;
 using Track = std::vector<TimedPoint>;
 
+// In [-180, 180]; std::remainder is slow and hardly ever needed.
+double Wrapped(double eastward_deg) {
+  return eastward_deg >= -180.0 && eastward_deg <= 180.0
+             ? eastward_deg
+             : std::remainder(eastward_deg, 360.0);
+}
+
 LonLat Between(LonLat a, LonLat b, double share) {
-  const double eastward_deg = std::remainder(b.lon_deg - a.lon_deg, 360.0);
+  const double eastward_deg = Wrapped(b.lon_deg - a.lon_deg);
   return {a.lon_deg + share * eastward_deg,
           a.lat_deg + share * (b.lat_deg - a.lat_deg)};
 }
@@ -32,7 +40,7 @@ struct Offset {
 };
 
 Offset OffsetOf(LonLat a, LonLat b, const kg_core::DegreesPerMetre& scale) {
-  return {std::remainder(b.lon_deg - a.lon_deg, 360.0) / scale.lon_deg,
+  return {Wrapped(b.lon_deg - a.lon_deg) / scale.lon_deg,
           (b.lat_deg - a.lat_deg) / scale.lat_deg};
 }
 
@@ -66,6 +74,28 @@ Approach ApproachWithin(const Interval& interval) {
       MidLatitudeDistance_m(Between(interval.a_begin, interval.a_end, share),
                             Between(interval.b_begin, interval.b_end, share)),
       interval.begin_s + share * (interval.end_s - interval.begin_s)};
+}
+
+double LeastOf(double begin, double end) {
+  return begin * end > 0.0 ? std::min(std::abs(begin), std::abs(end)) : 0.0;
+}
+
+// Not more than the approach, from differences of latitude and longitude alone:
+// a degree is at least 110574 m northward and 111319 m cos(lat) eastward, and
+// cos(x) >= 1 - x^2 / 2. A hair is taken off for rounding.
+double LeastPossible_m(const Interval& interval) {
+  const double north_deg =
+      LeastOf(interval.b_begin.lat_deg - interval.a_begin.lat_deg,
+              interval.b_end.lat_deg - interval.a_end.lat_deg);
+  const double east_deg =
+      LeastOf(Wrapped(interval.b_begin.lon_deg - interval.a_begin.lon_deg),
+              Wrapped(interval.b_end.lon_deg - interval.a_end.lon_deg));
+  const double lat_rad = kg_core::DegToRad(std::max(
+      {std::abs(interval.a_begin.lat_deg), std::abs(interval.a_end.lat_deg),
+       std::abs(interval.b_begin.lat_deg), std::abs(interval.b_end.lat_deg)}));
+  const double cos_lat = std::max(0.0, 1.0 - 0.5 * lat_rad * lat_rad);
+  return 0.999999 *
+         std::max(110574.0 * north_deg, 111319.0 * cos_lat * east_deg);
 }
 
 // Index of the last point that is not after time_s.
@@ -148,6 +178,17 @@ std::optional<Approach> ClosestApproach(const Track& a, const Track& b,
 
 std::optional<Approach> ClosestApproach(const Track& a, const Track& b) {
   return ClosestApproach(a, b, Span());
+}
+
+bool ComeCloserThan(const Track& a, const Track& b, double distance_m,
+                    const Span& span) {
+  bool closer = false;
+  ForEachInterval(a, b, span, [&](const Interval& interval) {
+    closer = LeastPossible_m(interval) < distance_m &&
+             ApproachWithin(interval).distance_m < distance_m;
+    return !closer;
+  });
+  return closer;
 }
 
 std::optional<double> FirstTimeApart(const Track& a, const Track& b,

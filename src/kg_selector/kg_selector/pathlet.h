@@ -57,6 +57,11 @@ std::optional<Approach> ClosestApproach(
     const std::vector<kg_compiler::TimedPoint>& a,
     const std::vector<kg_compiler::TimedPoint>& b, const Span& span);
 
+// ClosestApproach() < distance_m, sooner.
+bool ComeCloserThan(const std::vector<kg_compiler::TimedPoint>& a,
+                    const std::vector<kg_compiler::TimedPoint>& b,
+                    double distance_m, const Span& span);
+
 // The first time in `span` at which they are at least `distance_m` apart, of
 // those at which a piece of either track or the span begins or ends.
 std::optional<double> FirstTimeApart(

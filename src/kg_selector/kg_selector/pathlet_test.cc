@@ -119,6 +119,20 @@ TEST(ClosestApproachTest, OfTheWholeIsTheLeastOfItsPieces) {
   }
 }
 
+TEST(ComeCloserThanTest, SaysWhatTheClosestApproachSays) {
+  RandomTracks random(45);
+  for (int i = 0; i < 500; ++i) {
+    const LonLat about = {random.Number(-180.0, 180.0),
+                          random.Number(-89.0, 89.0)};
+    const Track a = random.Make(about, 0.0);
+    const Track b = random.Make(about, 0.0);
+    const double distance_m = ClosestApproach(a, b)->distance_m;
+    EXPECT_FALSE(ComeCloserThan(a, b, distance_m, Span()));
+    EXPECT_TRUE(ComeCloserThan(a, b, std::nextafter(distance_m, 1e12), Span()));
+  }
+  EXPECT_FALSE(ComeCloserThan({}, {}, 1e12, Span()));
+}
+
 const LonLat kHere = {-90.0, 25.0};
 const LonLat kThere = {-89.9, 25.0};
 
