@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kg_core/geo/geos.h"
+#include "kg_core/geo/wkt_locate.h"
 #include "kg_core/geo/wkt_parser.h"
 #include "kg_core/geo/wkt_repair.h"
 
@@ -204,13 +205,15 @@ bool Geometry::Contains(LonLat position) const {
       position.lon_deg >= h.west_deg && position.lon_deg <= h.east_deg &&
       position.lat_deg >= h.south_deg && position.lat_deg <= h.north_deg;
   if (!in_box) return false;
-  const GeosGeometry point = GeosPoint(position);
-  return Answer(GEOSIntersects_r(Geos(), h.geos.get(), point.get()));
+  return Touches(h.parts, position);
 }
 
 bool Geometry::Intersects(const Geometry& other) const {
-  return Answer(
-      GEOSIntersects_r(Geos(), handle_->geos.get(), other.handle_->geos.get()));
+  const char answer =
+      GEOSIntersects_r(Geos(), handle_->geos.get(), other.handle_->geos.get());
+  if (answer == 0 || answer == 1) return answer == 1;
+  // On vertices rounded in a repair GEOS's graph may not close.
+  return Touches(handle_->parts, other.handle_->parts);
 }
 
 bool Geometry::Within(const Geometry& other) const {
@@ -219,15 +222,13 @@ bool Geometry::Within(const Geometry& other) const {
 }
 
 bool Geometry::IntersectsSegment(LonLat a, LonLat b) const {
-  if (a == b) return Contains(a);
   const Handle& h = *handle_;
   const bool boxes_meet = std::max(a.lon_deg, b.lon_deg) >= h.west_deg &&
                           std::min(a.lon_deg, b.lon_deg) <= h.east_deg &&
                           std::max(a.lat_deg, b.lat_deg) >= h.south_deg &&
                           std::min(a.lat_deg, b.lat_deg) <= h.north_deg;
   if (!boxes_meet) return false;
-  const GeosGeometry line = GeosLine({a, b});
-  return Answer(GEOSIntersects_r(Geos(), h.geos.get(), line.get()));
+  return Touches(h.parts, a, b);
 }
 
 double Geometry::DistanceDegrees(const Geometry& other) const {

@@ -4,7 +4,7 @@
 // cell or the cell's centre lies inside: edges are clipped to each row's band,
 // which leaves a range of longitudes, and every cell that meets it is touched.
 // Inside is even-odd along the parallel through the row's centres; centres
-// within rounding of an edge are left to GEOS's exact predicates.
+// within rounding of an edge are left to Geometry::Contains, which is exact.
 
 #include <algorithm>
 #include <cmath>

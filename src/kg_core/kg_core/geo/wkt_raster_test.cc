@@ -56,7 +56,8 @@ Mask CentresByBruteForce(const Geometry& area, const Grid& grid) {
   Mask mask;
   for (int row = 0; row < grid.rows(); ++row) {
     for (int col = 0; col < grid.cols(); ++col) {
-      mask.push_back(area.Contains(grid.Centre({row, col})));
+      mask.push_back(area.Intersects(
+          Geometry::FromWkt(PointWkt(grid.Centre({row, col})))));
     }
   }
   return mask;
@@ -96,7 +97,7 @@ std::string RandomArea(std::mt19937* random) {
 TEST(RasteriseTouched, IsTheSupercoverOnRandomAreasAndUnevenGrids) {
   std::mt19937 random(21);
   std::size_t touched = 0;
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < 80; ++i) {
     const Grid grid(UnevenAxis(&random, 23), UnevenAxis(&random, 19));
     const Geometry area = Geometry::FromWkt(RandomArea(&random));
     const Mask got = RasteriseTouched(area, grid);
@@ -126,7 +127,7 @@ TEST(Rasterise, AgreesWithGeosWhereVerticesLieOnCentresAndCorners) {
   std::vector<double> axis;
   for (int i = 0; i <= 16; ++i) axis.push_back(i);
   const Grid grid(axis, axis);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 100; ++i) {
     const double half = i % 2 == 0 ? 0.0 : 0.5;
     std::string text = "POLYGON((", first;
     for (unsigned n = 3 + random() % 5; n > 0; --n) {

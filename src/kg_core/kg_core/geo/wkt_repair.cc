@@ -12,6 +12,7 @@ namespace {
 
 // Share of an area that rounding in an overlay may cost.
 constexpr double kAreaTolerance = 1e-9;
+constexpr int kMaxRepairPasses = 4;
 
 template <typename Visit>
 void ForEachChain(WktNode* node, const Visit& visit) {
@@ -88,6 +89,17 @@ bool CoversWhatIsBeyondDoubt(const GEOSGeometry* whole, const WktNode& node) {
   return GeosArea(whole) >= AreaBeyondDoubt(node) * (1.0 - kAreaTolerance);
 }
 
+// A repair puts new vertices where edges cross; rounded, they can make the
+// result invalid by a hair, which a second pass finds and the third confirms.
+GeosGeometry MakeValidThroughout(const GEOSGeometry* invalid) {
+  GeosGeometry valid = MakeValid(invalid, GEOS_MAKE_VALID_STRUCTURE);
+  for (int pass = 0; pass < kMaxRepairPasses; ++pass) {
+    if (Answer(GEOSisValid_r(Geos(), valid.get()))) break;
+    valid = MakeValid(valid.get(), GEOS_MAKE_VALID_STRUCTURE);
+  }
+  return valid;
+}
+
 std::string Reason(const GEOSGeometry* invalid) {
   char* reason = GEOSisValidReason_r(Geos(), invalid);
   const std::string text = reason == nullptr ? "invalid" : reason;
@@ -137,16 +149,17 @@ GeosGeometry Build(const WktNode& node) {
 }
 
 GeosGeometry Repair(const WktNode& node, const GEOSGeometry* invalid) {
-  GeosGeometry valid = MakeValid(invalid, GEOS_MAKE_VALID_STRUCTURE);
+  GeosGeometry valid = MakeValidThroughout(invalid);
   const std::string reason = Reason(invalid);
   if (!(GeosArea(valid.get()) > 0.0)) {
     throw InputError("WKT: the polygon encloses no area (" + reason +
                      "), expected one that does");
   }
-  if (!CoversWhatIsBeyondDoubt(valid.get(), node)) {
+  if (!Answer(GEOSisValid_r(Geos(), valid.get())) ||
+      !CoversWhatIsBeyondDoubt(valid.get(), node)) {
     throw InputError("WKT: the polygon is invalid (" + reason +
-                     ") and its repair would be smaller than its valid part; "
-                     "expected a valid polygon");
+                     ") and cannot be repaired without losing area; expected "
+                     "a valid polygon");
   }
   return valid;
 }
