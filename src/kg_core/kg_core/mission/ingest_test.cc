@@ -1,0 +1,366 @@
+#include "kg_core/mission/ingest.h"
+
+#include <gtest/gtest.h>
+#include <netcdf.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/base/sha256.h"
+#include "kg_core/mission/mission_reader.h"
+#include "kg_core/mission/terms.h"
+#include "kg_core/mission/test_world.h"
+#include "kg_core/mission/validator.h"
+
+namespace kg_core {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kDays = 4;  // Noons of 2026-06-01 to 04.
+constexpr float kFill = 1e30f;
+
+// What to write: currents of (0.1 + t, -0.2) m/s, temperature 20 + t * t.
+struct Ocean {
+  int days = kDays;
+  double first_lon_deg = -94.0;
+  bool has_north = true;
+  bool is_land = false;
+};
+
+void Check(int status) {
+  if (status != NC_NOERR) throw std::runtime_error(nc_strerror(status));
+}
+
+class OceanWriter {
+ public:
+  OceanWriter(const std::string& path, const Ocean& spec) : spec_(spec) {
+    Check(nc_create(path.c_str(), NC_CLOBBER, &nc_));
+    const int time =
+        Axis(0, "time", spec.days, "hours since 2026-06-01 12:00:00");
+    const int lat = Axis(1, "lat", kRows, "degrees_north");
+    const int lon = Axis(2, "lon", kCols, "degrees_east");
+    const int u = Variable("water_u", "eastward_sea_water_velocity", "m/s");
+    const int v =
+        spec.has_north
+            ? Variable("water_v", "northward_sea_water_velocity", "m/s")
+            : -1;
+    const int t = Variable("water_temp", "sea_surface_temperature", "degC");
+    Check(nc_enddef(nc_));
+    Fill(time, spec.days, [](int i) { return 24.0 * i; });
+    Fill(lat, kRows, [](int i) { return 26.0 + 0.1 * i; });
+    Fill(lon, kCols, [&](int i) { return spec_.first_lon_deg + 0.1 * i; });
+    FillField(u, [](int day) { return 0.1 + day; });
+    if (v >= 0) FillField(v, [](int) { return -0.2; });
+    FillField(t, [](int day) { return 20.0 + day * day; });
+    Check(nc_close(nc_));
+  }
+
+ private:
+  static constexpr int kRows = 12, kCols = 10;
+
+  int Axis(int place, const char* name, int size, const std::string& units) {
+    int id = 0;
+    Check(nc_def_dim(nc_, name, size, &dims_[place]));
+    Check(nc_def_var(nc_, name, NC_DOUBLE, 1, &dims_[place], &id));
+    Check(nc_put_att_text(nc_, id, "units", units.size(), units.c_str()));
+    return id;
+  }
+  int Variable(const char* name, const std::string& standard,
+               const std::string& units) {
+    int id = 0;
+    Check(nc_def_var(nc_, name, NC_FLOAT, 3, dims_, &id));
+    Check(nc_put_att_text(nc_, id, "standard_name", standard.size(),
+                          standard.c_str()));
+    Check(nc_put_att_text(nc_, id, "units", units.size(), units.c_str()));
+    Check(nc_put_att_float(nc_, id, "_FillValue", NC_FLOAT, 1, &kFill));
+    return id;
+  }
+  void Fill(int id, int size, const std::function<double(int)>& value) {
+    std::vector<double> values(size);
+    for (int i = 0; i < size; ++i) values[i] = value(i);
+    Check(nc_put_var_double(nc_, id, values.data()));
+  }
+  // The western column is land.
+  void FillField(int id, const std::function<double(int)>& value) {
+    std::vector<float> values;
+    for (int day = 0; day < spec_.days; ++day) {
+      for (int cell = 0; cell < kRows * kCols; ++cell) {
+        const bool is_land = spec_.is_land || cell % kCols == 0;
+        values.push_back(is_land ? kFill : static_cast<float>(value(day)));
+      }
+    }
+    Check(nc_put_var_float(nc_, id, values.data()));
+  }
+
+  const Ocean spec_;
+  int nc_ = 0;
+  int dims_[3] = {0, 0, 0};
+};
+
+constexpr char kSources[] = R"ttl(
+ex:currents a ex:DataSource ; ex:file "ocean.nc" ; ex:provides "current" .
+ex:sst a ex:DataSource ; ex:file "sst.nc" ; ex:provides "temperature" .
+)ttl";
+
+class IngestTest : public testing::Test {
+ protected:
+  IngestTest() {
+    char name[] = "/tmp/ingest_test_XXXXXX";
+    folder_ = mkdtemp(name);
+    Write("ocean.nc", {});
+    Write("sst.nc", {});
+  }
+  ~IngestTest() override { fs::remove_all(folder_); }
+
+  std::string Path(const std::string& name) const {
+    return folder_ + "/" + name;
+  }
+  void Write(const std::string& name, const Ocean& spec) const {
+    OceanWriter(Path(name), spec);
+  }
+
+  // Stages facts and their ingest; commits if nothing speaks against it.
+  std::vector<std::string> Ingest(const std::string& turtle) {
+    Transaction transaction = world_.store.Begin();
+    FactUpdate update;
+    update.turtle = turtle;
+    std::vector<std::string> reasons = StageUpdate(update, transaction);
+    EXPECT_EQ(Joined(reasons), "");
+    EXPECT_TRUE(IngestIsDue(transaction));
+    FileCache cache(folder_, "");
+    reasons = StageIngest(cache, transaction);
+    if (reasons.empty()) transaction.Commit(WorldChange::kYes);
+    return reasons;
+  }
+  std::string Refusal() { return Joined(Ingest(kSources)); }
+
+  TestWorld world_;
+  std::string folder_;
+};
+
+TEST_F(IngestTest, StatesLayersThatConformAndCanBeRead) {
+  ASSERT_EQ(Refusal(), "");
+  const auto view = world_.store.Read();
+  const auto violations = Validate(*view);
+  EXPECT_TRUE(violations.empty()) << violations[0].Line();
+  const Mission mission = ReadMission(*view);
+  ASSERT_EQ(mission.work_fields.size(), 2u);
+  EXPECT_EQ(mission.work_fields[0].first_time_index, 0);  // Noon, day before.
+  EXPECT_EQ(mission.work_fields[0].last_time_index, 2);
+  ASSERT_EQ(mission.value_layers.size(), 2u);
+  EXPECT_EQ(mission.value_layers[1].time_index, 2);
+  EXPECT_EQ(mission.value_layers[1].previous_time_index, 1);
+}
+
+TEST_F(IngestTest, LeavesProvenanceFromLayerToFileToActivity) {
+  ASSERT_EQ(Refusal(), "");
+  const auto view = world_.store.Read();
+  const Term file = Ex("sst/file");
+  EXPECT_TRUE(
+      Has(*view, kFactsGraph, Ex("sst/w1"), Prov("wasDerivedFrom"), file));
+  EXPECT_TRUE(Has(*view, kFactsGraph, file, Ex("sha256"),
+                  Literal(Sha256HexOfFile(Path("sst.nc")))));
+  EXPECT_TRUE(Has(*view, kFactsGraph, Ex("sst/w1"), Ex("gridRef"),
+                  Literal(Path("sst.nc") + "#water_temp@2,1")));
+  const auto activity =
+      FirstObject(*view, kProvGraph, Ex("sst/w1"), Prov("wasGeneratedBy"));
+  ASSERT_TRUE(activity);
+  EXPECT_TRUE(Has(*view, kProvGraph, *activity, Prov("used"), file));
+  EXPECT_TRUE(
+      Has(*view, kProvGraph, *activity, Prov("generated"), Ex("sst/w1")));
+}
+
+TEST_F(IngestTest, LoadsWhatItStated) {
+  ASSERT_EQ(Refusal(), "");
+  const Mission mission = ReadMission(*world_.store.Read());
+  FileCache cache(folder_, "");
+  const VectorField field =
+      LoadWorkField(cache, mission, mission.work_fields[1]);
+  ASSERT_EQ(field.slices.size(), 3u);
+  EXPECT_NEAR(field.slices[0].east_mps[1], 1.1, 1e-6);
+  EXPECT_NEAR(field.slices[0].north_mps[1], -0.2, 1e-6);
+  EXPECT_TRUE(std::isnan(field.slices[0].east_mps[0]));
+  const Raster delta =
+      LoadValueLayer(cache, mission, mission.value_layers[1], field.grid);
+  EXPECT_NEAR(delta[1], 3.0, 1e-5);  // |4 - 1|
+  EXPECT_TRUE(std::isnan(delta[0]));
+}
+
+TEST_F(IngestTest, PlainKindsAreTheFieldItself) {
+  ASSERT_EQ(Joined(Ingest(std::string(kSources) + "ex:sst ex:kind \"sst\" .")),
+            "");
+  const Mission mission = ReadMission(*world_.store.Read());
+  FileCache cache(folder_, "");
+  const ValueLayer& layer = mission.value_layers[1];
+  EXPECT_EQ(layer.kind, "sst");
+  const Grid grid = LoadWorkField(cache, mission, mission.work_fields[0]).grid;
+  EXPECT_NEAR(LoadValueLayer(cache, mission, layer, grid)[1], 24.0, 1e-5);
+}
+
+TEST_F(IngestTest, AnotherGridIsDeclaredAndResampled) {
+  Ocean shifted;
+  shifted.first_lon_deg = -94.05;
+  Write("sst.nc", shifted);
+  ASSERT_EQ(Refusal(), "");
+  const auto view = world_.store.Read();
+  EXPECT_TRUE(
+      Has(*view, kFactsGraph, Ex("sst/w0"), Ex("onGrid"), Ex("sst/grid")));
+  EXPECT_TRUE(Has(*view, kFactsGraph, Ex("sst/w0"), Ex("resampling"),
+                  Literal("bilinear")));
+  const Mission mission = ReadMission(*view);
+  FileCache cache(folder_, "");
+  const Grid grid = LoadWorkField(cache, mission, mission.work_fields[0]).grid;
+  const Raster delta =
+      LoadValueLayer(cache, mission, mission.value_layers[1], grid);
+  EXPECT_EQ(delta.size(), grid.size());
+  EXPECT_NEAR(delta[5], 3.0, 1e-4);
+}
+
+TEST_F(IngestTest, RefusesTooFewDaysAndSaysWhatIsThere) {
+  Ocean brief;
+  brief.days = 1;
+  Write("sst.nc", brief);
+  const std::string said = Refusal();
+  EXPECT_NE(said.find("ex:sst: " + Path("sst.nc") +
+                      ": too few days: has 1 steps from 2026-06-01T12:00:00Z"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("window 0"), std::string::npos) << said;
+}
+
+TEST_F(IngestTest, RefusesAllLandMissingVariablesAndMissingFiles) {
+  Ocean land;
+  land.is_land = true;
+  Write("ocean.nc", land);
+  EXPECT_NE(Refusal().find("ex:currents: "), std::string::npos) << Refusal();
+  Ocean no_north;
+  no_north.has_north = false;
+  Write("ocean.nc", no_north);
+  EXPECT_NE(Refusal().find("northward"), std::string::npos) << Refusal();
+  fs::remove(Path("ocean.nc"));
+  EXPECT_NE(Refusal().find("looked for " + Path("ocean.nc")), std::string::npos)
+      << Refusal();
+}
+
+TEST_F(IngestTest, ARefusedIngestLeavesNothingBehind) {
+  fs::remove(Path("sst.nc"));
+  const auto quads = world_.store.quad_count();
+  EXPECT_NE(Refusal(), "");
+  EXPECT_EQ(world_.store.quad_count(), quads);
+}
+
+TEST_F(IngestTest, ASecondIngestReplacesTheFirst) {
+  ASSERT_EQ(Refusal(), "");
+  Transaction transaction = world_.store.Begin();
+  FileCache cache(folder_, "");
+  ASSERT_EQ(Joined(StageIngest(cache, transaction)), "");
+  for (const Statement& statement : transaction.added()) {
+    EXPECT_NE(statement.graph, Facts()) << ToTurtle(statement.subject);
+  }
+  EXPECT_TRUE(transaction.removed().empty());
+}
+
+TEST_F(IngestTest, AWindowThatGoesTakesItsLayersWithIt) {
+  ASSERT_EQ(Refusal(), "");
+  Transaction transaction = world_.store.Begin();
+  FactUpdate update;
+  update.remove = {{"ex:m", "ex:hasWindow", "ex:w1"},
+                   {"ex:w1", "", ""},
+                   {"ex:cool", "", ""}};
+  update.set = {{"ex:w0", "ex:durationHours", "24"}};
+  ASSERT_EQ(Joined(StageUpdate(update, transaction)), "");
+  FileCache cache(folder_, "");
+  ASSERT_EQ(Joined(StageIngest(cache, transaction)), "");
+  EXPECT_EQ(ReadMission(transaction.view()).value_layers.size(), 1u);
+}
+
+TEST_F(IngestTest, RefusesAFileThatChangedSinceItWasIngested) {
+  ASSERT_EQ(Refusal(), "");
+  const Mission mission = ReadMission(*world_.store.Read());
+  Ocean other;
+  other.days = kDays + 1;
+  Write("ocean.nc", other);
+  FileCache cache(folder_, "");
+  EXPECT_THROW(LoadWorkField(cache, mission, mission.work_fields[0]),
+               InputError);
+}
+
+TEST_F(IngestTest, TheDataFolderComesFirst) {
+  fs::create_directory(Path("data"));
+  fs::copy(Path("ocean.nc"), Path("data/ocean.nc"));
+  const FileCache cache(folder_, Path("data"));
+  EXPECT_EQ(cache.Resolve("ocean.nc"), Path("data/ocean.nc"));
+  EXPECT_EQ(cache.Resolve("sst.nc"), Path("sst.nc"));
+  EXPECT_EQ(cache.Resolve(Path("sst.nc")), Path("sst.nc"));
+  EXPECT_THROW(cache.Resolve("none.nc"), InputError);
+}
+
+TEST_F(IngestTest, AFileIsReadOnce) {
+  FileCache cache(folder_, "");
+  const auto first = cache.Read(Path("sst.nc"), {Quantity::kTemperature});
+  EXPECT_EQ(first, cache.Read(Path("sst.nc"), {Quantity::kTemperature}));
+}
+
+double BufferOf(const Mission& mission) {
+  for (const Constraint& constraint : mission.constraints) {
+    if (constraint.is_land) return constraint.buffer_cells;
+  }
+  return 0.0;
+}
+
+// From the cell of `position` to the nearest without data, by looking at all.
+double CellsToLand(const VectorField& field, LonLat position) {
+  const auto cell = field.grid.CellAt(position);
+  if (!cell) return -1.0;
+  const Mask land = field.NoData();
+  double nearest = 1e9;
+  for (int row = 0; row < field.grid.rows(); ++row) {
+    for (int col = 0; col < field.grid.cols(); ++col) {
+      if (land[field.grid.Index({row, col})] == 0) continue;
+      nearest = std::min(nearest, std::hypot(row - cell->row, col - cell->col));
+    }
+  }
+  return nearest;
+}
+
+// The shipped missions with their own data, where the data is there.
+TEST(ShippedIngestTest, MissionsIngestTheirData) {
+  const char* data = std::getenv("KG_DATA");
+  const std::string gom = data ? data : "../../../shared/data/gom_2020";
+  const std::vector<std::pair<std::string, std::string>> missions = {
+      {"gulf", "../../config/missions/gulf/gulf_ocean.nc"},
+      {"tampico", gom + "/currents_hycom_gomu_2020-11-01-15_5h.nc4"}};
+  int count = 0;
+  for (const auto& [name, file] : missions) {
+    if (!fs::exists(file)) continue;
+    ++count;
+    TestWorld world("");
+    const std::string folder = "../../config/missions/" + name;
+    Transaction transaction = world.store.Begin();
+    ASSERT_EQ(Joined(StageFactsFile(folder + "/mission.ttl", transaction)), "");
+    FileCache cache(folder, gom);
+    ASSERT_EQ(Joined(StageIngest(cache, transaction)), "") << name;
+    EXPECT_TRUE(Validate(transaction.view()).empty());
+    const Mission mission = ReadMission(transaction.view());
+    EXPECT_EQ(mission.work_fields.size(), 7u);
+    EXPECT_EQ(mission.value_layers.size(), 7u);
+    const VectorField field =
+        LoadWorkField(cache, mission, mission.work_fields[0]);
+    for (const Agent& agent : mission.agents) {
+      EXPECT_GT(CellsToLand(field, agent.start), BufferOf(mission))
+          << name << " " << agent.id;
+    }
+  }
+  if (count == 0) GTEST_SKIP() << "no ocean data beside the missions";
+}
+
+}  // namespace
+}  // namespace kg_core

@@ -1,0 +1,173 @@
+// The shipped ontology: the paper's class tree and what every term must carry.
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "kg_core/mission/class_tree.h"
+#include "kg_core/mission/shacl_shapes.h"
+#include "kg_core/mission/terms.h"
+#include "kg_core/mission/test_world.h"
+#include "kg_core/mission/vocabulary.h"
+#include "kg_core/rdf/turtle.h"
+
+namespace kg_core {
+namespace {
+
+Term Owl(const std::string& local) { return Iri(kOwl + local); }
+
+struct Edge {
+  const char* below;
+  const char* above;
+};
+// Fig. 2, the rest of the paper's classes (A41), and the alignments.
+const Edge kTree[] = {
+    {"ex:Agent", "ex:MissionEntity"},
+    {"ex:Policy", "ex:MissionEntity"},
+    {"ex:Mission", "ex:MissionEntity"},
+    {"ex:Event", "ex:MissionEntity"},
+    {"ex:AgentCapabilities", "ex:MissionEntity"},
+    {"ex:TimeWindow", "ex:SpatiotemporalEntity"},
+    {"ex:TimeWindow", "time:TemporalEntity"},
+    {"ex:GridSpec", "ex:SpatiotemporalEntity"},
+    {"ex:WorkField", "ex:SpatiotemporalEntity"},
+    {"ex:WorkLayer", "ex:WorkField"},
+    {"ex:CurrentField", "ex:WorkField"},
+    {"ex:CurrentField", "sosa:Observation"},
+    {"ex:ValueLayer", "ex:SpatiotemporalEntity"},
+    {"ex:BaseLayer", "ex:ValueLayer"},
+    {"ex:PriorLayer", "ex:SpatiotemporalEntity"},
+    {"ex:Constraint", "ex:SpatiotemporalEntity"},
+    {"ex:Constraint", "geo:Feature"},
+    {"ex:CoolingConstraint", "ex:Constraint"},
+    {"ex:AgentState", "ex:SpatiotemporalEntity"},
+    {"ex:TensorArtifact", "ex:Artifact"},
+    {"ex:HeatmapArtifact", "ex:TensorArtifact"},
+    {"ex:NavGraph", "ex:Artifact"},
+    {"ex:Waypoint", "ex:Artifact"},
+    {"ex:TraverseEdge", "ex:Artifact"},
+    {"ex:EdgeCost", "ex:Artifact"},
+    {"ex:Assignment", "ex:Artifact"},
+    {"ex:Artifact", "prov:Entity"},
+    {"ex:CompilePhi2", "prov:Activity"},
+    {"ex:CompilePhi1", "prov:Activity"},
+    {"ex:PlanRun", "prov:Activity"},
+    {"ex:SelectRun", "prov:Activity"},
+};
+
+std::vector<Term> OfType(const GraphView& view, const std::string& type) {
+  return Subjects(view, kVocabGraph, RdfType(), Owl(type));
+}
+
+std::vector<Term> Properties(const GraphView& view) {
+  std::vector<Term> all;
+  for (const char* type :
+       {"ObjectProperty", "DatatypeProperty", "AnnotationProperty"}) {
+    const std::vector<Term> some = OfType(view, type);
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+class OntologyTest : public testing::Test {
+ protected:
+  TestWorld world_{""};
+  const std::shared_ptr<const GraphView> view_ = world_.store.Read();
+
+  bool Says(const Term& subject, const Term& property) const {
+    return FirstObject(*view_, kVocabGraph, subject, property).has_value();
+  }
+};
+
+TEST_F(OntologyTest, HoldsThePapersClassTree) {
+  const Vocabulary vocabulary(*view_);
+  for (const Edge& edge : kTree) {
+    const Term below = ParseTurtleTerm(edge.below);
+    EXPECT_TRUE(vocabulary.HasClass(below)) << edge.below;
+    EXPECT_EQ(
+        ClassAndSubclasses(*view_, ParseTurtleTerm(edge.above)).count(below),
+        1u)
+        << edge.below << " under " << edge.above;
+  }
+}
+
+TEST_F(OntologyTest, EveryClassOfOursHasLabelCommentAndAPlaceInTheTree) {
+  for (const Term& type : OfType(*view_, "Class")) {
+    if (type.text.rfind(kEx, 0) != 0) continue;
+    EXPECT_TRUE(Says(type, Rdfs("label"))) << type;
+    EXPECT_TRUE(Says(type, Rdfs("comment"))) << type;
+    EXPECT_TRUE(Says(type, Rdfs("subClassOf"))) << type;
+  }
+}
+
+TEST_F(OntologyTest, EveryPropertyHasLabelCommentDomainAndRange) {
+  const std::vector<Term> properties = Properties(*view_);
+  EXPECT_GT(properties.size(), 100u);
+  for (const Term& property : properties) {
+    EXPECT_TRUE(Says(property, Rdfs("label"))) << property;
+    EXPECT_TRUE(Says(property, Rdfs("comment"))) << property;
+    EXPECT_TRUE(Says(property, Ex("domainIncludes"))) << property;
+    EXPECT_TRUE(Says(property, Ex("rangeIncludes"))) << property;
+  }
+}
+
+TEST_F(OntologyTest, EveryNumberWithAUnitSaysIt) {
+  const Term number = Iri(std::string(kXsd) + "double");
+  for (const Term& property :
+       Subjects(*view_, kVocabGraph, Ex("rangeIncludes"), number)) {
+    EXPECT_TRUE(Says(property, Ex("unit"))) << property;
+  }
+}
+
+TEST_F(OntologyTest, DomainsAndRangesAreClassesThatItKnows) {
+  const Vocabulary vocabulary(*view_);
+  for (const Term& property : Properties(*view_)) {
+    const PropertyFacts* facts = vocabulary.FindProperty(property);
+    ASSERT_NE(facts, nullptr);
+    if (facts->is_annotation) continue;
+    for (const auto& classes : {facts->domains, facts->classes}) {
+      for (const Term& type : classes) {
+        const bool is_rdf =
+            type.text.rfind(kRdf, 0) == 0 || type.text.rfind(kRdfs, 0) == 0;
+        EXPECT_TRUE(is_rdf || vocabulary.HasClass(type))
+            << property << " " << type;
+      }
+    }
+  }
+}
+
+TEST_F(OntologyTest, ShapesSpeakOfKnownPropertiesAndClassesOnly) {
+  const Vocabulary vocabulary(*view_);
+  for (const auto& [id, shape] : shacl::LoadShapes(*view_)) {
+    if (shape.has_path) {
+      EXPECT_NE(vocabulary.FindProperty(shape.path), nullptr) << shape.path;
+    }
+    for (const Term& target : shape.target_classes) {
+      EXPECT_TRUE(vocabulary.HasClass(target)) << target;
+    }
+  }
+}
+
+TEST_F(OntologyTest, EveryShapeSaysWhatWasExpected) {
+  for (const auto& [id, shape] : shacl::LoadShapes(*view_)) {
+    if (!shape.has_path) continue;
+    const bool is_nested = shape.constraints.size() == 1;  // In xone, or.
+    EXPECT_TRUE(!shape.message.empty() || is_nested)
+        << shape.named << " " << shape.path;
+  }
+}
+
+TEST_F(OntologyTest, AliasesAreStated) {
+  EXPECT_TRUE(Has(*view_, kVocabGraph, Ex("BaseLayer"), Owl("equivalentClass"),
+                  Ex("ValueLayer")));
+  EXPECT_TRUE(Has(*view_, kVocabGraph, Ex("WorkLayer"), Owl("equivalentClass"),
+                  Ex("WorkField")));
+  EXPECT_TRUE(Has(
+      *view_, kVocabGraph, Iri(std::string(kSsn) + "observedProperty"),
+      Owl("equivalentProperty"), Iri(std::string(kSosa) + "observedProperty")));
+}
+
+}  // namespace
+}  // namespace kg_core
