@@ -5,6 +5,7 @@
 # name without the suffix, every other .cc belongs to the package's library.
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  #catkin_lint: ignore_once global_var_collision
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Release is the default" FORCE)
 endif()
 
