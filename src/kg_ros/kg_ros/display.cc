@@ -22,6 +22,7 @@ using visualization_msgs::Marker;
 
 constexpr double kArrowSpacing_m = 60e3;
 constexpr double kArrowSeconds = 60e3;  // An arrow is the way of so long.
+constexpr double kAgentsAcross = 50.0;  // So small is an agent's arrow.
 
 std_msgs::ColorRGBA Colour(double r, double g, double b, double a) {
   std_msgs::ColorRGBA colour;
@@ -237,6 +238,33 @@ void MarkerPainter::PaintCandidates(const kg_msgs::Candidates& candidates) {
   }
 }
 
+Marker& MarkerPainter::AddOn(const std::string& agent_id, const int type) {
+  Marker& marker = Add("agents", type);
+  marker.header.frame_id = BaseFrame(agent_id);
+  marker.frame_locked = true;
+  marker.color = Colour(1.0, 1.0, 1.0, 1.0);
+  return marker;
+}
+
+void MarkerPainter::PaintAgents(const kg_core::Mission& mission,
+                                const Grid& grid) {
+  const double size_m = (map_.Forward({grid.east_deg(), 0.0}).x_m -
+                         map_.Forward({grid.west_deg(), 0.0}).x_m) /
+                        kAgentsAcross;
+  for (const kg_core::Agent& agent : mission.agents) {
+    Marker& arrow = AddOn(agent.id, Marker::ARROW);
+    arrow.pose.position.z = 470.0;
+    arrow.scale.x = size_m;
+    arrow.scale.y = 0.35 * size_m;
+    arrow.scale.z = 20.0;
+    Marker& name = AddOn(agent.id, Marker::TEXT_VIEW_FACING);
+    name.text = agent.id;
+    name.pose.position.y = size_m;
+    name.pose.position.z = 480.0;
+    name.scale.z = size_m;
+  }
+}
+
 visualization_msgs::MarkerArray MarkerPainter::Take() {
   // rviz refuses line markers without points: they are left out.
   visualization_msgs::MarkerArray painted;
@@ -245,7 +273,9 @@ visualization_msgs::MarkerArray MarkerPainter::Take() {
   erase.action = Marker::DELETEALL;
   painted.markers.push_back(erase);
   for (Marker& marker : markers_.markers) {
-    const bool needs_points = marker.type != Marker::CYLINDER;
+    const bool needs_points = marker.type != Marker::CYLINDER &&
+                              marker.type != Marker::ARROW &&
+                              marker.type != Marker::TEXT_VIEW_FACING;
     if (needs_points && marker.points.empty()) continue;
     painted.markers.push_back(std::move(marker));
   }

@@ -46,11 +46,16 @@ class MarkerPainter {
   void PaintStaging(const kg_msgs::NavGraph& graph);
   void PaintCandidates(const kg_msgs::Candidates& candidates);
 
+  // An arrow and a name in the agents' own frames, so that they go with them.
+  // Sized to be seen on `grid` as a whole.
+  void PaintAgents(const kg_core::Mission& mission, const kg_core::Grid& grid);
+
   // Everything painted, after a marker that erases what was there before.
   visualization_msgs::MarkerArray Take();
 
  private:
   visualization_msgs::Marker& Add(const std::string& name, int type);
+  visualization_msgs::Marker& AddOn(const std::string& agent_id, int type);
 
   kg_core::MapProjection map_;
   visualization_msgs::MarkerArray markers_;

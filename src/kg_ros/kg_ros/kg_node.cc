@@ -360,11 +360,11 @@ void KgNode::PassWindows(const int from, const int to) {
 
 void KgNode::Watch() {
   if (fleet_has_moved_) {
-    rviz_.ShowFleet(server_.fleet());
     PublishWorld();
     fleet_has_moved_ = false;
   }
   if (compilation_ == nullptr) return;
+  rviz_.ShowFleet(server_.fleet());  // Also at rest: frames age.
   if (shown_window_ != ViewWindow()) {
     shown_window_ = ViewWindow();
     rviz_.Show(*compilation_, shown_window_);

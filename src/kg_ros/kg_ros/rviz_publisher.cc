@@ -8,6 +8,7 @@
 #include "kg_core/base/units.h"
 #include "kg_ros/display.h"
 #include "kg_ros/names.h"
+#include "kg_ros/ribbon.h"
 #include "tf2/LinearMath/Matrix3x3.h"
 #include "tf2/LinearMath/Quaternion.h"
 
@@ -146,6 +147,7 @@ void RvizPublisher::ShowMarkers(const Compilation& compilation,
     const kg_core::TimeWindow& at = compilation.mission.windows[shown];
     paint.PaintLand(field->field);
     paint.PaintField(*field, 0.5 * (at.begin_s + at.end_s));
+    paint.PaintAgents(compilation.mission, field->field.grid);
   }
   for (const auto& [key, graph] : graphs_) {
     if (key.second == shown) paint.PaintNavGraph(graph);
@@ -154,7 +156,9 @@ void RvizPublisher::ShowMarkers(const Compilation& compilation,
   for (const auto& [id, candidates] : candidates_) {
     paint.PaintCandidates(candidates);
   }
-  markers_.publish(paint.Take());
+  visualization_msgs::MarkerArray markers = paint.Take();
+  for (visualization_msgs::Marker& marker : markers.markers) Flatten(&marker);
+  markers_.publish(markers);
 }
 
 }  // namespace kg_ros
