@@ -4,15 +4,12 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/base/sha256.h"
 #include "kg_core/mission/mission_reader.h"
+#include "kg_core/mission/vocabulary.h"
 #include "kg_core/rdf/namespaces.h"
-#include "kg_core/rdf/turtle.h"
 
 namespace kg_ros {
 namespace {
@@ -46,14 +43,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ =
       std::chrono::steady_clock::now();
 };
-
-std::string ReadText(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path + ": cannot be read");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 std::string JoinLines(const std::vector<std::string>& lines) {
   std::string joined;
@@ -115,42 +104,24 @@ MissionServer::MissionServer(MissionFolders folders)
   }
 }
 
-// The vocabulary is replaced only when its files have changed: a restart alone
-// is no new world.
 void MissionServer::LoadVocabulary() {
-  const Term graph = Iri(kg_core::kVocabGraph);
-  const Term node = Iri(std::string(kg_core::kEx) + "vocabulary");
-  const Term property = Iri(std::string(kg_core::kEx) + "sha256");
-  const std::string paths[] = {folders_.ontology + "/mission.ttl",
-                               folders_.ontology + "/shapes.ttl"};
-  const Term digest = Literal(kg_core::Sha256HexOfFile(paths[0]) +
-                              kg_core::Sha256HexOfFile(paths[1]));
-  if (kg_core::Has(*store_->Read(), kg_core::kVocabGraph, node, property,
-                   digest)) {
-    return;
-  }
   Transaction transaction = store_->Begin();
-  transaction.RemoveMatching(nullptr, nullptr, nullptr, graph);
-  for (const std::string& path : paths) {
-    for (const kg_core::Statement& statement :
-         kg_core::ParseTurtleFile(path, graph)) {
-      transaction.Add(statement);
-    }
-  }
-  transaction.Add({node, property, digest, graph});
-  transaction.Commit(WorldChange::kYes);
+  kg_core::StageVocabulary(folders_.ontology, transaction);
+  if (!transaction.empty()) transaction.Commit(WorldChange::kYes);
 }
 
 void MissionServer::LoadMission() {
   const std::string path = folders_.mission + "/mission.ttl";
-  kg_core::FactUpdate update;
-  update.id = path;
-  update.author = "mission.ttl";
-  update.turtle = ReadText(path);
-  const Decision decision = Apply(update);
-  if (!decision.accepted) {
-    throw InputError(path + ": " + JoinLines(decision.reasons));
-  }
+  Transaction transaction = store_->Begin();
+  std::vector<std::string> reasons = kg_core::StageFactsFile(path, transaction);
+  if (reasons.empty()) reasons = kg_core::StageIngest(files_, transaction);
+  if (!reasons.empty()) throw InputError(JoinLines(reasons));
+  mission_ = kg_core::ReadMission(transaction.view());
+  kg_core::FactUpdate origin;
+  origin.id = path;
+  origin.author = "mission.ttl";
+  kg_core::LogUpdate(origin, Now_s(), transaction);
+  transaction.Commit(WorldChange::kYes);
   fleet_.Reset(mission_);
   Save();
 }

@@ -18,6 +18,7 @@ using kg_core::Term;
 
 Term Ex(const std::string& name) { return Iri(kg_core::kEx + name); }
 Term StateNode() { return Ex("state"); }
+Term ResultTime() { return Iri(std::string(kg_core::kSosa) + "resultTime"); }
 
 std::optional<Term> Read(const GraphView& view, const Term& node,
                          const Term& property) {
@@ -37,8 +38,8 @@ std::uint64_t Count(const GraphView& view, const std::string& name) {
   return value >= 0.0 ? static_cast<std::uint64_t>(value) : 0;
 }
 
-double Time(const GraphView& view, const Term& node, const std::string& name) {
-  const auto value = Read(view, node, Ex(name));
+double Time(const GraphView& view, const Term& node, const Term& property) {
+  const auto value = Read(view, node, property);
   return value ? kg_core::ParseDateTime(value->text) : 0.0;
 }
 
@@ -47,7 +48,7 @@ AgentPose ReadPose(const GraphView& view, const Term& node) {
   const auto wkt = Read(view, node, Iri(std::string(kg_core::kGeo) + "asWKT"));
   if (wkt) pose.position = kg_core::Geometry::FromWkt(wkt->text).Point();
   pose.heading_rad = kg_core::DegToRad(Number(view, node, "headingDeg"));
-  pose.time_s = Time(view, node, "observedAt");
+  pose.time_s = Time(view, node, ResultTime());
   pose.energy_left_j =
       kg_core::WhToJoules(Number(view, node, "energyRemaining"));
   return pose;
@@ -84,7 +85,7 @@ void WritePose(const AgentPose& pose, const kg_core::Agent& agent,
                    std::string(kg_core::kGeo) + "wktLiteral"))
       .Add(Ex("headingDeg"),
            kg_core::DoubleLiteral(kg_core::RadToDeg(pose.heading_rad)))
-      .Add(Ex("observedAt"), DateTime(pose.time_s))
+      .Add(ResultTime(), DateTime(pose.time_s))
       .Add(Ex("energyRemaining"),
            kg_core::DoubleLiteral(pose.energy_left_j / kg_core::kJoulesPerWh));
 }
@@ -97,7 +98,7 @@ MissionState LoadState(const GraphView& view) {
   if (folder) state.mission_folder = folder->text;
   state.cycle = Count(view, "cycle");
   state.plan_run = Count(view, "planRun");
-  state.mission_time_s = Time(view, StateNode(), "missionTime");
+  state.mission_time_s = Time(view, StateNode(), Ex("missionTime"));
   const auto ended = Read(view, StateNode(), Ex("ended"));
   state.ended = ended && ended->text == "true";
   for (const Term& node : kg_core::Subjects(

@@ -217,7 +217,7 @@ void WriteRejection(const PlanRecord& record, std::size_t number,
   }
   for (const kg_core::Agent& agent : compilation.mission.agents) {
     if (agent.id == rejection.to_agent) {
-      write->Link("toAgent", Iri(agent.iri));
+      write->Link("lostTo", Iri(agent.iri));
     }
   }
 }
