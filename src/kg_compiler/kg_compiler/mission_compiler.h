@@ -16,19 +16,12 @@
 
 #include "kg_compiler/data_plane.h"
 #include "kg_compiler/mission_tensor.h"
+#include "kg_compiler/raster_store.h"
 #include "kg_compiler/seam_rules.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/mission.h"
-#include "kg_core/raster/vector_field.h"
 
 namespace kg_compiler {
-
-struct WorkField {
-  int window = 0;
-  std::string iri;
-  kg_core::VectorField field;
-  std::string hash;
-};
 
 struct CoordinationRules {
   kg_core::CoordinationFacts facts;
@@ -39,8 +32,9 @@ struct CoordinationRules {
 struct DirtyArtifact {
   std::string kind;   // "tensor", "work_field", "seam_rules", "coordination".
   std::string agent;  // IRI, or empty.
-  int window = -1;    // -1: all.
+  int window = -1;    // -1: all, or what is not of one window.
 };
+bool operator==(const DirtyArtifact& a, const DirtyArtifact& b);
 
 struct Compilation {
   std::uint64_t world_version = 0;
@@ -51,21 +45,25 @@ struct Compilation {
   std::vector<SeamRules> rules;                               // By agent.
   CoordinationRules coordination;
   std::vector<DirtyArtifact> dirty;
-  std::map<std::string, double> stage_seconds;  // "read", "fields", "tensors".
+  // "fields" and "read" (value layers): from files, where not read before;
+  // "tensors"; "rules".
+  std::map<std::string, double> stage_seconds;
 };
 
 class MissionCompiler {
  public:
   explicit MissionCompiler(kg_core::FileCache* files);
+  explicit MissionCompiler(RasterReaders readers);
 
   // Compiles windows >= first_window of `mission`. Throws InputError; then the
-  // last compilation stays what it was.
+  // last compilation stays what it was. An artifact is dirty if its hash is not
+  // the one it had in the last compilation, for the same agent and window.
   std::shared_ptr<const Compilation> Compile(const kg_core::Mission& mission,
                                              std::uint64_t world_version,
                                              int first_window);
 
  private:
-  kg_core::FileCache* files_;
+  RasterStore rasters_;
   std::shared_ptr<const Compilation> last_;
 };
 

@@ -1,6 +1,7 @@
 #include "kg_compiler/seam_rules.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "kg_core/base/units.h"
 
@@ -52,7 +53,50 @@ WindowRules CompileWindow(const kg_core::Mission& mission,
   return rules;
 }
 
+auto Tie(const EventRule& e) {
+  return std::tie(e.iri, e.position.lon_deg, e.position.lat_deg, e.reward,
+                  e.radius_m);
+}
+
+auto Tie(const WindowRules& w) {
+  return std::tie(w.window, w.iri, w.begin_s, w.end_s, w.confidence,
+                  w.base_travel_m, w.events, w.tensor_hash, w.field_hash);
+}
+
+auto Tie(const MotionModel& m) {
+  return std::tie(m.cruise_mps, m.max_mps, m.boost_gain, m.energy_per_m_j,
+                  m.hotel_load_w);
+}
+
+auto Tie(const SeamWeights& w) {
+  return std::tie(w.time_per_s, w.energy_per_j, w.risk_per_s, w.uncertainty);
+}
+
+auto TieOwn(const SeamRules& r) {
+  return std::tie(r.agent_iri, r.agent_id, r.energy_budget_j, r.sensor_radius_m,
+                  r.spacing_m, r.max_waypoints, r.candidates, r.hazard_range_m,
+                  r.start.lon_deg, r.start.lat_deg, r.start_heading_rad);
+}
+
 }  // namespace
+
+bool operator==(const EventRule& a, const EventRule& b) {
+  return Tie(a) == Tie(b);
+}
+
+bool operator==(const WindowRules& a, const WindowRules& b) {
+  return Tie(a) == Tie(b);
+}
+
+bool SameButForWindows(const SeamRules& a, const SeamRules& b) {
+  return TieOwn(a) == TieOwn(b) && Tie(a.motion) == Tie(b.motion) &&
+         Tie(a.weights) == Tie(b.weights) &&
+         std::equal(a.windows.begin(), a.windows.end(), b.windows.begin(),
+                    b.windows.end(),
+                    [](const WindowRules& x, const WindowRules& y) {
+                      return x.window == y.window;
+                    });
+}
 
 SeamRules CompileSeamRules(const kg_core::Mission& mission,
                            const kg_core::Agent& agent, int first_window) {

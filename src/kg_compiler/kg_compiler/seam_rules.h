@@ -70,6 +70,12 @@ struct SeamRules {
   std::vector<WindowRules> windows;  // Those still to be planned, ascending.
 };
 
+bool operator==(const EventRule& a, const EventRule& b);
+bool operator==(const WindowRules& a, const WindowRules& b);
+// Equal but for the world version and the windows' rules (the windows there are
+// count, what they say does not).
+bool SameButForWindows(const SeamRules& a, const SeamRules& b);
+
 // Rules for `agent` from the windows with index >= first_window.
 SeamRules CompileSeamRules(const kg_core::Mission& mission,
                            const kg_core::Agent& agent, int first_window);
