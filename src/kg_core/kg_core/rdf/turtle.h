@@ -25,8 +25,7 @@ struct TurtleLimits {
 // `source` (a file name, "update of operator") is named in errors. Throws
 // InputError "source:line:column: what was expected".
 std::vector<Statement> ParseTurtle(std::string_view text,
-                                   const std::string& source,
-                                   const Term& graph,
+                                   const std::string& source, const Term& graph,
                                    const TurtleLimits& limits = {});
 std::vector<Statement> ParseTurtleFile(const std::string& path,
                                        const Term& graph,
