@@ -13,6 +13,6 @@ export ROS_HOSTNAME=localhost
 export ROS_MASTER_URI=${ROS_MASTER_URI:-http://127.0.0.1:11399}
 export ROS_HOME=${ROS_HOME:-$repository/state/ros_home}
 export ROSCONSOLE_FORMAT='[${severity}] ${node}: ${message}'
-export ROS_LANG_DISABLE=genlisp:geneus:gennodejs  # C++ and Python are enough.
+export ROS_LANG_DISABLE=genlisp  # C++ and Python are enough.
 export PYTHONDONTWRITEBYTECODE=1
 unset ROS_IP ROS_NAMESPACE
