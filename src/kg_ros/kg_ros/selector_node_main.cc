@@ -22,7 +22,9 @@ class SelectorNode {
       : node_(node), deadline_s_(deadline_s) {
     assignments_ =
         node_.advertise<kg_msgs::Assignments>(kAssignmentsTopic, 1, kLatched);
-    rejections_ = node_.advertise<kg_msgs::Rejections>(kRejectionsTopic, 64);
+    // Latched: a selector that was just started is heard by all.
+    rejections_ = node_.advertise<kg_msgs::Rejections>(kRejectionsTopic, 64,
+                                                       kLatched);
     subscribers_ = {
         node_.subscribe(kWorldTopic, 1, &SelectorNode::HandleWorld, this),
         node_.subscribe(kCoordinationTopic, 1,
