@@ -173,29 +173,31 @@ class Verdict:
 
     def step(self):
         """Judges a plan that is due. True when there is nothing left to do."""
-        if self._heard.plan is not None and self._judge(self._heard.plan):
-            self._heard.plan = None
-            self.progress_s = time.monotonic()
-            self.write()
+        if self._heard.plan is not None:
+            self._judge(self._heard.plan)
         if not (self._once and self._done()):
             return False
         self.write()
         return True
 
     def _judge(self, message):
-        """False if it cannot be judged yet."""
+        """Judges it, drops it if newer facts are there, or leaves it waiting."""
         world = self._heard.world
         if world is None or not self._fields_are_here(message):
-            return False
+            return
         facts = self._facts_of(message.world_version)
         if facts is None:
-            return world.world_version > message.world_version
+            if world.world_version > message.world_version:
+                self._heard.plan = None
+            return
         self._record.take_plan(to_plan(message), facts,
                                dict(self._heard.fields),
                                world.mission_time.to_sec())
         self._field_findings = self._field_check.findings(
             self._heard.fields, self._heard.hashes)
-        return True
+        self._heard.plan = None
+        self.progress_s = time.monotonic()
+        self.write()
 
     def _fields_are_here(self, message):
         return all(visit.window in self._heard.fields
