@@ -12,22 +12,25 @@ namespace kg_ros {
 namespace {
 
 constexpr double kLookAhead_s = 600.0;  // For heading and speed.
+constexpr double kOvershoot_s = 1.0;    // Real time a plan may begin ago.
 
 }  // namespace
 
 void AgentSimulator::Take(const kg_msgs::World& message) {
   world_ = message;
   time_s_ = std::max(time_s_, FromRosTime(message.mission_time));
-  if (!message.windows.empty()) {
-    end_s_ = FromRosTime(message.windows.back().end);
-  }
 }
 
 void AgentSimulator::Take(const kg_msgs::Assignments& message) {
+  plan_run_ = message.plan_run;
+  const double overshoot_s = kOvershoot_s * rate_;
   for (const kg_msgs::Assignment& assignment : message.assignments) {
     Agent& agent = agents_[assignment.agent];
     agent.track = FromMessage(assignment.pathlet.track);
     agent.visits = assignment.pathlet.visits;
+    if (agent.track.empty()) continue;
+    const double begin_s = agent.track.front().time_s;
+    if (begin_s < time_s_ && time_s_ - begin_s < overshoot_s) time_s_ = begin_s;
   }
 }
 
@@ -46,12 +49,20 @@ std::vector<std::string> AgentSimulator::agents() const {
 bool AgentSimulator::MayGoOn() const {
   const bool has_plan = world_.plan_status == kg_msgs::World::PLAN_OK ||
                         world_.plan_status == kg_msgs::World::PLAN_FAILED;
-  return has_plan && time_s_ < end_s_;
+  const bool has_tracks_of_it = plan_run_ >= world_.plan_run;
+  return has_plan && has_tracks_of_it && time_s_ < Limit_s();
+}
+
+// The end of the window the world is in.
+double AgentSimulator::Limit_s() const {
+  const auto window = static_cast<std::size_t>(world_.current_window);
+  if (window >= world_.windows.size()) return time_s_;
+  return FromRosTime(world_.windows[window].end);
 }
 
 std::vector<kg_msgs::AgentState> AgentSimulator::Advance(const double real_s) {
   if (!MayGoOn()) return {};
-  time_s_ = std::min(end_s_, time_s_ + rate_ * real_s);
+  time_s_ = std::min(Limit_s(), time_s_ + rate_ * real_s);
   std::vector<kg_msgs::AgentState> states;
   for (const auto& [id, agent] : agents_) {
     if (!agent.track.empty()) states.push_back(StateOf(id, agent));

@@ -3,11 +3,15 @@
 //
 // Mission time goes on while the plan is up to date (or has failed: then the
 // last one is followed) and stands still while a new one is being made, so that
-// planning takes no mission time however fast the mission is played.
+// planning takes no mission time however fast the mission is played. It stops
+// at every window's end until the world has entered the next. A plan that
+// begins a moment ago (it was made while agents went on) is followed from its
+// begin.
 
 #ifndef KG_ROS_AGENT_SIMULATOR_H_
 #define KG_ROS_AGENT_SIMULATOR_H_
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -47,11 +51,12 @@ class AgentSimulator {
   kg_msgs::AgentState StateOf(const std::string& id, const Agent& agent) const;
   double EnergyUsed_j(const Agent& agent) const;
   bool MayGoOn() const;
+  double Limit_s() const;
 
   double rate_;
   double time_s_ = 0.0;  // Mission time, unix seconds.
-  double end_s_ = 0.0;   // Of the mission.
   kg_msgs::World world_;
+  std::uint64_t plan_run_ = 0;  // Of the tracks that are followed.
   std::map<std::string, Agent> agents_;
 };
 

@@ -12,8 +12,9 @@ namespace {
 constexpr double kBegin_s = 1000000.0;
 constexpr double kWindow_s = 86400.0;
 
-kg_msgs::World TwoDays(std::uint8_t plan_status) {
+kg_msgs::World TwoDays(std::uint8_t plan_status, int current_window = 1) {
   kg_msgs::World world;
+  world.current_window = current_window;
   world.plan_status = plan_status;
   world.mission_time = ToRosTime(kBegin_s);
   for (int i = 0; i < 2; ++i) {
@@ -71,11 +72,50 @@ TEST(AgentSimulatorTest, TimeStandsStillWhileThePlanIsStale) {
   EXPECT_EQ(simulator.Advance(0.0).at(0).header.stamp, ToRosTime(kBegin_s));
 }
 
+TEST(AgentSimulatorTest, WaitsForTheTracksOfTheWorldsPlan) {
+  AgentSimulator simulator(3600.0);
+  kg_msgs::World world = TwoDays(kg_msgs::World::PLAN_OK);
+  world.plan_run = 2;
+  kg_msgs::Assignments plan = Eastward();
+  plan.plan_run = 1;
+  simulator.Take(world);
+  simulator.Take(plan);
+  EXPECT_TRUE(simulator.Advance(1.0).empty());
+  plan.plan_run = 2;
+  simulator.Take(plan);
+  EXPECT_EQ(simulator.Advance(1.0).size(), 1u);
+}
+
 TEST(AgentSimulatorTest, GoesOnAlongTheLastPlanWhenPlanningFailed) {
   AgentSimulator simulator(3600.0);
   simulator.Take(TwoDays(kg_msgs::World::PLAN_FAILED));
   simulator.Take(Eastward());
   EXPECT_EQ(simulator.Advance(1.0).size(), 1u);
+}
+
+TEST(AgentSimulatorTest, WaitsAtAWindowsEndForTheWorld) {
+  AgentSimulator simulator(3600.0);
+  simulator.Take(TwoDays(kg_msgs::World::PLAN_OK, 0));
+  simulator.Take(Eastward());
+  EXPECT_EQ(simulator.Advance(30.0).at(0).header.stamp,
+            ToRosTime(kBegin_s + kWindow_s));
+  EXPECT_TRUE(simulator.Advance(1.0).empty());
+  simulator.Take(TwoDays(kg_msgs::World::PLAN_OK, 1));
+  EXPECT_EQ(simulator.Advance(1.0).at(0).header.stamp,
+            ToRosTime(kBegin_s + kWindow_s + 3600.0));
+}
+
+TEST(AgentSimulatorTest, FollowsAPlanThatBeganAMomentAgoFromItsBegin) {
+  AgentSimulator simulator(3600.0);
+  simulator.Take(TwoDays(kg_msgs::World::PLAN_OK));
+  simulator.Take(Eastward());
+  simulator.Advance(0.5);  // Half an hour of mission time.
+  simulator.Take(Eastward());
+  EXPECT_EQ(simulator.Advance(0.0).at(0).header.stamp, ToRosTime(kBegin_s));
+  simulator.Advance(5.0);
+  simulator.Take(Eastward());  // The same plan again, long ago: goes on.
+  EXPECT_EQ(simulator.Advance(0.0).at(0).header.stamp,
+            ToRosTime(kBegin_s + 5.0 * 3600.0));
 }
 
 TEST(AgentSimulatorTest, StopsWhenTheMissionEnds) {

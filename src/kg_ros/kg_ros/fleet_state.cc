@@ -56,6 +56,12 @@ void FleetState::Follow(const kg_core::Mission& mission) {
   poses_ = std::move(poses);
 }
 
+bool FleetState::IsComplete() const {
+  return std::all_of(poses_.begin(), poses_.end(), [this](const auto& entry) {
+    return entry.second.time_s >= time_s_;
+  });
+}
+
 int FleetState::CurrentWindow(const kg_core::Mission& mission) const {
   int window = 0;
   for (const kg_core::TimeWindow& candidate : mission.windows) {

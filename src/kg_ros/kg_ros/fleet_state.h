@@ -38,6 +38,8 @@ class FleetState {
 
   const std::map<std::string, AgentPose>& poses() const { return poses_; }
   double time_s() const { return time_s_; }
+  // Has everybody been seen at time_s()?
+  bool IsComplete() const;
   // The window that `time_s()` lies in; the number of windows after the last.
   int CurrentWindow(const kg_core::Mission& mission) const;
 

@@ -51,6 +51,19 @@ TEST(FleetStateTest, ALateObservationReplacesNothing) {
   EXPECT_EQ(fleet.CurrentWindow(TwoWindows()), 1);
 }
 
+TEST(FleetStateTest, IsCompleteWhenEverybodyIsSeenAtTheNewestTime) {
+  kg_core::Mission mission = TwoWindows();
+  mission.agents.push_back(mission.agents.front());
+  mission.agents.back().id = "bravo";
+  FleetState fleet;
+  fleet.Reset(mission);
+  EXPECT_TRUE(fleet.IsComplete());
+  fleet.Observe("alpha", PoseAt(1100.0, -89.0));
+  EXPECT_FALSE(fleet.IsComplete());
+  fleet.Observe("bravo", PoseAt(1100.0, -89.0));
+  EXPECT_TRUE(fleet.IsComplete());
+}
+
 TEST(FleetStateTest, UnknownEnergyKeepsTheLastKnown) {
   FleetState fleet;
   fleet.Reset(TwoWindows());

@@ -22,6 +22,7 @@ constexpr unsigned kBurst = 10000;  // Fact updates that may wait.
 constexpr unsigned kManyGraphs = 1000;
 constexpr double kWatchPeriod_s = 0.5;
 constexpr double kIdle_s = 0.02;
+constexpr double kPatience_s = 0.5;  // For poses of all at a new window.
 
 double Now_s() { return ros::WallTime::now().toSec(); }
 
@@ -71,6 +72,7 @@ KgNode::KgNode(const MissionFolders& folders, const ros::NodeHandle& node,
                const ros::NodeHandle& own)
     : node_(node),
       own_(own),
+      opening_s_(Now_s()),
       server_(folders),
       artifacts_(node_),
       rviz_(node_),
@@ -90,7 +92,20 @@ KgNode::KgNode(const MissionFolders& folders, const ros::NodeHandle& node,
       server_.mission().constraints.size(), server_.mission().events.size(),
       server_.world_version(),
       server_.was_restored() ? ", taken up again" : "");
+  ExpectFirstPlan();
   PublishWorld();
+}
+
+// The first cycle is reported like that of an update.
+void KgNode::ExpectFirstPlan() {
+  UpdateReport report;
+  report.header.stamp = ros::Time::now();
+  report.id = "bringup";
+  report.author = "kg";
+  report.accepted = true;
+  report.world_version = server_.world_version();
+  report.stages = {Stage("facts", Now_s() - opening_s_, 1)};
+  unanswered_.push_back(report);
 }
 
 void KgNode::Subscribe() {
@@ -113,7 +128,7 @@ void KgNode::Spin() {
   ros::CallbackQueue* queue = ros::getGlobalCallbackQueue();
   while (ros::ok()) {
     queue->callAvailable(ros::WallDuration(kIdle_s));
-    if (cycle_is_due_) {
+    if (cycle_is_due_ && FleetIsReady()) {
       StartCycle();
     } else if (plan_status_ == World::PLAN_OK && queue->isEmpty()) {
       const kg_msgs::NavGraph* graph = progress_.NextUnrecorded();
@@ -225,6 +240,12 @@ void KgNode::StartCycle() {
       compilation_->tensors.size(), compilation_->fields.size(),
       compiled_s - cycle_began_s_, published_s - compiled_s);
   PublishWorld();
+}
+
+// At a new window: has everybody reported from its begin? Nobody is waited for
+// long.
+bool KgNode::FleetIsReady() const {
+  return server_.fleet().IsComplete() || Now_s() >= patience_ends_s_;
 }
 
 void KgNode::FailCycle(const std::string& why) {
@@ -354,6 +375,7 @@ void KgNode::PassWindows(const int from, const int to) {
     ROS_INFO("[mission] window %d begins", to);
     plan_status_ = World::PLAN_STALE;
     cycle_is_due_ = true;
+    patience_ends_s_ = Now_s() + kPatience_s;
   }
   PublishWorld();
 }

@@ -42,6 +42,7 @@ class KgNode {
 
  private:
   void Subscribe();
+  void ExpectFirstPlan();
   void HandleFacts(const kg_msgs::FactUpdate& message);
   bool HandleUpdate(kg_msgs::UpdateFacts::Request& request,
                     kg_msgs::UpdateFacts::Response& response);
@@ -55,6 +56,7 @@ class KgNode {
 
   kg_msgs::UpdateReport Decide(const kg_msgs::FactUpdate& message);
   void StartCycle();
+  bool FleetIsReady() const;
   void FailCycle(const std::string& why);
   void CommitFinishedPlan();
   void ReportPlan(const kg_msgs::Assignments& plan, double commit_s);
@@ -69,6 +71,7 @@ class KgNode {
 
   ros::NodeHandle node_;
   ros::NodeHandle own_;
+  double opening_s_;  // When the server began to open, Unix seconds.
   MissionServer server_;
   ArtifactPublisher artifacts_;
   RvizPublisher rviz_;
@@ -86,6 +89,7 @@ class KgNode {
   std::optional<kg_msgs::Assignments> plan_;       // The last one committed.
   std::vector<kg_msgs::UpdateReport> unanswered_;  // Accepted, plan pending.
   bool cycle_is_due_ = true;
+  double patience_ends_s_ = 0.0;  // Unix seconds; for poses at a new window.
   bool fleet_has_moved_ = false;
   bool graphs_are_new_ = false;
   int shown_window_ = -1;

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "kg_core/base/input_error.h"
@@ -217,11 +219,43 @@ void MissionServer::StartFromPoses(
   }
 }
 
+// An event rewards an agent once, and no more agents than it has capacity for;
+// visits that have been made count.
+void MissionServer::CloseVisitedEvents(
+    kg_compiler::Compilation* compilation) const {
+  std::map<std::string, std::set<std::string>> visitors;  // By event.
+  for (const ExecutedVisit& past : executed_) {
+    for (const std::string& event : past.visit.events) {
+      visitors[event].insert(past.agent_iri);
+    }
+  }
+  std::map<std::string, int>& capacity =
+      compilation->coordination.event_capacity;
+  for (const auto& [event, agents] : visitors) {
+    const auto left = capacity.find(event);
+    if (left == capacity.end()) continue;
+    left->second = std::max(0, left->second - static_cast<int>(agents.size()));
+  }
+  for (kg_compiler::SeamRules& rules : compilation->rules) {
+    const auto is_closed = [&](const kg_compiler::EventRule& event) {
+      const auto left = capacity.find(event.iri);
+      return visitors[event.iri].count(rules.agent_iri) > 0 ||
+             (left != capacity.end() && left->second == 0);
+    };
+    for (kg_compiler::WindowRules& window : rules.windows) {
+      auto& events = window.events;
+      events.erase(std::remove_if(events.begin(), events.end(), is_closed),
+                   events.end());
+    }
+  }
+}
+
 std::shared_ptr<const kg_compiler::Compilation> MissionServer::BeginCycle() {
   const auto compiled =
       compiler_.Compile(mission_, store_->world_version(), FirstWindowToPlan());
   auto started = std::make_shared<kg_compiler::Compilation>(*compiled);
   StartFromPoses(started.get());
+  CloseVisitedEvents(started.get());
   compilation_ = started;
   ++cycle_;
   Save();

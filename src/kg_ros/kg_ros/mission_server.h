@@ -94,6 +94,7 @@ class MissionServer {
                                  Decision* decision);
   int FirstWindowToPlan() const;
   void StartFromPoses(kg_compiler::Compilation* compilation) const;
+  void CloseVisitedEvents(kg_compiler::Compilation* compilation) const;
   void DropOldPlans(kg_core::Transaction* transaction) const;
 
   MissionFolders folders_;

@@ -192,11 +192,12 @@ class FactsReader:
         events = {}
         for row in rows:
             point = geometry(row['wkt'])
-            active = [windows[w][1] for w in in_windows[row['e']]]
+            named = [windows[w][1] for w in in_windows[row['e']]]
+            every = [window for _, window in windows.values()]
             events[row['e']] = Event(
                 row['e'], point.x, point.y, int(row.get('capacity', 1)),
                 1000.0 * float(row.get('km', 0.0)),
-                {w.index for w in _unexpired(active, row.get('expires'))})
+                {w.index for w in _active(named, every, row.get('expires'))})
         return events
 
 
@@ -210,10 +211,13 @@ def _end_s(row, begin_s, begins):
     return later[0] if later else begin_s
 
 
-def _unexpired(windows, expires):
-    if expires is None or not windows:
-        return windows
-    first_s = min(window.begin_s for window in windows)
+def _active(named, every, expires):
+    """Windows an event is active in: those named or, with an expiry, all from
+    the first named one on that begin before it."""
+    if expires is None or not named:
+        return named
+    first_s = min(window.begin_s for window in named)
     limit_s = (first_s + duration_s(expires) if expires.startswith('P')
                else unix_seconds(expires))
-    return [window for window in windows if window.begin_s < limit_s]
+    return [window for window in every
+            if first_s <= window.begin_s < limit_s]

@@ -53,7 +53,12 @@ class MissionRecord:
         self._first_window = 0
 
     def take_state(self, agent_id, time_s, lon_deg, lat_deg):
-        self._states[agent_id].append((time_s, lon_deg, lat_deg))
+        """A state of an earlier time takes back those after it: a new plan is
+        followed from its begin, which may lie a moment ago."""
+        states = self._states[agent_id]
+        while states and states[-1][0] >= time_s:
+            states.pop()
+        states.append((time_s, lon_deg, lat_deg))
         self._states_seen += 1
 
     def take_plan(self, plan, facts, fields, now_s):
