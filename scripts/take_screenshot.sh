@@ -6,7 +6,7 @@
 # node running: what rviz shows of nothing, for comparison.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
-if ! rospack find mission >/dev/null 2>&1; then
+if ! python3 -c "import kg_msgs" 2>/dev/null; then
   set +u
   source "$repository/devel/setup.bash"
   set -u

@@ -25,7 +25,7 @@ from visualization_msgs.msg import MarkerArray
 
 AGENTS = ('alpha', 'bravo', 'charlie')
 WINDOWS = 7
-GULF_WIDTH_M = 2197e3  # 541 columns of 0.04 degree at 24.4 N.
+GULF_WIDTH_M = 2176e3  # 541 columns of 0.04 degree at 25.3 N.
 TOPICS = {
     'kg/facts': 'kg_msgs/FactUpdate',
     'kg/updates': 'kg_msgs/UpdateReport',
