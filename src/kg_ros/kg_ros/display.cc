@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "geometry_msgs/Point.h"
+#include "kg_core/base/units.h"
 #include "kg_ros/message_units.h"
 #include "kg_ros/names.h"
 #include "std_msgs/ColorRGBA.h"
@@ -22,7 +23,7 @@ using visualization_msgs::Marker;
 
 constexpr double kArrowSpacing_m = 60e3;
 constexpr double kArrowSeconds = 60e3;  // An arrow is the way of so long.
-constexpr double kAgentsAcross = 50.0;  // So small is an agent's arrow.
+constexpr double kAgentsAcross = 60.0;  // So small is an agent's arrow.
 
 std_msgs::ColorRGBA Colour(double r, double g, double b, double a) {
   std_msgs::ColorRGBA colour;
@@ -238,30 +239,37 @@ void MarkerPainter::PaintCandidates(const kg_msgs::Candidates& candidates) {
   }
 }
 
-Marker& MarkerPainter::AddOn(const std::string& agent_id, const int type) {
-  Marker& marker = Add("agents", type);
-  marker.header.frame_id = BaseFrame(agent_id);
-  marker.frame_locked = true;
-  marker.color = Colour(1.0, 1.0, 1.0, 1.0);
-  return marker;
+void MarkerPainter::PaintAssignment(const kg_msgs::Assignment& assignment) {
+  Marker& marker = Add("assigned/" + assignment.agent, Marker::LINE_STRIP);
+  marker.scale.x = 5000.0;
+  marker.color = Colour(0.0, 1.0, 0.0, 1.0);
+  for (const kg_msgs::TimedPoint& point : assignment.pathlet.track) {
+    marker.points.push_back(ToPoint(map_, GetPosition(point), 460.0));
+  }
 }
 
-void MarkerPainter::PaintAgents(const kg_core::Mission& mission,
+void MarkerPainter::PaintAgents(const std::map<std::string, AgentPose>& poses,
                                 const Grid& grid) {
   const double size_m = (map_.Forward({grid.east_deg(), 0.0}).x_m -
                          map_.Forward({grid.west_deg(), 0.0}).x_m) /
                         kAgentsAcross;
-  for (const kg_core::Agent& agent : mission.agents) {
-    Marker& arrow = AddOn(agent.id, Marker::ARROW);
-    arrow.pose.position.z = 470.0;
+  for (const auto& [id, pose] : poses) {
+    // Compass heading to half the yaw from east.
+    const double half_rad = 0.5 * (kg_core::kPi / 2.0 - pose.heading_rad);
+    Marker& arrow = Add("agents", Marker::ARROW);
+    arrow.pose.position = ToPoint(map_, pose.position, 430.0);
+    arrow.pose.orientation.w = std::cos(half_rad);
+    arrow.pose.orientation.z = std::sin(half_rad);
     arrow.scale.x = size_m;
     arrow.scale.y = 0.35 * size_m;
     arrow.scale.z = 20.0;
-    Marker& name = AddOn(agent.id, Marker::TEXT_VIEW_FACING);
-    name.text = agent.id;
-    name.pose.position.y = size_m;
-    name.pose.position.z = 480.0;
+    arrow.color = Colour(1.0, 1.0, 1.0, 1.0);
+    Marker& name = Add("agents", Marker::TEXT_VIEW_FACING);
+    name.text = id;
+    name.pose.position = ToPoint(map_, pose.position, 480.0);
+    name.pose.position.y += size_m;
     name.scale.z = size_m;
+    name.color = Colour(1.0, 1.0, 1.0, 1.0);
   }
 }
 

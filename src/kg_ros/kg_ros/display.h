@@ -4,6 +4,7 @@
 #ifndef KG_ROS_DISPLAY_H_
 #define KG_ROS_DISPLAY_H_
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,11 @@
 #include "kg_compiler/mission_tensor.h"
 #include "kg_core/geo/map_projection.h"
 #include "kg_core/mission/mission.h"
+#include "kg_msgs/Assignment.h"
 #include "kg_msgs/Candidates.h"
 #include "kg_msgs/NavGraph.h"
 #include "kg_msgs/Pathlet.h"
+#include "kg_ros/fleet_state.h"
 #include "nav_msgs/OccupancyGrid.h"
 #include "nav_msgs/Path.h"
 #include "visualization_msgs/MarkerArray.h"
@@ -29,7 +32,7 @@ nav_msgs::Path ToPath(const kg_msgs::Pathlet& pathlet,
                       const kg_core::MapProjection& map);
 
 // Namespaces: "constraints", "land", "events", "currents", "agents",
-// "nav_graph/<id>", "candidates/<id>", "staging/<id>".
+// "nav_graph/<id>", "candidates/<id>", "staging/<id>", "assigned/<id>".
 class MarkerPainter {
  public:
   explicit MarkerPainter(kg_core::MapProjection map) : map_(map) {}
@@ -45,17 +48,17 @@ class MarkerPainter {
   // Its staging edges, in purple, whatever the window.
   void PaintStaging(const kg_msgs::NavGraph& graph);
   void PaintCandidates(const kg_msgs::Candidates& candidates);
+  void PaintAssignment(const kg_msgs::Assignment& assignment);
 
-  // An arrow and a name in the agents' own frames, so that they go with them.
-  // Sized to be seen on `grid` as a whole.
-  void PaintAgents(const kg_core::Mission& mission, const kg_core::Grid& grid);
+  // An arrow and a name for each, sized to be seen on `grid` as a whole.
+  void PaintAgents(const std::map<std::string, AgentPose>& poses,
+                   const kg_core::Grid& grid);
 
   // Everything painted, after a marker that erases what was there before.
   visualization_msgs::MarkerArray Take();
 
  private:
   visualization_msgs::Marker& Add(const std::string& name, int type);
-  visualization_msgs::Marker& AddOn(const std::string& agent_id, int type);
 
   kg_core::MapProjection map_;
   visualization_msgs::MarkerArray markers_;

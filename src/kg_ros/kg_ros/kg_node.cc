@@ -22,6 +22,7 @@ constexpr unsigned kBurst = 10000;  // Fact updates that may wait.
 constexpr unsigned kManyGraphs = 1000;
 constexpr double kWatchPeriod_s = 0.5;
 constexpr double kIdle_s = 0.02;
+constexpr int kMovesPerRepaint = 4;  // Markers are large: every 2 s.
 constexpr double kPatience_s = 0.5;  // For poses of all at a new window.
 
 double Now_s() { return ros::WallTime::now().toSec(); }
@@ -308,6 +309,7 @@ void KgNode::CommitFinishedPlan() {
   plan_status_ = plan->unassigned.empty() ? World::PLAN_OK : World::PLAN_FAILED;
   plan_note_ = plan->unassigned.empty() ? "" : plan->unassigned.front();
   rviz_.ShowPlan(*plan);
+  graphs_are_new_ = true;
   ReportPlan(*plan, Now_s() - begin_s);
   PublishWorld();
 }
@@ -384,6 +386,7 @@ void KgNode::Watch() {
   if (fleet_has_moved_) {
     PublishWorld();
     fleet_has_moved_ = false;
+    if (++moves_ % kMovesPerRepaint == 0) graphs_are_new_ = true;
   }
   if (compilation_ == nullptr) return;
   rviz_.ShowFleet(server_.fleet());  // Also at rest: frames age.

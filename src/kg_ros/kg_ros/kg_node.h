@@ -92,6 +92,7 @@ class KgNode {
   double patience_ends_s_ = 0.0;  // Unix seconds; for poses at a new window.
   bool fleet_has_moved_ = false;
   bool graphs_are_new_ = false;
+  int moves_ = 0;  // Watches that found the fleet elsewhere.
   int shown_window_ = -1;
   double cycle_began_s_ = 0.0;  // Unix seconds.
   std::uint8_t plan_status_ = kg_msgs::World::PLAN_NONE;

@@ -1,5 +1,6 @@
 #include "kg_ros/ribbon.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -89,6 +90,16 @@ void Flatten(Marker* marker) {
     marker->type = Marker::CUBE_LIST;
     marker->scale.z = kSquareHeight_m;
   }
+}
+
+void RemoveEmptyLists(visualization_msgs::MarkerArray* markers) {
+  auto& list = markers->markers;
+  list.erase(std::remove_if(list.begin(), list.end(),
+                            [](const Marker& marker) {
+                              return marker.type == Marker::TRIANGLE_LIST &&
+                                     marker.points.empty();
+                            }),
+             list.end());
 }
 
 }  // namespace kg_ros

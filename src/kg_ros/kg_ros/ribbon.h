@@ -9,12 +9,16 @@
 #define KG_ROS_RIBBON_H_
 
 #include "visualization_msgs/Marker.h"
+#include "visualization_msgs/MarkerArray.h"
 
 namespace kg_ros {
 
 // Turns LINE_STRIP and LINE_LIST (width scale.x) into a TRIANGLE_LIST, POINTS
 // (scale.x, scale.y) into a CUBE_LIST; other markers stay what they are.
 void Flatten(visualization_msgs::Marker* marker);
+
+// Removes markers of triangles that have none: rviz calls them an error.
+void RemoveEmptyLists(visualization_msgs::MarkerArray* markers);
 
 }  // namespace kg_ros
 

@@ -69,6 +69,15 @@ TEST(RibbonTest, RestingAddsNothing) {
   EXPECT_TRUE(marker.points.empty());
 }
 
+TEST(RibbonTest, RemovesWhatHasNoTriangles) {
+  visualization_msgs::MarkerArray markers;
+  markers.markers = {Line(Marker::LINE_STRIP, {At(5, 5), At(5, 5)}),
+                     Line(Marker::LINE_STRIP, {At(5, 5), At(6, 5)}), Marker()};
+  for (Marker& marker : markers.markers) Flatten(&marker);
+  RemoveEmptyLists(&markers);
+  EXPECT_EQ(markers.markers.size(), 2u);
+}
+
 TEST(RibbonTest, PointsBecomeFlatCubesAndOtherMarkersStay) {
   Marker marker = Line(Marker::POINTS, {At(5, 5)});
   Flatten(&marker);

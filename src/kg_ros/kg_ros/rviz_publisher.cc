@@ -105,6 +105,7 @@ void RvizPublisher::Show(const Compilation& compilation, const int window) {
 }
 
 void RvizPublisher::ShowPlan(const kg_msgs::Assignments& plan) {
+  plan_ = plan;
   for (const kg_msgs::Assignment& assignment : plan.assignments) {
     nav_msgs::Path path = ToPath(assignment.pathlet, map_);
     path.header.stamp = ros::Time::now();
@@ -113,6 +114,8 @@ void RvizPublisher::ShowPlan(const kg_msgs::Assignments& plan) {
 }
 
 void RvizPublisher::ShowFleet(const FleetState& fleet) {
+  poses_ = fleet.poses();
+  std::vector<geometry_msgs::TransformStamped> transforms;
   for (const auto& [id, pose] : fleet.poses()) {
     const kg_core::MapPoint point = map_.Forward(pose.position);
     tf2::Quaternion rotation;  // Compass heading to yaw from east.
@@ -124,8 +127,9 @@ void RvizPublisher::ShowFleet(const FleetState& fleet) {
     transform.transform.translation.x = point.x_m;
     transform.transform.translation.y = point.y_m;
     transform.transform.rotation = ToMessage(rotation);
-    frames_.sendTransform(transform);
+    transforms.push_back(transform);
   }
+  frames_.sendTransform(transforms);  // At once: who knows one, knows all.
 }
 
 void RvizPublisher::Keep(const kg_msgs::NavGraph& graph) {
@@ -147,7 +151,7 @@ void RvizPublisher::ShowMarkers(const Compilation& compilation,
     const kg_core::TimeWindow& at = compilation.mission.windows[shown];
     paint.PaintLand(field->field);
     paint.PaintField(*field, 0.5 * (at.begin_s + at.end_s));
-    paint.PaintAgents(compilation.mission, field->field.grid);
+    paint.PaintAgents(poses_, field->field.grid);
   }
   for (const auto& [key, graph] : graphs_) {
     if (key.second == shown) paint.PaintNavGraph(graph);
@@ -156,8 +160,12 @@ void RvizPublisher::ShowMarkers(const Compilation& compilation,
   for (const auto& [id, candidates] : candidates_) {
     paint.PaintCandidates(candidates);
   }
+  for (const kg_msgs::Assignment& assignment : plan_.assignments) {
+    paint.PaintAssignment(assignment);
+  }
   visualization_msgs::MarkerArray markers = paint.Take();
   for (visualization_msgs::Marker& marker : markers.markers) Flatten(&marker);
+  RemoveEmptyLists(&markers);
   markers_.publish(markers);
 }
 

@@ -46,6 +46,8 @@ class RvizPublisher {
   std::map<std::string, std::string> shown_;          // Heatmap hash by topic.
   std::map<std::pair<std::string, int>, kg_msgs::NavGraph> graphs_;
   std::map<std::string, kg_msgs::Candidates> candidates_;
+  kg_msgs::Assignments plan_;
+  std::map<std::string, AgentPose> poses_;  // By ex:id.
 };
 
 }  // namespace kg_ros

@@ -4,6 +4,7 @@
 
 #include "gtest/gtest.h"
 #include "kg_core/base/units.h"
+#include "ros/time.h"
 
 namespace kg_ros {
 namespace {
@@ -48,7 +49,12 @@ kg_msgs::Candidates Offer(const std::string& agent, std::uint64_t cycle,
   return candidates;
 }
 
-TEST(SelectorServerTest, CommitsWhenEverybodyHasAnswered) {
+class SelectorServerTest : public testing::Test {
+ protected:
+  SelectorServerTest() { ros::Time::init(); }
+};
+
+TEST_F(SelectorServerTest, CommitsWhenEverybodyHasAnswered) {
   SelectorServer server;
   server.KnowRun(6);
   server.Take(Rules(1));
@@ -62,7 +68,7 @@ TEST(SelectorServerTest, CommitsWhenEverybodyHasAnswered) {
   EXPECT_EQ(answer.rejections->round, 0u);
 }
 
-TEST(SelectorServerTest, AsksWhoIsInTheWayToPlanAgain) {
+TEST_F(SelectorServerTest, AsksWhoIsInTheWayToPlanAgain) {
   SelectorServer server;
   server.KnowRun(0);
   server.Take(Rules(1));
@@ -84,7 +90,7 @@ TEST(SelectorServerTest, AsksWhoIsInTheWayToPlanAgain) {
   EXPECT_EQ(done.rejections->rejections[0].to_agent, "alpha");
 }
 
-TEST(SelectorServerTest, AnswersOfAnotherCycleAreNeverUsed) {
+TEST_F(SelectorServerTest, AnswersOfAnotherCycleAreNeverUsed) {
   SelectorServer server;
   server.KnowRun(0);
   server.Take(Offer("alpha", 1, 0, StayAt(-90, 5)));
@@ -93,7 +99,7 @@ TEST(SelectorServerTest, AnswersOfAnotherCycleAreNeverUsed) {
   EXPECT_EQ(server.WaitingFor().size(), 2u);
 }
 
-TEST(SelectorServerTest, CandidatesMayComeBeforeTheirRules) {
+TEST_F(SelectorServerTest, CandidatesMayComeBeforeTheirRules) {
   SelectorServer server;
   server.KnowRun(0);
   server.Take(Offer("alpha", 1, 0, StayAt(-90, 5)));
@@ -101,7 +107,7 @@ TEST(SelectorServerTest, CandidatesMayComeBeforeTheirRules) {
   EXPECT_TRUE(server.Take(Rules(1)).assignments);
 }
 
-TEST(SelectorServerTest, DecidesNothingBeforeItKnowsTheLastRun) {
+TEST_F(SelectorServerTest, DecidesNothingBeforeItKnowsTheLastRun) {
   SelectorServer server;
   server.Take(Offer("alpha", 1, 0, StayAt(-90, 5)));
   server.Take(Offer("bravo", 1, 0, StayAt(-80, 5)));
@@ -111,7 +117,7 @@ TEST(SelectorServerTest, DecidesNothingBeforeItKnowsTheLastRun) {
   EXPECT_EQ(answer.assignments->plan_run, 42u);
 }
 
-TEST(SelectorServerTest, GoesOnWithoutTheDeadAndTakesThemBack) {
+TEST_F(SelectorServerTest, GoesOnWithoutTheDeadAndTakesThemBack) {
   SelectorServer server;
   server.KnowRun(0);
   server.Take(Rules(1));
@@ -127,7 +133,7 @@ TEST(SelectorServerTest, GoesOnWithoutTheDeadAndTakesThemBack) {
   EXPECT_GT(both.assignments->plan_run, alone.assignments->plan_run);
 }
 
-TEST(SelectorServerTest, ARepeatedAnswerChangesNothing) {
+TEST_F(SelectorServerTest, ARepeatedAnswerChangesNothing) {
   SelectorServer server;
   server.KnowRun(0);
   server.Take(Rules(1));
