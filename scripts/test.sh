@@ -29,7 +29,7 @@ stage_began=$SECONDS
 mkdir -p "$results/scripts"
 for test in scripts/*_test.py; do
   name=$(basename "$test" .py)
-  timeout -k 10 300 scripts/run_unit_test.py "$test" \
+  timeout -k 10 300 scripts/run_unittest.py "$test" \
     "$results/scripts/$name.xml" >"build/$name.log" 2>&1 || true
 done
 stage guards "$(written '*.xml') files of Python tests"

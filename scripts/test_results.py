@@ -45,13 +45,17 @@ def rostest_names(path):
 
 
 def unrun_python_tests(root):
-    """Files beside rostests that hold cases but that no .test file names."""
+    """Files beside rostests that hold cases, but that no .test file names and
+    no other test imports."""
+    paths = sorted(root.glob("src/*/*/*_test.py"))
     named = {test.get("type") for path in root.glob("src/*/test/*.test")
              for test in xml.parse(path).iter("test")}
-    return [path.relative_to(root)
-            for path in sorted(root.glob("src/*/*/*_test.py"))
-            if path.name not in named and
-            re.search(r"^\s+def test_", path.read_text(), re.MULTILINE)]
+    texts = {path: path.read_text() for path in paths}
+    imported = {module for text in texts.values() for module in
+                re.findall(r"^(?:from|import) (\w+)", text, re.MULTILINE)}
+    return [path.relative_to(root) for path in paths
+            if path.name not in named and path.stem not in imported and
+            re.search(r"^\s+def test_", texts[path], re.MULTILINE)]
 
 
 def add_file(count, name, path):

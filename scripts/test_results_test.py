@@ -100,6 +100,12 @@ class TestResults(unittest.TestCase):
         self.put("src/mission/test/lost_test.py", "  def test_it(self): 1")
         self.assertIn("src/mission/test/lost_test.py", self.count().failed)
 
+    def test_takes_what_other_tests_import_for_a_library(self):
+        self.put("src/mission/test/base_test.py", "  def test_it(self): 1")
+        self.put("src/mission/test/house_test.py",
+                 "from base_test import Base\n  def test_plans(self): 1")
+        self.assertNotIn("src/mission/test/base_test.py", self.count().failed)
+
     def report(self):
         told = io.StringIO()
         with contextlib.redirect_stdout(told):
@@ -133,7 +139,7 @@ class TheRunnerOfUnitTests(unittest.TestCase):
             (folder / "scripts").mkdir()
             (folder / "scripts/a_test.py").write_text("import unittest\n" + text)
             run = subprocess.run(
-                [sys.executable, SCRIPTS / "run_unit_test.py",
+                [sys.executable, SCRIPTS / "run_unittest.py",
                  folder / "scripts/a_test.py",
                  folder / "results/scripts/a_test.xml"],
                 capture_output=True, check=False)

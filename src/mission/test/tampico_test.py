@@ -15,7 +15,9 @@ class TampicoTest(MissionTestCase):
     def prepare(cls):
         data = shared_data('gom_2020')
         if data is None:
-            raise unittest.SkipTest('skipped: no shared data folder gom_2020')
+            reason = 'no shared data folder gom_2020'
+            print('SKIPPED: ' + reason)  # rosunit's result forgets skips.
+            raise unittest.SkipTest(reason)
         cls.arguments = {'mission': 'tampico', 'data': data, 'sim': 'false'}
 
     def test_1_plans_every_agent_for_every_window(self):

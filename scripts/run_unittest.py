@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs one Python test file and writes its result as JUnit XML.
 
-    run_unit_test.py FILE_test.py RESULT.xml     exit status 1 if anything failed
+    run_unittest.py FILE_test.py RESULT.xml     exit status 1 if anything failed
 """
 
 import importlib.util
