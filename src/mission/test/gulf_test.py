@@ -141,7 +141,7 @@ class GulfTest(MissionTestCase):
     def _assert_markers(self):
         wanted = {'constraints', 'land', 'events', 'currents', 'agents'}
         wanted |= {'%s/%s' % (kind, agent) for agent in AGENTS
-                   for kind in ('nav_graph', 'candidates')}
+                   for kind in ('nav_graph', 'candidates', 'assigned')}
         heard = Heard('kg/markers', MarkerArray)
 
         def missing():
