@@ -267,7 +267,7 @@ void MarkerPainter::PaintAgents(const std::map<std::string, AgentPose>& poses,
     Marker& name = Add("agents", Marker::TEXT_VIEW_FACING);
     name.text = id;
     name.pose.position = ToPoint(map_, pose.position, 480.0);
-    name.pose.position.y += size_m;
+    name.pose.position.x -= 1.8 * size_m;
     name.scale.z = size_m;
     name.color = Colour(1.0, 1.0, 1.0, 1.0);
   }
