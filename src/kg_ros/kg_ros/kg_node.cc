@@ -8,7 +8,7 @@
 #include "kg_ros/fact_conversion.h"
 #include "kg_ros/message_units.h"
 #include "kg_ros/names.h"
-#include "kg_ros/rules_conversion.h"
+#include "kg_ros/world_conversion.h"
 #include "ros/callback_queue.h"
 #include "ros/console.h"
 
@@ -26,46 +26,6 @@ constexpr int kMovesPerRepaint = 4;  // Markers are large: every 2 s.
 constexpr double kPatience_s = 0.5;  // For poses of all at a new window.
 
 double Now_s() { return ros::WallTime::now().toSec(); }
-
-kg_msgs::StageTime Stage(const std::string& name, double seconds,
-                         std::size_t count) {
-  kg_msgs::StageTime stage;
-  stage.stage = name;
-  stage.seconds = seconds;
-  stage.count = static_cast<unsigned>(count);
-  return stage;
-}
-
-std::string DirtyHash(const kg_compiler::Compilation& compilation,
-                      const kg_compiler::DirtyArtifact& dirty) {
-  for (const auto& tensor : compilation.tensors) {
-    if (dirty.kind == "tensor" && tensor->agent_iri == dirty.agent &&
-        tensor->window == dirty.window) {
-      return tensor->hash;
-    }
-  }
-  for (const auto& field : compilation.fields) {
-    if (dirty.kind == "work_field" && field->window == dirty.window) {
-      return field->hash;
-    }
-  }
-  return "";
-}
-
-std::vector<kg_msgs::DirtyArtifact> ToMessage(
-    const kg_compiler::Compilation& compilation) {
-  std::vector<kg_msgs::DirtyArtifact> messages;
-  for (const kg_compiler::DirtyArtifact& dirty : compilation.dirty) {
-    kg_msgs::DirtyArtifact message;
-    message.kind = dirty.kind;
-    const kg_core::Agent* agent = compilation.mission.FindAgent(dirty.agent);
-    message.agent = agent == nullptr ? "" : agent->id;
-    message.window = dirty.window;
-    message.hash = DirtyHash(compilation, dirty);
-    messages.push_back(message);
-  }
-  return messages;
-}
 
 }  // namespace
 
@@ -106,7 +66,7 @@ void KgNode::ExpectFirstPlan() {
   report.accepted = true;
   report.world_version = server_.world_version();
   report.stages = {Stage("facts", Now_s() - opening_s_, 1)};
-  unanswered_.push_back(report);
+  pending_.Add(report);
 }
 
 void KgNode::Subscribe() {
@@ -178,7 +138,7 @@ UpdateReport KgNode::Decide(const kg_msgs::FactUpdate& message) {
     plan_note_.clear();
     if (plan_status_ != World::PLAN_NONE) plan_status_ = World::PLAN_STALE;
     server_.MarkPlanStale();
-    unanswered_.push_back(report);
+    pending_.Add(report);
     PublishWorld();
   } else if (decision.accepted) {
     report.warnings.push_back("nothing changed: the facts were so already");
@@ -227,13 +187,8 @@ void KgNode::StartCycle() {
   if (plan_status_ == World::PLAN_FAILED) plan_status_ = World::PLAN_STALE;
   rviz_.Show(*compilation_, ViewWindow());
   const double published_s = Now_s();
-  for (UpdateReport& report : unanswered_) {
-    if (!report.dirty.empty()) continue;  // Of a cycle that was abandoned.
-    report.dirty = ToMessage(*compilation_);
-    report.stages.push_back(Stage("compile", compiled_s - cycle_began_s_,
-                                  compilation_->dirty.size()));
-    report.stages.push_back(Stage("publish", published_s - compiled_s, 0));
-  }
+  pending_.Compiled(*compilation_, compiled_s - cycle_began_s_,
+                    published_s - compiled_s);
   ROS_INFO(
       "[compile] cycle %lu, world version %lu: %zu artifacts anew of %zu "
       "tensors and %zu work fields in %.3f s, published in %.3f s",
@@ -253,12 +208,9 @@ void KgNode::FailCycle(const std::string& why) {
   ROS_ERROR_STREAM("[compile] " << why << "; the last plan stays");
   plan_status_ = World::PLAN_FAILED;
   plan_note_ = why;
-  for (UpdateReport& report : unanswered_) {
-    report.plan_status = UpdateReport::PLAN_FAILED;
-    report.warnings.push_back(why);
+  for (const UpdateReport& report : pending_.Fail(why)) {
     updates_.publish(report);
   }
-  unanswered_.clear();
   PublishWorld();
 }
 
@@ -316,17 +268,9 @@ void KgNode::CommitFinishedPlan() {
 
 void KgNode::ReportPlan(const kg_msgs::Assignments& plan,
                         const double commit_s) {
-  for (UpdateReport& report : unanswered_) {
-    report.plan_status = plan.unassigned.empty() ? UpdateReport::PLAN_OK
-                                                 : UpdateReport::PLAN_FAILED;
-    report.warnings.insert(report.warnings.end(), plan.unassigned.begin(),
-                           plan.unassigned.end());
-    report.stages.insert(report.stages.end(), plan.stages.begin(),
-                         plan.stages.end());
-    report.stages.push_back(Stage("commit", commit_s, 1));
+  for (const UpdateReport& report : pending_.Answer(plan, commit_s)) {
     updates_.publish(report);
   }
-  unanswered_.clear();
   for (const kg_msgs::StageTime& stage : plan.stages) {
     ROS_INFO("[%s] %u in %.3f s", stage.stage.c_str(), stage.count,
              stage.seconds);
@@ -427,42 +371,12 @@ int KgNode::ViewWindow() const {
 
 // What others are told --------------------------------------------------------
 
-kg_msgs::AgentInfo KgNode::Describe(const kg_core::Agent& agent) const {
-  kg_msgs::AgentInfo info;
-  info.id = agent.id;
-  info.iri = agent.iri;
-  info.policy = agent.policy.iri;
-  const AgentPose& pose = server_.fleet().poses().at(agent.id);
-  SetPosition(pose.position, &info);
-  info.heading_rad = pose.heading_rad;
-  if (compilation_ == nullptr) return info;
-  for (const auto& tensor : compilation_->tensors) {
-    if (tensor->agent_iri == agent.iri) {
-      info.tensor_hash.push_back(tensor->hash);
-    }
-  }
-  return info;
-}
-
 void KgNode::PublishWorld() {
-  World world;
+  World world = DescribeWorld(server_, compilation_.get());
   world.header.stamp = ros::Time::now();
-  world.world_version = server_.world_version();
-  world.cycle = server_.cycle();
   world.plan_version = plan_ ? plan_->world_version : 0;
-  world.plan_run = server_.plan_run();
   world.plan_status = plan_status_;
   world.plan_note = plan_note_;
-  world.mission = server_.mission().iri;
-  world.mission_name = server_.mission().name;
-  world.mission_time = ToRosTime(server_.fleet().time_s());
-  world.current_window = server_.current_window();
-  for (const kg_core::TimeWindow& window : server_.mission().windows) {
-    world.windows.push_back(ToMessage(window));
-  }
-  for (const kg_core::Agent& agent : server_.mission().agents) {
-    world.agents.push_back(Describe(agent));
-  }
   world_.publish(world);
 }
 

@@ -22,6 +22,7 @@
 #include "kg_msgs/World.h"
 #include "kg_ros/artifact_publisher.h"
 #include "kg_ros/mission_server.h"
+#include "kg_ros/pending_reports.h"
 #include "kg_ros/plan_progress.h"
 #include "kg_ros/query_server.h"
 #include "kg_ros/rviz_publisher.h"
@@ -66,7 +67,6 @@ class KgNode {
   std::string MissingNodes() const;
   int ViewWindow() const;
   void PublishWorld();
-  kg_msgs::AgentInfo Describe(const kg_core::Agent& agent) const;
   void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   ros::NodeHandle node_;
@@ -86,8 +86,8 @@ class KgNode {
   ros::WallTimer watch_;
 
   std::shared_ptr<const kg_compiler::Compilation> compilation_;
-  std::optional<kg_msgs::Assignments> plan_;       // The last one committed.
-  std::vector<kg_msgs::UpdateReport> unanswered_;  // Accepted, plan pending.
+  std::optional<kg_msgs::Assignments> plan_;  // The last one committed.
+  PendingReports pending_;
   bool cycle_is_due_ = true;
   double patience_ends_s_ = 0.0;  // Unix seconds; for poses at a new window.
   bool fleet_has_moved_ = false;

@@ -7,6 +7,7 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_planner/k_best.h"
+#include "kg_ros/pending_reports.h"
 #include "kg_ros/plan_conversion.h"
 #include "kg_ros/rules_conversion.h"
 #include "kg_ros/tensor_conversion.h"
@@ -22,15 +23,6 @@ using kg_core::InputError;
 double Seconds(std::chrono::steady_clock::time_point since) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - since)
       .count();
-}
-
-kg_msgs::StageTime Stage(const std::string& name, double seconds,
-                         std::size_t count) {
-  kg_msgs::StageTime stage;
-  stage.stage = name;
-  stage.seconds = seconds;
-  stage.count = static_cast<unsigned>(count);
-  return stage;
 }
 
 std::size_t CountEdges(const std::vector<NavGraph>& graphs) {

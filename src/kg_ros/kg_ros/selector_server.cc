@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
+#include "kg_ros/pending_reports.h"
 #include "kg_ros/plan_conversion.h"
 #include "kg_ros/rules_conversion.h"
 #include "ros/time.h"
@@ -19,15 +20,6 @@ using kg_selector::Pathlet;
 using kg_selector::Rejection;
 
 double Now_s() { return ros::WallTime::now().toSec(); }
-
-kg_msgs::StageTime Stage(const std::string& name, double seconds,
-                         std::size_t count) {
-  kg_msgs::StageTime stage;
-  stage.stage = name;
-  stage.seconds = seconds;
-  stage.count = static_cast<unsigned>(count);
-  return stage;
-}
 
 std::vector<Pathlet> FromMessage(const kg_msgs::Candidates& message) {
   std::vector<Pathlet> pathlets;
