@@ -10,7 +10,7 @@ repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 export PATH="/usr/bin:/bin:/usr/sbin:/sbin:$PATH"
 export ROS_VERSION=1 ROS_PYTHON_VERSION=3 ROS_DISTRO=Debian
 export ROS_HOSTNAME=localhost
-export ROS_MASTER_URI=${ROS_MASTER_URI:-http://127.0.0.1:11399}
+export ROS_MASTER_URI=${ROS_MASTER_URI:-http://127.0.0.1:11311}
 export ROS_HOME=${ROS_HOME:-$repository/state/ros_home}
 export ROSCONSOLE_FORMAT='[${severity}] ${node}: ${message}'
 export ROS_LANG_DISABLE=genlisp  # C++ and Python are enough.

@@ -2,7 +2,7 @@
 """Prints a master address on the loopback interface that nobody listens on:
 the wanted one, else the same with the next free port.
 
-    free_master.py http://127.0.0.1:11399
+    free_master.py http://127.0.0.1:11311
 
 A second mission on one machine then gets a master of its own. An address of
 another machine is printed as it is: that master runs already.
