@@ -44,12 +44,15 @@ class Descriptor {
   int fd_;
 };
 
+// By /proc or, where that is not mounted, by the name it was started with.
 std::string FolderOfThisProgram() {
   char path[4096];
   const ssize_t size = readlink("/proc/self/exe", path, sizeof(path));
-  if (size <= 0) return ".";
-  const std::string whole(path, static_cast<std::size_t>(size));
-  return whole.substr(0, whole.rfind('/'));
+  const std::string whole =
+      size > 0 ? std::string(path, static_cast<std::size_t>(size))
+               : std::string(program_invocation_name);
+  const std::size_t slash = whole.rfind('/');
+  return slash == std::string::npos ? "." : whole.substr(0, slash);
 }
 
 std::string FindProgram() {
