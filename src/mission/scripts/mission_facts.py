@@ -16,6 +16,9 @@ MPS_PER_KNOT = 1852.0 / 3600.0
 class WorldChanged(RuntimeError):
     """The facts changed while they were being read."""
 
+    def __str__(self):
+        return 'they change'
+
 
 @dataclasses.dataclass
 class Window:

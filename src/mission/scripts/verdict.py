@@ -28,18 +28,22 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
 import numpy as np
 import rospy
+import rospy.exceptions
 from kg_msgs.msg import (AgentState, Assignments, Candidates, UpdateReport,
                          WorkField, World)
 from rospy.numpy_msg import numpy_msg
 
 from field_check import FieldCheck
-from kg_query import KgQuery
+from kg_query import KgQuery, QueryError
 from mission_facts import FactsReader, WorldChanged
 from mission_record import MissionRecord, Plan, Visit
 from plan_check import KINDS, Field, Track
 
 FIELD_BUFFER_BYTES = 1 << 26  # Of a subscriber to fields of some megabytes.
 STEP_S = 0.1
+# The facts change while they are read, or the KG node is away: asked again.
+NOT_NOW = (WorldChanged, QueryError, rospy.ServiceException,
+           rospy.ROSException, rospy.exceptions.ROSInternalException, OSError)
 FAILED_S = 30.0  # A plan that failed is not waited for any longer.
 
 
@@ -185,7 +189,14 @@ class Verdict:
         world = self._heard.world
         if world is None or not self._fields_are_here(message):
             return
-        facts = self._facts_of(message.world_version)
+        try:
+            facts = self._facts_of(message.world_version)
+            findings = self._field_check.findings(self._heard.fields,
+                                                  self._heard.hashes)
+        except NOT_NOW as error:
+            rospy.logwarn_throttle(10.0, '[verdict] waits for the facts: %s' %
+                                   error)
+            return
         if facts is None:
             if world.world_version > message.world_version:
                 self._heard.plan = None
@@ -193,8 +204,7 @@ class Verdict:
         self._record.take_plan(to_plan(message), facts,
                                dict(self._heard.fields),
                                world.mission_time.to_sec())
-        self._field_findings = self._field_check.findings(
-            self._heard.fields, self._heard.hashes)
+        self._field_findings = findings
         self._heard.plan = None
         self.progress_s = time.monotonic()
         self.write()
@@ -205,11 +215,9 @@ class Verdict:
                    for visit in assignment.pathlet.visits)
 
     def _facts_of(self, world_version):
+        """None if the facts are others by now."""
         if self._facts is None or self._facts.world_version != world_version:
-            try:
-                self._facts = FactsReader(self._query.select).read()
-            except (WorldChanged, rospy.ServiceException):
-                return None
+            self._facts = FactsReader(self._query.select).read()
         return (self._facts if self._facts.world_version == world_version
                 else None)
 

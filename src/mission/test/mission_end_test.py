@@ -20,9 +20,14 @@ class MissionEndTest(SmallMissionTestCase):
                        'record': 'true'}
 
     def test_1_ends_by_itself_with_a_verdict_on_what_was_flown(self):
+        self.house.world.wait(lambda world: world.current_window == 1)
+        report = self.house.update(set=[
+            ('ex:alpha', 'ex:usesPolicy', 'ex:safe')])  # On the way.
+        self.assertTrue(report.accepted, report.reasons)
         self.house.wait_for_end(END_S)
         verdict = self.house.verdict(lambda v: True)
         self.assert_no_violation(verdict)
+        self.assertEqual(report.world_version, verdict['world_version'])
         for agent in ('alpha', 'bravo'):
             self.assertEqual(WINDOWS, verdict['agents'][agent]['waypoints'])
         self.assertGreater(verdict['checked_states'], 50)
