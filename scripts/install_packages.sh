@@ -27,15 +27,19 @@ as_root() {
 }
 
 command -v dpkg-query >/dev/null || fail install "needs Debian 12 (no dpkg here)"
+# No process substitution here: a bare chroot may have no /dev/fd.
 wanted=()
 for section in "${@:-base}"; do
-  mapfile -t packages < <(listed "$section")
-  [ ${#packages[@]} -gt 0 ] || fail install "apt-packages.txt has no [$section]"
-  wanted+=("${packages[@]}")
+  packages=$(listed "$section")
+  [ -n "$packages" ] || fail install "apt-packages.txt has no [$section]"
+  mapfile -t -O "${#wanted[@]}" wanted <<<"$packages"
 done
-mapfile -t missing < <(comm -23 <(printf '%s\n' "${wanted[@]}" | sort -u) \
-    <(dpkg-query -W -f='${db:Status-Abbrev} ${Package}\n' |
-      awk '$1 == "ii" { print $2 }' | sort -u))
+installed=$(dpkg-query -W -f='${db:Status-Abbrev} ${Package}\n' |
+  awk '$1 == "ii" { print $2 }')
+missing=()
+for package in "${wanted[@]}"; do
+  grep -qxF "$package" <<<"$installed" || missing+=("$package")
+done
 
 if [ ${#missing[@]} -gt 0 ]; then
   apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=600)
