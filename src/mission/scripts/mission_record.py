@@ -66,7 +66,9 @@ class MissionRecord:
         if self.plan is None:
             self._first_window = min((w for _, w in plan.visits), default=0)
         else:
-            self._settle(now_s)
+            begins = [track.time_s[0] for track in plan.tracks.values()
+                      if len(track)]
+            self._settle(min(begins + [now_s]))
         self.plan, self._facts, self._fields = plan, facts, fields
         for agent_id in facts.agents:
             self._replace_visits(agent_id, plan, now_s)
@@ -86,13 +88,18 @@ class MissionRecord:
                 self._visits[key].left_early = True
         self._visits.update(new)
 
-    def _settle(self, now_s):
-        """Judges what was flown until now by the facts of its time."""
-        check = self._checked(self._settled_s, now_s)
+    def _settle(self, begin_s):
+        """Judges what was flown until a new plan's begin by the facts of its
+        time. States after it are taken back: the plan does not know them, and
+        is followed from its begin."""
+        check = self._checked(self._settled_s, begin_s)
         self._add(check.violations, check.lines, check.points)
+        for agent_id, states in self._states.items():
+            self._states[agent_id] = [state for state in states
+                                      if state[0] <= begin_s]
         self._add({'off_track': self._states_off_track()}, [], 0)
         self._states.clear()
-        self._settled_s = max(self._settled_s, now_s)
+        self._settled_s = max(self._settled_s, begin_s)
 
     def _add(self, violations, lines, points):
         for kind, count in violations.items():

@@ -215,6 +215,18 @@ class MissionRecordTest(unittest.TestCase):
         record = self._record(self._plan(EASTWARD, []), zone)
         self.assertEqual(2, record.verdict()['violations']['no_go'])
 
+    def test_a_state_that_a_new_plan_takes_back_is_not_held_against_it(self):
+        record = self._record(self._plan(EASTWARD, []), facts())
+        now_s = 12 * HOUR_S
+        for late_s in (0.0, HOUR_S):  # An hour too far, by the old plan.
+            lon, lat = EASTWARD.at(now_s + late_s)
+            record.take_state('a', now_s + late_s, float(lon), float(lat))
+        lon = float(EASTWARD.at(now_s)[0])
+        back = Track.of([(now_s, lon, 1.0), (2 * DAY_S, 0.5, 1.0)])
+        record.take_plan(self._plan(back, []), facts(),
+                         {0: field(), 1: field()}, now_s + HOUR_S)
+        self.assertEqual(0, record.verdict()['violations']['off_track'])
+
     def test_a_state_off_the_track_is_found(self):
         record = self._record(self._plan(EASTWARD, []), facts())
         record.take_state('a', 15 * HOUR_S, 0.7, 1.0)
@@ -260,10 +272,14 @@ class FactsTest(unittest.TestCase):
             'POLYGON((0 0, 1 0, 1 1, 0 1, 0 0))')
         self.assertEqual(1.0, shape.area)
 
-    def test_an_expired_event_has_no_windows_left(self):
-        windows = [Window(i, i * DAY_S, (i + 1) * DAY_S) for i in range(4)]
-        left = mission_facts._unexpired(windows, 'P2D')
-        self.assertEqual([0, 1], [window.index for window in left])
+    def test_an_event_is_active_until_it_expires(self):
+        every = [Window(i, i * DAY_S, (i + 1) * DAY_S) for i in range(4)]
+        for named, expires, expected in (
+                ([every[1]], 'P2D', [1, 2]), ([every[1]], None, [1]),
+                ([every[0], every[3]], 'P1D', [0]),
+                ([every[2]], '1970-01-03T00:00:00Z', [])):
+            active = mission_facts._active(named, every, expires)
+            self.assertEqual(expected, [window.index for window in active])
 
 
 if __name__ == '__main__':
