@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 #include "geometry_msgs/Point.h"
@@ -45,7 +46,22 @@ geometry_msgs::Point ToPoint(const MapProjection& map, LonLat position,
 signed char ToPercent(float value, float feasible, float largest) {
   if (std::isnan(feasible) || std::isnan(value)) return -1;
   if (!(largest > 0.0F)) return 0;
-  return static_cast<signed char>(std::lround(100.0F * value / largest));
+  return static_cast<signed char>(
+      std::lround(100.0F * std::min(1.0F, value / largest)));
+}
+
+// What is shown as 100: so many of the cells that are worth anything are at
+// most this. A few bright events then do not leave all the rest dark.
+float TopOfScale(const kg_core::Raster& fused) {
+  constexpr double kShare = 0.995;
+  std::vector<float> worth;
+  std::copy_if(fused.begin(), fused.end(), std::back_inserter(worth),
+               [](float value) { return value > 0.0F; });
+  if (worth.empty()) return 0.0F;
+  const auto rank = static_cast<std::ptrdiff_t>(
+      std::ceil(kShare * static_cast<double>(worth.size() - 1)));
+  std::nth_element(worth.begin(), worth.begin() + rank, worth.end());
+  return worth[rank];
 }
 
 // Does an open neighbour make this cell without data a piece of coast?
@@ -80,7 +96,7 @@ nav_msgs::OccupancyGrid ToHeatmap(const kg_compiler::MissionTensor& tensor,
 
   const kg_core::Raster& fused = tensor.Get(Layer::kFused);
   const kg_core::Raster& feasible = tensor.Get(Layer::kFeasibility);
-  const float largest = *std::max_element(fused.begin(), fused.end());
+  const float largest = TopOfScale(fused);
   for (unsigned row = 0; row < heatmap.info.height; ++row) {
     for (unsigned col = 0; col < heatmap.info.width; ++col) {
       const LonLat centre = map.Inverse(

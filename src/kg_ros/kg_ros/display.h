@@ -24,7 +24,8 @@
 namespace kg_ros {
 
 // FUSED as 0..100 on square cells of the map, nearest cell; -1 = no data.
-// FUSED is scaled by its maximum, so that far windows can be read, too.
+// 100 is the value that 99.5 % of the cells with any value do not exceed (those
+// above are shown as 100, too), so that far windows can be read as well.
 nav_msgs::OccupancyGrid ToHeatmap(const kg_compiler::MissionTensor& tensor,
                                   const kg_core::MapProjection& map);
 

@@ -50,6 +50,14 @@ TEST(DisplayTest, TheHeatmapShowsEachCellWhereItIs) {
   EXPECT_EQ(ValueAt(heatmap, map.Forward(tensor.grid.Centre({0, 0}))), -1);
 }
 
+TEST(DisplayTest, AFewBrightCellsDoNotLeaveTheRestDark) {
+  kg_compiler::MissionTensor tensor = TensorWithOneHill(40, 50);
+  const kg_core::MapProjection map(tensor.grid.Middle());
+  const nav_msgs::OccupancyGrid heatmap = ToHeatmap(tensor, map);
+  EXPECT_EQ(ValueAt(heatmap, map.Forward(tensor.grid.Centre({2, 3}))), 100);
+  EXPECT_EQ(ValueAt(heatmap, map.Forward(tensor.grid.Centre({20, 20}))), 100);
+}
+
 TEST(DisplayTest, AnAllZeroTensorIsShownAsZero) {
   kg_compiler::MissionTensor tensor = TensorWithOneHill(4, 5);
   for (float& value : tensor.layers[0].values) value = 0.0F;
