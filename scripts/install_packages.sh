@@ -52,4 +52,9 @@ if [ ${#missing[@]} -gt 0 ]; then
     { tail -n 20 "$log" >&2; fail install "apt-get; everything it said: $log"; }
   rm -f "$log"
 fi
+# ROS asks for localhost by name; a bare chroot has no /etc/hosts.
+if ! getent hosts localhost >/dev/null; then
+  echo "install: localhost does not resolve; adding it to /etc/hosts"
+  as_root sh -c 'echo "127.0.0.1 localhost" >>/etc/hosts'
+fi
 stage install "${#wanted[@]} packages, ${#missing[@]} of them new"
