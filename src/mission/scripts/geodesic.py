@@ -58,7 +58,8 @@ def _converge(delta_lon, trig):
 
 def _length(sine, cosine, cos2_alpha, cos_2m):
     u2 = cos2_alpha * (A_M ** 2 - B_M ** 2) / B_M ** 2
-    a = 1.0 + u2 / 16384.0 * (4096.0 + u2 * (-768.0 + u2 * (320.0 - 175.0 * u2)))
+    a = 1.0 + u2 / 16384.0 * (
+        4096.0 + u2 * (-768.0 + u2 * (320.0 - 175.0 * u2)))
     b = u2 / 1024.0 * (256.0 + u2 * (-128.0 + u2 * (74.0 - 47.0 * u2)))
     delta = b * sine * (cos_2m + b / 4.0 * (
         cosine * (2.0 * cos_2m ** 2 - 1.0) - b / 6.0 * cos_2m *

@@ -185,7 +185,7 @@ class Verdict:
         return True
 
     def _judge(self, message):
-        """Judges it, drops it if newer facts are there, or leaves it waiting."""
+        """Judges it, drops it if newer facts are there, or lets it wait."""
         world = self._heard.world
         if world is None or not self._fields_are_here(message):
             return

@@ -19,6 +19,7 @@ from kg_msgs.msg import AgentState, UpdateReport, World
 from kg_msgs.srv import Export, WhatIf, Why
 from mission_test import (CHANGE_S, Heard, MissionTestCase, by_agent, main,
                           track_deg, wait_until)
+from kg_query import QueryError
 from nav_msgs.msg import OccupancyGrid, Path
 from shapely.geometry import LineString, box
 from visualization_msgs.msg import MarkerArray
@@ -110,6 +111,10 @@ class GulfTest(MissionTestCase):
                     else answer.error)
             self.assertFalse(answer.ok, name)
             self.assertIn('not available', said, name)
+        for form in ('CONSTRUCT { ?s ?p ?o } WHERE { ?s ?p ?o }',
+                     'DESCRIBE ex:alpha'):
+            with self.assertRaisesRegex(QueryError, 'not available'):
+                self.house.query.answer(form)
 
     def test_3_shows_heatmaps_paths_markers_and_frames(self):
         self.house.wait_for_plan()

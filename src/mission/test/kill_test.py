@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """SIGKILL of a planner, the selector and the KG node, one after the other: each
-comes back, the plan with it, no fact is lost, and world_version never goes back.
+comes back, the plan with it, no fact is lost, and world_version never falls.
 """
 
 import os
@@ -84,7 +84,8 @@ class KillTest(SmallMissionTestCase):
     def test_zz_no_node_has_died(self):
         """Only those killed: this is what the other tests watch for."""
         self.house.stop()
-        killed = [line for line in self.house.deaths() if 'exit code -9' in line]
+        killed = [line for line in self.house.deaths()
+                  if 'exit code -9' in line]
         self.assertEqual(3, len(killed), self.house.output()[-4000:])
         self.assertEqual(killed, self.house.deaths())
 

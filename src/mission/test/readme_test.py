@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""README.md tells the truth: commands marked to be run are run as they stand, in
-a running mission; the others name targets, arguments and files that exist; its
+"""README.md tells the truth: commands marked to be run are run as they stand,
+in a running mission; the others name targets, arguments and files that exist;
 tables are those of the code.
 """
 
@@ -26,8 +26,8 @@ def read(*path):
 
 def blocks(info):
     """Fenced blocks of the README whose info string is `info`."""
-    return re.findall(r'^```%s\n(.*?)^```$' % re.escape(info), read('README.md'),
-                      re.MULTILINE | re.DOTALL)
+    return re.findall(r'^```%s\n(.*?)^```$' % re.escape(info),
+                      read('README.md'), re.MULTILINE | re.DOTALL)
 
 
 def table(header):
@@ -59,7 +59,8 @@ class ReadmeTest(SmallMissionTestCase):
             self.assertEqual(0, done.returncode, command + '\n' + done.stdout)
             for refusal in ('accepted: False', 'ok: False'):
                 self.assertNotIn(refusal, done.stdout, command)
-        self.assertTrue(self.house.ask('ASK { ex:alpha ex:usesPolicy ex:safe }'))
+        self.assertTrue(self.house.ask(
+            'ASK { ex:alpha ex:usesPolicy ex:safe }'))
         self.assertTrue(self.house.ask('ASK { ex:closed ex:kind "no_go" }'))
         self.house.wait_for_plan(self.house.world.last.world_version)
 
