@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """README.md tells the truth: commands marked to be run are run as they stand,
 in a running mission; the others name targets, arguments and files that exist;
-tables are those of the code.
+its tables are those of the code.
 """
 
 import os
