@@ -51,6 +51,7 @@ class MissionRecord:
         self._points = 0
         self._states_seen = 0
         self._first_window = 0
+        self._past = {}  # Visits made before this check began.
 
     def take_state(self, agent_id, time_s, lon_deg, lat_deg):
         """A state of an earlier time takes back those after it: a new plan is
@@ -60,6 +61,11 @@ class MissionRecord:
             states.pop()
         states.append((time_s, lon_deg, lat_deg))
         self._states_seen += 1
+
+    def take_past(self, visits):
+        """Visits made before this check began: they count, but how they were
+        flown cannot be judged any more."""
+        self._past.update(visits)
 
     def take_plan(self, plan, facts, fields, now_s):
         """`plan` answers for `facts`; mission time is `now_s`."""
@@ -128,22 +134,23 @@ class MissionRecord:
         return count
 
     def complete(self):
-        """A visit of every agent in every window planned for?"""
+        """A visit of every agent in every window?"""
         return self.plan is not None and not self.missing()
 
     def missing(self):
         """(agent id, window) without a visit."""
-        windows = range(self._first_window, len(self._facts.windows))
+        windows = range(len(self._facts.windows))
         return [(agent_id, window) for agent_id in sorted(self._facts.agents)
                 for window in windows
-                if (agent_id, window) not in self._visits]
+                if (agent_id, window) not in self._visits and
+                (agent_id, window) not in self._past]
 
     def verdict(self):
         """Everything found, settled or ahead, as verdict.json states it."""
         check = self._checked(self._settled_s, np.inf)
-        check.check_visits({key: (visit.lon_deg, visit.lat_deg, visit.events)
-                            for key, visit in self._visits.items()
-                            if not visit.left_early}, self._tracks)
+        made = {key: visit for key, visit in self._visits.items()
+                if not visit.left_early}
+        check.check_visits(_places(made), self._tracks, _places(self._past))
         violations = dict(self._violations)
         for kind, count in check.violations.items():
             violations[kind] += count
@@ -162,8 +169,8 @@ class MissionRecord:
         }
 
     def _agent(self, agent_id):
-        visits = [self._visits[key] for key in sorted(self._visits)
-                  if key[0] == agent_id]
+        known = {**self._past, **self._visits}
+        visits = [known[key] for key in sorted(known) if key[0] == agent_id]
         return {
             'waypoints': len(visits),
             'reward': sum(visit.reward for visit in visits),
@@ -176,8 +183,8 @@ class MissionRecord:
     def _notes(self, lines):
         notes = ['unassigned: ' + line for line in self.plan.unassigned]
         if self._first_window:
-            notes.append('windows before %d were planned before this check '
-                         'began' % self._first_window)
+            notes.append('windows before %d were flown before this check '
+                         'began: counted, not judged' % self._first_window)
         notes += ['%s left for window %d early' % (agent_id, window + 1)
                   for (agent_id, window), visit in sorted(self._visits.items())
                   if visit.left_early]
@@ -186,3 +193,8 @@ class MissionRecord:
             found = found[:MAX_LINES] + ['... %d more' %
                                          (len(found) - MAX_LINES)]
         return notes + found
+
+
+def _places(visits):
+    return {key: (visit.lon_deg, visit.lat_deg, visit.events)
+            for key, visit in visits.items()}

@@ -324,8 +324,9 @@ class PlanCheck:
                                 '%s and %s come to %.0f m of %.0f m' %
                                 (one, other, near[0], limit_m))
 
-    def check_visits(self, visits, tracks):
-        """`visits`: (agent id, window) -> (lon, lat, event IRIs)."""
+    def check_visits(self, visits, tracks, past=None):
+        """`visits`: (agent id, window) -> (lon, lat, event IRIs). `past`:
+        those without tracks, whose events count."""
         for (agent_id, window), (lon, lat, _) in sorted(visits.items()):
             end_s = self._facts.windows[window].end_s
             track = tracks[agent_id]
@@ -334,7 +335,7 @@ class PlanCheck:
             self._found('visits', int(not off_m <= VISIT_TOLERANCE_M),
                         '%s is %.0f m off its waypoint of window %d' %
                         (agent_id, off_m, window))
-        self._check_capacity(visits)
+        self._check_capacity({**(past or {}), **visits})
 
     def _check_capacity(self, visits):
         guests = {}

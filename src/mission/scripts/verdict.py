@@ -33,6 +33,7 @@ from kg_msgs.msg import (AgentState, Assignments, Candidates, UpdateReport,
                          WorkField, World)
 from rospy.numpy_msg import numpy_msg
 
+from executed_visits import executed_visits
 from field_check import FieldCheck
 from kg_query import KgQuery, QueryError
 from mission_facts import FactsReader, WorldChanged
@@ -189,10 +190,14 @@ class Verdict:
         world = self._heard.world
         if world is None or not self._fields_are_here(message):
             return
+        first = self._record.plan is None
+        if first and world.plan_run < message.plan_run:
+            return  # Not among the facts yet.
         try:
             facts = self._facts_of(message.world_version)
             findings = self._field_check.findings(self._heard.fields,
                                                   self._heard.hashes)
+            past = executed_visits(self._query.select) if first else {}
         except NOT_NOW as error:
             rospy.logwarn_throttle(10.0, '[verdict] waits for the facts: %s' %
                                    error)
@@ -201,6 +206,7 @@ class Verdict:
             if world.world_version > message.world_version:
                 self._heard.plan = None
             return
+        self._record.take_past(past)
         self._record.take_plan(to_plan(message), facts,
                                dict(self._heard.fields),
                                world.mission_time.to_sec())
