@@ -42,6 +42,7 @@ class Evaluator {
   // Calls `emit` with the columns of each solution of the query (of ASK: the
   // whole solution).
   void Run(Emit emit);
+  const ActiveGraph& default_graph() const { return default_graph_; }
 
  private:
   // The order in which the triples of a basic graph pattern are matched, and

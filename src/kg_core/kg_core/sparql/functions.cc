@@ -2,6 +2,7 @@
 
 #include <cctype>
 
+#include "kg_core/sparql/fresh_blank.h"
 #include "kg_core/sparql/iri.h"
 #include "kg_core/sparql/values.h"
 
@@ -52,14 +53,11 @@ Answer MakeIri(FunctionContext& context, const Arguments& a) {
 
 // https://www.w3.org/TR/sparql11-query/#func-bnode
 Answer MakeBlank(FunctionContext& context, const Arguments& a) {
-  const auto fresh = [&context] {
-    return Blank("q" + std::to_string(++context.fresh_blanks));
-  };
-  if (a.empty()) return fresh();
+  if (a.empty()) return FreshBlank();
   if (!IsString(*a[0])) return std::nullopt;
   const auto known = context.blanks_of_row.find(a[0]->text);
   if (known != context.blanks_of_row.end()) return known->second;
-  return context.blanks_of_row.emplace(a[0]->text, fresh()).first->second;
+  return context.blanks_of_row.emplace(a[0]->text, FreshBlank()).first->second;
 }
 
 Answer StrDt(FunctionContext&, const Arguments& a) {

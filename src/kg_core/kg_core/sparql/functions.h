@@ -34,7 +34,6 @@ struct FunctionContext {
   RegexCache regexes;
   // Parsed WKT; nullptr for a text that is none.
   absl::flat_hash_map<std::string, std::shared_ptr<const Geometry>> geometries;
-  std::size_t fresh_blanks = 0;
   // BNODE("x") is the same within one solution.
   absl::flat_hash_map<std::string, Term> blanks_of_row;
 };

@@ -169,6 +169,9 @@ Term Grammar::ReadLiteral() {
 
 int Grammar::ReadVariable() {
   if (Peek().kind != Token::Kind::kVariable) Expected("a variable");
+  if (!template_.variables) {
+    Fail(Peek(), std::string(template_.name) + " may not have variables");
+  }
   return VariableNumber(Take().text);
 }
 
@@ -180,12 +183,14 @@ int Grammar::VariableNumber(const std::string& name) {
 }
 
 int Grammar::FreshVariable() {
+  CheckBlankAllowed();
   return VariableNumber("." + std::to_string(query_.variables.size()));
 }
 
 // A label belongs to one basic graph pattern.
 // https://www.w3.org/TR/sparql11-query/#grammarBNodes
 Node Grammar::BlankNode(const std::string& label) {
+  CheckBlankAllowed();
   const auto [found, is_new] = block_of_label_.emplace(label, block_);
   if (!is_new && found->second != block_) {
     Fail(Peek(),

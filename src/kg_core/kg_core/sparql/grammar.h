@@ -1,6 +1,7 @@
 // The recursive descent behind ParseQuery; its rules are in parser.cc (query
-// forms), parse_pattern.cc, parse_triples.cc and parse_expression.cc, each with
-// its number in https://www.w3.org/TR/sparql11-query/#sparqlGrammar.
+// forms), parse_template.cc, parse_pattern.cc, parse_triples.cc and
+// parse_expression.cc, each with its number in
+// https://www.w3.org/TR/sparql11-query/#sparqlGrammar.
 
 #ifndef KG_CORE_SPARQL_GRAMMAR_H_
 #define KG_CORE_SPARQL_GRAMMAR_H_
@@ -49,12 +50,28 @@ class Grammar {
   Column ReadAliased();  // expression AS ?v ')'
   void ReadWhere(Select* select);
   void ReadModifiers(Select* select);
+  void ReadModifiersOfForm();
+  void AddColumns(const VariableSet& variables, Select* select);
   void ReadGroupBy(Select* select);
   void ReadHaving(Select* select);
   void ReadOrderBy(Select* select);
   void ReadLimits(Select* select);
   void CheckColumns(const Select& select, Position position);
   std::size_t ReadCount();
+
+  // Templates: CONSTRUCT and DESCRIBE (parse_template.cc).
+  // What a template may not have, and what a refusal calls the template.
+  struct TemplateRules {
+    bool active = false;
+    bool variables = true;
+    bool blank_nodes = true;
+    const char* name = "a template";
+  };
+  void ReadConstruct();
+  void ReadDescribe();
+  Pattern ReadTemplateTriples(const TemplateRules& rules);
+  void AddTemplateColumns(const std::vector<QuadTemplate>& templates);
+  void CheckBlankAllowed() const;
 
   // Patterns (parse_pattern.cc).
   Group ReadGroup();
@@ -151,6 +168,7 @@ class Grammar {
   int blocks_ = 0;  // ... of so many so far.
   // Where aggregates go; nullptr where none may stand.
   Select* aggregates_of_ = nullptr;
+  TemplateRules template_;  // Of the template being read.
 };
 
 }  // namespace kg_core::sparql

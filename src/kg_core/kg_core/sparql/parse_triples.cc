@@ -78,8 +78,8 @@ void Grammar::ReadPropertyList(const Node& subject, Pattern* basic,
     if (Peek().kind == Token::Kind::kVariable) {
       const Node verb{true, ReadVariable()};
       ReadObjects(subject, nullptr, verb, basic);
-    } else if (AtPath()) {
-      const Path path = ReadPath();
+    } else if (template_.active ? AtIri() || AtWord("a") : AtPath()) {
+      const Path path = template_.active ? ReadPathPrimary() : ReadPath();
       ReadObjects(subject, &path, {}, basic);
     } else if (required) {
       Expected("a property");
@@ -144,7 +144,7 @@ Node Grammar::ReadCollection(Pattern* basic) {
 
 void Grammar::AddTriple(const Node& subject, const Node& predicate,
                         const Node& object, Pattern* basic) {
-  CountPattern();
+  if (!template_.active) CountPattern();
   basic->triples.push_back({subject, predicate, object, std::nullopt});
 }
 

@@ -16,8 +16,6 @@ struct Refusal {
   const char* reason;
 };
 constexpr Refusal kOtherForms[] = {
-    {"CONSTRUCT", "CONSTRUCT is not available yet: use SELECT or ASK"},
-    {"DESCRIBE", "DESCRIBE is not available yet: use SELECT or ASK"},
     {"INSERT", "INSERT is not available: a query changes nothing"},
     {"DELETE", "DELETE is not available: a query changes nothing"},
     {"LOAD", "LOAD is not available: a query changes nothing"},
@@ -35,10 +33,6 @@ Expression VariableExpression(int variable) {
   expression.op = Expression::Op::kVariable;
   expression.index = variable;
   return expression;
-}
-
-bool IsHidden(const std::string& name) {
-  return name[0] == '.' || name.compare(0, 2, "_:") == 0;
 }
 
 }  // namespace
@@ -79,10 +73,15 @@ Query Grammar::ReadQuery() {
     query_.form = Query::Form::kAsk;
     ReadDatasetClauses();
     ReadWhere(&query_.select);
-    aggregates_of_ = &query_.select;
-    ReadModifiers(&query_.select);
+    ReadModifiersOfForm();
+  } else if (TakeWord("CONSTRUCT")) {
+    query_.form = Query::Form::kConstruct;
+    ReadConstruct();
+  } else if (TakeWord("DESCRIBE")) {
+    query_.form = Query::Form::kDescribe;
+    ReadDescribe();
   } else {
-    Expected("SELECT or ASK");
+    Expected("SELECT, ASK, CONSTRUCT or DESCRIBE");
   }
   if (Peek().kind != Token::Kind::kEnd) Expected("the end of the query");
   return std::move(query_);
@@ -112,7 +111,12 @@ void Grammar::ReadSelect(Select* select) {
   if (select->grouped) {
     FailAt(start, "SELECT * does not go with GROUP BY or an aggregate");
   }
-  for (const int variable : VisibleVariables(select->where).Members()) {
+  AddColumns(VisibleVariables(select->where), select);
+}
+
+// Those of `variables` that have a name.
+void Grammar::AddColumns(const VariableSet& variables, Select* select) {
+  for (const int variable : variables.Members()) {
     if (IsHidden(query_.variables[static_cast<std::size_t>(variable)])) {
       continue;
     }
@@ -156,6 +160,12 @@ void Grammar::ReadWhere(Select* select) {
   TakeWord("WHERE");
   select->where = ReadGroupPattern();
   aggregates_of_ = outer;
+}
+
+void Grammar::ReadModifiersOfForm() {
+  aggregates_of_ = &query_.select;
+  ReadModifiers(&query_.select);
+  aggregates_of_ = nullptr;
 }
 
 // [18] SolutionModifier, [28] ValuesClause

@@ -9,9 +9,9 @@
 
 namespace kg_core::sparql {
 
-// SELECT and ASK; our prefixes (rdf/namespaces.h) are known without being
-// declared. `nesting` bounds brackets within brackets. Throws InputError
-// "line:column: what was expected", or "line:column: ... is not available".
+// Our prefixes (rdf/namespaces.h) are known without being declared. `nesting`
+// bounds brackets within brackets. Throws InputError "line:column: what was
+// expected", or "line:column: ... is not available".
 Query ParseQuery(std::string_view text, int nesting);
 
 }  // namespace kg_core::sparql

@@ -153,10 +153,19 @@ struct Select {
   std::size_t offset = 0;
 };
 
+// A triple to be made of a solution: by CONSTRUCT, or by an update, which also
+// says in which graph. No paths; hidden variables are fresh blank nodes.
+struct QuadTemplate {
+  TriplePattern triple;
+  Node graph;  // kNone: the default graph.
+};
+
 struct Query {
-  enum class Form { kSelect, kAsk };
+  enum class Form { kSelect, kAsk, kConstruct, kDescribe };
   Form form = Form::kSelect;
-  Select select;                       // Of ASK: its pattern.
+  Select select;  // Of ASK: its pattern; else its columns are what is needed.
+  std::vector<QuadTemplate> construct;
+  std::vector<Node> describe;
   std::vector<std::string> variables;  // Names by number.
   std::vector<Term> constants;
   // FROM and FROM NAMED; nothing if there is neither.
@@ -168,6 +177,11 @@ struct Query {
   // grammar allows it, RunQuery does not: it would be an error in every row.
   std::string unknown_function;
 };
+
+// A variable that stands for a blank node or for an unnamed value.
+inline bool IsHidden(const std::string& variable) {
+  return variable[0] == '.' || variable.compare(0, 2, "_:") == 0;
+}
 
 }  // namespace kg_core::sparql
 

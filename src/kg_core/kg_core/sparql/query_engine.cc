@@ -7,6 +7,7 @@
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/algebra.h"
 #include "kg_core/sparql/budget.h"
+#include "kg_core/sparql/construct.h"
 #include "kg_core/sparql/evaluator.h"
 #include "kg_core/sparql/parser.h"
 #include "kg_core/sparql/term_table.h"
@@ -18,6 +19,7 @@ using sparql::Budget;
 using sparql::DatasetIds;
 using sparql::Evaluator;
 using sparql::Query;
+using sparql::QueryRun;
 using sparql::Row;
 using sparql::TermTable;
 
@@ -86,6 +88,33 @@ void CheckText(std::string_view text, const QueryLimits& limits) {
                    std::to_string(limits.text_bytes) + " bytes");
 }
 
+bool HasSolution(const QueryRun& run) {
+  bool found = false;
+  run.evaluator->Run([&found](Row&) {
+    found = true;
+    return false;
+  });
+  return found;
+}
+
+void SelectRows(const QueryRun& run, QueryResult* result) {
+  std::vector<std::size_t> columns;
+  for (const sparql::Column& column : run.query.select.columns) {
+    columns.push_back(static_cast<std::size_t>(column.variable));
+    result->variables.push_back(run.query.variables[columns.back()]);
+  }
+  run.evaluator->Run([&](Row& solution) {
+    std::vector<std::optional<Term>> row(columns.size());
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const TermId id = solution[columns[i]];
+      if (id != kNoTerm) row[i] = run.terms->Get(id);
+    }
+    run.budget->AddResultRow(BytesOf(row));
+    result->rows.push_back(std::move(row));
+    return true;
+  });
+}
+
 }  // namespace
 
 Dataset DefaultDataset(const std::optional<std::string>& plan_graph) {
@@ -105,30 +134,25 @@ QueryResult RunQuery(const GraphView& view, std::string_view query_text,
   TermTable terms(&view, &budget);
   Evaluator evaluator(&query, &terms, ResolveDataset(query, dataset, &terms),
                       &budget);
+  const QueryRun run{query, &evaluator, &terms, &budget};
   QueryResult result;
-  if (query.form == Query::Form::kAsk) {
-    result.form = QueryResult::Form::kAsk;
-    evaluator.Run([&result](Row&) {
-      result.answer = true;
-      return false;
-    });
-    return result;
+  switch (query.form) {
+    case Query::Form::kSelect:
+      SelectRows(run, &result);
+      break;
+    case Query::Form::kAsk:
+      result.form = QueryResult::Form::kAsk;
+      result.answer = HasSolution(run);
+      break;
+    case Query::Form::kConstruct:
+      result.form = QueryResult::Form::kConstruct;
+      result.triples = sparql::Construct(run);
+      break;
+    case Query::Form::kDescribe:
+      result.form = QueryResult::Form::kDescribe;
+      result.triples = sparql::Describe(run);
+      break;
   }
-  std::vector<std::size_t> columns;
-  for (const sparql::Column& column : query.select.columns) {
-    columns.push_back(static_cast<std::size_t>(column.variable));
-    result.variables.push_back(query.variables[columns.back()]);
-  }
-  evaluator.Run([&](Row& solution) {
-    std::vector<std::optional<Term>> row(columns.size());
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const TermId id = solution[columns[i]];
-      if (id != kNoTerm) row[i] = terms.Get(id);
-    }
-    budget.AddResultRow(BytesOf(row));
-    result.rows.push_back(std::move(row));
-    return true;
-  });
   return result;
 }
 

@@ -1,4 +1,4 @@
-// SPARQL 1.1 queries over a GraphView: SELECT and ASK.
+// SPARQL 1.1 queries over a GraphView: SELECT, ASK, CONSTRUCT and DESCRIBE.
 // https://www.w3.org/TR/sparql11-query/
 //
 //   const QueryResult result =
@@ -6,7 +6,7 @@
 //                DefaultDataset(std::nullopt), {});
 //
 // A query can do no harm: it changes nothing, reads nothing but the store, and
-// ends within its limits. Not available yet: CONSTRUCT and DESCRIBE.
+// ends within its limits. Updates have an entry of their own, update_engine.h.
 
 #ifndef KG_CORE_SPARQL_QUERY_ENGINE_H_
 #define KG_CORE_SPARQL_QUERY_ENGINE_H_
@@ -24,7 +24,7 @@ namespace kg_core {
 
 struct QueryLimits {
   double seconds = 2.0;
-  std::size_t rows = 1000000;
+  std::size_t rows = 1000000;     // Or triples.
   std::size_t bytes = 64u << 20;  // Of the result's terms.
   std::size_t text_bytes = 64 * 1024;
   int nesting = 200;
@@ -45,12 +45,19 @@ struct Dataset {
 // IRI), for there is history only by GRAPH.
 Dataset DefaultDataset(const std::optional<std::string>& plan_graph);
 
+struct Triple {
+  Term subject;
+  Term predicate;
+  Term object;
+};
+
 struct QueryResult {
-  enum class Form { kSelect, kAsk };
+  enum class Form { kSelect, kAsk, kConstruct, kDescribe };
   Form form = Form::kSelect;
   std::vector<std::string> variables;
   std::vector<std::vector<std::optional<Term>>> rows;
   bool answer = false;
+  std::vector<Triple> triples;  // Of CONSTRUCT and DESCRIBE, each once.
 };
 
 // Throws InputError with "line:column: what was expected", or with the limit

@@ -12,6 +12,8 @@
 #include "kg_core/base/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
+#include "kg_core/sparql/isomorphism.h"
+#include "kg_core/sparql/results.h"
 #include "kg_core/sparql/vector_view.h"
 
 namespace kg_core {
@@ -284,9 +286,73 @@ TEST(QueryEngine, AnswersGeometry) {
             (Lines{"true"}));
 }
 
+// The triples of CONSTRUCT or DESCRIBE as Turtle, without the prefixes.
+std::string Turtle(const std::string& query) {
+  const std::string text = TriplesToTurtle(Query(query).triples);
+  const std::size_t end = text.rfind("@prefix");
+  return end == std::string::npos ? text
+                                  : text.substr(text.find('\n', end) + 2);
+}
+
+TEST(QueryEngine, ConstructsEachTripleOnce) {
+  EXPECT_EQ(Turtle("CONSTRUCT { ?p ex:usedBy ?a ; a ex:Used } "
+                   "{ ?a ex:usesPolicy ?p }"),
+            "ex:fast a ex:Used ;\n    ex:usedBy ex:alpha .\n\n"
+            "ex:safe a ex:Used ;\n    ex:usedBy ex:bravo .\n");
+  EXPECT_EQ(Query("CONSTRUCT { ex:a ex:b ex:c } { ?s ?p ?o }").triples.size(),
+            1u);
+}
+
+TEST(QueryEngine, LeavesOutWhatWouldBeNoTriple) {
+  EXPECT_EQ(Turtle("CONSTRUCT { ?r ex:of ?p . ?p ?r ?p . ?p ex:is ?none . ?p "
+                   "ex:risk ?r } { ?p ex:risk ?r FILTER(?r > 1) }"),
+            "ex:fast ex:risk 3 .\n");
+}
+
+TEST(QueryEngine, GivesEachSolutionBlankNodesOfItsOwn) {
+  const QueryResult result = Query(
+      "CONSTRUCT { _:x ex:of ?p . _:x ex:value [ ex:is ?r ] } "
+      "{ ?p ex:risk ?r . OPTIONAL { _:x ex:none ?p } }");
+  EXPECT_EQ(result.form, QueryResult::Form::kConstruct);
+  std::vector<Statement> got;
+  for (const Triple& t : result.triples) {
+    got.push_back({t.subject, t.predicate, t.object, Iri(kFactsGraph)});
+  }
+  EXPECT_TRUE(IsIsomorphic(
+      got, ParseTurtle("_:a ex:of ex:fast ; ex:value [ ex:is 3 ] . "
+                       "_:b ex:of ex:safe ; ex:value [ ex:is 1 ] .",
+                       "test", Iri(kFactsGraph))));
+}
+
+TEST(QueryEngine, ConstructsWithModifiersAndInTheShortForm) {
+  EXPECT_EQ(Turtle("CONSTRUCT { ?p ex:risk ?r } WHERE { ?p ex:risk ?r } "
+                   "ORDER BY DESC(?r) LIMIT 1"),
+            "ex:fast ex:risk 3 .\n");
+  EXPECT_EQ(Turtle("CONSTRUCT WHERE { ex:safe ex:risk ?r . ?a ex:usesPolicy "
+                   "ex:safe }"),
+            "ex:bravo ex:usesPolicy ex:safe .\n\nex:safe ex:risk 1 .\n");
+  EXPECT_EQ(Turtle("CONSTRUCT { ex:n ex:is ?n } { SELECT (COUNT(*) AS ?n) "
+                   "{ ?p ex:risk ?r } }"),
+            "ex:n ex:is 2 .\n");
+  EXPECT_EQ(Turtle("CONSTRUCT {} { ?s ?p ?o }"), "");
+}
+
+TEST(QueryEngine, DescribesAResourceDownToItsBlankNodes) {
+  EXPECT_EQ(Turtle("DESCRIBE ex:safe"), "ex:safe ex:risk 1 .\n");
+  EXPECT_EQ(Turtle("DESCRIBE ex:nobody"), "");
+  EXPECT_EQ(Turtle("DESCRIBE ?p { ?a ex:usesPolicy ?p }"),
+            "ex:fast ex:risk 3 .\n\nex:safe ex:risk 1 .\n");
+  EXPECT_EQ(Turtle("DESCRIBE * WHERE { ex:bravo ex:usesPolicy ?p }"),
+            "ex:safe ex:risk 1 .\n");
+  // Six triples of its own, and four of the list it carries.
+  EXPECT_EQ(Query("DESCRIBE ex:alpha").triples.size(), 10u);
+}
+
 TEST(QueryEngine, SaysWhereTheMistakeIs) {
   const std::pair<const char*, const char*> kCases[] = {
-      {"", "1:1: expected SELECT or ASK, got the end of the query"},
+      {"",
+       "1:1: expected SELECT, ASK, CONSTRUCT or DESCRIBE, got the end of the "
+       "query"},
       {"SELECT ?a\n { ?a no:x ?b }", "2:7: prefix 'no:' is not declared"},
       {"SELECT ?a { ?a ex:b }", "1:21: expected a variable or a term, got }"},
       {"SELECT ?a { ?a ex:b 'x }", "1:21: this string does not end"},
@@ -296,8 +362,12 @@ TEST(QueryEngine, SaysWhereTheMistakeIs) {
        "1:7: SERVICE is not available: a query reads this store only"},
       {"LOAD <http://x/>",
        "1:1: LOAD is not available: a query changes nothing"},
-      {"CONSTRUCT WHERE { ?s ?p ?o }",
-       "1:1: CONSTRUCT is not available yet: use SELECT or ASK"},
+      {"CONSTRUCT WHERE { ?s ?p ?o FILTER(true) }",
+       "1:28: expected '}', got FILTER"},
+      {"CONSTRUCT { ?s ex:p+ ?o } { ?s ?p ?o }",
+       "1:20: expected a variable or a term, got +"},
+      {"DESCRIBE { ?s ?p ?o }",
+       "1:10: expected an IRI, a variable or '*', got {"},
       {"PREFIX a: <http://a/> DELETE WHERE { ?s ?p ?o }",
        "1:23: DELETE is not available: a query changes nothing"},
       {"SELECT ?a ?b { ?a ex:p ?b } GROUP BY ?a",
@@ -341,6 +411,16 @@ TEST(QueryEngine, EndsWithinItsLimits) {
   limits.working_bytes = 100000;
   EXPECT_EQ(ErrorOf("SELECT * " + cross + " ORDER BY ?a", limits),
             "the query needs more memory than the limit of 100000 bytes");
+}
+
+TEST(QueryEngine, CountsTriplesAgainstItsLimits) {
+  QueryLimits limits;
+  limits.rows = 10;
+  EXPECT_EQ(ErrorOf("CONSTRUCT { ?a ?b [] } { ?a ?b ?c }", limits),
+            "the result has more rows than the limit of 10");
+  limits.rows = 9;
+  EXPECT_EQ(ErrorOf("DESCRIBE ex:alpha", limits),
+            "the result has more rows than the limit of 9");
 }
 
 TEST(QueryEngine, StopsARegularExpressionThatBacktracks) {

@@ -87,9 +87,25 @@ std::string PaddedLine(const std::vector<std::string>& cells,
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
 
+bool HasTriples(const QueryResult& result) {
+  return result.form == QueryResult::Form::kConstruct ||
+         result.form == QueryResult::Form::kDescribe;
+}
+
 }  // namespace
 
+QueryResult AsRows(const QueryResult& result) {
+  if (!HasTriples(result)) return result;
+  QueryResult rows;
+  rows.variables = {"subject", "predicate", "object"};
+  for (const Triple& triple : result.triples) {
+    rows.rows.push_back({triple.subject, triple.predicate, triple.object});
+  }
+  return rows;
+}
+
 std::string ToJson(const QueryResult& result) {
+  if (HasTriples(result)) return ToJson(AsRows(result));
   if (result.form == QueryResult::Form::kAsk) {
     return std::string("{\"head\":{},\"boolean\":") +
            (result.answer ? "true}" : "false}");
@@ -106,6 +122,7 @@ std::string ToJson(const QueryResult& result) {
 }
 
 std::string ToTextTable(const QueryResult& result) {
+  if (HasTriples(result)) return TriplesToTurtle(result.triples);
   if (result.form == QueryResult::Form::kAsk) {
     return result.answer ? "yes\n" : "no\n";
   }

@@ -4,17 +4,26 @@
 #define KG_CORE_SPARQL_RESULTS_H_
 
 #include <string>
+#include <vector>
 
 #include "kg_core/sparql/query_engine.h"
 
 namespace kg_core {
 
 // https://www.w3.org/TR/sparql11-results-json/
+// Triples become rows of ?subject ?predicate ?object.
 std::string ToJson(const QueryResult& result);
 
 // A table for terminals, terms in Turtle's syntax with our prefixes; its last
-// line counts the rows. Of ASK: "yes" or "no".
+// line counts the rows. Of ASK: "yes" or "no". Triples: as Turtle.
 std::string ToTextTable(const QueryResult& result);
+
+// Sorted by subject, with those of our prefixes that are used.
+// https://www.w3.org/TR/turtle/
+std::string TriplesToTurtle(const std::vector<Triple>& triples);
+
+// Triples as rows of ?subject ?predicate ?object; others as they are.
+QueryResult AsRows(const QueryResult& result);
 
 }  // namespace kg_core
 

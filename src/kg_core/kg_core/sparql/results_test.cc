@@ -41,6 +41,33 @@ TEST(Results, WritesATableThatLinesUp) {
             "3 rows\n");
 }
 
+QueryResult Graph() {
+  QueryResult result;
+  result.form = QueryResult::Form::kConstruct;
+  const Term alpha = Iri(std::string(kEx) + "alpha");
+  const Term type = Iri(std::string(kRdf) + "type");
+  result.triples = {{alpha, Iri("http://other/p"), Literal("x y")},
+                    {alpha, type, Iri(std::string(kEx) + "Agent")},
+                    {alpha, Iri("http://other/p"), Blank("b")}};
+  return result;
+}
+
+TEST(Results, WritesTriplesAsTurtleWithThePrefixesUsed) {
+  const std::string turtle =
+      "@prefix ex: <http://example.org/mission/> .\n"
+      "@prefix rdf: <http://www.w3.org/1999/02/22-rdf-syntax-ns#> .\n"
+      "@prefix xsd: <http://www.w3.org/2001/XMLSchema#> .\n"
+      "\nex:alpha <http://other/p> \"x y\", _:b ;\n    a ex:Agent .\n";
+  EXPECT_EQ(TriplesToTurtle(Graph().triples), turtle);
+  EXPECT_EQ(ToTextTable(Graph()), turtle);
+  EXPECT_EQ(TriplesToTurtle({}), "");
+}
+
+TEST(Results, WritesTriplesAsRowsWhereThereIsNoOtherForm) {
+  EXPECT_EQ(AsRows(Graph()).rows.size(), 3u);
+  EXPECT_EQ(ToJson(Graph()), ToJson(AsRows(Graph())));
+}
+
 TEST(Results, WritesTheAnswerOfAsk) {
   QueryResult result;
   result.form = QueryResult::Form::kAsk;

@@ -21,8 +21,10 @@
 #include "kg_core/base/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
+#include "kg_core/sparql/isomorphism.h"
 #include "kg_core/sparql/parser.h"
 #include "kg_core/sparql/query_engine.h"
+#include "kg_core/sparql/results.h"
 #include "kg_core/sparql/values.h"
 #include "kg_core/sparql/vector_view.h"
 
@@ -49,9 +51,13 @@ std::string TextOf(const fs::path& path) {
 std::string UrlOf(const fs::path& path) { return "file://" + path.string(); }
 fs::path PathOf(const std::string& url) { return url.substr(7); }
 
-void Load(const fs::path& path, const Term& graph, VectorView* view) {
+std::vector<Statement> ReadStatements(const fs::path& path, const Term& graph) {
   const std::string text = "@base <" + UrlOf(path) + "> .\n" + TextOf(path);
-  for (const Statement& s : ParseTurtle(text, path.string(), graph)) {
+  return ParseTurtle(text, path.string(), graph);
+}
+
+void Load(const fs::path& path, const Term& graph, VectorView* view) {
+  for (const Statement& s : ReadStatements(path, graph)) {
     view->Add(s.subject, s.predicate, s.object, s.graph);
   }
 }
@@ -298,8 +304,29 @@ QueryResult RunTest(const Case& test) {
 
 enum class Outcome { kPassed, kFailed, kNotAvailable };
 
+Outcome CheckConstruct(const Case& test) {
+  const Term graph = Iri("urn:result");
+  const std::vector<Statement> want =
+      ReadStatements(PathOf(test.result), graph);
+  try {
+    const QueryResult result = RunTest(test);
+    if (result.form == QueryResult::Form::kSelect)
+      return Outcome::kNotAvailable;
+    std::vector<Statement> got;
+    for (const Triple& t : result.triples) {
+      got.push_back({t.subject, t.predicate, t.object, graph});
+    }
+    if (IsIsomorphic(got, want)) return Outcome::kPassed;
+    std::cout << test.query << " got\n" << TriplesToTurtle(result.triples);
+  } catch (const InputError& error) {
+    std::cout << test.query << " " << error.what() << "\n";
+  }
+  return Outcome::kFailed;
+}
+
 Outcome CheckEvaluation(const Case& test) {
   const std::string kind = fs::path(test.result).extension();
+  if (kind == ".ttl") return CheckConstruct(test);
   if (kind != ".srx" && kind != ".srj") return Outcome::kNotAvailable;
   const std::string file = TextOf(PathOf(test.result));
   const Table want = kind == ".srx" ? ReadXml(file) : ReadJson(file);

@@ -1,0 +1,56 @@
+// Triples made of solutions: CONSTRUCT, DESCRIBE and the templates of updates.
+// https://www.w3.org/TR/sparql11-query/#construct, #describe
+
+#ifndef KG_CORE_SPARQL_CONSTRUCT_H_
+#define KG_CORE_SPARQL_CONSTRUCT_H_
+
+#include <vector>
+
+#include "absl/functional/function_ref.h"
+#include "kg_core/sparql/evaluator.h"
+#include "kg_core/sparql/query.h"
+#include "kg_core/sparql/query_engine.h"
+#include "kg_core/sparql/term_table.h"
+
+namespace kg_core::sparql {
+
+// Puts the terms of solutions into templates.
+class Instantiator {
+ public:
+  Instantiator(const Query* query, TermTable* terms);
+
+  // Calls `give` with each quad that the templates make of `solution`, graph
+  // kNoTerm for the default graph. What would have an unbound variable, or be
+  // no RDF, is left out. Every solution has blank nodes of its own.
+  void Run(const std::vector<QuadTemplate>& templates, const Row& solution,
+           absl::FunctionRef<void(const Quad&)> give);
+
+ private:
+  TermId ValueOf(const Node& node);
+  bool IsRdf(const Quad& quad) const;
+
+  const Query* query_;
+  TermTable* terms_;
+  std::vector<TermId> constants_;
+  Row row_;
+};
+
+// What a query in hand is run with.
+struct QueryRun {
+  const Query& query;
+  Evaluator* evaluator;
+  TermTable* terms;
+  Budget* budget;
+};
+
+// The triples of a CONSTRUCT query, each once.
+std::vector<Triple> Construct(const QueryRun& run);
+
+// The concise bounded descriptions of the resources of a DESCRIBE query: all
+// triples about each in the default graph, and about the blank nodes that they
+// lead to. https://www.w3.org/Submission/CBD/ (without reified statements)
+std::vector<Triple> Describe(const QueryRun& run);
+
+}  // namespace kg_core::sparql
+
+#endif  // KG_CORE_SPARQL_CONSTRUCT_H_

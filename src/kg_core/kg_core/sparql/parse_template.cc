@@ -1,0 +1,87 @@
+// CONSTRUCT and DESCRIBE, and the templates of CONSTRUCT and of updates: rules
+// [10], [11], [52] and [73] to [77].
+
+#include "kg_core/sparql/algebra.h"
+#include "kg_core/sparql/grammar.h"
+
+namespace kg_core::sparql {
+
+void Grammar::CheckBlankAllowed() const {
+  if (template_.blank_nodes) return;
+  Fail(Peek(), std::string(template_.name) + " may not have blank nodes");
+}
+
+// [52] TriplesTemplate in braces. Labels of blank nodes are its own.
+Pattern Grammar::ReadTemplateTriples(const TemplateRules& rules) {
+  const Nested nested(this);
+  const TemplateRules outer = template_;
+  ExpectMark("{");
+  template_ = rules;
+  Pattern basic;
+  ReadTriplesBlock(&basic);
+  template_ = outer;
+  ExpectMark("}");
+  return basic;
+}
+
+// The pattern need only give the variables that the templates mention.
+void Grammar::AddTemplateColumns(const std::vector<QuadTemplate>& templates) {
+  VariableSet variables;
+  for (const QuadTemplate& quad : templates) {
+    const TriplePattern& triple = quad.triple;
+    for (const Node& node :
+         {triple.subject, triple.predicate, triple.object, quad.graph}) {
+      if (node.is_variable) variables.Insert(node.index);
+    }
+  }
+  AddColumns(variables, &query_.select);
+}
+
+// [10] ConstructQuery
+void Grammar::ReadConstruct() {
+  TemplateRules rules;
+  rules.active = true;
+  const bool full = AtMark("{");
+  if (!full) {
+    ReadDatasetClauses();
+    ExpectWord("WHERE");
+  }
+  Pattern triples = ReadTemplateTriples(rules);
+  for (const TriplePattern& triple : triples.triples) {
+    if (!full) CountPattern();
+    query_.construct.push_back({triple, {}});
+  }
+  if (full) {
+    block_of_label_.clear();
+    block_ = ++blocks_;
+    ReadDatasetClauses();
+    ReadWhere(&query_.select);
+  } else {
+    query_.select.where = std::move(triples);
+  }
+  AddTemplateColumns(query_.construct);
+  ReadModifiersOfForm();
+}
+
+// [11] DescribeQuery
+void Grammar::ReadDescribe() {
+  const bool all = TakeMark("*");
+  while (!all && (AtIri() || Peek().kind == Token::Kind::kVariable)) {
+    query_.describe.push_back(ReadVariableOrTerm());
+  }
+  if (!all && query_.describe.empty()) Expected("an IRI, a variable or '*'");
+  ReadDatasetClauses();
+  Select* const select = &query_.select;
+  if (AtWord("WHERE") || AtMark("{")) ReadWhere(select);
+  VariableSet wanted;
+  for (const Node& node : query_.describe) {
+    if (node.is_variable) wanted.Insert(node.index);
+  }
+  AddColumns(all ? VisibleVariables(select->where) : wanted, select);
+  for (const Column& column : select->columns) {
+    if (all) query_.describe.push_back({true, column.variable});
+  }
+  ReadModifiersOfForm();
+}
+
+}  // namespace kg_core::sparql

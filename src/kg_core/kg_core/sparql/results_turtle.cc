@@ -1,0 +1,70 @@
+// The triples of CONSTRUCT and DESCRIBE as Turtle.
+
+#include <map>
+#include <set>
+
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/sparql/results.h"
+
+namespace kg_core {
+namespace {
+
+// Objects by property by subject, all written.
+using ObjectSet = std::set<std::string>;
+using Properties = std::map<std::string, ObjectSet>;
+using Written = std::map<std::string, Properties>;
+
+bool Uses(const Term& term, const Prefix& prefix) {
+  const std::string& iri = term.is_literal() ? term.datatype : term.text;
+  return !term.is_blank() && iri.rfind(prefix.iri, 0) == 0;
+}
+
+std::string UsedPrefixes(const std::vector<Triple>& triples) {
+  std::string out;
+  for (const Prefix& prefix : kPrefixes) {
+    bool used = false;
+    for (const Triple& t : triples) {
+      used = used || Uses(t.subject, prefix) || Uses(t.predicate, prefix) ||
+             Uses(t.object, prefix);
+    }
+    if (!used) continue;
+    out += std::string("@prefix ") + prefix.name + ": <" + prefix.iri + "> .\n";
+  }
+  return out;
+}
+
+std::string Property(const Term& predicate) {
+  return predicate.text == std::string(kRdf) + "type" ? "a"
+                                                      : ToTurtle(predicate);
+}
+
+std::string PropertyLines(const Properties& properties) {
+  std::string out;
+  for (const auto& [property, objects] : properties) {
+    out += (out.empty() ? " " : " ;\n    ") + property;
+    const char* separator = " ";
+    for (const std::string& object : objects) {
+      out += separator + object;
+      separator = ", ";
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string TriplesToTurtle(const std::vector<Triple>& triples) {
+  Written subjects;
+  for (const Triple& t : triples) {
+    subjects[ToTurtle(t.subject)][Property(t.predicate)].insert(
+        ToTurtle(t.object));
+  }
+  std::string out = UsedPrefixes(triples);
+  for (const auto& [subject, properties] : subjects) {
+    out += (out.empty() ? "" : "\n") + subject + PropertyLines(properties) +
+           " .\n";
+  }
+  return out;
+}
+
+}  // namespace kg_core
