@@ -16,6 +16,8 @@
 namespace kg_ros {
 namespace {
 
+using kg_core::QueryResult;
+
 constexpr char kNotAvailable[] =
     "not available: this service is part of the interface but not served yet";
 
@@ -62,11 +64,17 @@ bool QueryServer::HandleQuery(kg_msgs::Query::Request& request,
   const std::optional<std::string> plan =
       run == 0 ? std::nullopt : std::optional(PlanGraph(run).text);
   try {
-    const kg_core::QueryResult result = kg_core::RunQuery(
+    const QueryResult result = kg_core::RunQuery(
         *view, request.query, kg_core::DefaultDataset(plan), {});
-    response.rows = static_cast<unsigned>(result.rows.size());
+    const bool is_graph = result.form == QueryResult::Form::kConstruct ||
+                          result.form == QueryResult::Form::kDescribe;
+    response.rows = static_cast<unsigned>(is_graph ? result.triples.size()
+                                                   : result.rows.size());
     response.text = kg_core::ToTextTable(result);
-    if (request.format != "text") response.result = kg_core::ToJson(result);
+    if (request.format != "text") {
+      response.result = is_graph ? kg_core::TriplesToTurtle(result.triples)
+                                 : kg_core::ToJson(result);
+    }
     response.ok = true;
   } catch (const kg_core::InputError& error) {
     response.error = error.what();

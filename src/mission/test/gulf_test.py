@@ -19,7 +19,6 @@ from kg_msgs.msg import AgentState, UpdateReport, World
 from kg_msgs.srv import Export, WhatIf, Why
 from mission_test import (CHANGE_S, Heard, MissionTestCase, by_agent, main,
                           track_deg, wait_until)
-from kg_query import QueryError
 from nav_msgs.msg import OccupancyGrid, Path
 from shapely.geometry import LineString, box
 from visualization_msgs.msg import MarkerArray
@@ -111,10 +110,14 @@ class GulfTest(MissionTestCase):
                     else answer.error)
             self.assertFalse(answer.ok, name)
             self.assertIn('not available', said, name)
-        for form in ('CONSTRUCT { ?s ?p ?o } WHERE { ?s ?p ?o }',
-                     'DESCRIBE ex:alpha'):
-            with self.assertRaisesRegex(QueryError, 'not available'):
-                self.house.query.answer(form)
+
+    def test_3_answers_construct_and_describe_in_turtle(self):
+        answer = self.house.query.answer(
+            'CONSTRUCT { ?a ex:usesPolicy ?p } WHERE { ?a ex:usesPolicy ?p }')
+        self.assertEqual(3, answer.rows)
+        self.assertIn('ex:alpha ex:usesPolicy ex:fast', answer.result)
+        answer = self.house.query.answer('DESCRIBE ex:alpha')
+        self.assertIn('ex:hasCapabilities', answer.result)
 
     def test_3_shows_heatmaps_paths_markers_and_frames(self):
         self.house.wait_for_plan()
