@@ -121,6 +121,17 @@ std::string ToJson(const QueryResult& result) {
   return out + "]}}";
 }
 
+const std::vector<ResultFormat>& ResultFormats() {
+  static const auto* const formats = new std::vector<ResultFormat>{
+      {"json", "application/sparql-results+json", ToJson},
+      {"xml", "application/sparql-results+xml", ToXml},
+      {"csv", "text/csv", ToCsv},
+      {"tsv", "text/tab-separated-values", ToTsv},
+      {"text", "text/plain", ToTextTable},
+  };
+  return *formats;
+}
+
 std::string ToTextTable(const QueryResult& result) {
   if (HasTriples(result)) return TriplesToTurtle(result.triples);
   if (result.form == QueryResult::Form::kAsk) {

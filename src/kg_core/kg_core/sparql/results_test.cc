@@ -41,6 +41,40 @@ TEST(Results, WritesATableThatLinesUp) {
             "3 rows\n");
 }
 
+TEST(Results, WritesTheStandardXml) {
+  EXPECT_EQ(ToXml(Example()),
+            "<?xml version=\"1.0\"?>\n"
+            "<sparql xmlns=\"http://www.w3.org/2005/sparql-results#\">\n"
+            "<head><variable name=\"agent\"/><variable name=\"note\"/></head>\n"
+            "<results>\n"
+            "<result><binding name=\"agent\"><uri>http://example.org/mission/"
+            "alpha</uri></binding><binding name=\"note\"><literal datatype=\""
+            "http://www.w3.org/2001/XMLSchema#integer\">3</literal></binding>"
+            "</result>\n"
+            "<result><binding name=\"agent\"><bnode>b</bnode></binding>"
+            "<binding name=\"note\"><literal xml:lang=\"fr\">say &quot;h"
+            "\xC3\xA9&quot;\n</literal></binding></result>\n"
+            "<result><binding name=\"note\"><literal>x</literal></binding>"
+            "</result>\n"
+            "</results>\n</sparql>\n");
+}
+
+TEST(Results, WritesTheStandardCsvAndTsv) {
+  EXPECT_EQ(ToCsv(Example()),
+            "agent,note\r\nhttp://example.org/mission/alpha,3\r\n"
+            "_:b,\"say \"\"h\xC3\xA9\"\"\n\"\r\n,x\r\n");
+  EXPECT_EQ(ToTsv(Example()),
+            "?agent\t?note\n<http://example.org/mission/alpha>\t\"3\"^^"
+            "<http://www.w3.org/2001/XMLSchema#integer>\n"
+            "_:b\t\"say \\\"h\xC3\xA9\\\"\\n\"@fr\n\t\"x\"\n");
+}
+
+TEST(Results, ListsItsFormats) {
+  for (const ResultFormat& format : ResultFormats()) {
+    EXPECT_FALSE(format.write(Example()).empty()) << format.name;
+  }
+}
+
 QueryResult Graph() {
   QueryResult result;
   result.form = QueryResult::Form::kConstruct;

@@ -1,0 +1,32 @@
+// JSON texts as values, for what is read from outside.
+// https://www.rfc-editor.org/rfc/rfc8259
+
+#ifndef KG_CORE_SPARQL_JSON_H_
+#define KG_CORE_SPARQL_JSON_H_
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace kg_core::sparql {
+
+struct Json {
+  enum class Kind { kNull, kBoolean, kNumber, kString, kArray, kObject };
+  Kind kind = Kind::kNull;
+  bool boolean = false;
+  std::string text;         // kString; of kNumber: as written.
+  std::vector<Json> items;  // kArray.
+  std::vector<std::pair<std::string, Json>> members;  // kObject, in order.
+
+  // The first member of that name; nullptr if there is none.
+  const Json* Find(std::string_view name) const;
+};
+
+// Throws InputError "JSON, line:column: what was expected"; nesting is limited
+// to 100.
+Json ParseJson(std::string_view text);
+
+}  // namespace kg_core::sparql
+
+#endif  // KG_CORE_SPARQL_JSON_H_

@@ -1,0 +1,168 @@
+// JSON, CSV and TSV; XML is in read_results_xml.cc.
+
+#include "kg_core/sparql/read_results.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/rdf/turtle.h"
+#include "kg_core/sparql/json.h"
+
+namespace kg_core {
+namespace {
+
+using sparql::Json;
+
+const Json& Member(const Json& object, const char* name, Json::Kind kind) {
+  const Json* member = object.Find(name);
+  if (member == nullptr || member->kind != kind) {
+    throw InputError("JSON result: expected a member \"" + std::string(name) +
+                     "\" of the right type");
+  }
+  return *member;
+}
+
+std::string TextOf(const Json& object, const char* name) {
+  return Member(object, name, Json::Kind::kString).text;
+}
+
+// https://www.w3.org/TR/sparql11-results-json/#select-encode-terms
+Term TermOf(const Json& object) {
+  const std::string type = TextOf(object, "type");
+  const std::string text = TextOf(object, "value");
+  if (type == "uri") return Iri(text);
+  if (type == "bnode") return Blank(text);
+  if (type != "literal" && type != "typed-literal") {
+    throw InputError("JSON result: expected uri, bnode or literal, got " +
+                     type);
+  }
+  if (object.Find("xml:lang") != nullptr) {
+    return LanguageLiteral(text, TextOf(object, "xml:lang"));
+  }
+  if (object.Find("datatype") == nullptr) return Literal(text);
+  return Literal(text, TextOf(object, "datatype"));
+}
+
+std::vector<std::optional<Term>> RowOf(
+    const Json& binding, const std::vector<std::string>& variables) {
+  std::vector<std::optional<Term>> row(variables.size());
+  for (const auto& [name, term] : binding.members) {
+    const auto found = std::find(variables.begin(), variables.end(), name);
+    if (found == variables.end()) {
+      throw InputError("JSON result: ?" + name + " is not in \"vars\"");
+    }
+    row[static_cast<std::size_t>(found - variables.begin())] = TermOf(term);
+  }
+  return row;
+}
+
+// The fields of CSV (RFC 4180), line by line; quotes may hold line ends.
+std::vector<std::vector<std::string>> CsvRecords(std::string_view text) {
+  std::vector<std::vector<std::string>> records;
+  bool quoted = false;
+  bool at_start = true;  // Of a record.
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (at_start) records.push_back({""});
+    at_start = false;
+    const char c = text[i];
+    if (quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"') {
+      records.back().back().push_back(text[++i]);
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (!quoted && c == ',') {
+      records.back().emplace_back();
+    } else if (!quoted && c == '\n') {
+      at_start = true;
+    } else if (quoted || c != '\r') {
+      records.back().back().push_back(c);
+    }
+  }
+  if (quoted) throw InputError("CSV result: a quote is not closed");
+  return records;
+}
+
+std::vector<std::vector<std::string>> TsvRecords(std::string_view text) {
+  std::vector<std::vector<std::string>> records;
+  bool at_start = true;
+  for (const char c : text) {
+    if (at_start) records.push_back({""});
+    at_start = c == '\n';
+    if (c == '\t') {
+      records.back().emplace_back();
+    } else if (c != '\n' && c != '\r') {
+      records.back().back().push_back(c);
+    }
+  }
+  return records;
+}
+
+using TermReader = Term (*)(std::string_view text);
+
+QueryResult FromRecords(std::vector<std::vector<std::string>> records,
+                        TermReader read, const char* format) {
+  QueryResult result;
+  if (records.empty()) {
+    throw InputError(std::string(format) + " result: expected a first line");
+  }
+  for (std::string& name : records[0]) {
+    if (name == "" && records[0].size() == 1) break;  // No variables.
+    result.variables.push_back(name[0] == '?' ? name.substr(1) : name);
+  }
+  for (std::size_t line = 1; line < records.size(); ++line) {
+    std::vector<std::string>& fields = records[line];
+    if (result.variables.empty() && fields[0].empty()) fields.clear();
+    if (fields.size() != result.variables.size()) {
+      throw InputError(std::string(format) + " result: record " +
+                       std::to_string(line) + " has " +
+                       std::to_string(fields.size()) + " fields, expected " +
+                       std::to_string(result.variables.size()));
+    }
+    result.rows.emplace_back();
+    for (const std::string& field : fields) {
+      result.rows.back().push_back(
+          field.empty() ? std::nullopt : std::optional<Term>(read(field)));
+    }
+  }
+  return result;
+}
+
+Term ReadCsvTerm(std::string_view text) { return Literal(std::string(text)); }
+
+Term ReadTsvTerm(std::string_view text) {
+  if (text.substr(0, 2) == "_:") return Blank(std::string(text.substr(2)));
+  return ParseTurtleTerm(text);
+}
+
+}  // namespace
+
+QueryResult ReadJsonResult(std::string_view text) {
+  const Json json = sparql::ParseJson(text);
+  QueryResult result;
+  if (const Json* answer = json.Find("boolean")) {
+    result.form = QueryResult::Form::kAsk;
+    result.answer = answer->boolean;
+    return result;
+  }
+  const Json& head = Member(json, "head", Json::Kind::kObject);
+  for (const Json& name : Member(head, "vars", Json::Kind::kArray).items) {
+    result.variables.push_back(name.text);
+  }
+  const Json& results = Member(json, "results", Json::Kind::kObject);
+  const Json& rows = Member(results, "bindings", Json::Kind::kArray);
+  for (const Json& binding : rows.items) {
+    result.rows.push_back(RowOf(binding, result.variables));
+  }
+  return result;
+}
+
+QueryResult ReadCsvResult(std::string_view text) {
+  return FromRecords(CsvRecords(text), ReadCsvTerm, "CSV");
+}
+
+QueryResult ReadTsvResult(std::string_view text) {
+  return FromRecords(TsvRecords(text), ReadTsvTerm, "TSV");
+}
+
+}  // namespace kg_core
