@@ -92,7 +92,8 @@ nav_msgs::OccupancyGrid ToHeatmap(const kg_compiler::MissionTensor& tensor,
   heatmap.info.origin.position.x = low.x_m;
   heatmap.info.origin.position.y = low.y_m;
   heatmap.info.origin.orientation.w = 1.0;
-  heatmap.data.assign(heatmap.info.width * heatmap.info.height, -1);
+  heatmap.data.assign(
+      static_cast<std::size_t>(heatmap.info.width) * heatmap.info.height, -1);
 
   const kg_core::Raster& fused = tensor.Get(Layer::kFused);
   const kg_core::Raster& feasible = tensor.Get(Layer::kFeasibility);

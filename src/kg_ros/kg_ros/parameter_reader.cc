@@ -75,7 +75,7 @@ std::string ParameterReader::Text(const std::string& key,
 }
 
 std::string ParameterReader::Text(const std::string& key) {
-  const std::string text = Text(key, "");
+  std::string text = Text(key, "");
   if (text.empty()) Refuse(key, "is missing: must be a text");
   return text;
 }

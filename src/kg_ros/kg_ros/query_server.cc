@@ -21,6 +21,22 @@ using kg_core::QueryResult;
 constexpr char kNotAvailable[] =
     "not available: this service is part of the interface but not served yet";
 
+bool IsGraph(const QueryResult& result) {
+  return result.form == QueryResult::Form::kConstruct ||
+         result.form == QueryResult::Form::kDescribe;
+}
+
+// Empty: the first, which is JSON.
+const kg_core::ResultFormat& FormatNamed(const std::string& name) {
+  std::string known;
+  for (const kg_core::ResultFormat& format : kg_core::ResultFormats()) {
+    if (name.empty() || name == format.name) return format;
+    known += known.empty() ? format.name : std::string(", ") + format.name;
+  }
+  throw kg_core::InputError("format '" + name + "' is not known; expected " +
+                            known);
+}
+
 }  // namespace
 
 QueryServer::QueryServer(const ros::NodeHandle& node,
@@ -66,14 +82,13 @@ bool QueryServer::HandleQuery(kg_msgs::Query::Request& request,
   try {
     const QueryResult result = kg_core::RunQuery(
         *view, request.query, kg_core::DefaultDataset(plan), {});
-    const bool is_graph = result.form == QueryResult::Form::kConstruct ||
-                          result.form == QueryResult::Form::kDescribe;
-    response.rows = static_cast<unsigned>(is_graph ? result.triples.size()
-                                                   : result.rows.size());
     response.text = kg_core::ToTextTable(result);
-    if (request.format != "text") {
-      response.result = is_graph ? kg_core::TriplesToTurtle(result.triples)
-                                 : kg_core::ToJson(result);
+    if (IsGraph(result)) {
+      response.rows = static_cast<unsigned>(result.triples.size());
+      response.result = kg_core::TriplesToTurtle(result.triples);
+    } else {
+      response.rows = static_cast<unsigned>(result.rows.size());
+      response.result = FormatNamed(request.format).write(result);
     }
     response.ok = true;
   } catch (const kg_core::InputError& error) {

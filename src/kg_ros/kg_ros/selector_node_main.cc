@@ -23,8 +23,8 @@ class SelectorNode {
     assignments_ =
         node_.advertise<kg_msgs::Assignments>(kAssignmentsTopic, 1, kLatched);
     // Latched: a selector that was just started is heard by all.
-    rejections_ = node_.advertise<kg_msgs::Rejections>(kRejectionsTopic, 64,
-                                                       kLatched);
+    rejections_ =
+        node_.advertise<kg_msgs::Rejections>(kRejectionsTopic, 64, kLatched);
     subscribers_ = {
         node_.subscribe(kWorldTopic, 1, &SelectorNode::HandleWorld, this),
         node_.subscribe(kCoordinationTopic, 1,
