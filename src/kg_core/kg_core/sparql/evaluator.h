@@ -28,7 +28,8 @@ namespace kg_core::sparql {
 // The graphs of a query, by id.
 struct DatasetIds {
   std::vector<TermId> default_graphs;
-  std::optional<std::vector<TermId>> named_graphs;  // Nothing: all.
+  std::optional<std::vector<TermId>> named_graphs;  // Nothing: all ...
+  TermId unnamed_graph = kNoTerm;                   // ... but this one.
 };
 
 class Evaluator {

@@ -1,6 +1,6 @@
 // The recursive descent behind ParseQuery; its rules are in parser.cc (query
-// forms), parse_template.cc, parse_pattern.cc, parse_triples.cc and
-// parse_expression.cc, each with its number in
+// forms), parse_update.cc, parse_template.cc, parse_pattern.cc,
+// parse_triples.cc and parse_expression.cc, each with its number in
 // https://www.w3.org/TR/sparql11-query/#sparqlGrammar.
 
 #ifndef KG_CORE_SPARQL_GRAMMAR_H_
@@ -15,6 +15,7 @@
 #include "kg_core/sparql/algebra.h"
 #include "kg_core/sparql/query.h"
 #include "kg_core/sparql/token.h"
+#include "kg_core/sparql/update.h"
 
 namespace kg_core::sparql {
 
@@ -22,6 +23,7 @@ class Grammar {
  public:
   Grammar(std::vector<Token> tokens, int nesting);
   Query ReadQuery();
+  Update ReadUpdate();
 
  private:
   // A group and the filters that hold for all of it.
@@ -71,6 +73,18 @@ class Grammar {
   void ReadDescribe();
   Pattern ReadTemplateTriples(const TemplateRules& rules);
   void AddTemplateColumns(const std::vector<QuadTemplate>& templates);
+  std::vector<QuadTemplate> ReadQuads(const TemplateRules& rules);
+  void ReadQuadTriples(const Node& graph, std::vector<QuadTemplate>* quads);
+
+  // Updates (parse_update.cc).
+  Operation ReadOperation();
+  void BeginOperation();
+  bool ReadGraphOperation(Operation* operation);
+  GraphRef ReadGraphRef(Operation::Kind kind);
+  void ReadInsertData(Operation* operation);
+  void ReadDeleteWhere(Operation* operation);
+  void ReadModify(Operation* operation);
+  void ReadUsing();
   void CheckBlankAllowed() const;
 
   // Patterns (parse_pattern.cc).
@@ -163,7 +177,8 @@ class Grammar {
   std::map<std::string, std::string> prefixes_;
   std::map<std::string, int> variable_numbers_;
   std::map<std::string, int> constant_numbers_;
-  std::map<std::string, int> block_of_label_;  // Blank node labels.
+  std::map<std::string, int> block_of_label_;       // Blank node labels.
+  std::map<std::string, int> block_of_data_label_;  // In INSERT DATA.
   int block_ = 0;   // The basic graph pattern being read ...
   int blocks_ = 0;  // ... of so many so far.
   // Where aggregates go; nullptr where none may stand.

@@ -48,7 +48,7 @@ const ActiveGraph* Evaluator::NamedGraph(TermId graph) {
                          ? std::find(dataset_.named_graphs->begin(),
                                      dataset_.named_graphs->end(),
                                      graph) != dataset_.named_graphs->end()
-                         : !active->empty();
+                         : graph != dataset_.unnamed_graph && !active->empty();
   if (!there) active.reset();
   return (graphs_[graph] = std::move(active)).get();
 }
@@ -72,7 +72,10 @@ std::vector<TermId> Evaluator::CandidateGraphs(const Pattern& p,
   absl::flat_hash_set<TermId> seen;
   terms_->view().Match(quad, [&](const Quad& found) {
     budget_->Step();
-    if (seen.insert(found.graph).second) graphs.push_back(found.graph);
+    if (found.graph != dataset_.unnamed_graph &&
+        seen.insert(found.graph).second) {
+      graphs.push_back(found.graph);
+    }
     return true;
   });
   return graphs;

@@ -6,9 +6,11 @@
 
 namespace kg_core::sparql {
 
+// Called just after the token that makes a blank node.
 void Grammar::CheckBlankAllowed() const {
   if (template_.blank_nodes) return;
-  Fail(Peek(), std::string(template_.name) + " may not have blank nodes");
+  Fail(tokens_[at_ - 1],
+       std::string(template_.name) + " may not have blank nodes");
 }
 
 // [52] TriplesTemplate in braces. Labels of blank nodes are its own.
@@ -35,6 +37,37 @@ void Grammar::AddTemplateColumns(const std::vector<QuadTemplate>& templates) {
     }
   }
   AddColumns(variables, &query_.select);
+}
+
+// [50] Quads in braces.
+std::vector<QuadTemplate> Grammar::ReadQuads(const TemplateRules& rules) {
+  const Nested nested(this);
+  std::vector<QuadTemplate> quads;
+  ExpectMark("{");
+  template_ = rules;
+  ReadQuadTriples({}, &quads);
+  while (TakeWord("GRAPH")) {
+    const Node graph = Peek().kind == Token::Kind::kVariable
+                           ? Node{true, ReadVariable()}
+                           : ConstantNode(Iri(ReadIri()));
+    ExpectMark("{");
+    ReadQuadTriples(graph, &quads);
+    ExpectMark("}");
+    TakeMark(".");
+    ReadQuadTriples({}, &quads);
+  }
+  template_ = {};
+  ExpectMark("}");
+  return quads;
+}
+
+void Grammar::ReadQuadTriples(const Node& graph,
+                              std::vector<QuadTemplate>* quads) {
+  Pattern basic;
+  ReadTriplesBlock(&basic);
+  for (TriplePattern& triple : basic.triples) {
+    quads->push_back({std::move(triple), graph});
+  }
 }
 
 // [10] ConstructQuery

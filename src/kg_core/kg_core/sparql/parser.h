@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "kg_core/sparql/query.h"
+#include "kg_core/sparql/update.h"
 
 namespace kg_core::sparql {
 
@@ -13,6 +14,10 @@ namespace kg_core::sparql {
 // bounds brackets within brackets. Throws InputError "line:column: what was
 // expected", or "line:column: ... is not available".
 Query ParseQuery(std::string_view text, int nesting);
+
+// Likewise an update request. Queries and updates do not know each other's
+// keywords.
+Update ParseUpdate(std::string_view text, int nesting);
 
 }  // namespace kg_core::sparql
 

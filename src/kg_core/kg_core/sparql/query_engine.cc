@@ -1,6 +1,5 @@
 #include "kg_core/sparql/query_engine.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "kg_core/base/input_error.h"
@@ -8,6 +7,7 @@
 #include "kg_core/sparql/algebra.h"
 #include "kg_core/sparql/budget.h"
 #include "kg_core/sparql/construct.h"
+#include "kg_core/sparql/dataset.h"
 #include "kg_core/sparql/evaluator.h"
 #include "kg_core/sparql/parser.h"
 #include "kg_core/sparql/term_table.h"
@@ -16,62 +16,11 @@ namespace kg_core {
 namespace {
 
 using sparql::Budget;
-using sparql::DatasetIds;
 using sparql::Evaluator;
 using sparql::Query;
 using sparql::QueryRun;
 using sparql::Row;
 using sparql::TermTable;
-
-bool HasQuads(const GraphView& view, TermId graph) {
-  bool found = false;
-  view.Match({kNoTerm, kNoTerm, kNoTerm, graph}, [&found](const Quad&) {
-    found = true;
-    return false;
-  });
-  return found;
-}
-
-// FROM names graphs of the store only: a typo must not look like "no rows".
-void CheckGraph(const GraphView& view, const std::string& iri) {
-  for (const char* ours :
-       {kFactsGraph, kVocabGraph, kProvGraph, kLogGraph, kStateGraph}) {
-    if (iri == ours) return;
-  }
-  const TermId id = view.Find(Iri(iri));
-  if (id != kNoTerm && HasQuads(view, id)) return;
-  throw InputError("FROM: the store has no graph " + AbbreviateIri(iri));
-}
-
-std::vector<TermId> IdsOf(const std::vector<std::string>& graphs,
-                          TermTable* terms) {
-  std::vector<TermId> ids;
-  for (const std::string& graph : graphs) {
-    const TermId id = terms->Intern(Iri(graph));
-    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
-  }
-  return ids;
-}
-
-DatasetIds ResolveDataset(const Query& query, const Dataset& dataset,
-                          TermTable* terms) {
-  DatasetIds ids;
-  if (query.has_dataset) {
-    for (const auto* graphs : {&query.from, &query.from_named}) {
-      for (const std::string& graph : *graphs) {
-        CheckGraph(terms->view(), graph);
-      }
-    }
-    ids.default_graphs = IdsOf(query.from, terms);
-    ids.named_graphs = IdsOf(query.from_named, terms);
-    return ids;
-  }
-  ids.default_graphs = IdsOf(dataset.default_graphs, terms);
-  if (dataset.named_graphs) {
-    ids.named_graphs = IdsOf(*dataset.named_graphs, terms);
-  }
-  return ids;
-}
 
 std::size_t BytesOf(const std::vector<std::optional<Term>>& row) {
   std::size_t bytes = 0;
@@ -130,9 +79,10 @@ QueryResult RunQuery(const GraphView& view, std::string_view query_text,
   Budget budget(limits);
   Query query = sparql::ParseQuery(query_text, limits.nesting);
   if (!query.unknown_function.empty()) throw InputError(query.unknown_function);
+  sparql::CheckDataset(view, query);
   sparql::Prepare(&query.select);
   TermTable terms(&view, &budget);
-  Evaluator evaluator(&query, &terms, ResolveDataset(query, dataset, &terms),
+  Evaluator evaluator(&query, &terms, sparql::Resolve(query, dataset, &terms),
                       &budget);
   const QueryRun run{query, &evaluator, &terms, &budget};
   QueryResult result;

@@ -39,6 +39,9 @@ struct Dataset {
   std::vector<std::string> default_graphs;
   // What GRAPH sees; nothing: every graph of the store.
   std::optional<std::vector<std::string>> named_graphs;
+  // Never seen by GRAPH ?g where named_graphs is nothing: the store's name for
+  // what has no name in SPARQL. "": there is none.
+  std::string unnamed_graph{};
 };
 
 // Facts, vocabulary, provenance, agent states and the plan graph given (its

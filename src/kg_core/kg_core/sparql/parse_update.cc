@@ -1,0 +1,206 @@
+// Update requests, rules [29] to [51].
+
+#include <utility>
+
+#include "kg_core/sparql/grammar.h"
+#include "kg_core/sparql/lexer.h"
+#include "kg_core/sparql/parser.h"
+
+namespace kg_core::sparql {
+namespace {
+
+using Kind = Operation::Kind;
+
+struct GraphWord {
+  const char* word;
+  Kind kind;
+};
+constexpr GraphWord kGraphWords[] = {
+    {"LOAD", Kind::kLoad},     {"CLEAR", Kind::kClear}, {"DROP", Kind::kDrop},
+    {"CREATE", Kind::kCreate}, {"COPY", Kind::kCopy},   {"MOVE", Kind::kMove},
+    {"ADD", Kind::kAdd},
+};
+
+// DELETE WHERE: the quads are pattern and template in one.
+Pattern PatternOf(const QuadTemplate& quad) {
+  Pattern basic;
+  basic.triples.push_back(quad.triple);
+  if (quad.graph.index == kNone) return basic;
+  Pattern graph;
+  graph.kind = Pattern::Kind::kGraph;
+  graph.graph = quad.graph;
+  graph.parts.push_back(std::move(basic));
+  return graph;
+}
+
+bool SameGraph(const Node& a, const Node& b) {
+  return a.is_variable == b.is_variable && a.index == b.index;
+}
+
+}  // namespace
+
+// [29] Update, [30] Update1
+Update Grammar::ReadUpdate() {
+  Update update;
+  ReadPrologue();
+  while (Peek().kind != Token::Kind::kEnd) {
+    update.operations.push_back(ReadOperation());
+    if (!TakeMark(";")) break;
+    ReadPrologue();
+  }
+  if (Peek().kind != Token::Kind::kEnd) {
+    Expected("';' or the end of the update");
+  }
+  return update;
+}
+
+// Each operation numbers its own variables; prefixes and the base go on.
+void Grammar::BeginOperation() {
+  Query fresh;
+  fresh.base = query_.base;
+  query_ = std::move(fresh);
+  variable_numbers_.clear();
+  constant_numbers_.clear();
+  block_ = ++blocks_;
+}
+
+Operation Grammar::ReadOperation() {
+  BeginOperation();
+  Operation operation;
+  operation.position = Peek().position;
+  if (ReadGraphOperation(&operation)) return operation;
+  if (AtWord("INSERT") && AtWord("DATA", 1)) {
+    ReadInsertData(&operation);
+  } else if (AtWord("DELETE") && AtWord("DATA", 1)) {
+    Take();
+    Take();
+    operation.removed = ReadQuads({true, false, false, "DELETE DATA"});
+  } else if (AtWord("DELETE") && AtWord("WHERE", 1)) {
+    ReadDeleteWhere(&operation);
+  } else if (AtWord("WITH") || AtWord("DELETE") || AtWord("INSERT")) {
+    ReadModify(&operation);
+  } else {
+    Expected("an update such as INSERT, DELETE, CLEAR or COPY");
+  }
+  operation.query = std::move(query_);
+  query_ = {};
+  query_.base = operation.query.base;
+  return operation;
+}
+
+// [31] Load to [37] Copy
+bool Grammar::ReadGraphOperation(Operation* operation) {
+  const GraphWord* found = nullptr;
+  for (const GraphWord& graph_word : kGraphWords) {
+    if (AtWord(graph_word.word)) found = &graph_word;
+  }
+  if (found == nullptr) return false;
+  Take();
+  operation->kind = found->kind;
+  operation->silent = TakeWord("SILENT");
+  const bool moves = found->kind == Kind::kCopy || found->kind == Kind::kMove ||
+                     found->kind == Kind::kAdd;
+  if (moves) {
+    operation->source = ReadGraphRef(found->kind);
+    ExpectWord("TO");
+  } else if (found->kind == Kind::kLoad) {
+    operation->source = {GraphRef::Kind::kIri, ReadIri()};
+    if (!TakeWord("INTO")) return true;
+  }
+  operation->target = ReadGraphRef(found->kind);
+  return true;
+}
+
+// [44] GraphRef, [45] GraphOrDefault, [47] GraphRefAll
+GraphRef Grammar::ReadGraphRef(Operation::Kind kind) {
+  const bool may_be_all = kind == Kind::kClear || kind == Kind::kDrop;
+  const bool moves =
+      kind == Kind::kCopy || kind == Kind::kMove || kind == Kind::kAdd;
+  GraphRef graph;
+  if ((may_be_all || moves) && TakeWord("DEFAULT")) return graph;
+  if (may_be_all && TakeWord("NAMED")) {
+    graph.kind = GraphRef::Kind::kNamed;
+    return graph;
+  }
+  if (may_be_all && TakeWord("ALL")) {
+    graph.kind = GraphRef::Kind::kAll;
+    return graph;
+  }
+  if (!TakeWord("GRAPH") && !moves) {
+    Expected(may_be_all ? "GRAPH, DEFAULT, NAMED or ALL" : "GRAPH");
+  }
+  graph.kind = GraphRef::Kind::kIri;
+  graph.iri = ReadIri();
+  return graph;
+}
+
+// [38] InsertData. No label may return in the data of another one.
+// https://www.w3.org/TR/sparql11-query/#grammarBNodes
+void Grammar::ReadInsertData(Operation* operation) {
+  Take();
+  Take();
+  std::swap(block_of_label_, block_of_data_label_);
+  operation->added = ReadQuads({true, false, true, "INSERT DATA"});
+  std::swap(block_of_label_, block_of_data_label_);
+}
+
+// [40] DeleteWhere
+void Grammar::ReadDeleteWhere(Operation* operation) {
+  Take();
+  Take();
+  operation->removed = ReadQuads({true, true, false, "DELETE WHERE"});
+  Pattern where;
+  for (const QuadTemplate& quad : operation->removed) {
+    CountPattern();
+    Pattern part = PatternOf(quad);
+    const bool same = &quad != operation->removed.data() &&
+                      SameGraph(quad.graph, (&quad)[-1].graph);
+    if (!same) {
+      where = Join(std::move(where), std::move(part));
+      continue;
+    }
+    Pattern* last = &where;
+    if (last->kind == Pattern::Kind::kJoin) last = &last->parts[1];
+    if (last->kind == Pattern::Kind::kGraph) last = &last->parts[0];
+    last->triples.push_back(quad.triple);
+  }
+  query_.select.where = std::move(where);
+  AddTemplateColumns(operation->removed);
+}
+
+// [41] Modify
+void Grammar::ReadModify(Operation* operation) {
+  if (TakeWord("WITH")) operation->with = ReadIri();
+  const auto labels = block_of_label_;
+  const bool deletes = TakeWord("DELETE");
+  if (deletes) operation->removed = ReadQuads({true, true, false, "DELETE"});
+  if (!deletes || AtWord("INSERT")) {
+    ExpectWord("INSERT");
+    block_of_label_.clear();
+    operation->added = ReadQuads({true, true, true, "INSERT"});
+  }
+  // Labels of a template are its own.
+  block_of_label_ = labels;
+  block_ = ++blocks_;
+  ReadUsing();
+  if (!AtWord("WHERE")) Expected("WHERE");
+  ReadWhere(&query_.select);
+  std::vector<QuadTemplate> all = operation->removed;
+  all.insert(all.end(), operation->added.begin(), operation->added.end());
+  AddTemplateColumns(all);
+}
+
+// [43] UsingClause
+void Grammar::ReadUsing() {
+  while (TakeWord("USING")) {
+    query_.has_dataset = true;
+    const bool named = TakeWord("NAMED");
+    (named ? query_.from_named : query_.from).push_back(ReadIri());
+  }
+}
+
+Update ParseUpdate(std::string_view text, int nesting) {
+  return Grammar(Tokenize(text), nesting).ReadUpdate();
+}
+
+}  // namespace kg_core::sparql
