@@ -90,6 +90,7 @@ class Evaluator {
   bool Grouped(const Select& select, const ActiveGraph& g, Emit emit);
   bool FinishRow(const Select& select, const ActiveGraph& g, Row* row,
                  Emit emit);
+  void RankKeys(std::vector<Sorted>* all);
   std::vector<Sorted> SortedSolutions(const Select& select,
                                       const ActiveGraph& g);
 

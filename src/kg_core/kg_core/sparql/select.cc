@@ -11,6 +11,9 @@
 namespace kg_core::sparql {
 namespace {
 
+// What ranking a distinct key takes while it goes on.
+constexpr std::size_t kBytesPerKey = 224;
+
 TermId& Slot(Row* row, int variable) {
   return (*row)[static_cast<std::size_t>(variable)];
 }
@@ -18,7 +21,7 @@ TermId& Slot(Row* row, int variable) {
 }  // namespace
 
 struct Evaluator::Sorted {
-  std::vector<TermId> keys;
+  std::vector<TermId> keys;  // Then ranks: RankKeys.
   Row row;
 };
 
@@ -72,21 +75,38 @@ std::vector<Evaluator::Sorted> Evaluator::SortedSolutions(
     all.push_back(std::move(sorted));
     return true;
   });
-  const auto term = [this](TermId id) {
-    return id == kNoTerm ? nullptr : &terms_->Get(id);
-  };
+  RankKeys(&all);
   std::stable_sort(
       all.begin(), all.end(), [&](const Sorted& a, const Sorted& b) {
         budget_->Step();
         for (std::size_t i = 0; i < a.keys.size(); ++i) {
           if (a.keys[i] == b.keys[i]) continue;
-          const int order = OrderOf(term(a.keys[i]), term(b.keys[i]));
-          if (order == 0) continue;
-          return select.order_by[i].descending ? order > 0 : order < 0;
+          return (a.keys[i] < b.keys[i]) != select.order_by[i].descending;
         }
         return false;
       });
   return all;
+}
+
+// Puts in place of each key its rank among all keys, 0 for an unbound one.
+void Evaluator::RankKeys(std::vector<Sorted>* all) {
+  absl::flat_hash_map<TermId, std::size_t> places;
+  std::vector<const Term*> terms;
+  for (const Sorted& sorted : *all) {
+    for (const TermId key : sorted.keys) {
+      budget_->Step();
+      if (key == kNoTerm || !places.emplace(key, terms.size()).second) continue;
+      terms.push_back(&terms_->Get(key));
+    }
+  }
+  budget_->UseWorkingBytes(kBytesPerKey * terms.size());
+  const std::vector<int> ranks = RanksOf(terms, [this] { budget_->Step(); });
+  for (Sorted& sorted : *all) {
+    for (TermId& key : sorted.keys) {
+      if (key == kNoTerm) continue;
+      key = 1 + static_cast<TermId>(ranks[places.at(key)]);
+    }
+  }
 }
 
 // Solutions with the columns' expressions, before order and projection.

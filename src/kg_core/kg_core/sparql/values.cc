@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 #include <string_view>
 
 #include "kg_core/rdf/namespaces.h"
@@ -99,6 +100,24 @@ Order FromSign(int sign) {
   return sign < 0 ? Order::kLess : sign > 0 ? Order::kGreater : Order::kEqual;
 }
 
+int Sign(int value) { return value < 0 ? -1 : value > 0 ? 1 : 0; }
+
+// A term and what comparing it takes, read once.
+struct Value {
+  explicit Value(const Term& read) : term(&read), kind(KindOf(read)) {
+    if (kind == ValueKind::kNumber) number = *ToNumber(read);
+    if (kind == ValueKind::kBoolean) truth = *ToBoolean(read);
+    if (kind == ValueKind::kDateTime) time = *ParseDateTime(read.text);
+    if (kind == ValueKind::kDate) time = *ParseDate(read.text);
+  }
+
+  const Term* term;
+  ValueKind kind;
+  bool truth = false;
+  Number number;
+  DateTime time;
+};
+
 Order CompareNumbers(const Number& a, const Number& b) {
   if (a.is_exact() && b.is_exact()) {
     return FromSign(Compare(a.exact, b.exact));
@@ -111,16 +130,15 @@ Order CompareNumbers(const Number& a, const Number& b) {
 }
 
 // Order of two values of one comparable kind.
-Order CompareKind(ValueKind kind, const Term& a, const Term& b) {
-  switch (kind) {
+Order CompareSameKind(const Value& a, const Value& b) {
+  switch (a.kind) {
     case ValueKind::kNumber:
-      return CompareNumbers(*ToNumber(a), *ToNumber(b));
+      return CompareNumbers(a.number, b.number);
     case ValueKind::kBoolean:
-      return FromSign(int{*ToBoolean(a)} - int{*ToBoolean(b)});
+      return FromSign(int{a.truth} - int{b.truth});
     case ValueKind::kDateTime:
-      return FromSign(Compare(*ParseDateTime(a.text), *ParseDateTime(b.text)));
     case ValueKind::kDate:
-      return FromSign(Compare(*ParseDate(a.text), *ParseDate(b.text)));
+      return FromSign(Compare(a.time, b.time));
     case ValueKind::kString:
     case ValueKind::kLanguageString:
     case ValueKind::kBlank:
@@ -128,29 +146,33 @@ Order CompareKind(ValueKind kind, const Term& a, const Term& b) {
     case ValueKind::kUnknown:
       break;
   }
-  return FromSign(a.text.compare(b.text));
+  return FromSign(a.term->text.compare(b.term->text));
 }
 
-int Sign(int value) { return value < 0 ? -1 : value > 0 ? 1 : 0; }
-
-int OrderSameKind(ValueKind kind, const Term& a, const Term& b) {
-  switch (CompareKind(kind, a, b)) {
+int OrderSameKind(const Value& a, const Value& b) {
+  switch (CompareSameKind(a, b)) {
     case Order::kLess:
       return -1;
     case Order::kGreater:
       return 1;
     case Order::kNone: {  // NaN comes before the other numbers.
-      const bool a_is_nan = std::isnan(ToNumber(a)->ToDouble());
-      const bool b_is_nan = std::isnan(ToNumber(b)->ToDouble());
+      const bool a_is_nan = std::isnan(a.number.ToDouble());
+      const bool b_is_nan = std::isnan(b.number.ToDouble());
       if (a_is_nan != b_is_nan) return a_is_nan ? -1 : 1;
       break;
     }
     case Order::kEqual:
       break;
   }
-  if (kind == ValueKind::kNumber || kind == ValueKind::kDateTime) return 0;
-  const int by_language = Sign(a.language.compare(b.language));
-  return by_language != 0 ? by_language : Sign(a.datatype.compare(b.datatype));
+  if (a.kind == ValueKind::kNumber || a.kind == ValueKind::kDateTime) return 0;
+  const int by_language = Sign(a.term->language.compare(b.term->language));
+  return by_language != 0 ? by_language
+                          : Sign(a.term->datatype.compare(b.term->datatype));
+}
+
+int OrderOfValues(const Value& a, const Value& b) {
+  if (a.kind != b.kind) return a.kind < b.kind ? -1 : 1;
+  return OrderSameKind(a, b);
 }
 
 std::string FormatReal(double value, Number::Type type) {
@@ -292,30 +314,31 @@ std::optional<bool> EffectiveBoolean(const Term& term) {
 }
 
 std::optional<bool> Equal(const Term& a, const Term& b) {
-  const ValueKind kind = KindOf(a);
-  const ValueKind other = KindOf(b);
+  const Value x(a);
+  const Value y(b);
   const bool literals = a.is_literal() && b.is_literal();
-  if (kind == other && kind != ValueKind::kUnknown && literals) {
-    if (kind == ValueKind::kLanguageString) return a == b;
-    return CompareKind(kind, a, b) == Order::kEqual;
+  if (x.kind == y.kind && x.kind != ValueKind::kUnknown && literals) {
+    if (x.kind == ValueKind::kLanguageString) return a == b;
+    return CompareSameKind(x, y) == Order::kEqual;
   }
   if (a == b) return true;
   const bool unknown =
-      kind == ValueKind::kUnknown || other == ValueKind::kUnknown;
+      x.kind == ValueKind::kUnknown || y.kind == ValueKind::kUnknown;
   if (literals && unknown) return std::nullopt;
   return false;
 }
 
 std::optional<Order> Compare(const Term& a, const Term& b) {
-  const ValueKind kind = KindOf(a);
-  if (kind != KindOf(b)) return std::nullopt;
-  switch (kind) {
+  const Value x(a);
+  const Value y(b);
+  if (x.kind != y.kind) return std::nullopt;
+  switch (x.kind) {
     case ValueKind::kNumber:
     case ValueKind::kBoolean:
     case ValueKind::kDateTime:
     case ValueKind::kDate:
     case ValueKind::kString:
-      return CompareKind(kind, a, b);
+      return CompareSameKind(x, y);
     case ValueKind::kLanguageString:
     case ValueKind::kBlank:
     case ValueKind::kIri:
@@ -329,10 +352,31 @@ int OrderOf(const Term* a, const Term* b) {
   if (a == nullptr || b == nullptr) {
     return int{a != nullptr} - int{b != nullptr};
   }
-  const ValueKind kind = KindOf(*a);
-  const ValueKind other = KindOf(*b);
-  if (kind != other) return kind < other ? -1 : 1;
-  return OrderSameKind(kind, *a, *b);
+  return OrderOfValues(Value(*a), Value(*b));
+}
+
+std::vector<int> RanksOf(const std::vector<const Term*>& terms,
+                         absl::FunctionRef<void()> step) {
+  std::vector<Value> values;
+  values.reserve(terms.size());
+  for (const Term* term : terms) {
+    step();
+    values.emplace_back(*term);
+  }
+  std::vector<std::size_t> sorted(terms.size());
+  std::iota(sorted.begin(), sorted.end(), std::size_t{0});
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](std::size_t a, std::size_t b) {
+                     step();
+                     return OrderOfValues(values[a], values[b]) < 0;
+                   });
+  std::vector<int> ranks(terms.size());
+  int rank = 0;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    if (OrderOfValues(values[sorted[i - 1]], values[sorted[i]]) != 0) ++rank;
+    ranks[sorted[i]] = rank;
+  }
+  return ranks;
 }
 
 }  // namespace kg_core::sparql

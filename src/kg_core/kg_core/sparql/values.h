@@ -8,7 +8,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "absl/functional/function_ref.h"
 #include "kg_core/rdf/term.h"
 #include "kg_core/sparql/decimal.h"
 
@@ -57,6 +59,12 @@ std::optional<Order> Compare(const Term& a, const Term& b);
 // literals by value; what '<' leaves open by type, then text. -1, 0, 1.
 // https://www.w3.org/TR/sparql11-query/#modOrderBy
 int OrderOf(const Term* a, const Term* b);
+
+// For each of `terms`, a number that orders it among them as OrderOf does:
+// sorting rows then reads each literal once, not once per comparison. Calls
+// `step` all the while, which may throw.
+std::vector<int> RanksOf(const std::vector<const Term*>& terms,
+                         absl::FunctionRef<void()> step);
 
 }  // namespace kg_core::sparql
 
