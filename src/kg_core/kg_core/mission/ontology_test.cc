@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "kg_core/mission/class_tree.h"
-#include "kg_core/mission/shacl_shapes.h"
 #include "kg_core/mission/terms.h"
 #include "kg_core/mission/test_world.h"
 #include "kg_core/mission/vocabulary.h"
 #include "kg_core/rdf/turtle.h"
+#include "kg_core/shacl/shapes.h"
 
 namespace kg_core {
 namespace {
@@ -140,9 +140,10 @@ TEST_F(OntologyTest, DomainsAndRangesAreClassesThatItKnows) {
 
 TEST_F(OntologyTest, ShapesSpeakOfKnownPropertiesAndClassesOnly) {
   const Vocabulary vocabulary(*view_);
-  for (const auto& [id, shape] : shacl::LoadShapes(*view_)) {
-    if (shape.has_path) {
-      EXPECT_NE(vocabulary.FindProperty(shape.path), nullptr) << shape.path;
+  for (const auto& [id, shape] : shacl::LoadShapes(*view_, kVocabGraph)) {
+    if (shape.path) {
+      EXPECT_NE(vocabulary.FindProperty(shape.path->predicate), nullptr)
+          << shacl::ToTurtle(*shape.path);
     }
     for (const Term& target : shape.target_classes) {
       EXPECT_TRUE(vocabulary.HasClass(target)) << target;
@@ -151,11 +152,11 @@ TEST_F(OntologyTest, ShapesSpeakOfKnownPropertiesAndClassesOnly) {
 }
 
 TEST_F(OntologyTest, EveryShapeSaysWhatWasExpected) {
-  for (const auto& [id, shape] : shacl::LoadShapes(*view_)) {
-    if (!shape.has_path) continue;
+  for (const auto& [id, shape] : shacl::LoadShapes(*view_, kVocabGraph)) {
+    if (!shape.path) continue;
     const bool is_nested = shape.constraints.size() == 1;  // In xone, or.
     EXPECT_TRUE(!shape.message.empty() || is_nested)
-        << shape.named << " " << shape.path;
+        << shape.named << " " << shacl::ToTurtle(*shape.path);
   }
 }
 

@@ -1,11 +1,12 @@
 // The shipped shapes: for each a world that conforms, and changes that do not.
 
+#include "kg_core/shacl/shapes.h"
+
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
 
-#include "kg_core/mission/shacl_shapes.h"
 #include "kg_core/mission/terms.h"
 #include "kg_core/mission/test_world.h"
 #include "kg_core/mission/validator.h"
@@ -116,7 +117,7 @@ TEST(ShapesTest, EveryShapeWithATargetHasABadFactAboveAndAnInstance) {
   const auto view = world.store.Read();
   std::set<std::string> tried;
   for (const BadFact& bad : kBadFacts) tried.insert(bad.shape);
-  for (const auto& [id, shape] : shacl::LoadShapes(*view)) {
+  for (const auto& [id, shape] : shacl::LoadShapes(*view, kVocabGraph)) {
     if (shape.target_classes.empty()) continue;
     const std::string name =
         shape.target_classes[0].text.substr(std::string(kEx).size());

@@ -1,39 +1,29 @@
 // SHACL over the facts: shapes are Turtle in the vocabulary graph, validated on
-// the state a transaction would leave, before it commits.
-// https://www.w3.org/TR/shacl/
+// the state a transaction would leave, before it commits (requirements 1.2).
+// https://www.w3.org/TR/shacl/ The engine, for any graphs: shacl/validation.h.
 //
-// Constraint components available now: class, datatype, nodeKind, minCount,
-// maxCount, min/maxInclusive, min/maxExclusive, minLength, maxLength, pattern,
-// in, hasValue, lessThan, lessThanOrEquals, node, property, or, xone, and, not,
-// with targets targetClass (also through rdfs:subClassOf) and targetNode and
-// paths of one predicate. A shape that uses another component is refused when
-// it is loaded: nothing is silently unchecked.
+// Focus nodes and values are those of the facts graph; the classes of things
+// are read from facts, vocabulary and provenance.
 
 #ifndef KG_CORE_MISSION_VALIDATOR_H_
 #define KG_CORE_MISSION_VALIDATOR_H_
 
-#include <string>
 #include <vector>
 
 #include "kg_core/rdf/graph_view.h"
+#include "kg_core/rdf/store.h"
+#include "kg_core/shacl/violation.h"
 
 namespace kg_core {
-
-struct Violation {
-  Term focus_node;
-  Term path;              // Empty IRI for a node shape.
-  Term value;             // Empty IRI where none is to blame.
-  Term source_shape;      // Often a blank node;
-  Term named_shape;       // the nearest shape around it that has a name.
-  std::string component;  // "sh:MinCountConstraintComponent"
-  std::string message;
-
-  std::string Line() const;  // "ex:alpha ex:usesPolicy: ... (shape ...)"
-};
 
 // Validates every focus node of `view`'s facts graph against the shapes of its
 // vocabulary graph. Throws InputError if a shape itself cannot be used.
 std::vector<Violation> Validate(const GraphView& view);
+
+// The same for the state that `transaction` would leave, if the one it began
+// with has no violation: only what its changes can have touched is checked
+// (shacl/changes.h), or everything if they touch the vocabulary.
+std::vector<Violation> ValidateChange(const Transaction& transaction);
 
 }  // namespace kg_core
 

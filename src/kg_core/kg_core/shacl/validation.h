@@ -1,43 +1,47 @@
-// The constraint components: what each one checks of a focus node and its value
-// nodes. https://www.w3.org/TR/shacl/#core-components
+// SHACL Core: one validation of one data graph against one graph of shapes.
+// https://www.w3.org/TR/shacl/#validation
 
-#ifndef KG_CORE_MISSION_SHACL_COMPONENTS_H_
-#define KG_CORE_MISSION_SHACL_COMPONENTS_H_
+#ifndef KG_CORE_SHACL_VALIDATION_H_
+#define KG_CORE_SHACL_VALIDATION_H_
 
 #include <map>
 #include <set>
 #include <vector>
 
-#include "kg_core/mission/shacl_shapes.h"
-#include "kg_core/mission/validator.h"
+#include "kg_core/shacl/data_graph.h"
+#include "kg_core/shacl/shapes.h"
+#include "kg_core/shacl/violation.h"
 #include "kg_core/sparql/regex.h"
 
 namespace kg_core::shacl {
 
-// One validation of one state.
 class Validation {
  public:
-  explicit Validation(const GraphView& view);
+  Validation(const DataGraph& data, const ShapeGraph& shapes)
+      : data_(data), shapes_(shapes) {}
 
   // Every focus node of every shape with a target.
   std::vector<Violation> Run();
+  std::vector<Term> FocusNodes(const Shape& shape);
+  bool IsTarget(const Shape& shape, const Term& node);
   // Checks `focus` against one shape, with the shapes that it refers to.
   void CheckShape(const Shape& shape, const Term& focus,
                   std::vector<Violation>& found);
   bool Conforms(const Term& shape_id, const Term& node);
 
-  const GraphView& view() const { return view_; }
+  const DataGraph& data() const { return data_; }
   const Shape& shape(const Term& id) const { return shapes_.at(id); }
   sparql::RegexCache& regexes() { return regexes_; }
   // Is `node` of `wanted`, or of a class below it by rdfs:subClassOf?
   bool IsInstance(const Term& node, const Term& wanted);
 
  private:
-  std::vector<Term> FocusNodes(const Shape& shape);
+  bool HasTypeIn(const std::string& graph, const Term& node,
+                 const Term& wanted);
   const std::set<Term>& Classes(const Term& top);
 
-  const GraphView& view_;
-  ShapeGraph shapes_;
+  const DataGraph& data_;
+  const ShapeGraph& shapes_;
   sparql::RegexCache regexes_;
   std::map<Term, std::set<Term>> classes_;
 };
@@ -52,9 +56,9 @@ struct Check {
   std::vector<Violation>& found;
 
   const Term& parameter() const { return constraint.terms.front(); }
-  void Report(const Term& value) const;  // Empty IRI: no value to blame.
+  Violation& Report(const Term& value) const;  // Empty IRI: none to blame.
 };
 
 }  // namespace kg_core::shacl
 
-#endif  // KG_CORE_MISSION_SHACL_COMPONENTS_H_
+#endif  // KG_CORE_SHACL_VALIDATION_H_

@@ -1,0 +1,323 @@
+// The constraint components: what each one checks of a focus node and its value
+// nodes. https://www.w3.org/TR/shacl/#core-components
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/shacl/lexical.h"
+#include "kg_core/shacl/validation.h"
+#include "kg_core/sparql/utf8.h"
+#include "kg_core/sparql/values.h"
+
+namespace kg_core::shacl {
+namespace {
+
+// A component that asks the same of each value node.
+template <bool (*Fits)(const Check&, const Term&)>
+void EachValue(const Check& check) {
+  for (const Term& value : check.values) {
+    if (!Fits(check, value)) check.Report(value);
+  }
+}
+
+bool Holds(const std::vector<Term>& terms, const Term& term) {
+  return std::find(terms.begin(), terms.end(), term) != terms.end();
+}
+
+// https://www.w3.org/TR/shacl/#ClassConstraintComponent
+bool IsOfClass(const Check& check, const Term& value) {
+  return !value.is_literal() && check.run.IsInstance(value, check.parameter());
+}
+
+// https://www.w3.org/TR/shacl/#DatatypeConstraintComponent
+bool HasDatatype(const Check& check, const Term& value) {
+  return value.is_literal() && value.datatype == check.parameter().text &&
+         IsLexical(value, check.run.regexes());
+}
+
+// https://www.w3.org/TR/shacl/#NodeKindConstraintComponent
+bool HasNodeKind(const Check& check, const Term& value) {
+  const std::string kind = check.parameter().text.substr(sizeof(kSh) - 1);
+  const char* name = value.is_iri()     ? "IRI"
+                     : value.is_blank() ? "BlankNode"
+                                        : "Literal";
+  return kind.find(name) != std::string::npos;
+}
+
+// https://www.w3.org/TR/shacl/#MinCountConstraintComponent
+void CheckMinCount(const Check& check) {
+  if (check.values.size() < check.constraint.count) check.Report({});
+}
+
+// https://www.w3.org/TR/shacl/#MaxCountConstraintComponent
+void CheckMaxCount(const Check& check) {
+  if (check.values.size() > check.constraint.count) check.Report({});
+}
+
+// A time without a zone is in any from +14:00 to -14:00.
+// https://www.w3.org/TR/xmlschema11-2/#dateTime-order
+bool IsDateTime(const Term& term) {
+  return term.datatype == kXsd + std::string("dateTime");
+}
+bool HasZone(const Term& time) {
+  const std::size_t clock = time.text.find('T');
+  return clock != std::string::npos &&
+         time.text.find_first_of("Z+-", clock) != std::string::npos;
+}
+Term InZone(const Term& time, const char* zone) {
+  return HasZone(time) ? time : Literal(time.text + zone, time.datatype);
+}
+
+// https://www.w3.org/TR/shacl/#core-components-range: what cannot be compared
+// (NaN, a string with a number) violates.
+std::optional<sparql::Order> OrderOf(const Term& a, const Term& b) {
+  if (!a.is_literal() || !b.is_literal()) return std::nullopt;
+  if (!IsDateTime(a) || !IsDateTime(b) || HasZone(a) == HasZone(b)) {
+    return sparql::Compare(a, b);
+  }
+  const auto early = sparql::Compare(InZone(a, "+14:00"), InZone(b, "+14:00"));
+  const auto late = sparql::Compare(InZone(a, "-14:00"), InZone(b, "-14:00"));
+  return early == late ? early : std::nullopt;
+}
+bool IsLess(const Term& a, const Term& b) {
+  return OrderOf(a, b) == sparql::Order::kLess;
+}
+bool IsLessOrEqual(const Term& a, const Term& b) {
+  return IsLess(a, b) || OrderOf(a, b) == sparql::Order::kEqual;
+}
+bool IsAbove(const Check& check, const Term& value) {
+  return IsLess(check.parameter(), value);
+}
+bool IsAtLeast(const Check& check, const Term& value) {
+  return IsLessOrEqual(check.parameter(), value);
+}
+bool IsBelow(const Check& check, const Term& value) {
+  return IsLess(value, check.parameter());
+}
+bool IsAtMost(const Check& check, const Term& value) {
+  return IsLessOrEqual(value, check.parameter());
+}
+
+// https://www.w3.org/TR/shacl/#core-components-string
+bool IsLongEnough(const Check& check, const Term& value) {
+  return !value.is_blank() &&
+         sparql::Utf8Length(value.text) >= check.constraint.count;
+}
+bool IsShortEnough(const Check& check, const Term& value) {
+  return !value.is_blank() &&
+         sparql::Utf8Length(value.text) <= check.constraint.count;
+}
+bool MatchesPattern(const Check& check, const Term& value) {
+  if (value.is_blank()) return false;
+  const std::string& pattern = check.parameter().text;
+  return check.run.regexes()
+      .Matches(value.text, pattern, check.constraint.flags)
+      .value_or(false);
+}
+
+// https://www.w3.org/TR/shacl/#LanguageInConstraintComponent
+// "de" fits "de" and "de-CH". https://tools.ietf.org/html/rfc4647#section-3.3.1
+bool HasLanguage(const Check& check, const Term& value) {
+  const std::vector<Term>& ranges = check.constraint.terms;
+  return std::any_of(ranges.begin(), ranges.end(), [&](const Term& term) {
+    if (value.language.empty()) return false;
+    const std::string tag = sparql::LowerCase(value.language);
+    const std::string range = sparql::LowerCase(term.text);
+    return range == "*" || tag == range || tag.rfind(range + "-", 0) == 0;
+  });
+}
+
+// https://www.w3.org/TR/shacl/#UniqueLangConstraintComponent
+void CheckUniqueLang(const Check& check) {
+  std::map<std::string, int> counts;
+  for (const Term& value : check.values) {
+    if (!value.language.empty()) ++counts[sparql::LowerCase(value.language)];
+  }
+  for (const auto& [language, count] : counts) {
+    if (count > 1) check.Report({});
+  }
+}
+
+// https://www.w3.org/TR/shacl/#InConstraintComponent
+bool IsIn(const Check& check, const Term& value) {
+  return Holds(check.constraint.terms, value);
+}
+
+// https://www.w3.org/TR/shacl/#HasValueConstraintComponent
+void CheckHasValue(const Check& check) {
+  if (!Holds(check.values, check.parameter())) check.Report({});
+}
+
+// https://www.w3.org/TR/shacl/#ClosedConstraintComponent
+void CheckClosed(const Check& check) {
+  const DataGraph& data = check.run.data();
+  for (const Term& value : check.values) {
+    Quad pattern;
+    pattern.subject = data.view.Find(value);
+    pattern.graph = data.view.Find(Iri(data.graph));
+    if (pattern.subject == kNoTerm || pattern.graph == kNoTerm) continue;
+    data.view.Match(pattern, [&](const Quad& quad) {
+      const Term& predicate = data.view.Get(quad.predicate);
+      if (Holds(check.constraint.others, predicate)) return true;
+      check.Report(data.view.Get(quad.object)).path = PredicatePath(predicate);
+      return true;
+    });
+  }
+}
+
+// https://www.w3.org/TR/shacl/#core-components-property-pairs
+std::vector<Term> OtherValues(const Check& check) {
+  return Step(check.run.data(), check.focus, check.parameter(),
+              Direction::kForward);
+}
+template <bool (*Fits)(const Term&, const Term&)>
+void CheckPair(const Check& check) {
+  const std::vector<Term> others = OtherValues(check);
+  for (const Term& value : check.values) {
+    for (const Term& other : others) {
+      if (!Fits(value, other)) check.Report(value);
+    }
+  }
+}
+void CheckEquals(const Check& check) {
+  const std::vector<Term> others = OtherValues(check);
+  for (const Term& value : check.values) {
+    if (!Holds(others, value)) check.Report(value);
+  }
+  for (const Term& other : others) {
+    if (!Holds(check.values, other)) check.Report(other);
+  }
+}
+void CheckDisjoint(const Check& check) {
+  const std::vector<Term> others = OtherValues(check);
+  for (const Term& value : check.values) {
+    if (Holds(others, value)) check.Report(value);
+  }
+}
+
+// https://www.w3.org/TR/shacl/#NodeConstraintComponent
+bool ConformsToNode(const Check& check, const Term& value) {
+  return check.run.Conforms(check.parameter(), value);
+}
+
+// https://www.w3.org/TR/shacl/#PropertyConstraintComponent
+void CheckProperty(const Check& check) {
+  const Shape& property = check.run.shape(check.parameter());
+  for (const Term& value : check.values) {
+    check.run.CheckShape(property, value, check.found);
+  }
+}
+
+// https://www.w3.org/TR/shacl/#core-components-logical
+std::ptrdiff_t CountConforming(const Check& check, const Term& value) {
+  const std::vector<Term>& shapes = check.constraint.terms;
+  return std::count_if(shapes.begin(), shapes.end(), [&](const Term& shape) {
+    return check.run.Conforms(shape, value);
+  });
+}
+bool ConformsToAny(const Check& check, const Term& value) {
+  return CountConforming(check, value) >= 1;
+}
+bool ConformsToOne(const Check& check, const Term& value) {
+  return CountConforming(check, value) == 1;
+}
+bool ConformsToAll(const Check& check, const Term& value) {
+  return CountConforming(check, value) ==
+         static_cast<std::ptrdiff_t>(check.constraint.terms.size());
+}
+bool ConformsToNone(const Check& check, const Term& value) {
+  return CountConforming(check, value) == 0;
+}
+
+// https://www.w3.org/TR/shacl/#QualifiedValueShapeConstraintComponent
+std::size_t CountQualified(const Check& check) {
+  const std::vector<Term>& siblings = check.constraint.others;
+  const auto count = std::count_if(
+      check.values.begin(), check.values.end(), [&](const Term& value) {
+        return check.run.Conforms(check.parameter(), value) &&
+               std::none_of(siblings.begin(), siblings.end(),
+                            [&](const Term& sibling) {
+                              return check.run.Conforms(sibling, value);
+                            });
+      });
+  return static_cast<std::size_t>(count);
+}
+void CheckQualifiedMin(const Check& check) {
+  if (CountQualified(check) < check.constraint.count) check.Report({});
+}
+void CheckQualifiedMax(const Check& check) {
+  if (CountQualified(check) > check.constraint.count) check.Report({});
+}
+
+using Kind = ParameterKind;
+constexpr bool kMostOne = true;
+constexpr bool kPropertyOnly = true;
+constexpr Component kComponents[] = {
+    {"minCount", "MinCountConstraintComponent", Kind::kCount, CheckMinCount,
+     kMostOne, kPropertyOnly},
+    {"maxCount", "MaxCountConstraintComponent", Kind::kCount, CheckMaxCount,
+     kMostOne, kPropertyOnly},
+    {"class", "ClassConstraintComponent", Kind::kIri, EachValue<IsOfClass>},
+    {"datatype", "DatatypeConstraintComponent", Kind::kIri,
+     EachValue<HasDatatype>, kMostOne},
+    {"nodeKind", "NodeKindConstraintComponent", Kind::kNodeKind,
+     EachValue<HasNodeKind>, kMostOne},
+    {"minExclusive", "MinExclusiveConstraintComponent", Kind::kLiteral,
+     EachValue<IsAbove>, kMostOne},
+    {"minInclusive", "MinInclusiveConstraintComponent", Kind::kLiteral,
+     EachValue<IsAtLeast>, kMostOne},
+    {"maxExclusive", "MaxExclusiveConstraintComponent", Kind::kLiteral,
+     EachValue<IsBelow>, kMostOne},
+    {"maxInclusive", "MaxInclusiveConstraintComponent", Kind::kLiteral,
+     EachValue<IsAtMost>, kMostOne},
+    {"minLength", "MinLengthConstraintComponent", Kind::kCount,
+     EachValue<IsLongEnough>, kMostOne},
+    {"maxLength", "MaxLengthConstraintComponent", Kind::kCount,
+     EachValue<IsShortEnough>, kMostOne},
+    {"pattern", "PatternConstraintComponent", Kind::kPattern,
+     EachValue<MatchesPattern>, kMostOne},
+    {"languageIn", "LanguageInConstraintComponent", Kind::kLanguages,
+     EachValue<HasLanguage>, kMostOne},
+    {"uniqueLang", "UniqueLangConstraintComponent", Kind::kTrue,
+     CheckUniqueLang, kMostOne, kPropertyOnly},
+    {"in", "InConstraintComponent", Kind::kList, EachValue<IsIn>, kMostOne},
+    {"hasValue", "HasValueConstraintComponent", Kind::kAny, CheckHasValue},
+    {"closed", "ClosedConstraintComponent", Kind::kTrue, CheckClosed, kMostOne},
+    {"equals", "EqualsConstraintComponent", Kind::kIri, CheckEquals},
+    {"disjoint", "DisjointConstraintComponent", Kind::kIri, CheckDisjoint},
+    {"lessThan", "LessThanConstraintComponent", Kind::kIri, CheckPair<IsLess>,
+     false, kPropertyOnly},
+    {"lessThanOrEquals", "LessThanOrEqualsConstraintComponent", Kind::kIri,
+     CheckPair<IsLessOrEqual>, false, kPropertyOnly},
+    {"node", "NodeConstraintComponent", Kind::kShape,
+     EachValue<ConformsToNode>},
+    {"property", "PropertyShapeComponent", Kind::kPropertyShape, CheckProperty},
+    {"or", "OrConstraintComponent", Kind::kShapeList, EachValue<ConformsToAny>},
+    {"xone", "XoneConstraintComponent", Kind::kShapeList,
+     EachValue<ConformsToOne>},
+    {"and", "AndConstraintComponent", Kind::kShapeList,
+     EachValue<ConformsToAll>},
+    {"not", "NotConstraintComponent", Kind::kShape, EachValue<ConformsToNone>},
+    {"qualifiedMinCount", "QualifiedMinCountConstraintComponent",
+     Kind::kQualified, CheckQualifiedMin, kMostOne},
+    {"qualifiedMaxCount", "QualifiedMaxCountConstraintComponent",
+     Kind::kQualified, CheckQualifiedMax, kMostOne},
+};
+
+}  // namespace
+
+const Component* FindComponent(std::string_view local) {
+  for (const Component& component : kComponents) {
+    if (local == component.parameter) return &component;
+  }
+  return nullptr;
+}
+
+}  // namespace kg_core::shacl

@@ -1,0 +1,18 @@
+// Does a literal's lexical form belong to its datatype? XML Schema part 2.
+// https://www.w3.org/TR/xmlschema11-2/#built-in-datatypes
+
+#ifndef KG_CORE_SHACL_LEXICAL_H_
+#define KG_CORE_SHACL_LEXICAL_H_
+
+#include "kg_core/rdf/term.h"
+#include "kg_core/sparql/regex.h"
+
+namespace kg_core::shacl {
+
+// True for datatypes that are not known here. `regexes` keeps the compiled
+// patterns.
+bool IsLexical(const Term& literal, sparql::RegexCache& regexes);
+
+}  // namespace kg_core::shacl
+
+#endif  // KG_CORE_SHACL_LEXICAL_H_

@@ -1,0 +1,200 @@
+#include "kg_core/shacl/path.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/shacl/rdf_list.h"
+
+namespace kg_core::shacl {
+namespace {
+
+using Kind = Path::Kind;
+
+constexpr int kDeepestNesting = 32;
+
+// Paths of one part, by the property that holds it.
+struct OnePart {
+  const char* property;
+  Kind kind;
+};
+constexpr OnePart kOnePart[] = {
+    {"inversePath", Kind::kInverse},
+    {"zeroOrMorePath", Kind::kZeroOrMore},
+    {"oneOrMorePath", Kind::kOneOrMore},
+    {"zeroOrOnePath", Kind::kZeroOrOne},
+};
+
+Term Sh(const char* local) { return Iri(std::string(kSh) + local); }
+Term RdfFirst() { return Iri(std::string(kRdf) + "first"); }
+
+[[noreturn]] void Refuse(const std::string& what) {
+  throw InputError("path: " + what);
+}
+
+class Reader {
+ public:
+  Reader(const GraphView& view, const std::string& graph)
+      : view_(view), graph_(graph) {}
+
+  // https://www.w3.org/TR/shacl/#dfn-shacl-property-path
+  Path Read(const Term& node, int depth) const {
+    if (depth > kDeepestNesting) Refuse("nested too deeply, or in itself");
+    if (node.is_iri()) return PredicatePath(node);
+    if (node.is_literal()) Refuse("expected no literal: " + ToTurtle(node));
+    const bool is_list =
+        FirstObject(view_, graph_, node, RdfFirst()) && CountKinds(node) == 0;
+    if (is_list) return ReadParts(Kind::kSequence, node, depth);
+    if (CountKinds(node) != 1) {
+      Refuse(
+          "expected a predicate, a list or exactly one of sh:inversePath, "
+          "sh:alternativePath, sh:zeroOrMorePath, sh:oneOrMorePath, "
+          "sh:zeroOrOnePath");
+    }
+    if (const auto list = One(node, "alternativePath")) {
+      return ReadParts(Kind::kAlternative, *list, depth);
+    }
+    Path path;
+    for (const OnePart& row : kOnePart) {
+      const auto part = One(node, row.property);
+      if (!part) continue;
+      path.kind = row.kind;
+      path.parts.push_back(Read(*part, depth + 1));
+    }
+    return path;
+  }
+
+ private:
+  std::optional<Term> One(const Term& node, const char* property) const {
+    return FirstObject(view_, graph_, node, Sh(property));
+  }
+
+  std::size_t CountKinds(const Term& node) const {
+    std::size_t count =
+        Objects(view_, graph_, node, Sh("alternativePath")).size();
+    for (const OnePart& row : kOnePart) {
+      count += Objects(view_, graph_, node, Sh(row.property)).size();
+    }
+    return count;
+  }
+
+  Path ReadParts(Kind kind, const Term& list, int depth) const {
+    const auto members = ReadList(view_, graph_, list);
+    if (!members || members->size() < 2) {
+      Refuse("expected a list of two or more paths");
+    }
+    Path path;
+    path.kind = kind;
+    for (const Term& member : *members) {
+      path.parts.push_back(Read(member, depth + 1));
+    }
+    return path;
+  }
+
+  const GraphView& view_;
+  const std::string& graph_;
+};
+
+std::set<Term> WalkPredicate(const DataGraph& data, const Term& predicate,
+                             const std::set<Term>& from, Direction direction) {
+  std::set<Term> reached;
+  for (const Term& node : from) {
+    for (Term& next : Step(data, node, predicate, direction)) {
+      reached.insert(std::move(next));
+    }
+  }
+  return reached;
+}
+
+// Breadth-first from `reached`, which counts.
+std::set<Term> Closure(const DataGraph& data, const Path& part,
+                       std::set<Term> reached) {
+  std::set<Term> front = reached;
+  while (!front.empty()) {
+    std::set<Term> next;
+    for (const Term& node : Walk(data, part, front)) {
+      if (reached.insert(node).second) next.insert(node);
+    }
+    front = std::move(next);
+  }
+  return reached;
+}
+
+}  // namespace
+
+Path PredicatePath(const Term& predicate) {
+  return {Kind::kPredicate, predicate, {}};
+}
+
+Path Then(const Path& a, const Path& b) {
+  return {Kind::kSequence, {}, {a, b}};
+}
+
+Path Inverse(const Path& path) {
+  if (path.kind == Kind::kPredicate) return {Kind::kInverse, {}, {path}};
+  if (path.kind == Kind::kInverse) return path.parts[0];
+  Path inverse = path;
+  for (Path& part : inverse.parts) part = Inverse(part);
+  if (path.kind == Kind::kSequence) {
+    std::reverse(inverse.parts.begin(), inverse.parts.end());
+  }
+  return inverse;
+}
+
+std::string ToTurtle(const Path& path) {
+  if (path.kind == Kind::kPredicate) return kg_core::ToTurtle(path.predicate);
+  for (const OnePart& row : kOnePart) {
+    if (row.kind != path.kind) continue;
+    return std::string("[ sh:") + row.property + " " + ToTurtle(path.parts[0]) +
+           " ]";
+  }
+  std::string list = "( ";
+  for (const Path& part : path.parts) list += ToTurtle(part) + " ";
+  list += ")";
+  if (path.kind == Kind::kSequence) return list;
+  return "[ sh:alternativePath " + list + " ]";
+}
+
+Path ReadPath(const GraphView& view, const std::string& graph,
+              const Term& node) {
+  return Reader(view, graph).Read(node, 0);
+}
+
+std::set<Term> Walk(const DataGraph& data, const Path& path,
+                    const std::set<Term>& from) {
+  switch (path.kind) {
+    case Kind::kPredicate:
+      return WalkPredicate(data, path.predicate, from, Direction::kForward);
+    case Kind::kInverse: {
+      const Path& part = path.parts[0];
+      if (part.kind != Kind::kPredicate) return Walk(data, Inverse(part), from);
+      return WalkPredicate(data, part.predicate, from, Direction::kBackward);
+    }
+    case Kind::kSequence: {
+      std::set<Term> reached = from;
+      for (const Path& part : path.parts) reached = Walk(data, part, reached);
+      return reached;
+    }
+    case Kind::kAlternative: {
+      std::set<Term> reached;
+      for (const Path& part : path.parts) {
+        reached.merge(Walk(data, part, from));
+      }
+      return reached;
+    }
+    case Kind::kZeroOrMore:
+      return Closure(data, path.parts[0], from);
+    case Kind::kOneOrMore:
+      return Closure(data, path.parts[0], Walk(data, path.parts[0], from));
+    case Kind::kZeroOrOne: {
+      std::set<Term> reached = Walk(data, path.parts[0], from);
+      reached.insert(from.begin(), from.end());
+      return reached;
+    }
+  }
+  return {};
+}
+
+}  // namespace kg_core::shacl

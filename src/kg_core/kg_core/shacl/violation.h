@@ -1,0 +1,36 @@
+// One result of a validation. https://www.w3.org/TR/shacl/#results
+
+#ifndef KG_CORE_SHACL_VIOLATION_H_
+#define KG_CORE_SHACL_VIOLATION_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kg_core/rdf/term.h"
+#include "kg_core/shacl/path.h"
+
+namespace kg_core {
+
+struct Violation {
+  Term focus_node;
+  std::optional<shacl::Path> path;  // None for a node shape.
+  Term value;                       // Empty IRI where none is to blame.
+  Term source_shape;                // Often a blank node;
+  Term named_shape;            // the nearest shape around it that has a name.
+  Term severity;               // sh:Violation, sh:Warning, sh:Info or another.
+  std::string component;       // "sh:MinCountConstraintComponent"
+  std::string message;         // One to show;
+  std::vector<Term> messages;  // all that the shape has, in any language.
+
+  bool has_value() const { return value.is_literal() || !value.text.empty(); }
+  std::string Line() const;  // "ex:alpha ex:usesPolicy: ... (shape ...)"
+};
+
+// A W3C validation report in Turtle, with the prefixes that it needs.
+// https://www.w3.org/TR/shacl/#validation-report
+std::string ReportTurtle(const std::vector<Violation>& violations);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_SHACL_VIOLATION_H_
