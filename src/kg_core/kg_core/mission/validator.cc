@@ -1,9 +1,11 @@
 #include "kg_core/mission/validator.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/shacl/changes.h"
+#include "kg_core/shacl/shape_cache.h"
 #include "kg_core/shacl/validation.h"
 
 namespace kg_core {
@@ -11,6 +13,12 @@ namespace {
 
 shacl::DataGraph FactsOf(const GraphView& view) {
   return {view, kFactsGraph, {kFactsGraph, kVocabGraph, kProvGraph}, nullptr};
+}
+
+// One for all: a process has one vocabulary, rarely two.
+std::shared_ptr<const shacl::ShapeGraph> ShapesOf(const GraphView& view) {
+  static shacl::ShapeCache* const cache = new shacl::ShapeCache;
+  return cache->Get(view, kVocabGraph);
 }
 
 bool TouchesVocabulary(const std::vector<Statement>& statements) {
@@ -22,9 +30,9 @@ bool TouchesVocabulary(const std::vector<Statement>& statements) {
 }  // namespace
 
 std::vector<Violation> Validate(const GraphView& view) {
-  const shacl::ShapeGraph shapes = shacl::LoadShapes(view, kVocabGraph);
+  const auto shapes = ShapesOf(view);
   const shacl::DataGraph data = FactsOf(view);
-  return shacl::Validation(data, shapes).Run();
+  return shacl::Validation(data, *shapes).Run();
 }
 
 std::vector<Violation> ValidateChange(const Transaction& transaction) {
@@ -33,8 +41,8 @@ std::vector<Violation> ValidateChange(const Transaction& transaction) {
   if (TouchesVocabulary(change.added) || TouchesVocabulary(change.removed)) {
     return Validate(view);
   }
-  const shacl::ShapeGraph shapes = shacl::LoadShapes(view, kVocabGraph);
-  return shacl::ValidateTouched(FactsOf(view), shapes, change);
+  const auto shapes = ShapesOf(view);
+  return shacl::ValidateTouched(FactsOf(view), *shapes, change);
 }
 
 }  // namespace kg_core
