@@ -157,15 +157,16 @@ bool KgNode::HandleValidate(kg_msgs::Validate::Request& request,
   const bool nothing = update.set.empty() && update.add.empty() &&
                        update.remove.empty() && update.turtle.empty();
   if (nothing) {
-    for (const kg_core::Violation& violation :
-         kg_core::Validate(*server_.Read())) {
+    const std::vector<kg_core::Violation> violations =
+        kg_core::Validate(*server_.Read());
+    for (const kg_core::Violation& violation : violations) {
       response.violations.push_back(violation.Line());
     }
+    response.report = kg_core::ReportTurtle(violations);
   } else {
     response.violations = server_.Check(update);
   }
   response.conforms = response.violations.empty();
-  response.report = "";
   return true;
 }
 
