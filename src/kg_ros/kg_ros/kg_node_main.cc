@@ -15,6 +15,9 @@
 
 namespace {
 
+constexpr double kRetry_s = 10.0;
+constexpr double kPoll_s = 0.1;
+
 kg_ros::MissionFolders ReadFolders(const ros::NodeHandle& own) {
   kg_ros::ParameterReader read(own);
   kg_ros::MissionFolders folders;
@@ -27,14 +30,32 @@ kg_ros::MissionFolders ReadFolders(const ros::NodeHandle& own) {
   return folders;
 }
 
+// A mission that cannot be opened is said so, and tried again: its files may be
+// on their way.
+void Serve(const kg_ros::MissionFolders& folders, const ros::NodeHandle& own) {
+  while (ros::ok()) {
+    try {
+      kg_ros::KgNode node(folders, ros::NodeHandle(), own);
+      node.Spin();
+      return;
+    } catch (const kg_core::InputError& error) {
+      ROS_FATAL_STREAM("[facts] " << error.what());
+    }
+    const ros::SteadyTime again =
+        ros::SteadyTime::now() + ros::WallDuration(kRetry_s);
+    while (ros::ok() && ros::SteadyTime::now() < again) {
+      ros::WallDuration(kPoll_s).sleep();
+    }
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "kg");
   const ros::NodeHandle own("~");  // Must outlive the last log line.
   try {
-    kg_ros::KgNode node(ReadFolders(own), ros::NodeHandle(), own);
-    node.Spin();
+    Serve(ReadFolders(own), own);
     return EXIT_SUCCESS;
   } catch (const kg_core::InputError& error) {
     ROS_FATAL_STREAM(error.what());

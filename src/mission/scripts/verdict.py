@@ -31,6 +31,7 @@ import rospy
 import rospy.exceptions
 from kg_msgs.msg import (AgentState, Assignments, Candidates, UpdateReport,
                          WorkField, World)
+from rosgraph_msgs.msg import Log
 from rospy.numpy_msg import numpy_msg
 
 from executed_visits import executed_visits
@@ -46,6 +47,7 @@ STEP_S = 0.1
 NOT_NOW = (WorldChanged, QueryError, rospy.ServiceException,
            rospy.ROSException, rospy.exceptions.ROSInternalException, OSError)
 FAILED_S = 30.0  # A plan that failed is not waited for any longer.
+HOPELESS_S = 15.0  # Nor a mission that cannot be opened.
 
 
 def to_plan(message):
@@ -96,12 +98,18 @@ class Heard:
         self.plan = None      # Newest Assignments, not judged yet.
         self.plans = 0
         self.stage_seconds = {}
+        self.fatal = None     # Why kg cannot open the mission.
 
     def take(self, message):
         getattr(self, '_take_' + message._type.split('/')[1])(message)
 
     def _take_World(self, message):
         self.world = message
+        self.fatal = None
+
+    def _take_Log(self, message):
+        if message.name == '/kg' and message.level == Log.FATAL:
+            self.fatal = message.msg
 
     def _take_WorkField(self, message):
         self.fields[message.window] = to_field(message)
@@ -126,7 +134,7 @@ class Heard:
     def missing(self):
         """The first stage that nothing was heard of, in words."""
         if self.world is None:
-            return 'kg: no kg/world'
+            return 'kg: %s' % (self.fatal or 'no kg/world')
         windows = len(self.world.windows)
         if len(self.fields) < windows:
             return 'ingest: %d of %d kg/work_fields' % (len(self.fields),
@@ -239,6 +247,8 @@ class Verdict:
 
     def patience_s(self, give_up_s):
         """How long to wait for something to go on."""
+        if self._heard.fatal:
+            return min(give_up_s, HOPELESS_S)
         world = self._heard.world
         failed = world is not None and world.plan_status == World.PLAN_FAILED
         return min(give_up_s, FAILED_S) if failed else give_up_s
@@ -291,6 +301,7 @@ def subscribe(inbox):
     rospy.Subscriber('kg/candidates', Candidates, take)
     rospy.Subscriber('kg/updates', UpdateReport, take)
     rospy.Subscriber('kg/agent_states', AgentState, take)
+    rospy.Subscriber('/rosout', Log, take)
 
 
 def drain(inbox, verdict):

@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+"""A mission that cannot be opened: one clear line, a verdict that names it, and
+the mission starts as soon as its file is there.
+"""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+
+from mission_test import CHANGE_S, House, main, wait_until
+from small_mission_case import SmallMissionTestCase
+
+END_S = 90.0
+
+
+class UnopenableTest(SmallMissionTestCase):
+    small_arguments = {'sim': 'false', 'once': 'true'}
+
+    @classmethod
+    def prepare(cls):
+        super().prepare()
+        os.rename(cls.file('ocean.nc'), cls.file('later.nc'))
+
+    def test_1_with_once_it_ends_and_says_why(self):
+        self.house.wait_for_end(END_S)
+        verdict = self.house.verdict(lambda v: True)
+        self.assertFalse(verdict['complete'])
+        self.assertIn('ocean.nc', verdict['notes'][0])
+
+    def test_2_it_starts_when_the_file_is_there(self):
+        self.house.stop()
+        house = House(**dict(self.arguments, once='false'))
+        self.addCleanup(house.remove)
+        self.addCleanup(house.stop)
+        wait_until(lambda: 'ocean.nc' in house.output(), CHANGE_S,
+                   'a line that names the file')
+        os.rename(self.file('later.nc'), self.file('ocean.nc'))
+        house.wait_for_plan()
+
+    def test_zz_no_node_has_died(self):
+        """But for the verdict, whose end ends the launch."""
+        self.house.stop()
+        others = [line for line in self.house.deaths()
+                  if '[verdict' not in line]
+        self.assertEqual([], others, self.house.output()[-4000:])
+
+
+if __name__ == '__main__':
+    main('unopenable', UnopenableTest)
