@@ -107,7 +107,7 @@ QueryResult FromRecords(std::vector<std::vector<std::string>> records,
     throw InputError(std::string(format) + " result: expected a first line");
   }
   for (std::string& name : records[0]) {
-    if (name == "" && records[0].size() == 1) break;  // No variables.
+    if (name.empty() && records[0].size() == 1) break;  // No variables.
     result.variables.push_back(name[0] == '?' ? name.substr(1) : name);
   }
   for (std::size_t line = 1; line < records.size(); ++line) {

@@ -112,7 +112,7 @@ std::string Reader::TextUntil(char end) {
 std::string Reader::ReadName() {
   const std::size_t end = text_.find_first_of(" \t\r\n=/>", at_);
   if (end == std::string_view::npos || end == at_) Expected("a name");
-  const std::string name(text_.substr(at_, end - at_));
+  std::string name(text_.substr(at_, end - at_));
   at_ = end;
   const std::size_t colon = name.find(':');
   if (colon == std::string::npos || name.substr(0, colon) == "xml") return name;

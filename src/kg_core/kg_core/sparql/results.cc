@@ -146,6 +146,7 @@ std::string ToTextTable(const QueryResult& result) {
   }
   std::string out = PaddedLine(lines[0], widths);
   std::vector<std::string> rule;
+  rule.reserve(widths.size());
   for (const std::size_t width : widths) rule.emplace_back(width, '-');
   out += PaddedLine(rule, widths);
   for (std::size_t i = 1; i < lines.size(); ++i) {
