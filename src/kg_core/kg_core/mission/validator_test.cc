@@ -244,6 +244,17 @@ TEST(ValidatorTest, RefusesPathsThatAreNone) {
   }
 }
 
+TEST(ValidatorTest, APathThatIsAListAndMoreIsTheList) {
+  const auto violations = ValidateTexts(
+      "ex:S a sh:NodeShape ; sh:targetNode ex:x ; sh:property [ sh:minCount 1 "
+      "; "
+      "sh:path [ rdf:first ex:p ; rdf:rest ( ex:r ) ; sh:inversePath ex:q ] ] "
+      ".",
+      FactsWith("1"));
+  ASSERT_EQ(violations.size(), 1u);
+  EXPECT_EQ(shacl::ToTurtle(*violations[0].path), "( ex:p ex:r )");
+}
+
 TEST(ValidatorTest, DeactivatedShapesAskNothing) {
   EXPECT_TRUE(ValidateTexts(ShapeWith("sh:minCount 9 ; sh:deactivated true"),
                             FactsWith("1"))

@@ -44,9 +44,10 @@ class Reader {
     if (depth > kDeepestNesting) Refuse("nested too deeply, or in itself");
     if (node.is_iri()) return PredicatePath(node);
     if (node.is_literal()) Refuse("expected no literal: " + ToTurtle(node));
-    const bool is_list =
-        FirstObject(view_, graph_, node, RdfFirst()) && CountKinds(node) == 0;
-    if (is_list) return ReadParts(Kind::kSequence, node, depth);
+    // A list is one whatever else it is (W3C test path-strange-001).
+    if (FirstObject(view_, graph_, node, RdfFirst())) {
+      return ReadParts(Kind::kSequence, node, depth);
+    }
     if (CountKinds(node) != 1) {
       Refuse(
           "expected a predicate, a list or exactly one of sh:inversePath, "
