@@ -17,7 +17,8 @@ ARCHITECTURE = {"kg_core", "kg_compiler", "kg_planner", "kg_selector",
 DEPENDS = ("depend", "build_depend", "exec_depend", "buildtool_depend",
            "build_export_depend", "test_depend")
 # ROS packages that Debian names otherwise than lib<name>-dev and the like.
-DEBIAN_NAME = {"tf2": "libtf2-ros-dev", "roslib": "libroslib-dev"}
+DEBIAN_NAME = {"tf2": "libtf2-ros-dev", "roslib": "libroslib-dev",
+               "rosgraph_msgs": "python3-rosgraph-msgs"}
 
 
 def text_of(package, tag):
