@@ -13,25 +13,12 @@ namespace {
 
 constexpr std::int64_t kSecondsPerDay = 86400;
 
-// Days since 1970-01-01; the year is counted from March, so that a leap day is
-// its last. http://howardhinnant.github.io/date_algorithms.html#days_from_civil
-std::int64_t DaysFromCivil(std::int64_t year, int month, int day) {
-  year -= month <= 2;
-  const std::int64_t era = (year >= 0 ? year : year - 399) / 400;
-  const std::int64_t year_of_era = year - era * 400;
-  const std::int64_t day_of_year =
-      (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
-  const std::int64_t day_of_era =
-      year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year;
-  return era * 146097 + day_of_era - 719468;
-}
-
 struct CivilDay {
   std::int64_t year;
   int month, day;
 };
 
-// The inverse, same source.
+// The inverse of DaysFromCivil, same source.
 CivilDay CivilFromDays(std::int64_t days) {
   days += 719468;
   const std::int64_t era = (days >= 0 ? days : days - 146096) / 146097;
@@ -45,12 +32,6 @@ CivilDay CivilFromDays(std::int64_t days) {
   const int month = month_from_march + (month_from_march < 10 ? 3 : -9);
   return {era * 400 + year_of_era + (month <= 2), month,
           static_cast<int>(day_of_year - (153 * month_from_march + 2) / 5 + 1)};
-}
-
-int DaysInMonth(std::int64_t year, int month) {
-  constexpr int kDays[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-  const bool leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
-  return month == 2 && leap ? 29 : kDays[month - 1];
 }
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
@@ -165,6 +146,23 @@ double TakePart(Cursor* cursor, std::string_view* units) {
 }
 
 }  // namespace
+
+std::int64_t DaysFromCivil(std::int64_t year, int month, int day) {
+  year -= month <= 2;
+  const std::int64_t era = (year >= 0 ? year : year - 399) / 400;
+  const std::int64_t year_of_era = year - era * 400;
+  const std::int64_t day_of_year =
+      (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
+  const std::int64_t day_of_era =
+      year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year;
+  return era * 146097 + day_of_era - 719468;
+}
+
+int DaysInMonth(std::int64_t year, int month) {
+  constexpr int kDays[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+  const bool leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+  return month == 2 && leap ? 29 : kDays[month - 1];
+}
 
 double ParseDateTime(std::string_view text) {
   Cursor cursor(text, "xsd:dateTime like 2026-03-01T12:00:00Z");

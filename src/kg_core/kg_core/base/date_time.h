@@ -10,6 +10,7 @@
 #ifndef KG_CORE_BASE_DATE_TIME_H_
 #define KG_CORE_BASE_DATE_TIME_H_
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -27,6 +28,13 @@ std::string FormatDateTime(double unix_s);
 // The seconds of an xsd:dayTimeDuration, or of an xsd:duration without years
 // and months, which have no fixed length. Throws InputError.
 double ParseDuration(std::string_view text);
+
+// Days since 1970-01-01; the year is counted from March, so that a leap day is
+// its last. http://howardhinnant.github.io/date_algorithms.html#days_from_civil
+std::int64_t DaysFromCivil(std::int64_t year, int month, int day);
+
+// Of the proleptic Gregorian calendar; month in 1..12.
+int DaysInMonth(std::int64_t year, int month);
 
 }  // namespace kg_core
 
