@@ -328,6 +328,7 @@ void KgNode::PassWindows(const int from, const int to) {
 }
 
 void KgNode::Watch() {
+  diagnostics_.update();  // Publishes once a second at most.
   if (fleet_has_moved_) {
     PublishWorld();
     fleet_has_moved_ = false;

@@ -15,6 +15,7 @@ import rosgraph
 import rosservice
 import rospy
 import tf2_ros
+from diagnostic_msgs.msg import DiagnosticArray
 from kg_msgs.msg import AgentState, UpdateReport, World
 from kg_msgs.srv import Export, WhatIf, Why
 from mission_test import (CHANGE_S, Heard, MissionTestCase, by_agent, main,
@@ -100,6 +101,16 @@ class GulfTest(MissionTestCase):
         self.assertEqual(SERVICES, {
             name: rosservice.get_service_type('/' + name)
             for name in SERVICES})
+
+    def test_3_tells_how_it_is_on_diagnostics(self):
+        self.house.wait_for_plan()
+        told = Heard('/diagnostics', DiagnosticArray)
+        good = told.wait(lambda array: any(
+            status.name.startswith('kg: mission') and status.level == 0
+            for status in array.status))
+        keys = {value.key for status in good.status for value in status.values}
+        self.assertLessEqual({'world_version', 'plan_run', 'missing'}, keys)
+        told.close()
 
     def test_3_says_what_is_not_available(self):
         for name, kind in (('why', Why), ('what_if', WhatIf),
