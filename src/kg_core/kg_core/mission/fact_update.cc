@@ -15,6 +15,7 @@
 #include "kg_core/mission/validator.h"
 #include "kg_core/mission/vocabulary.h"
 #include "kg_core/rdf/turtle.h"
+#include "kg_core/sparql/update_engine.h"
 
 namespace kg_core {
 namespace {
@@ -42,10 +43,12 @@ class Stager {
     if (!reasons_.empty()) return;
     for (const Fact& fact : update.set) Try("set", fact, &Stager::Add);
     for (const Fact& fact : update.add) Try("add", fact, &Stager::Add);
-    if (update.turtle.empty()) return;
-    const std::string source =
-        "update" + (update.author.empty() ? "" : " of " + update.author);
-    AddParsed([&] { return ParseTurtle(update.turtle, source, Facts()); });
+    if (!update.turtle.empty()) {
+      const std::string source =
+          "update" + (update.author.empty() ? "" : " of " + update.author);
+      AddParsed([&] { return ParseTurtle(update.turtle, source, Facts()); });
+    }
+    if (!update.sparql.empty() && reasons_.empty()) RunSparql(update.sparql);
   }
 
   template <typename Parse>
@@ -83,6 +86,17 @@ class Stager {
     const Term property = text == "a" ? RdfType() : ParseIri(text, "property");
     if (vocabulary_.FindProperty(property) != nullptr) return property;
     throw InputError(vocabulary_.UnknownProperty(property));
+  }
+
+  // Reads what queries read, writes facts only.
+  void RunSparql(const std::string& text) {
+    UpdateGraphs graphs;
+    graphs.writable = {kFactsGraph};
+    try {
+      RunUpdate(text, graphs, {}, &transaction_);
+    } catch (const InputError& error) {
+      reasons_.push_back(std::string("sparql: ") + error.what());
+    }
   }
 
   // Plain strings become WKT where that is what the property takes.

@@ -28,10 +28,11 @@ struct FactUpdate {
   std::vector<Fact> remove;  // Empty value: all values; empty property, too:
                              // everything about the subject.
   std::string turtle;        // Facts in bulk, added.
+  std::string sparql{};      // SPARQL 1.1 Update on the facts graph.
 };
 
 // Stages the update's changes in `transaction` (facts graph): first `remove`,
-// then `set`, `add` and `turtle`; then what follows from them
+// then `set`, `add`, `turtle` and `sparql`; then what follows from them
 // (derived_facts.h). Returns the reasons to refuse it; empty = none. With
 // reasons, the transaction is half done and to be dropped. Knows nothing of
 // files: see ingest.h. What an earlier ingest stated is dropped if IngestIsDue.

@@ -122,6 +122,23 @@ TEST(FactUpdateTest, RefusesMalformedWktWithThePosition) {
   ExpectSaid(reasons, "expected");
 }
 
+TEST(FactUpdateTest, TakesSparqlUpdatesOfTheFactsAndRefusesThoseOfOtherGraphs) {
+  TestWorld world;
+  FactUpdate update;
+  update.sparql =
+      "DELETE { ?a ex:usesPolicy ?p } INSERT { ?a ex:usesPolicy ex:safe } "
+      "WHERE { ?a ex:usesPolicy ?p ; ex:id \"alpha\" }";
+  EXPECT_EQ(Joined(world.Commit(update)), "");
+  EXPECT_TRUE(Has(*world.store.Read(), kFactsGraph, Ex("alpha"),
+                  Ex("usesPolicy"), Ex("safe")));
+  update.sparql = "DELETE WHERE { ?a ex:usesPolicy ?p }";
+  ExpectSaid(world.Commit(update), "ex:usesPolicy");
+  update.sparql = "DELETE WHERE {";
+  ExpectSaid(world.Commit(update), "sparql: 1:");
+  update.sparql = "CLEAR GRAPH graph:vocab";
+  ExpectSaid(world.Commit(update), "sparql: ");
+}
+
 TEST(FactUpdateTest, PlainStringsBecomeWktAndGeometryNodesFollow) {
   TestWorld world;
   const std::string wkt = "POLYGON((-95 27, -93 27, -93 28, -95 28, -95 27))";

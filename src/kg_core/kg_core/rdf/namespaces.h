@@ -41,6 +41,10 @@ inline constexpr Prefix kPrefixes[] = {
 inline constexpr char kFactsGraph[] = "http://example.org/mission/graph/facts";
 // Ontology, shapes and rules.
 inline constexpr char kVocabGraph[] = "http://example.org/mission/graph/vocab";
+// What the rules conclude from facts and vocabulary, and from what; follows
+// them within the same transaction, is never written by hand.
+inline constexpr char kInferredGraph[] =
+    "http://example.org/mission/graph/inferred";
 // Activities and entities of PROV-O; append-only.
 inline constexpr char kProvGraph[] = "http://example.org/mission/graph/prov";
 // Who changed what and when, old and new value; append-only.

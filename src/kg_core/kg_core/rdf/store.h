@@ -106,6 +106,11 @@ class Store {
   // thread has one open already.
   Transaction Begin();
 
+  // A store in memory that begins as `world` (of Read()) and goes its own way:
+  // hypothetical facts are committed there, and `world` and its store never see
+  // them. Costs what is changed, not what there is; may outlive its origin.
+  static std::unique_ptr<Store> Fork(std::shared_ptr<const GraphView> world);
+
   // The committed state of now. Safe from any thread, also used by several at
   // once; never blocks the writer; may outlive the store.
   std::shared_ptr<const GraphView> Read() const;

@@ -68,7 +68,8 @@ void SelectRows(const QueryRun& run, QueryResult* result) {
 
 Dataset DefaultDataset(const std::optional<std::string>& plan_graph) {
   Dataset dataset;
-  dataset.default_graphs = {kFactsGraph, kVocabGraph, kProvGraph, kStateGraph};
+  dataset.default_graphs = {kFactsGraph, kVocabGraph, kInferredGraph,
+                            kProvGraph, kStateGraph};
   if (plan_graph) dataset.default_graphs.push_back(*plan_graph);
   return dataset;
 }

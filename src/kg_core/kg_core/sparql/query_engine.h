@@ -44,8 +44,8 @@ struct Dataset {
   std::string unnamed_graph{};
 };
 
-// Facts, vocabulary, provenance, agent states and the plan graph given (its
-// IRI), for there is history only by GRAPH.
+// Facts, vocabulary, what is inferred, provenance, agent states and the plan
+// graph given (its IRI), for there is history only by GRAPH.
 Dataset DefaultDataset(const std::optional<std::string>& plan_graph);
 
 struct Triple {

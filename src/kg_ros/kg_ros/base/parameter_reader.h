@@ -1,0 +1,55 @@
+// Reads a node's private parameters: every value typed and bounded, every key
+// known. A mistake in a launch file stops the node before it starts work.
+//
+//   ParameterReader read(ros::NodeHandle("~"));
+//   options.deadline_s = read.Number("deadline_s", {0.1, 600.0}, 10.0);
+//   read.RefuseTheRest();
+//
+// A key ends in its unit (_m, _s, _mps, _deg) where it has one.
+
+#ifndef KG_ROS_BASE_PARAMETER_READER_H_
+#define KG_ROS_BASE_PARAMETER_READER_H_
+
+#include <string>
+
+#include "ros/node_handle.h"
+#include "xmlrpcpp/XmlRpcValue.h"
+
+namespace kg_ros {
+
+// A closed interval.
+template <typename T>
+struct Range {
+  T min;
+  T max;
+};
+
+// All functions throw kg_core::InputError, naming the node and the key.
+class ParameterReader {
+ public:
+  explicit ParameterReader(const ros::NodeHandle& own);
+  ParameterReader(std::string name, const XmlRpc::XmlRpcValue& block);
+
+  // `fallback` where the key is not there.
+  double Number(const std::string& key, Range<double> range, double fallback);
+  int Integer(const std::string& key, Range<int> range, int fallback);
+  std::string Text(const std::string& key, const std::string& fallback);
+  // Must be there and not empty.
+  std::string Text(const std::string& key);
+
+  // Throws if there is a key that nobody has read: most likely a typo.
+  void RefuseTheRest() const;
+
+ private:
+  // The value of `key`, struck off the block; invalid if it is not there.
+  XmlRpc::XmlRpcValue Take(const std::string& key);
+  [[noreturn]] void Refuse(const std::string& key,
+                           const std::string& complaint) const;
+
+  std::string name_;
+  XmlRpc::XmlRpcValue block_;
+};
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_BASE_PARAMETER_READER_H_

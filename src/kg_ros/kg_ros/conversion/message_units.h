@@ -1,0 +1,35 @@
+// Degrees and unix seconds of the libraries <-> radians and ros::Time of the
+// messages; ids of agents <-> IRIs.
+
+#ifndef KG_ROS_CONVERSION_MESSAGE_UNITS_H_
+#define KG_ROS_CONVERSION_MESSAGE_UNITS_H_
+
+#include <cmath>
+
+#include "kg_core/base/units.h"
+#include "kg_core/geo/lon_lat.h"
+#include "ros/time.h"
+
+namespace kg_ros {
+
+// Whole nanoseconds; times before 1970 do not occur in missions.
+inline ros::Time ToRosTime(double unix_s) {
+  return ros::Time(std::isfinite(unix_s) && unix_s > 0.0 ? unix_s : 0.0);
+}
+inline double FromRosTime(const ros::Time& time) { return time.toSec(); }
+
+// Messages with lon_rad and lat_rad.
+template <typename Message>
+void SetPosition(const kg_core::LonLat& position, Message* message) {
+  message->lon_rad = kg_core::DegToRad(position.lon_deg);
+  message->lat_rad = kg_core::DegToRad(position.lat_deg);
+}
+template <typename Message>
+kg_core::LonLat GetPosition(const Message& message) {
+  return {kg_core::RadToDeg(message.lon_rad),
+          kg_core::RadToDeg(message.lat_rad)};
+}
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_CONVERSION_MESSAGE_UNITS_H_

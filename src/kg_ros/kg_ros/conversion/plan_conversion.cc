@@ -1,0 +1,163 @@
+#include "kg_ros/conversion/plan_conversion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kg_core/base/input_error.h"
+#include "kg_ros/conversion/message_units.h"
+
+namespace kg_ros {
+namespace {
+
+using kg_compiler::NavGraph;
+using kg_compiler::TimedPoint;
+using kg_compiler::TraverseEdge;
+
+kg_msgs::EdgeCost CostMessage(const TraverseEdge& edge) {
+  kg_msgs::EdgeCost cost;
+  cost.travel_s = edge.flight.travel_s;
+  cost.energy_j = edge.flight.energy_j;
+  cost.hazard_s = edge.flight.hazard_s;
+  cost.through_water_m = edge.flight.through_water_m;
+  cost.seam_cost = edge.seam_cost;
+  return cost;
+}
+
+kg_msgs::Waypoint ToMessage(const kg_compiler::Waypoint& waypoint) {
+  kg_msgs::Waypoint message;
+  message.id = waypoint.id;
+  SetPosition(waypoint.position, &message);
+  message.score = waypoint.score;
+  message.value = waypoint.value;
+  message.event_reward = waypoint.event_reward;
+  message.events = waypoint.events;
+  return message;
+}
+
+kg_msgs::TraverseEdge ToMessage(const TraverseEdge& edge) {
+  kg_msgs::TraverseEdge message;
+  message.from = edge.from;
+  message.to = edge.to;
+  message.cost = CostMessage(edge);
+  message.track = kg_ros::ToMessage(edge.flight.track);
+  return message;
+}
+
+const TraverseEdge* FindEdge(const NavGraph& graph, int from, int to) {
+  for (const TraverseEdge& edge : graph.edges) {
+    if (edge.from == from && edge.to == to) return &edge;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<kg_msgs::TimedPoint> ToMessage(
+    const std::vector<TimedPoint>& track) {
+  std::vector<kg_msgs::TimedPoint> message;
+  message.reserve(track.size());
+  for (const TimedPoint& point : track) {
+    message.emplace_back();
+    SetPosition(point.position, &message.back());
+    message.back().stamp = ToRosTime(point.time_s);
+  }
+  return message;
+}
+
+std::vector<TimedPoint> FromMessage(
+    const std::vector<kg_msgs::TimedPoint>& message) {
+  std::vector<TimedPoint> track;
+  track.reserve(message.size());
+  for (const kg_msgs::TimedPoint& point : message) {
+    const double time_s = FromRosTime(point.stamp);
+    if (!std::isfinite(point.lon_rad) || !std::isfinite(point.lat_rad)) {
+      throw kg_core::InputError("TimedPoint: position must be finite");
+    }
+    if (!track.empty() && !(time_s >= track.back().time_s)) {
+      throw kg_core::InputError("TimedPoint.stamp must not go back");
+    }
+    track.push_back({GetPosition(point), time_s});
+  }
+  return track;
+}
+
+kg_msgs::NavGraph ToMessage(const NavGraph& graph,
+                            const kg_compiler::SeamRules& rules) {
+  kg_msgs::NavGraph message;
+  message.world_version = rules.world_version;
+  message.agent = rules.agent_id;
+  message.agent_iri = graph.agent_iri;
+  message.window = graph.window;
+  message.movement_mode = "hops";
+  message.hash = graph.hash;
+  for (const kg_compiler::Waypoint& waypoint : graph.waypoints) {
+    message.waypoints.push_back(ToMessage(waypoint));
+  }
+  for (const TraverseEdge& edge : graph.edges) {
+    message.edges.push_back(ToMessage(edge));
+  }
+  return message;
+}
+
+kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
+                           const std::vector<NavGraph>& graphs) {
+  kg_msgs::Pathlet message;
+  message.rank = pathlet.rank;
+  message.reward = pathlet.reward;
+  message.seam_cost = pathlet.seam_cost;
+  int from = 0;
+  for (std::size_t i = 0; i < pathlet.visits.size(); ++i) {
+    const kg_selector::Visit& visit = pathlet.visits[i];
+    kg_msgs::Visit stop;
+    stop.window = visit.window;
+    stop.waypoint = visit.waypoint;
+    SetPosition(visit.position, &stop);
+    stop.reward = visit.reward;
+    stop.events = visit.events;
+    if (i < graphs.size()) {
+      const TraverseEdge* edge = FindEdge(graphs[i], from, visit.waypoint);
+      if (edge != nullptr) stop.cost = CostMessage(*edge);
+    }
+    from = visit.waypoint;
+    message.energy_j += stop.cost.energy_j;
+    message.visits.push_back(stop);
+  }
+  message.track = ToMessage(pathlet.track);
+  return message;
+}
+
+kg_selector::Pathlet FromMessage(const kg_msgs::Pathlet& message,
+                                 const std::string& agent) {
+  if (!std::isfinite(message.reward) || !std::isfinite(message.seam_cost)) {
+    throw kg_core::InputError("Pathlet of " + agent +
+                              ": reward and seam_cost must be finite");
+  }
+  kg_selector::Pathlet pathlet;
+  pathlet.agent = agent;
+  pathlet.rank = static_cast<int>(message.rank);
+  pathlet.reward = message.reward;
+  pathlet.seam_cost = message.seam_cost;
+  for (const kg_msgs::Visit& visit : message.visits) {
+    pathlet.visits.push_back({visit.window, static_cast<int>(visit.waypoint),
+                              GetPosition(visit), visit.reward, visit.events});
+  }
+  pathlet.track = FromMessage(message.track);
+  return pathlet;
+}
+
+kg_core::LonLat PositionAt(const std::vector<TimedPoint>& track,
+                           const double time_s) {
+  const auto after = std::lower_bound(
+      track.begin(), track.end(), time_s,
+      [](const TimedPoint& point, double t) { return point.time_s < t; });
+  if (after == track.begin()) return track.front().position;
+  if (after == track.end()) return track.back().position;
+  const TimedPoint& a = *(after - 1);
+  const TimedPoint& b = *after;
+  const double share = (time_s - a.time_s) / (b.time_s - a.time_s);
+  return {
+      a.position.lon_deg + share * (b.position.lon_deg - a.position.lon_deg),
+      a.position.lat_deg + share * (b.position.lat_deg - a.position.lat_deg)};
+}
+
+}  // namespace kg_ros

@@ -1,0 +1,42 @@
+// Waypoint graphs, pathlets and tracks <-> messages.
+
+#ifndef KG_ROS_CONVERSION_PLAN_CONVERSION_H_
+#define KG_ROS_CONVERSION_PLAN_CONVERSION_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "kg_compiler/nav_graph.h"
+#include "kg_compiler/seam_rules.h"
+#include "kg_compiler/traversal.h"
+#include "kg_msgs/NavGraph.h"
+#include "kg_msgs/Pathlet.h"
+#include "kg_msgs/TimedPoint.h"
+#include "kg_selector/pathlet.h"
+
+namespace kg_ros {
+
+std::vector<kg_msgs::TimedPoint> ToMessage(
+    const std::vector<kg_compiler::TimedPoint>& track);
+// Throws kg_core::InputError if times do not ascend or are not finite.
+std::vector<kg_compiler::TimedPoint> FromMessage(
+    const std::vector<kg_msgs::TimedPoint>& message);
+
+kg_msgs::NavGraph ToMessage(const kg_compiler::NavGraph& graph,
+                            const kg_compiler::SeamRules& rules);
+
+// With the cost of every seam, looked up in the graphs the path was made of.
+kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
+                           const std::vector<kg_compiler::NavGraph>& graphs);
+kg_selector::Pathlet FromMessage(const kg_msgs::Pathlet& message,
+                                 const std::string& agent);
+
+// Where a track is at a time: before its begin its first point, after its end
+// its last. The track must not be empty.
+kg_core::LonLat PositionAt(const std::vector<kg_compiler::TimedPoint>& track,
+                           double time_s);
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_CONVERSION_PLAN_CONVERSION_H_

@@ -1,0 +1,178 @@
+#include "kg_ros/conversion/rules_conversion.h"
+
+#include <cmath>
+
+#include "kg_core/base/input_error.h"
+#include "kg_ros/conversion/message_units.h"
+
+namespace kg_ros {
+namespace {
+
+using kg_core::InputError;
+
+void RequireAtLeast(double value, double least, const char* field) {
+  if (std::isfinite(value) && value >= least) return;
+  throw InputError(std::string(field) +
+                   " must be a number >= " + std::to_string(least));
+}
+
+kg_msgs::WindowRules ToMessage(const kg_compiler::WindowRules& rules) {
+  kg_msgs::WindowRules message;
+  message.window = rules.window;
+  message.iri = rules.iri;
+  message.begin = ToRosTime(rules.begin_s);
+  message.end = ToRosTime(rules.end_s);
+  message.confidence = rules.confidence;
+  message.base_travel_m = rules.base_travel_m;
+  message.tensor_hash = rules.tensor_hash;
+  message.field_hash = rules.field_hash;
+  for (const kg_compiler::EventRule& event : rules.events) {
+    message.events.emplace_back();
+    message.events.back().iri = event.iri;
+    SetPosition(event.position, &message.events.back());
+    message.events.back().reward = event.reward;
+    message.events.back().radius_m = event.radius_m;
+  }
+  return message;
+}
+
+kg_compiler::WindowRules FromMessage(const kg_msgs::WindowRules& message) {
+  kg_compiler::WindowRules rules;
+  rules.window = message.window;
+  rules.iri = message.iri;
+  rules.begin_s = FromRosTime(message.begin);
+  rules.end_s = FromRosTime(message.end);
+  rules.confidence = message.confidence;
+  rules.base_travel_m = message.base_travel_m;
+  rules.tensor_hash = message.tensor_hash;
+  rules.field_hash = message.field_hash;
+  RequireAtLeast(rules.base_travel_m, 0.0, "WindowRules.base_travel_m");
+  if (!(rules.end_s > rules.begin_s)) {
+    throw InputError("WindowRules.end must come after begin");
+  }
+  for (const kg_msgs::EventRule& event : message.events) {
+    RequireAtLeast(event.reward, 0.0, "EventRule.reward");
+    rules.events.push_back(
+        {event.iri, GetPosition(event), event.reward, event.radius_m});
+  }
+  return rules;
+}
+
+}  // namespace
+
+kg_msgs::WindowInfo ToMessage(const kg_core::TimeWindow& window) {
+  kg_msgs::WindowInfo message;
+  message.iri = window.iri;
+  message.index = window.index;
+  message.begin = ToRosTime(window.begin_s);
+  message.end = ToRosTime(window.end_s);
+  message.confidence = window.confidence;
+  return message;
+}
+
+kg_msgs::SeamRules ToMessage(const kg_compiler::SeamRules& rules,
+                             const std::uint64_t cycle) {
+  kg_msgs::SeamRules message;
+  message.world_version = rules.world_version;
+  message.cycle = cycle;
+  message.agent = rules.agent_id;
+  message.agent_iri = rules.agent_iri;
+  message.cruise_mps = rules.motion.cruise_mps;
+  message.max_mps = rules.motion.max_mps;
+  message.boost_gain = rules.motion.boost_gain;
+  message.energy_per_m_j = rules.motion.energy_per_m_j;
+  message.hotel_load_w = rules.motion.hotel_load_w;
+  message.energy_budget_j = rules.energy_budget_j;
+  message.lambda_time_per_s = rules.weights.time_per_s;
+  message.lambda_energy_per_j = rules.weights.energy_per_j;
+  message.lambda_risk_per_s = rules.weights.risk_per_s;
+  message.lambda_uncertainty = rules.weights.uncertainty;
+  message.hazard_range_m = rules.hazard_range_m;
+  message.sensor_radius_m = rules.sensor_radius_m;
+  message.spacing_m = rules.spacing_m;
+  message.max_waypoints = rules.max_waypoints;
+  message.candidates = rules.candidates;
+  message.start_lon_rad = kg_core::DegToRad(rules.start.lon_deg);
+  message.start_lat_rad = kg_core::DegToRad(rules.start.lat_deg);
+  message.start_heading_rad = rules.start_heading_rad;
+  for (const kg_compiler::WindowRules& window : rules.windows) {
+    message.windows.push_back(ToMessage(window));
+  }
+  return message;
+}
+
+kg_compiler::SeamRules FromMessage(const kg_msgs::SeamRules& message) {
+  RequireAtLeast(message.cruise_mps, 0.0, "SeamRules.cruise_mps");
+  RequireAtLeast(message.max_mps, message.cruise_mps, "SeamRules.max_mps");
+  RequireAtLeast(message.energy_budget_j, 0.0, "SeamRules.energy_budget_j");
+  RequireAtLeast(message.sensor_radius_m, 0.0, "SeamRules.sensor_radius_m");
+  RequireAtLeast(message.max_waypoints, 1, "SeamRules.max_waypoints");
+  RequireAtLeast(message.candidates, 1, "SeamRules.candidates");
+  kg_compiler::SeamRules rules;
+  rules.agent_iri = message.agent_iri;
+  rules.agent_id = message.agent;
+  rules.world_version = message.world_version;
+  rules.motion = {message.cruise_mps, message.max_mps, message.boost_gain,
+                  message.energy_per_m_j, message.hotel_load_w};
+  rules.weights = {message.lambda_time_per_s, message.lambda_energy_per_j,
+                   message.lambda_risk_per_s, message.lambda_uncertainty};
+  rules.energy_budget_j = message.energy_budget_j;
+  rules.sensor_radius_m = message.sensor_radius_m;
+  rules.spacing_m = message.spacing_m;
+  rules.max_waypoints = static_cast<int>(message.max_waypoints);
+  rules.candidates = static_cast<int>(message.candidates);
+  rules.hazard_range_m = message.hazard_range_m;
+  rules.start = {kg_core::RadToDeg(message.start_lon_rad),
+                 kg_core::RadToDeg(message.start_lat_rad)};
+  rules.start_heading_rad = message.start_heading_rad;
+  for (const kg_msgs::WindowRules& window : message.windows) {
+    rules.windows.push_back(FromMessage(window));
+  }
+  return rules;
+}
+
+kg_msgs::CoordinationRules ToMessage(const Coordination& coordination) {
+  const kg_core::CoordinationFacts& facts = coordination.rules.facts;
+  kg_msgs::CoordinationRules message;
+  message.world_version = coordination.world_version;
+  message.cycle = coordination.cycle;
+  message.agents = coordination.agents;
+  for (const kg_core::TimeWindow& window : coordination.windows) {
+    message.windows.push_back(ToMessage(window));
+  }
+  message.mode = facts.mode;
+  message.separation_m = facts.separation_m;
+  message.separation_is_hard = facts.separation_is_hard;
+  message.separation_weight_per_m = facts.separation_weight;
+  message.fairness = "scarcity";
+  message.max_rounds = facts.max_rounds;
+  for (const auto& [iri, capacity] : coordination.rules.event_capacity) {
+    message.events.emplace_back();
+    message.events.back().iri = iri;
+    message.events.back().capacity = capacity;
+  }
+  return message;
+}
+
+kg_selector::TeamRules FromMessage(const kg_msgs::CoordinationRules& message) {
+  RequireAtLeast(message.separation_m, 0.0, "CoordinationRules.separation_m");
+  if (message.mode != "greedy") {
+    throw InputError("CoordinationRules.mode '" + message.mode +
+                     "' is not available; expected 'greedy'");
+  }
+  kg_selector::TeamRules rules;
+  rules.mode = message.mode;
+  rules.separation_m = message.separation_m;
+  rules.separation_is_hard = message.separation_is_hard;
+  rules.separation_weight_per_m = message.separation_weight_per_m;
+  rules.max_rounds = static_cast<int>(message.max_rounds);
+  for (const kg_msgs::WindowInfo& window : message.windows) {
+    rules.window_end_s[window.index] = FromRosTime(window.end);
+  }
+  for (const kg_msgs::EventCapacity& event : message.events) {
+    rules.event_capacity[event.iri] = static_cast<int>(event.capacity);
+  }
+  return rules;
+}
+
+}  // namespace kg_ros

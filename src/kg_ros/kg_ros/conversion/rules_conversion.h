@@ -1,0 +1,39 @@
+// Seam rules and coordination rules <-> messages. From a message every number
+// is checked: kg_core::InputError names the field.
+
+#ifndef KG_ROS_CONVERSION_RULES_CONVERSION_H_
+#define KG_ROS_CONVERSION_RULES_CONVERSION_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/seam_rules.h"
+#include "kg_core/mission/mission.h"
+#include "kg_msgs/CoordinationRules.h"
+#include "kg_msgs/SeamRules.h"
+#include "kg_msgs/WindowInfo.h"
+#include "kg_selector/conflict.h"
+
+namespace kg_ros {
+
+kg_msgs::WindowInfo ToMessage(const kg_core::TimeWindow& window);
+
+kg_msgs::SeamRules ToMessage(const kg_compiler::SeamRules& rules,
+                             std::uint64_t cycle);
+kg_compiler::SeamRules FromMessage(const kg_msgs::SeamRules& message);
+
+struct Coordination {
+  std::uint64_t world_version = 0;
+  std::uint64_t cycle = 0;
+  std::vector<std::string> agents;           // ex:id.
+  std::vector<kg_core::TimeWindow> windows;  // Those to be planned.
+  kg_compiler::CoordinationRules rules;
+};
+kg_msgs::CoordinationRules ToMessage(const Coordination& coordination);
+kg_selector::TeamRules FromMessage(const kg_msgs::CoordinationRules& message);
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_CONVERSION_RULES_CONVERSION_H_

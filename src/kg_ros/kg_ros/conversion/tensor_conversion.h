@@ -1,0 +1,36 @@
+// Rasters of the data plane <-> messages. From a message everything is checked
+// (sizes, order, finiteness of axes): kg_core::InputError names the field.
+
+#ifndef KG_ROS_CONVERSION_TENSOR_CONVERSION_H_
+#define KG_ROS_CONVERSION_TENSOR_CONVERSION_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/mission_tensor.h"
+#include "kg_core/raster/grid.h"
+#include "kg_msgs/Grid.h"
+#include "kg_msgs/MissionTensor.h"
+#include "kg_msgs/WorkField.h"
+
+namespace kg_ros {
+
+kg_msgs::Grid ToMessage(const kg_core::Grid& grid);
+kg_core::Grid FromMessage(const kg_msgs::Grid& message);
+
+// Only the named layers.
+kg_msgs::MissionTensor ToMessage(const kg_compiler::MissionTensor& tensor,
+                                 const std::string& agent_id,
+                                 std::uint64_t world_version,
+                                 const std::vector<kg_compiler::Layer>& layers);
+kg_compiler::MissionTensor FromMessage(const kg_msgs::MissionTensor& message);
+
+kg_msgs::WorkField ToMessage(const kg_compiler::WorkField& field,
+                             std::uint64_t world_version);
+kg_compiler::WorkField FromMessage(const kg_msgs::WorkField& message);
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_CONVERSION_TENSOR_CONVERSION_H_

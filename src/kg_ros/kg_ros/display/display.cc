@@ -1,0 +1,311 @@
+#include "kg_ros/display/display.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <tuple>
+
+#include "geometry_msgs/Point.h"
+#include "kg_core/base/units.h"
+#include "kg_ros/base/names.h"
+#include "kg_ros/conversion/message_units.h"
+#include "std_msgs/ColorRGBA.h"
+
+namespace kg_ros {
+namespace {
+
+using kg_compiler::Layer;
+using kg_core::Cell;
+using kg_core::Grid;
+using kg_core::LonLat;
+using kg_core::MapPoint;
+using kg_core::MapProjection;
+using visualization_msgs::Marker;
+
+constexpr double kArrowSpacing_m = 60e3;
+constexpr double kArrowSeconds = 60e3;  // An arrow is the way of so long.
+constexpr double kAgentsAcross = 60.0;  // So small is an agent's arrow.
+
+std_msgs::ColorRGBA Colour(double r, double g, double b, double a) {
+  std_msgs::ColorRGBA colour;
+  std::tie(colour.r, colour.g, colour.b, colour.a) =
+      std::make_tuple(r, g, b, a);
+  return colour;
+}
+
+geometry_msgs::Point ToPoint(const MapProjection& map, LonLat position,
+                             double z_m = 0.0) {
+  const MapPoint point = map.Forward(position);
+  geometry_msgs::Point message;
+  message.x = point.x_m;
+  message.y = point.y_m;
+  message.z = z_m;
+  return message;
+}
+
+signed char ToPercent(float value, float feasible, float largest) {
+  if (std::isnan(feasible) || std::isnan(value)) return -1;
+  if (!(largest > 0.0F)) return 0;
+  return static_cast<signed char>(
+      std::lround(100.0F * std::min(1.0F, value / largest)));
+}
+
+// What is shown as 100: so many of the cells that are worth anything are at
+// most this. A few bright events then do not leave all the rest dark.
+float TopOfScale(const kg_core::Raster& fused) {
+  constexpr double kShare = 0.995;
+  std::vector<float> worth;
+  std::copy_if(fused.begin(), fused.end(), std::back_inserter(worth),
+               [](float value) { return value > 0.0F; });
+  if (worth.empty()) return 0.0F;
+  const auto rank = static_cast<std::ptrdiff_t>(
+      std::ceil(kShare * static_cast<double>(worth.size() - 1)));
+  std::nth_element(worth.begin(), worth.begin() + rank, worth.end());
+  return worth[rank];
+}
+
+// Does an open neighbour make this cell without data a piece of coast?
+bool IsCoast(const Grid& grid, const kg_core::Mask& land, Cell cell) {
+  if (land[grid.Index(cell)] == 0) return false;
+  for (const auto& [dr, dc] : {std::pair{0, 1}, {1, 0}, {0, -1}, {-1, 0}}) {
+    const Cell next{cell.row + dr, cell.col + dc};
+    if (grid.Contains(next) && land[grid.Index(next)] == 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+nav_msgs::OccupancyGrid ToHeatmap(const kg_compiler::MissionTensor& tensor,
+                                  const MapProjection& map) {
+  const Grid& grid = tensor.grid;
+  const MapPoint low = map.Forward({grid.west_deg(), grid.south_deg()});
+  const MapPoint high = map.Forward({grid.east_deg(), grid.north_deg()});
+  const double side_m = (high.y_m - low.y_m) / grid.rows();
+
+  nav_msgs::OccupancyGrid heatmap;
+  heatmap.header.frame_id = kMapFrame;
+  heatmap.info.resolution = static_cast<float>(side_m);
+  heatmap.info.height = grid.rows();
+  heatmap.info.width =
+      static_cast<unsigned>(std::ceil((high.x_m - low.x_m) / side_m));
+  heatmap.info.origin.position.x = low.x_m;
+  heatmap.info.origin.position.y = low.y_m;
+  heatmap.info.origin.orientation.w = 1.0;
+  heatmap.data.assign(
+      static_cast<std::size_t>(heatmap.info.width) * heatmap.info.height, -1);
+
+  const kg_core::Raster& fused = tensor.Get(Layer::kFused);
+  const kg_core::Raster& feasible = tensor.Get(Layer::kFeasibility);
+  const float largest = TopOfScale(fused);
+  for (unsigned row = 0; row < heatmap.info.height; ++row) {
+    for (unsigned col = 0; col < heatmap.info.width; ++col) {
+      const LonLat centre = map.Inverse(
+          {low.x_m + (col + 0.5) * side_m, low.y_m + (row + 0.5) * side_m});
+      const auto cell = grid.CellAt(centre);
+      if (!cell) continue;
+      const std::size_t index = grid.Index(*cell);
+      heatmap.data[row * heatmap.info.width + col] =
+          ToPercent(fused[index], feasible[index], largest);
+    }
+  }
+  return heatmap;
+}
+
+nav_msgs::Path ToPath(const kg_msgs::Pathlet& pathlet,
+                      const MapProjection& map) {
+  nav_msgs::Path path;
+  path.header.frame_id = kMapFrame;
+  for (const kg_msgs::TimedPoint& point : pathlet.track) {
+    path.poses.emplace_back();
+    path.poses.back().header.frame_id = kMapFrame;
+    path.poses.back().header.stamp = point.stamp;
+    path.poses.back().pose.position = ToPoint(map, GetPosition(point), 500.0);
+    path.poses.back().pose.orientation.w = 1.0;
+  }
+  return path;
+}
+
+Marker& MarkerPainter::Add(const std::string& name, const int type) {
+  markers_.markers.emplace_back();
+  Marker& marker = markers_.markers.back();
+  marker.header.frame_id = kMapFrame;
+  marker.ns = name;
+  marker.id = static_cast<int>(markers_.markers.size());
+  marker.type = type;
+  marker.action = Marker::ADD;
+  marker.pose.orientation.w = 1.0;
+  return marker;
+}
+
+void MarkerPainter::PaintConstraints(const kg_core::Mission& mission,
+                                     const int window) {
+  for (const kg_core::Constraint& constraint : mission.constraints) {
+    const auto& windows = constraint.windows;
+    const bool applies =
+        windows.empty() ||
+        std::find(windows.begin(), windows.end(), window) != windows.end();
+    if (!constraint.area || !applies) continue;
+    const bool hard = constraint.kind == kg_core::ConstraintKind::kNoGo;
+    for (const std::vector<LonLat>& ring : constraint.area->Rings()) {
+      Marker& marker = Add("constraints", Marker::LINE_STRIP);
+      marker.scale.x = 4000.0;
+      marker.color =
+          hard ? Colour(0.9, 0.1, 0.1, 1.0) : Colour(1.0, 0.6, 0.0, 1.0);
+      for (const LonLat& corner : ring) {
+        marker.points.push_back(ToPoint(map_, corner, 300.0));
+      }
+    }
+  }
+}
+
+void MarkerPainter::PaintEvents(const kg_core::Mission& mission,
+                                const int window) {
+  for (const kg_core::Event& event : mission.events) {
+    if (std::find(event.windows.begin(), event.windows.end(), window) ==
+        event.windows.end()) {
+      continue;
+    }
+    Marker& marker = Add("events", Marker::CYLINDER);
+    marker.pose.position = ToPoint(map_, event.position, 200.0);
+    marker.scale.x = marker.scale.y = std::max(8000.0, 2.0 * event.radius_m);
+    marker.scale.z = 100.0;
+    marker.color = Colour(0.1, 0.8, 0.9, 0.6);
+  }
+}
+
+void MarkerPainter::PaintLand(const kg_core::VectorField& field) {
+  const kg_core::Mask land = field.NoData();
+  Marker& marker = Add("land", Marker::POINTS);
+  marker.scale.x = marker.scale.y = 5000.0;
+  marker.color = Colour(0.35, 0.30, 0.25, 1.0);
+  for (int row = 0; row < field.grid.rows(); ++row) {
+    for (int col = 0; col < field.grid.cols(); ++col) {
+      if (!IsCoast(field.grid, land, {row, col})) continue;
+      marker.points.push_back(
+          ToPoint(map_, field.grid.Centre({row, col}), 100.0));
+    }
+  }
+}
+
+void MarkerPainter::PaintField(const kg_compiler::WorkField& field,
+                               const double time_s) {
+  const Grid& grid = field.field.grid;
+  Marker& marker = Add("currents", Marker::LINE_LIST);
+  marker.scale.x = 1500.0;
+  marker.color = Colour(0.15, 0.25, 0.6, 0.8);
+  const double width_m = map_.Forward({grid.east_deg(), 0.0}).x_m -
+                         map_.Forward({grid.west_deg(), 0.0}).x_m;
+  const double step_m = std::min(kArrowSpacing_m, width_m / 30.0);
+  const int step = std::max(
+      1, static_cast<int>(step_m * grid.cols() / std::max(1.0, width_m)));
+  for (int row = step / 2; row < grid.rows(); row += step) {
+    for (int col = step / 2; col < grid.cols(); col += step) {
+      const auto velocity = field.field.Sample(
+          {static_cast<double>(row), static_cast<double>(col)}, time_s);
+      if (!velocity) continue;
+      geometry_msgs::Point tail = ToPoint(map_, grid.Centre({row, col}), 150.0);
+      geometry_msgs::Point head = tail;
+      head.x += velocity->east_mps * kArrowSeconds * step_m / kArrowSpacing_m;
+      head.y += velocity->north_mps * kArrowSeconds * step_m / kArrowSpacing_m;
+      marker.points.push_back(tail);
+      marker.points.push_back(head);
+    }
+  }
+}
+
+void MarkerPainter::PaintNavGraph(const kg_msgs::NavGraph& graph) {
+  Marker& nodes = Add("nav_graph/" + graph.agent, Marker::POINTS);
+  nodes.scale.x = nodes.scale.y = 6000.0;
+  nodes.color = Colour(0.2, 0.2, 0.2, 0.9);
+  for (const kg_msgs::Waypoint& waypoint : graph.waypoints) {
+    nodes.points.push_back(ToPoint(map_, GetPosition(waypoint), 350.0));
+  }
+  Marker& edges = Add("nav_graph/" + graph.agent, Marker::LINE_LIST);
+  edges.scale.x = 700.0;
+  edges.color = Colour(0.4, 0.4, 0.4, 0.35);
+  for (const kg_msgs::TraverseEdge& edge : graph.edges) {
+    for (std::size_t i = 1; i < edge.track.size(); ++i) {
+      edges.points.push_back(
+          ToPoint(map_, GetPosition(edge.track[i - 1]), 320.0));
+      edges.points.push_back(ToPoint(map_, GetPosition(edge.track[i]), 320.0));
+    }
+  }
+}
+
+void MarkerPainter::PaintStaging(const kg_msgs::NavGraph& graph) {
+  for (const kg_msgs::TraverseEdge& edge : graph.edges) {
+    if (!edge.staging) continue;
+    Marker& marker = Add("staging/" + graph.agent, Marker::LINE_STRIP);
+    marker.scale.x = 2500.0;
+    marker.color = Colour(0.6, 0.1, 0.8, 1.0);
+    for (const kg_msgs::TimedPoint& point : edge.track) {
+      marker.points.push_back(ToPoint(map_, GetPosition(point), 450.0));
+    }
+  }
+}
+
+void MarkerPainter::PaintCandidates(const kg_msgs::Candidates& candidates) {
+  for (const kg_msgs::Pathlet& pathlet : candidates.pathlets) {
+    Marker& marker = Add("candidates/" + candidates.agent, Marker::LINE_STRIP);
+    marker.scale.x = 1500.0;
+    marker.color = Colour(0.2, 0.5, 1.0, 0.4);
+    for (const kg_msgs::TimedPoint& point : pathlet.track) {
+      marker.points.push_back(ToPoint(map_, GetPosition(point), 400.0));
+    }
+  }
+}
+
+void MarkerPainter::PaintAssignment(const kg_msgs::Assignment& assignment) {
+  Marker& marker = Add("assigned/" + assignment.agent, Marker::LINE_STRIP);
+  marker.scale.x = 5000.0;
+  marker.color = Colour(0.0, 1.0, 0.0, 1.0);
+  for (const kg_msgs::TimedPoint& point : assignment.pathlet.track) {
+    marker.points.push_back(ToPoint(map_, GetPosition(point), 460.0));
+  }
+}
+
+void MarkerPainter::PaintAgents(const std::map<std::string, AgentPose>& poses,
+                                const Grid& grid) {
+  const double size_m = (map_.Forward({grid.east_deg(), 0.0}).x_m -
+                         map_.Forward({grid.west_deg(), 0.0}).x_m) /
+                        kAgentsAcross;
+  for (const auto& [id, pose] : poses) {
+    // Compass heading to half the yaw from east.
+    const double half_rad = 0.5 * (kg_core::kPi / 2.0 - pose.heading_rad);
+    Marker& arrow = Add("agents", Marker::ARROW);
+    arrow.pose.position = ToPoint(map_, pose.position, 430.0);
+    arrow.pose.orientation.w = std::cos(half_rad);
+    arrow.pose.orientation.z = std::sin(half_rad);
+    arrow.scale.x = size_m;
+    arrow.scale.y = 0.35 * size_m;
+    arrow.scale.z = 20.0;
+    arrow.color = Colour(1.0, 1.0, 1.0, 1.0);
+    Marker& name = Add("agents", Marker::TEXT_VIEW_FACING);
+    name.text = id;
+    name.pose.position = ToPoint(map_, pose.position, 480.0);
+    name.pose.position.x -= 1.8 * size_m;
+    name.scale.z = size_m;
+    name.color = Colour(1.0, 1.0, 1.0, 1.0);
+  }
+}
+
+visualization_msgs::MarkerArray MarkerPainter::Take() {
+  // rviz refuses line markers without points: they are left out.
+  visualization_msgs::MarkerArray painted;
+  Marker erase;
+  erase.header.frame_id = kMapFrame;
+  erase.action = Marker::DELETEALL;
+  painted.markers.push_back(erase);
+  for (Marker& marker : markers_.markers) {
+    const bool needs_points = marker.type != Marker::CYLINDER &&
+                              marker.type != Marker::ARROW &&
+                              marker.type != Marker::TEXT_VIEW_FACING;
+    if (needs_points && marker.points.empty()) continue;
+    painted.markers.push_back(std::move(marker));
+  }
+  markers_.markers.clear();
+  return painted;
+}
+
+}  // namespace kg_ros

@@ -1,0 +1,70 @@
+// What rviz shows: heatmaps, paths and markers in the frame "map". Only finite
+// numbers leave this file: rviz aborts on others.
+
+#ifndef KG_ROS_DISPLAY_DISPLAY_H_
+#define KG_ROS_DISPLAY_DISPLAY_H_
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/mission_tensor.h"
+#include "kg_core/geo/map_projection.h"
+#include "kg_core/mission/mission.h"
+#include "kg_msgs/Assignment.h"
+#include "kg_msgs/Candidates.h"
+#include "kg_msgs/NavGraph.h"
+#include "kg_msgs/Pathlet.h"
+#include "kg_ros/knowledge/fleet_state.h"
+#include "nav_msgs/OccupancyGrid.h"
+#include "nav_msgs/Path.h"
+#include "visualization_msgs/MarkerArray.h"
+
+namespace kg_ros {
+
+// FUSED as 0..100 on square cells of the map, nearest cell; -1 = no data.
+// 100 is the value that 99.5 % of the cells with any value do not exceed (those
+// above are shown as 100, too), so that far windows can be read as well.
+nav_msgs::OccupancyGrid ToHeatmap(const kg_compiler::MissionTensor& tensor,
+                                  const kg_core::MapProjection& map);
+
+nav_msgs::Path ToPath(const kg_msgs::Pathlet& pathlet,
+                      const kg_core::MapProjection& map);
+
+// Namespaces: "constraints", "land", "events", "currents", "agents",
+// "nav_graph/<id>", "candidates/<id>", "staging/<id>", "assigned/<id>".
+class MarkerPainter {
+ public:
+  explicit MarkerPainter(kg_core::MapProjection map) : map_(map) {}
+
+  // Areas that apply in a window, and the events that are active in it.
+  void PaintConstraints(const kg_core::Mission& mission, int window);
+  void PaintEvents(const kg_core::Mission& mission, int window);
+  // The coast: cells without data that touch water.
+  void PaintLand(const kg_core::VectorField& field);
+  // Arrows on a thinned grid, at the window's middle.
+  void PaintField(const kg_compiler::WorkField& field, double time_s);
+  void PaintNavGraph(const kg_msgs::NavGraph& graph);
+  // Its staging edges, in purple, whatever the window.
+  void PaintStaging(const kg_msgs::NavGraph& graph);
+  void PaintCandidates(const kg_msgs::Candidates& candidates);
+  void PaintAssignment(const kg_msgs::Assignment& assignment);
+
+  // An arrow and a name for each, sized to be seen on `grid` as a whole.
+  void PaintAgents(const std::map<std::string, AgentPose>& poses,
+                   const kg_core::Grid& grid);
+
+  // Everything painted, after a marker that erases what was there before.
+  visualization_msgs::MarkerArray Take();
+
+ private:
+  visualization_msgs::Marker& Add(const std::string& name, int type);
+
+  kg_core::MapProjection map_;
+  visualization_msgs::MarkerArray markers_;
+};
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_DISPLAY_DISPLAY_H_

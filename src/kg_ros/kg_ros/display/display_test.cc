@@ -1,0 +1,116 @@
+// What rviz is sent: right cells, right colours, only finite numbers.
+
+#include "kg_ros/display/display.h"
+
+#include <cmath>
+
+#include "gtest/gtest.h"
+
+namespace kg_ros {
+namespace {
+
+using kg_compiler::Layer;
+
+kg_core::Grid RegularGrid(int rows, int cols) {
+  std::vector<double> lon_deg;
+  std::vector<double> lat_deg;
+  for (int i = 0; i < cols; ++i) lon_deg.push_back(-90.0 + 0.1 * i);
+  for (int i = 0; i < rows; ++i) lat_deg.push_back(25.0 + 0.1 * i);
+  return kg_core::Grid(lon_deg, lat_deg);
+}
+
+kg_compiler::MissionTensor TensorWithOneHill(int rows, int cols) {
+  kg_compiler::MissionTensor tensor;
+  tensor.grid = RegularGrid(rows, cols);
+  kg_core::Raster fused(tensor.grid.size(), 0.1F);
+  kg_core::Raster feasible(tensor.grid.size(), 1.0F);
+  fused[tensor.grid.Index({2, 3})] = 0.4F;
+  fused[0] = 0.0F;
+  feasible[0] = std::nanf("");  // Land in the south-west.
+  tensor.layers = {{Layer::kFused, fused}, {Layer::kFeasibility, feasible}};
+  return tensor;
+}
+
+int ValueAt(const nav_msgs::OccupancyGrid& heatmap,
+            const kg_core::MapPoint& point) {
+  const double side_m = heatmap.info.resolution;
+  const auto col = static_cast<unsigned>(
+      (point.x_m - heatmap.info.origin.position.x) / side_m);
+  const auto row = static_cast<unsigned>(
+      (point.y_m - heatmap.info.origin.position.y) / side_m);
+  return heatmap.data.at(row * heatmap.info.width + col);
+}
+
+TEST(DisplayTest, TheHeatmapShowsEachCellWhereItIs) {
+  const kg_compiler::MissionTensor tensor = TensorWithOneHill(8, 10);
+  const kg_core::MapProjection map(tensor.grid.Middle());
+  const nav_msgs::OccupancyGrid heatmap = ToHeatmap(tensor, map);
+  EXPECT_EQ(ValueAt(heatmap, map.Forward(tensor.grid.Centre({2, 3}))), 100);
+  EXPECT_EQ(ValueAt(heatmap, map.Forward(tensor.grid.Centre({5, 5}))), 25);
+  EXPECT_EQ(ValueAt(heatmap, map.Forward(tensor.grid.Centre({0, 0}))), -1);
+}
+
+TEST(DisplayTest, AFewBrightCellsDoNotLeaveTheRestDark) {
+  kg_compiler::MissionTensor tensor = TensorWithOneHill(40, 50);
+  const kg_core::MapProjection map(tensor.grid.Middle());
+  const nav_msgs::OccupancyGrid heatmap = ToHeatmap(tensor, map);
+  EXPECT_EQ(ValueAt(heatmap, map.Forward(tensor.grid.Centre({2, 3}))), 100);
+  EXPECT_EQ(ValueAt(heatmap, map.Forward(tensor.grid.Centre({20, 20}))), 100);
+}
+
+TEST(DisplayTest, AnAllZeroTensorIsShownAsZero) {
+  kg_compiler::MissionTensor tensor = TensorWithOneHill(4, 5);
+  for (float& value : tensor.layers[0].values) value = 0.0F;
+  const kg_core::MapProjection map(tensor.grid.Middle());
+  EXPECT_EQ(
+      ValueAt(ToHeatmap(tensor, map), map.Forward(tensor.grid.Centre({2, 2}))),
+      0);
+}
+
+TEST(DisplayTest, EmptyLinesAreLeftOut) {
+  MarkerPainter paint{kg_core::MapProjection({-90.0, 25.0})};
+  kg_msgs::NavGraph graph;
+  graph.agent = "alpha";
+  paint.PaintNavGraph(graph);
+  const visualization_msgs::MarkerArray markers = paint.Take();
+  ASSERT_EQ(markers.markers.size(), 1u);
+  EXPECT_EQ(markers.markers[0].action, visualization_msgs::Marker::DELETEALL);
+}
+
+TEST(DisplayTest, ArrowsFollowTheFieldAndAreFinite) {
+  kg_compiler::WorkField field;
+  field.field.grid = RegularGrid(8, 10);
+  kg_core::Raster east(80, 0.5F);
+  east[11] = std::nanf("");
+  field.field.slices = {{0.0, east, kg_core::Raster(80, 0.0F)}};
+  MarkerPainter paint{kg_core::MapProjection({-89.5, 25.35})};
+  paint.PaintField(field, 0.0);
+  const visualization_msgs::MarkerArray markers = paint.Take();
+  ASSERT_EQ(markers.markers.size(), 2u);
+  const auto& points = markers.markers[1].points;
+  ASSERT_GE(points.size(), 2u);
+  for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
+    EXPECT_GT(points[i + 1].x, points[i].x);
+    EXPECT_EQ(points[i + 1].y, points[i].y);
+    EXPECT_TRUE(std::isfinite(points[i].x) && std::isfinite(points[i + 1].x));
+  }
+}
+
+TEST(DisplayTest, StagingEdgesArePurple) {
+  MarkerPainter paint{kg_core::MapProjection({-90.0, 25.0})};
+  kg_msgs::NavGraph graph;
+  graph.agent = "alpha";
+  graph.edges.resize(2);
+  graph.edges[0].track.resize(2);
+  graph.edges[1].track.resize(2);
+  graph.edges[1].staging = true;
+  paint.PaintStaging(graph);
+  const visualization_msgs::MarkerArray markers = paint.Take();
+  ASSERT_EQ(markers.markers.size(), 2u);
+  EXPECT_EQ(markers.markers[1].ns, "staging/alpha");
+  EXPECT_GT(markers.markers[1].color.b, markers.markers[1].color.g);
+  EXPECT_GT(markers.markers[1].color.r, markers.markers[1].color.g);
+}
+
+}  // namespace
+}  // namespace kg_ros

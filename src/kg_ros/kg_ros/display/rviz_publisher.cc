@@ -1,0 +1,172 @@
+#include "kg_ros/display/rviz_publisher.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "GeographicLib/Geocentric.hpp"
+#include "geometry_msgs/TransformStamped.h"
+#include "kg_core/base/units.h"
+#include "kg_ros/base/names.h"
+#include "kg_ros/display/display.h"
+#include "kg_ros/display/ribbon.h"
+#include "tf2/LinearMath/Matrix3x3.h"
+#include "tf2/LinearMath/Quaternion.h"
+
+namespace kg_ros {
+namespace {
+
+using kg_compiler::Compilation;
+
+geometry_msgs::Quaternion ToMessage(const tf2::Quaternion& rotation) {
+  geometry_msgs::Quaternion message;
+  message.x = rotation.x();
+  message.y = rotation.y();
+  message.z = rotation.z();
+  message.w = rotation.w();
+  return message;
+}
+
+// The local east-north-up frame at a position, in the geocentric frame (REP
+// 105: earth -> map).
+geometry_msgs::TransformStamped EarthToMap(const kg_core::LonLat& centre) {
+  std::vector<double> enu(9);  // Row-major: columns are east, north, up.
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double z_m = 0.0;
+  GeographicLib::Geocentric::WGS84().Forward(centre.lat_deg, centre.lon_deg,
+                                             0.0, x_m, y_m, z_m, enu);
+  tf2::Quaternion rotation;
+  tf2::Matrix3x3(enu[0], enu[1], enu[2], enu[3], enu[4], enu[5], enu[6], enu[7],
+                 enu[8])
+      .getRotation(rotation);
+  geometry_msgs::TransformStamped message;
+  message.header.frame_id = kEarthFrame;
+  message.child_frame_id = kMapFrame;
+  message.transform.translation.x = x_m;
+  message.transform.translation.y = y_m;
+  message.transform.translation.z = z_m;
+  message.transform.rotation = ToMessage(rotation);
+  return message;
+}
+
+const kg_compiler::WorkField* FieldOf(const Compilation& compilation,
+                                      const int window) {
+  for (const auto& field : compilation.fields) {
+    if (field->window == window) return field.get();
+  }
+  return nullptr;
+}
+
+int Clamp(const Compilation& compilation, const int window) {
+  return std::clamp(window, compilation.first_window,
+                    static_cast<int>(compilation.mission.windows.size()) - 1);
+}
+
+}  // namespace
+
+RvizPublisher::RvizPublisher(const ros::NodeHandle& node) : node_(node) {
+  markers_ = node_.advertise<visualization_msgs::MarkerArray>(kMarkersTopic, 1,
+                                                              kLatched);
+}
+
+template <typename Message>
+ros::Publisher& RvizPublisher::Latched(const std::string& topic) {
+  ros::Publisher& publisher = publishers_[topic];
+  if (!publisher) publisher = node_.advertise<Message>(topic, 1, kLatched);
+  return publisher;
+}
+
+void RvizPublisher::PublishMapFrame(const kg_core::LonLat centre) {
+  if (map_.centre() == centre) return;
+  map_ = kg_core::MapProjection(centre);
+  geometry_msgs::TransformStamped transform = EarthToMap(centre);
+  transform.header.stamp = ros::Time::now();
+  static_frames_.sendTransform(transform);
+}
+
+void RvizPublisher::Show(const Compilation& compilation, const int window) {
+  if (compilation.tensors.empty()) return;
+  PublishMapFrame(compilation.tensors.front()->grid.Middle());
+  const int shown = Clamp(compilation, window);
+  for (const auto& tensor : compilation.tensors) {
+    if (tensor->window != shown) continue;
+    const kg_core::Agent* agent =
+        compilation.mission.FindAgent(tensor->agent_iri);
+    if (agent == nullptr) continue;
+    const std::string topic = AgentTopic(agent->id, kHeatmap);
+    if (shown_[topic] == tensor->hash) continue;
+    shown_[topic] = tensor->hash;
+    nav_msgs::OccupancyGrid heatmap = ToHeatmap(*tensor, map_);
+    heatmap.header.stamp = ros::Time::now();
+    heatmap.info.map_load_time = heatmap.header.stamp;
+    Latched<nav_msgs::OccupancyGrid>(topic).publish(heatmap);
+  }
+  ShowMarkers(compilation, window);
+}
+
+void RvizPublisher::ShowPlan(const kg_msgs::Assignments& plan) {
+  plan_ = plan;
+  for (const kg_msgs::Assignment& assignment : plan.assignments) {
+    nav_msgs::Path path = ToPath(assignment.pathlet, map_);
+    path.header.stamp = ros::Time::now();
+    Latched<nav_msgs::Path>(AgentTopic(assignment.agent, kPath)).publish(path);
+  }
+}
+
+void RvizPublisher::ShowFleet(const FleetState& fleet) {
+  poses_ = fleet.poses();
+  std::vector<geometry_msgs::TransformStamped> transforms;
+  for (const auto& [id, pose] : fleet.poses()) {
+    const kg_core::MapPoint point = map_.Forward(pose.position);
+    tf2::Quaternion rotation;  // Compass heading to yaw from east.
+    rotation.setRPY(0.0, 0.0, kg_core::kPi / 2.0 - pose.heading_rad);
+    geometry_msgs::TransformStamped transform;
+    transform.header.frame_id = kMapFrame;
+    transform.header.stamp = ros::Time::now();
+    transform.child_frame_id = BaseFrame(id);
+    transform.transform.translation.x = point.x_m;
+    transform.transform.translation.y = point.y_m;
+    transform.transform.rotation = ToMessage(rotation);
+    transforms.push_back(transform);
+  }
+  frames_.sendTransform(transforms);  // At once: who knows one, knows all.
+}
+
+void RvizPublisher::Keep(const kg_msgs::NavGraph& graph) {
+  graphs_[{graph.agent, graph.window}] = graph;
+}
+
+void RvizPublisher::Keep(const kg_msgs::Candidates& candidates) {
+  candidates_[candidates.agent] = candidates;
+}
+
+void RvizPublisher::ShowMarkers(const Compilation& compilation,
+                                const int window) {
+  const int shown = Clamp(compilation, window);
+  MarkerPainter paint(map_);
+  paint.PaintConstraints(compilation.mission, shown);
+  paint.PaintEvents(compilation.mission, shown);
+  const kg_compiler::WorkField* field = FieldOf(compilation, shown);
+  if (field != nullptr) {
+    const kg_core::TimeWindow& at = compilation.mission.windows[shown];
+    paint.PaintLand(field->field);
+    paint.PaintField(*field, 0.5 * (at.begin_s + at.end_s));
+    paint.PaintAgents(poses_, field->field.grid);
+  }
+  for (const auto& [key, graph] : graphs_) {
+    if (key.second == shown) paint.PaintNavGraph(graph);
+    paint.PaintStaging(graph);
+  }
+  for (const auto& [id, candidates] : candidates_) {
+    paint.PaintCandidates(candidates);
+  }
+  for (const kg_msgs::Assignment& assignment : plan_.assignments) {
+    paint.PaintAssignment(assignment);
+  }
+  visualization_msgs::MarkerArray markers = paint.Take();
+  for (visualization_msgs::Marker& marker : markers.markers) Flatten(&marker);
+  RemoveEmptyLists(&markers);
+  markers_.publish(markers);
+}
+
+}  // namespace kg_ros

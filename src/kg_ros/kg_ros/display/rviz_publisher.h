@@ -1,0 +1,55 @@
+// Keeps rviz and tf up to date: heatmaps, paths, markers, frames.
+
+#ifndef KG_ROS_DISPLAY_RVIZ_PUBLISHER_H_
+#define KG_ROS_DISPLAY_RVIZ_PUBLISHER_H_
+
+#include <map>
+#include <string>
+
+#include "kg_compiler/mission_compiler.h"
+#include "kg_core/geo/map_projection.h"
+#include "kg_msgs/Assignments.h"
+#include "kg_msgs/Candidates.h"
+#include "kg_msgs/NavGraph.h"
+#include "kg_ros/knowledge/fleet_state.h"
+#include "ros/node_handle.h"
+#include "ros/publisher.h"
+#include "tf2_ros/static_transform_broadcaster.h"
+#include "tf2_ros/transform_broadcaster.h"
+
+namespace kg_ros {
+
+class RvizPublisher {
+ public:
+  explicit RvizPublisher(const ros::NodeHandle& node);
+
+  // Everything shown is of `window`, clamped to those compiled.
+  void Show(const kg_compiler::Compilation& compilation, int window);
+  void ShowPlan(const kg_msgs::Assignments& plan);
+  void ShowFleet(const FleetState& fleet);
+  // Kept for the next ShowMarkers().
+  void Keep(const kg_msgs::NavGraph& graph);
+  void Keep(const kg_msgs::Candidates& candidates);
+  void ShowMarkers(const kg_compiler::Compilation& compilation, int window);
+
+ private:
+  void PublishMapFrame(kg_core::LonLat centre);
+  template <typename Message>
+  ros::Publisher& Latched(const std::string& topic);
+
+  ros::NodeHandle node_;
+  kg_core::MapProjection map_{kg_core::LonLat{}};
+  tf2_ros::TransformBroadcaster frames_;
+  tf2_ros::StaticTransformBroadcaster static_frames_;
+  ros::Publisher markers_;
+  std::map<std::string, ros::Publisher> publishers_;  // By topic.
+  std::map<std::string, std::string> shown_;          // Heatmap hash by topic.
+  std::map<std::pair<std::string, int>, kg_msgs::NavGraph> graphs_;
+  std::map<std::string, kg_msgs::Candidates> candidates_;
+  kg_msgs::Assignments plan_;
+  std::map<std::string, AgentPose> poses_;  // By ex:id.
+};
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_DISPLAY_RVIZ_PUBLISHER_H_

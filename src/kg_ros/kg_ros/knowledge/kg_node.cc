@@ -1,0 +1,399 @@
+#include "kg_ros/knowledge/kg_node.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/mission/validator.h"
+#include "kg_ros/base/names.h"
+#include "kg_ros/conversion/fact_conversion.h"
+#include "kg_ros/conversion/message_units.h"
+#include "kg_ros/knowledge/world_conversion.h"
+#include "ros/callback_queue.h"
+#include "ros/console.h"
+
+namespace kg_ros {
+namespace {
+
+using kg_msgs::UpdateReport;
+using kg_msgs::World;
+
+constexpr unsigned kBurst = 10000;  // Fact updates that may wait.
+constexpr unsigned kManyGraphs = 1000;
+constexpr double kWatchPeriod_s = 0.5;
+constexpr double kIdle_s = 0.02;
+constexpr int kMovesPerRepaint = 4;  // Markers are large: every 2 s.
+constexpr double kPatience_s = 0.5;  // For poses of all at a new window.
+
+double Now_s() { return ros::WallTime::now().toSec(); }
+
+}  // namespace
+
+KgNode::KgNode(const MissionFolders& folders, const ros::NodeHandle& node,
+               const ros::NodeHandle& own)
+    : node_(node),
+      own_(own),
+      opening_s_(Now_s()),
+      server_(folders),
+      artifacts_(node_),
+      rviz_(node_),
+      queries_(node_, &server_) {
+  updates_ = node_.advertise<UpdateReport>(kUpdatesTopic, 100, kLatched);
+  world_ = node_.advertise<World>(kWorldTopic, 1, kLatched);
+  Subscribe();
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("mission", this, &KgNode::Diagnose);
+  watch_ =
+      node_.createWallTimer(ros::WallDuration(kWatchPeriod_s),
+                            [this](const ros::WallTimerEvent&) { Watch(); });
+  ROS_INFO(
+      "[facts] %zu agents, %zu windows, %zu constraints, %zu events; "
+      "world version %lu%s",
+      server_.mission().agents.size(), server_.mission().windows.size(),
+      server_.mission().constraints.size(), server_.mission().events.size(),
+      server_.world_version(),
+      server_.was_restored() ? ", taken up again" : "");
+  ExpectFirstPlan();
+  PublishWorld();
+}
+
+// The first cycle is reported like that of an update.
+void KgNode::ExpectFirstPlan() {
+  UpdateReport report;
+  report.header.stamp = ros::Time::now();
+  report.id = "bringup";
+  report.author = "kg";
+  report.accepted = true;
+  report.world_version = server_.world_version();
+  report.stages = {Stage("facts", Now_s() - opening_s_, 1)};
+  pending_.Add(report);
+}
+
+void KgNode::Subscribe() {
+  subscribers_ = {
+      node_.subscribe(kFactsTopic, kBurst, &KgNode::HandleFacts, this),
+      node_.subscribe(kAgentStatesTopic, kBurst, &KgNode::HandleAgentState,
+                      this),
+      node_.subscribe(kNavGraphsTopic, kManyGraphs, &KgNode::HandleNavGraph,
+                      this),
+      node_.subscribe(kCandidatesTopic, kManyGraphs, &KgNode::HandleCandidates,
+                      this),
+      node_.subscribe(kRejectionsTopic, 100, &KgNode::HandleRejections, this),
+      node_.subscribe(kAssignmentsTopic, 10, &KgNode::HandleAssignments, this)};
+  services_ = {
+      node_.advertiseService(kUpdateService, &KgNode::HandleUpdate, this),
+      node_.advertiseService(kValidateService, &KgNode::HandleValidate, this)};
+}
+
+void KgNode::Spin() {
+  ros::CallbackQueue* queue = ros::getGlobalCallbackQueue();
+  while (ros::ok()) {
+    queue->callAvailable(ros::WallDuration(kIdle_s));
+    if (cycle_is_due_ && FleetIsReady()) {
+      StartCycle();
+    } else if (plan_status_ == World::PLAN_OK && queue->isEmpty()) {
+      const kg_msgs::NavGraph* graph = progress_.NextUnrecorded();
+      if (graph == nullptr) continue;
+      const auto previous =
+          progress_.nav_graphs().find({graph->agent, graph->window - 1});
+      server_.RecordNavGraph(*graph, previous == progress_.nav_graphs().end()
+                                         ? ""
+                                         : previous->second.hash);
+    }
+  }
+  server_.Save();
+}
+
+// Facts ---------------------------------------------------------------------
+
+void KgNode::HandleFacts(const kg_msgs::FactUpdate& message) {
+  Decide(message);
+}
+
+bool KgNode::HandleUpdate(kg_msgs::UpdateFacts::Request& request,
+                          kg_msgs::UpdateFacts::Response& response) {
+  response.report = Decide(request.update);
+  return true;
+}
+
+UpdateReport KgNode::Decide(const kg_msgs::FactUpdate& message) {
+  const std::uint64_t before = server_.world_version();
+  const Decision decision = server_.Apply(FromMessage(message));
+  UpdateReport report;
+  report.header.stamp = ros::Time::now();
+  report.id = message.id;
+  report.author = message.author;
+  report.accepted = decision.accepted;
+  report.reasons = decision.reasons;
+  report.world_version = decision.world_version;
+  report.stages = {Stage("facts", decision.facts_s, 1),
+                   Stage("ingest", decision.ingest_s, 0)};
+  report.plan_status = UpdateReport::PLAN_PENDING;
+  for (const std::string& reason : decision.reasons) {
+    ROS_WARN_STREAM("[facts] refused from " << message.author << ": "
+                                            << reason);
+  }
+  if (decision.world_version != before) {
+    cycle_is_due_ = true;
+    plan_note_.clear();
+    if (plan_status_ != World::PLAN_NONE) plan_status_ = World::PLAN_STALE;
+    server_.MarkPlanStale();
+    pending_.Add(report);
+    PublishWorld();
+  } else if (decision.accepted) {
+    report.warnings.push_back("nothing changed: the facts were so already");
+    report.plan_status = plan_status_ == World::PLAN_OK
+                             ? UpdateReport::PLAN_OK
+                             : UpdateReport::PLAN_PENDING;
+  }
+  updates_.publish(report);
+  return report;
+}
+
+bool KgNode::HandleValidate(kg_msgs::Validate::Request& request,
+                            kg_msgs::Validate::Response& response) {
+  response.world_version = server_.world_version();
+  const kg_core::FactUpdate update = FromMessage(request.update);
+  const bool nothing = update.set.empty() && update.add.empty() &&
+                       update.remove.empty() && update.turtle.empty() &&
+                       update.sparql.empty();
+  if (nothing) {
+    const std::vector<kg_core::Violation> violations =
+        kg_core::Validate(*server_.Read());
+    for (const kg_core::Violation& violation : violations) {
+      response.violations.push_back(violation.Line());
+    }
+    response.report = kg_core::ReportTurtle(violations);
+  } else {
+    response.violations = server_.Check(update);
+  }
+  response.conforms = response.violations.empty();
+  return true;
+}
+
+// Cycles ---------------------------------------------------------------------
+
+void KgNode::StartCycle() {
+  cycle_is_due_ = false;
+  if (server_.ended()) return;
+  cycle_began_s_ = Now_s();
+  try {
+    compilation_ = server_.BeginCycle();
+  } catch (const std::runtime_error& error) {  // Bad input, or no disk space.
+    FailCycle(error.what());
+    return;
+  }
+  const double compiled_s = Now_s();
+  progress_.Begin(server_.cycle());
+  artifacts_.Publish(*compilation_, server_.cycle());
+  if (plan_status_ == World::PLAN_FAILED) plan_status_ = World::PLAN_STALE;
+  rviz_.Show(*compilation_, ViewWindow());
+  const double published_s = Now_s();
+  pending_.Compiled(*compilation_, compiled_s - cycle_began_s_,
+                    published_s - compiled_s);
+  ROS_INFO(
+      "[compile] cycle %lu, world version %lu: %zu artifacts anew of %zu "
+      "tensors and %zu work fields in %.3f s, published in %.3f s",
+      server_.cycle(), compilation_->world_version, compilation_->dirty.size(),
+      compilation_->tensors.size(), compilation_->fields.size(),
+      compiled_s - cycle_began_s_, published_s - compiled_s);
+  PublishWorld();
+}
+
+// At a new window: has everybody reported from its begin? Nobody is waited for
+// long.
+bool KgNode::FleetIsReady() const {
+  return server_.fleet().IsComplete() || Now_s() >= patience_ends_s_;
+}
+
+void KgNode::FailCycle(const std::string& why) {
+  ROS_ERROR_STREAM("[compile] " << why << "; the last plan stays");
+  plan_status_ = World::PLAN_FAILED;
+  plan_note_ = why;
+  for (const UpdateReport& report : pending_.Fail(why)) {
+    updates_.publish(report);
+  }
+  PublishWorld();
+}
+
+void KgNode::HandleNavGraph(const kg_msgs::NavGraph& message) {
+  if (!progress_.Take(message)) return;
+  rviz_.Keep(message);
+  graphs_are_new_ = true;
+}
+
+void KgNode::HandleCandidates(const kg_msgs::Candidates& message) {
+  if (message.cycle != server_.cycle()) return;
+  rviz_.Keep(message);
+  graphs_are_new_ = true;
+}
+
+void KgNode::HandleRejections(const kg_msgs::Rejections& message) {
+  if (progress_.Take(message)) CommitFinishedPlan();
+}
+
+void KgNode::HandleAssignments(const kg_msgs::Assignments& message) {
+  if (progress_.Take(message)) CommitFinishedPlan();
+}
+
+void KgNode::CommitFinishedPlan() {
+  const std::optional<kg_msgs::Assignments> plan = progress_.TakeFinishedPlan();
+  if (!plan || cycle_is_due_) return;
+  if (plan->plan_run <= server_.plan_run()) {
+    ROS_WARN("[commit] run %lu is not newer than run %lu: dropped",
+             plan->plan_run, server_.plan_run());
+    return;
+  }
+  const double begin_s = Now_s();
+  PlanRecord record;
+  record.assignments = *plan;
+  record.rejections = progress_.rejections();
+  for (const auto& [key, graph] : progress_.nav_graphs()) {
+    record.nav_graph_hashes[key] = graph.hash;
+  }
+  record.started_s = cycle_began_s_;
+  record.ended_s = begin_s;
+  try {
+    server_.RecordPlan(std::move(record));
+  } catch (const std::runtime_error& error) {
+    FailCycle(error.what());
+    return;
+  }
+  plan_ = *plan;
+  plan_status_ = plan->unassigned.empty() ? World::PLAN_OK : World::PLAN_FAILED;
+  plan_note_ = plan->unassigned.empty() ? "" : plan->unassigned.front();
+  rviz_.ShowPlan(*plan);
+  graphs_are_new_ = true;
+  ReportPlan(*plan, Now_s() - begin_s);
+  PublishWorld();
+}
+
+void KgNode::ReportPlan(const kg_msgs::Assignments& plan,
+                        const double commit_s) {
+  for (const UpdateReport& report : pending_.Answer(plan, commit_s)) {
+    updates_.publish(report);
+  }
+  for (const kg_msgs::StageTime& stage : plan.stages) {
+    ROS_INFO("[%s] %u in %.3f s", stage.stage.c_str(), stage.count,
+             stage.seconds);
+  }
+  ROS_INFO(
+      "[commit] plan %lu for world version %lu: %zu agents, reward %.2f, "
+      "seam cost %.2f; %.3f s after the cycle began",
+      plan.plan_run, plan.world_version, plan.assignments.size(), plan.reward,
+      plan.seam_cost, Now_s() - cycle_began_s_);
+}
+
+// Agents and time -------------------------------------------------------------
+
+void KgNode::HandleAgentState(const kg_msgs::AgentState& message) {
+  const int before = server_.current_window();
+  AgentPose pose;
+  pose.position = GetPosition(message);
+  pose.heading_rad = message.heading_rad;
+  pose.time_s = FromRosTime(message.header.stamp);
+  pose.energy_left_j = message.energy_left_j;
+  if (!server_.fleet().Observe(message.agent, pose)) {
+    ROS_WARN_STREAM_THROTTLE(10, "[agents] state of '"
+                                     << message.agent
+                                     << "' refused: unknown agent or numbers "
+                                        "that are not finite");
+    return;
+  }
+  fleet_has_moved_ = true;
+  const int after = server_.current_window();
+  if (after > before) PassWindows(before, after);
+}
+
+// What was planned for the windows that are over has been done.
+void KgNode::PassWindows(const int from, const int to) {
+  if (plan_) {
+    for (const kg_msgs::Assignment& assignment : plan_->assignments) {
+      for (const kg_msgs::Visit& visit : assignment.pathlet.visits) {
+        if (visit.window < from || visit.window >= to) continue;
+        server_.AddExecuted({assignment.agent, assignment.agent_iri, visit});
+      }
+    }
+  }
+  if (server_.ended()) {
+    ROS_INFO("[mission] all %zu windows are flown",
+             server_.mission().windows.size());
+    server_.RecordEnd();
+  } else {
+    ROS_INFO("[mission] window %d begins", to);
+    plan_status_ = World::PLAN_STALE;
+    cycle_is_due_ = true;
+    patience_ends_s_ = Now_s() + kPatience_s;
+  }
+  PublishWorld();
+}
+
+void KgNode::Watch() {
+  diagnostics_.update();  // Publishes once a second at most.
+  if (fleet_has_moved_) {
+    PublishWorld();
+    fleet_has_moved_ = false;
+    if (++moves_ % kMovesPerRepaint == 0) graphs_are_new_ = true;
+  }
+  if (compilation_ == nullptr) return;
+  rviz_.ShowFleet(server_.fleet());  // Also at rest: frames age.
+  if (shown_window_ != ViewWindow()) {
+    shown_window_ = ViewWindow();
+    rviz_.Show(*compilation_, shown_window_);
+  } else if (graphs_are_new_) {
+    rviz_.ShowMarkers(*compilation_, shown_window_);
+  }
+  graphs_are_new_ = false;
+  const std::string missing = MissingNodes();
+  if (plan_status_ == World::PLAN_OK && !missing.empty()) {
+    plan_status_ = World::PLAN_STALE;
+    plan_note_ = missing;
+    PublishWorld();
+  } else if (plan_status_ == World::PLAN_STALE && missing.empty() &&
+             !plan_note_.empty() && !cycle_is_due_) {
+    plan_status_ = World::PLAN_OK;  // They are back, the plan still holds.
+    plan_note_.clear();
+    PublishWorld();
+  }
+}
+
+std::string KgNode::MissingNodes() const {
+  for (const kg_core::Agent& agent : server_.mission().agents) {
+    if (!artifacts_.HasPlanner(agent.id)) {
+      return "the planner of " + agent.id + " is not there";
+    }
+  }
+  return artifacts_.HasSelector() ? "" : "the selector is not there";
+}
+
+int KgNode::ViewWindow() const {
+  int window = -1;
+  own_.getParamCached("view_window", window);
+  return window >= 0 ? window : server_.current_window();
+}
+
+// What others are told --------------------------------------------------------
+
+void KgNode::PublishWorld() {
+  World world = DescribeWorld(server_, compilation_.get());
+  world.header.stamp = ros::Time::now();
+  world.plan_version = plan_ ? plan_->world_version : 0;
+  world.plan_status = plan_status_;
+  world.plan_note = plan_note_;
+  world_.publish(world);
+}
+
+void KgNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  const bool ok = plan_status_ == World::PLAN_OK;
+  status.summary(ok ? diagnostic_msgs::DiagnosticStatus::OK
+                    : diagnostic_msgs::DiagnosticStatus::WARN,
+                 ok ? "the plan is up to date" : "the plan is not up to date");
+  status.add("world_version", server_.world_version());
+  status.add("cycle", server_.cycle());
+  status.add("plan_run", server_.plan_run());
+  status.add("plan_note", plan_note_);
+  status.add("missing", MissingNodes());
+  status.add("answers_dropped", progress_.dropped());
+}
+
+}  // namespace kg_ros

@@ -1,0 +1,104 @@
+// kg_node's door to ROS: converts messages, asks the MissionServer, publishes.
+// What each topic and service carries: docs/interface.md.
+
+#ifndef KG_ROS_KNOWLEDGE_KG_NODE_H_
+#define KG_ROS_KNOWLEDGE_KG_NODE_H_
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnostic_updater/diagnostic_updater.h"
+#include "kg_msgs/AgentState.h"
+#include "kg_msgs/Assignments.h"
+#include "kg_msgs/Candidates.h"
+#include "kg_msgs/FactUpdate.h"
+#include "kg_msgs/NavGraph.h"
+#include "kg_msgs/Rejections.h"
+#include "kg_msgs/UpdateFacts.h"
+#include "kg_msgs/UpdateReport.h"
+#include "kg_msgs/Validate.h"
+#include "kg_msgs/World.h"
+#include "kg_ros/display/rviz_publisher.h"
+#include "kg_ros/knowledge/artifact_publisher.h"
+#include "kg_ros/knowledge/mission_server.h"
+#include "kg_ros/knowledge/pending_reports.h"
+#include "kg_ros/knowledge/plan_progress.h"
+#include "kg_ros/knowledge/query_server.h"
+#include "ros/node_handle.h"
+#include "ros/timer.h"
+
+namespace kg_ros {
+
+class KgNode {
+ public:
+  // Opens the mission: throws kg_core::InputError.
+  KgNode(const MissionFolders& folders, const ros::NodeHandle& node,
+         const ros::NodeHandle& own);
+
+  // Until ROS shuts down. Messages that are waiting are taken first; then what
+  // they made dirty is compiled once.
+  void Spin();
+
+ private:
+  void Subscribe();
+  void ExpectFirstPlan();
+  void HandleFacts(const kg_msgs::FactUpdate& message);
+  bool HandleUpdate(kg_msgs::UpdateFacts::Request& request,
+                    kg_msgs::UpdateFacts::Response& response);
+  bool HandleValidate(kg_msgs::Validate::Request& request,
+                      kg_msgs::Validate::Response& response);
+  void HandleAgentState(const kg_msgs::AgentState& message);
+  void HandleNavGraph(const kg_msgs::NavGraph& message);
+  void HandleCandidates(const kg_msgs::Candidates& message);
+  void HandleAssignments(const kg_msgs::Assignments& message);
+  void HandleRejections(const kg_msgs::Rejections& message);
+
+  kg_msgs::UpdateReport Decide(const kg_msgs::FactUpdate& message);
+  void StartCycle();
+  bool FleetIsReady() const;
+  void FailCycle(const std::string& why);
+  void CommitFinishedPlan();
+  void ReportPlan(const kg_msgs::Assignments& plan, double commit_s);
+  void PassWindows(int from, int to);
+  // Twice a second: who is missing, which window is looked at.
+  void Watch();
+  std::string MissingNodes() const;
+  int ViewWindow() const;
+  void PublishWorld();
+  void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  ros::NodeHandle node_;
+  ros::NodeHandle own_;
+  double opening_s_;  // When the server began to open, Unix seconds.
+  MissionServer server_;
+  ArtifactPublisher artifacts_;
+  RvizPublisher rviz_;
+  QueryServer queries_;
+  PlanProgress progress_;
+  diagnostic_updater::Updater diagnostics_;
+
+  std::vector<ros::Subscriber> subscribers_;
+  std::vector<ros::ServiceServer> services_;
+  ros::Publisher updates_;
+  ros::Publisher world_;
+  ros::WallTimer watch_;
+
+  std::shared_ptr<const kg_compiler::Compilation> compilation_;
+  std::optional<kg_msgs::Assignments> plan_;  // The last one committed.
+  PendingReports pending_;
+  bool cycle_is_due_ = true;
+  double patience_ends_s_ = 0.0;  // Unix seconds; for poses at a new window.
+  bool fleet_has_moved_ = false;
+  bool graphs_are_new_ = false;
+  int moves_ = 0;  // Watches that found the fleet elsewhere.
+  int shown_window_ = -1;
+  double cycle_began_s_ = 0.0;  // Unix seconds.
+  std::uint8_t plan_status_ = kg_msgs::World::PLAN_NONE;
+  std::string plan_note_;
+};
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_KNOWLEDGE_KG_NODE_H_

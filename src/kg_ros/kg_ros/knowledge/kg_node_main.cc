@@ -1,0 +1,64 @@
+// kg_node: owns the mission's facts, compiles them, records the plans.
+//
+//   parameters  ~mission_folder  holds mission.ttl
+//               ~data_folder     where its files are looked up first
+//               ~state_folder    the durable store
+//               ~view_window     window rviz looks at; -1 = the current one
+
+#include <cstdlib>
+
+#include "kg_core/base/input_error.h"
+#include "kg_ros/base/parameter_reader.h"
+#include "kg_ros/knowledge/kg_node.h"
+#include "ros/init.h"
+#include "ros/package.h"
+
+namespace {
+
+constexpr double kRetry_s = 10.0;
+constexpr double kPoll_s = 0.1;
+
+kg_ros::MissionFolders ReadFolders(const ros::NodeHandle& own) {
+  kg_ros::ParameterReader read(own);
+  kg_ros::MissionFolders folders;
+  folders.mission = read.Text("mission_folder");
+  folders.data = read.Text("data_folder", "");
+  folders.state = read.Text("state_folder");
+  folders.ontology = ros::package::getPath("kg_core") + "/ontology";
+  read.Integer("view_window", {-1, 100000}, -1);  // Polled while it runs.
+  read.RefuseTheRest();
+  return folders;
+}
+
+// A mission that cannot be opened is said so, and tried again: its files may be
+// on their way.
+void Serve(const kg_ros::MissionFolders& folders, const ros::NodeHandle& own) {
+  while (ros::ok()) {
+    try {
+      kg_ros::KgNode node(folders, ros::NodeHandle(), own);
+      node.Spin();
+      return;
+    } catch (const kg_core::InputError& error) {
+      ROS_FATAL_STREAM("[facts] " << error.what());
+    }
+    const ros::SteadyTime again =
+        ros::SteadyTime::now() + ros::WallDuration(kRetry_s);
+    while (ros::ok() && ros::SteadyTime::now() < again) {
+      ros::WallDuration(kPoll_s).sleep();
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "kg");
+  const ros::NodeHandle own("~");  // Must outlive the last log line.
+  try {
+    Serve(ReadFolders(own), own);
+    return EXIT_SUCCESS;
+  } catch (const kg_core::InputError& error) {
+    ROS_FATAL_STREAM(error.what());
+    return EXIT_FAILURE;
+  }
+}

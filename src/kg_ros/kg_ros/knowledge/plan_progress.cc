@@ -1,0 +1,57 @@
+#include "kg_ros/knowledge/plan_progress.h"
+
+namespace kg_ros {
+
+void PlanProgress::Begin(const std::uint64_t cycle) {
+  cycle_ = cycle;
+  assignments_.reset();
+  rejections_ = {};
+  nav_graphs_.clear();
+  unrecorded_.clear();
+}
+
+template <typename Message>
+bool PlanProgress::IsCurrent(const Message& message) {
+  if (message.cycle == cycle_) return true;
+  ++dropped_;
+  return false;
+}
+
+bool PlanProgress::Take(const kg_msgs::Assignments& message) {
+  if (!IsCurrent(message)) return false;
+  assignments_ = message;
+  return true;
+}
+
+bool PlanProgress::Take(const kg_msgs::Rejections& message) {
+  if (!IsCurrent(message)) return false;
+  const bool run_has_ended = message.round == 0;
+  if (run_has_ended) rejections_ = message;
+  return true;
+}
+
+bool PlanProgress::Take(const kg_msgs::NavGraph& message) {
+  if (!IsCurrent(message)) return false;
+  const Key key{message.agent, message.window};
+  nav_graphs_[key] = message;
+  unrecorded_.push_back(key);
+  return true;
+}
+
+std::optional<kg_msgs::Assignments> PlanProgress::TakeFinishedPlan() {
+  if (!assignments_ || rejections_.plan_run != assignments_->plan_run) {
+    return std::nullopt;
+  }
+  std::optional<kg_msgs::Assignments> plan;
+  plan.swap(assignments_);
+  return plan;
+}
+
+const kg_msgs::NavGraph* PlanProgress::NextUnrecorded() {
+  if (unrecorded_.empty()) return nullptr;
+  const Key key = unrecorded_.back();
+  unrecorded_.pop_back();
+  return &nav_graphs_.at(key);
+}
+
+}  // namespace kg_ros

@@ -1,0 +1,100 @@
+#include "kg_ros/knowledge/query_server.h"
+
+#include <string>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/sparql/query_engine.h"
+#include "kg_core/sparql/results.h"
+#include "kg_msgs/Export.h"
+#include "kg_msgs/WhatIf.h"
+#include "kg_msgs/Why.h"
+#include "kg_ros/base/names.h"
+#include "kg_ros/knowledge/mission_server.h"
+#include "kg_ros/knowledge/mission_state.h"
+#include "kg_ros/knowledge/plan_facts.h"
+
+namespace kg_ros {
+namespace {
+
+using kg_core::QueryResult;
+
+constexpr char kNotAvailable[] =
+    "not available: this service is part of the interface but not served yet";
+
+bool IsGraph(const QueryResult& result) {
+  return result.form == QueryResult::Form::kConstruct ||
+         result.form == QueryResult::Form::kDescribe;
+}
+
+// Empty: the first, which is JSON.
+const kg_core::ResultFormat& FormatNamed(const std::string& name) {
+  std::string known;
+  for (const kg_core::ResultFormat& format : kg_core::ResultFormats()) {
+    if (name.empty() || name == format.name) return format;
+    known += known.empty() ? format.name : std::string(", ") + format.name;
+  }
+  throw kg_core::InputError("format '" + name + "' is not known; expected " +
+                            known);
+}
+
+}  // namespace
+
+QueryServer::QueryServer(const ros::NodeHandle& node,
+                         const MissionServer* server)
+    : node_(node), server_(server), spinner_(1, &queue_) {
+  node_.setCallbackQueue(&queue_);
+  services_.push_back(
+      node_.advertiseService(kQueryService, &QueryServer::HandleQuery, this));
+  const boost::function<bool(kg_msgs::Why::Request&, kg_msgs::Why::Response&)>
+      why = [](kg_msgs::Why::Request&, kg_msgs::Why::Response& response) {
+        response.error = kNotAvailable;
+        return true;
+      };
+  services_.push_back(node_.advertiseService(kWhyService, why));
+  const boost::function<bool(kg_msgs::WhatIf::Request&,
+                             kg_msgs::WhatIf::Response&)>
+      what_if =
+          [](kg_msgs::WhatIf::Request&, kg_msgs::WhatIf::Response& response) {
+            response.errors = {kNotAvailable};
+            return true;
+          };
+  services_.push_back(node_.advertiseService(kWhatIfService, what_if));
+  const boost::function<bool(kg_msgs::Export::Request&,
+                             kg_msgs::Export::Response&)>
+      do_export =
+          [](kg_msgs::Export::Request&, kg_msgs::Export::Response& response) {
+            response.error = kNotAvailable;
+            return true;
+          };
+  services_.push_back(node_.advertiseService(kExportService, do_export));
+  spinner_.start();
+}
+
+QueryServer::~QueryServer() { spinner_.stop(); }
+
+bool QueryServer::HandleQuery(kg_msgs::Query::Request& request,
+                              kg_msgs::Query::Response& response) {
+  const std::shared_ptr<const kg_core::GraphView> view = server_->Read();
+  response.world_version = view->world_version();
+  const std::uint64_t run = LoadState(*view).plan_run;
+  const std::optional<std::string> plan =
+      run == 0 ? std::nullopt : std::optional(PlanGraph(run).text);
+  try {
+    const QueryResult result = kg_core::RunQuery(
+        *view, request.query, kg_core::DefaultDataset(plan), {});
+    response.text = kg_core::ToTextTable(result);
+    if (IsGraph(result)) {
+      response.rows = static_cast<unsigned>(result.triples.size());
+      response.result = kg_core::TriplesToTurtle(result.triples);
+    } else {
+      response.rows = static_cast<unsigned>(result.rows.size());
+      response.result = FormatNamed(request.format).write(result);
+    }
+    response.ok = true;
+  } catch (const kg_core::InputError& error) {
+    response.error = error.what();
+  }
+  return true;
+}
+
+}  // namespace kg_ros

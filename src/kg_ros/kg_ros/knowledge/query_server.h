@@ -1,0 +1,42 @@
+// Answers kg/query on a thread of its own, from snapshots of the store: queries
+// go on while facts are taken and cycles compiled. Also answers the services
+// that are not served yet, saying so.
+
+#ifndef KG_ROS_KNOWLEDGE_QUERY_SERVER_H_
+#define KG_ROS_KNOWLEDGE_QUERY_SERVER_H_
+
+#include <vector>
+
+#include "kg_core/rdf/store.h"
+#include "kg_msgs/Query.h"
+#include "ros/callback_queue.h"
+#include "ros/node_handle.h"
+#include "ros/service_server.h"
+#include "ros/spinner.h"
+
+namespace kg_ros {
+
+class MissionServer;
+
+class QueryServer {
+ public:
+  // `server` must outlive this; only its Read() is used.
+  QueryServer(const ros::NodeHandle& node, const MissionServer* server);
+  ~QueryServer();
+  QueryServer(const QueryServer&) = delete;
+  QueryServer& operator=(const QueryServer&) = delete;
+
+ private:
+  bool HandleQuery(kg_msgs::Query::Request& request,
+                   kg_msgs::Query::Response& response);
+
+  ros::CallbackQueue queue_;
+  ros::NodeHandle node_;
+  const MissionServer* server_;
+  std::vector<ros::ServiceServer> services_;
+  ros::AsyncSpinner spinner_;
+};
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_KNOWLEDGE_QUERY_SERVER_H_

@@ -1,0 +1,139 @@
+// planner_node: plans for one agent. It converts, calls and publishes; every
+// decision is made in the libraries.
+//
+//   parameters  ~agent  the agent's ex:id
+
+#include <cstdlib>
+#include <functional>
+#include <string>
+
+#include "kg_core/base/input_error.h"
+#include "kg_ros/base/names.h"
+#include "kg_ros/base/parameter_reader.h"
+#include "kg_ros/planning/planner_server.h"
+#include "ros/callback_queue.h"
+#include "ros/ros.h"
+
+namespace kg_ros {
+namespace {
+
+constexpr unsigned kAllWindows = 512;  // Queue: more than a mission's windows.
+constexpr double kPatience_s = 2.0;    // For rasters that the rules name.
+
+class PlannerNode {
+ public:
+  PlannerNode(const ros::NodeHandle& node, const std::string& agent)
+      : node_(node), agent_(agent) {
+    nav_graphs_ = node_.advertise<kg_msgs::NavGraph>(kNavGraphsTopic, 64);
+    candidates_ = node_.advertise<kg_msgs::Candidates>(
+        kCandidatesTopic, 8,
+        [this](const ros::SingleSubscriberPublisher& subscriber) {
+          if (has_planned_) subscriber.publish(last_);
+        });
+    SubscribeRasters();
+    rules_ = Subscribe<kg_msgs::SeamRules>(AgentTopic(agent_, kSeamRules), 1);
+    rejections_ = node_.subscribe(kRejectionsTopic, 8,
+                                  &PlannerNode::HandleRejections, this);
+    patience_ = node_.createWallTimer(
+        ros::WallDuration(kPatience_s),
+        [this](const ros::WallTimerEvent&) { AskAgain(); });
+  }
+
+  void Spin() {
+    while (ros::ok()) {
+      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
+      if (server_.IsDue() && server_.IsComplete()) Plan();
+    }
+  }
+
+ private:
+  template <typename Message>
+  ros::Subscriber Subscribe(const std::string& topic, unsigned queue) {
+    const boost::function<void(const boost::shared_ptr<const Message>&)>
+        handle = [this](const boost::shared_ptr<const Message>& message) {
+          Guarded([&] { server_.Take(*message); });
+        };
+    return node_.subscribe<Message>(topic, queue, handle);
+  }
+
+  void SubscribeRasters() {
+    tensors_ = Subscribe<kg_msgs::MissionTensor>(AgentTopic(agent_, kTensors),
+                                                 kAllWindows);
+    fields_ = Subscribe<kg_msgs::WorkField>(kWorkFieldsTopic, kAllWindows);
+  }
+
+  // A raster may be lost on the way: a new subscriber is sent them all.
+  void AskAgain() {
+    if (!server_.IsDue() || server_.IsComplete()) {
+      was_waiting_ = false;
+      return;
+    }
+    if (was_waiting_) {
+      ROS_WARN_STREAM("[plan] " << agent_ << " waits for " << server_.Missing()
+                                << ": asking again");
+      SubscribeRasters();
+    }
+    was_waiting_ = true;
+  }
+
+  void Guarded(const std::function<void()>& work) {
+    try {
+      work();
+    } catch (const kg_core::InputError& error) {
+      ROS_ERROR_STREAM("[plan] " << agent_ << ": " << error.what());
+    }
+  }
+
+  void Plan() {
+    Guarded([this] {
+      const PlannerAnswer answer = server_.Plan();
+      for (const kg_msgs::NavGraph& graph : answer.nav_graphs) {
+        nav_graphs_.publish(graph);
+      }
+      last_ = answer.candidates;
+      has_planned_ = true;
+      candidates_.publish(last_);
+    });
+  }
+
+  void HandleRejections(const kg_msgs::Rejections& message) {
+    Guarded([&] {
+      for (const PlannerAnswer& answer : server_.PlanAround(message)) {
+        candidates_.publish(answer.candidates);
+      }
+    });
+  }
+
+  ros::NodeHandle node_;
+  std::string agent_;
+  PlannerServer server_;
+  ros::Publisher nav_graphs_;
+  ros::Publisher candidates_;
+  ros::Subscriber tensors_;
+  ros::Subscriber fields_;
+  ros::Subscriber rules_;
+  ros::Subscriber rejections_;
+  ros::WallTimer patience_;
+  kg_msgs::Candidates last_;  // Of round 0.
+  bool has_planned_ = false;
+  bool was_waiting_ = false;
+};
+
+}  // namespace
+}  // namespace kg_ros
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "planner");
+  const ros::NodeHandle own("~");  // Must outlive the last log line.
+  try {
+    kg_ros::ParameterReader read(own);
+    const std::string agent = read.Text("agent");
+    read.RefuseTheRest();
+    kg_ros::PlannerNode node(ros::NodeHandle(), agent);
+    node.Spin();
+    return EXIT_SUCCESS;
+  } catch (const kg_core::InputError& error) {
+    ROS_FATAL_STREAM(error.what());
+    return EXIT_FAILURE;
+  }
+}

@@ -1,0 +1,75 @@
+// One agent's planning, without ROS topics: holds the newest rules and rasters,
+// and plans when they belong together. Finds the agent's waypoints and seams
+// with the control plane, and its paths with the planner.
+
+#ifndef KG_ROS_PLANNING_PLANNER_SERVER_H_
+#define KG_ROS_PLANNING_PLANNER_SERVER_H_
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/mission_tensor.h"
+#include "kg_compiler/nav_graph.h"
+#include "kg_compiler/seam_rules.h"
+#include "kg_msgs/Candidates.h"
+#include "kg_msgs/MissionTensor.h"
+#include "kg_msgs/NavGraph.h"
+#include "kg_msgs/Rejections.h"
+#include "kg_msgs/SeamRules.h"
+#include "kg_msgs/WorkField.h"
+
+namespace kg_ros {
+
+// What a plan gives out.
+struct PlannerAnswer {
+  std::vector<kg_msgs::NavGraph> nav_graphs;  // Empty in rounds > 0.
+  kg_msgs::Candidates candidates;
+};
+
+class PlannerServer {
+ public:
+  // All throw kg_core::InputError for a message that makes no sense.
+  void Take(const kg_msgs::SeamRules& message);
+  void Take(const kg_msgs::MissionTensor& message);
+  void Take(const kg_msgs::WorkField& message);
+
+  // New rules are here and not planned yet.
+  bool IsDue() const { return due_; }
+  // Every raster the rules name is here.
+  bool IsComplete() const;
+  // The window whose raster is missing, for the log; empty if complete.
+  std::string Missing() const;
+
+  // Plans round 0. Requires IsComplete(). A mission that cannot be planned
+  // (no waypoint within reach) is an answer without pathlets and with a note.
+  PlannerAnswer Plan();
+
+  // Plans around what `message` asks of this agent; nothing if it does not, or
+  // answers for another cycle.
+  std::vector<PlannerAnswer> PlanAround(const kg_msgs::Rejections& message);
+
+  std::uint64_t cycle() const { return cycle_; }
+
+ private:
+  std::vector<kg_compiler::WindowWorld> Worlds() const;
+  kg_msgs::Candidates Stitch(
+      const std::vector<const kg_msgs::Cooling*>& cooling);
+  void MarkStaging(const kg_msgs::Candidates& candidates,
+                   std::vector<kg_msgs::NavGraph>* graphs) const;
+  kg_msgs::Candidates Header(std::uint32_t round) const;
+
+  kg_compiler::SeamRules rules_;
+  std::uint64_t cycle_ = 0;
+  bool due_ = false;
+  std::map<int, std::shared_ptr<const kg_compiler::MissionTensor>> tensors_;
+  std::map<int, std::shared_ptr<const kg_compiler::WorkField>> fields_;
+  std::vector<kg_compiler::NavGraph> graphs_;
+};
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_PLANNING_PLANNER_SERVER_H_

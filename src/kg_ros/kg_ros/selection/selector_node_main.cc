@@ -1,0 +1,99 @@
+// selector_node: makes one conflict-free team plan of everybody's candidates.
+// It converts, calls and publishes; every decision is made in kg_selector.
+//
+//   parameters  ~deadline_s  how long a missing planner is waited for [s]
+
+#include <cstdlib>
+#include <functional>
+
+#include "kg_core/base/input_error.h"
+#include "kg_msgs/World.h"
+#include "kg_ros/base/names.h"
+#include "kg_ros/base/parameter_reader.h"
+#include "kg_ros/selection/selector_server.h"
+#include "ros/ros.h"
+
+namespace kg_ros {
+namespace {
+
+class SelectorNode {
+ public:
+  SelectorNode(const ros::NodeHandle& node, double deadline_s)
+      : node_(node), deadline_s_(deadline_s) {
+    assignments_ =
+        node_.advertise<kg_msgs::Assignments>(kAssignmentsTopic, 1, kLatched);
+    // Latched: a selector that was just started is heard by all.
+    rejections_ =
+        node_.advertise<kg_msgs::Rejections>(kRejectionsTopic, 64, kLatched);
+    subscribers_ = {
+        node_.subscribe(kWorldTopic, 1, &SelectorNode::HandleWorld, this),
+        node_.subscribe(kCoordinationTopic, 1,
+                        &SelectorNode::HandleCoordination, this),
+        node_.subscribe(kCandidatesTopic, 1000, &SelectorNode::HandleCandidates,
+                        this)};
+    watch_ = node_.createWallTimer(
+        ros::WallDuration(0.25),
+        [this](const ros::WallTimerEvent&) { WatchTheDeadline(); });
+  }
+
+ private:
+  // Runs are numbered above those of a predecessor that was killed.
+  void HandleWorld(const kg_msgs::World& message) {
+    Answer([&] { return server_.KnowRun(message.plan_run); });
+  }
+
+  void HandleCoordination(const kg_msgs::CoordinationRules& message) {
+    Answer([&] { return server_.Take(message); });
+  }
+
+  void HandleCandidates(const kg_msgs::Candidates& message) {
+    Answer([&] { return server_.Take(message); });
+  }
+
+  void WatchTheDeadline() {
+    if (server_.WaitingFor().empty()) return;
+    const double waited_s =
+        ros::WallTime::now().toSec() - server_.waiting_since_s();
+    if (waited_s < deadline_s_) return;
+    ROS_WARN("[select] %s is late by more than %.1f s: going on without it",
+             server_.WaitingFor().front().c_str(), deadline_s_);
+    Answer([this] { return server_.GiveUpWaiting(); });
+  }
+
+  void Answer(const std::function<SelectorAnswer()>& step) {
+    try {
+      const SelectorAnswer answer = step();
+      if (answer.rejections) rejections_.publish(*answer.rejections);
+      if (answer.assignments) assignments_.publish(*answer.assignments);
+    } catch (const kg_core::InputError& error) {
+      ROS_ERROR_STREAM("[select] " << error.what());
+    }
+  }
+
+  ros::NodeHandle node_;
+  double deadline_s_;
+  SelectorServer server_;
+  ros::Publisher assignments_;
+  ros::Publisher rejections_;
+  std::vector<ros::Subscriber> subscribers_;
+  ros::WallTimer watch_;
+};
+
+}  // namespace
+}  // namespace kg_ros
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "selector");
+  const ros::NodeHandle own("~");  // Must outlive the last log line.
+  try {
+    kg_ros::ParameterReader read(own);
+    const double deadline_s = read.Number("deadline_s", {0.1, 3600.0}, 20.0);
+    read.RefuseTheRest();
+    const kg_ros::SelectorNode node(ros::NodeHandle(), deadline_s);
+    ros::spin();
+    return EXIT_SUCCESS;
+  } catch (const kg_core::InputError& error) {
+    ROS_FATAL_STREAM(error.what());
+    return EXIT_FAILURE;
+  }
+}

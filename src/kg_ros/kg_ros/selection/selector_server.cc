@@ -1,0 +1,200 @@
+#include "kg_ros/selection/selector_server.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "kg_core/base/input_error.h"
+#include "kg_ros/conversion/plan_conversion.h"
+#include "kg_ros/conversion/rules_conversion.h"
+#include "kg_ros/knowledge/pending_reports.h"
+#include "ros/time.h"
+
+namespace kg_ros {
+namespace {
+
+using kg_selector::Conflict;
+using kg_selector::ConflictKind;
+using kg_selector::Pathlet;
+using kg_selector::Rejection;
+
+double Now_s() { return ros::WallTime::now().toSec(); }
+
+std::vector<Pathlet> FromMessage(const kg_msgs::Candidates& message) {
+  std::vector<Pathlet> pathlets;
+  for (const kg_msgs::Pathlet& pathlet : message.pathlets) {
+    pathlets.push_back(kg_ros::FromMessage(pathlet, message.agent));
+  }
+  return pathlets;
+}
+
+}  // namespace
+
+template <typename Message>
+Message SelectorServer::Header() const {
+  Message message;
+  message.header.stamp = ros::Time::now();
+  message.world_version = rules_->world_version;
+  message.cycle = rules_->cycle;
+  message.plan_run = run_;
+  return message;
+}
+
+SelectorAnswer SelectorServer::KnowRun(const std::uint64_t run) {
+  last_run_ = std::max(last_run_, run);
+  if (team_ && !finished_) run_ = std::max(run_, last_run_ + 1);
+  const bool was_waiting_for_it = !knows_last_run_;
+  knows_last_run_ = true;
+  return was_waiting_for_it ? Step() : SelectorAnswer{};
+}
+
+SelectorAnswer SelectorServer::Take(const kg_msgs::CoordinationRules& message) {
+  if (rules_ && message.cycle <= rules_->cycle) return {};
+  team_rules_ = kg_ros::FromMessage(message);
+  rules_ = message;
+  Begin();
+  return Step();
+}
+
+void SelectorServer::Begin() {
+  team_ =
+      std::make_unique<kg_selector::GreedyTeam>(team_rules_, rules_->agents);
+  run_ = last_run_ + 1;
+  round_ = 0;
+  finished_ = false;
+  offered_.clear();
+  began_s_ = waiting_since_s_ = Now_s();
+  complete_s_ = 0.0;
+  for (const auto& [agent, candidates] : unmasked_) {
+    if (candidates.cycle == rules_->cycle) Offer(candidates);
+  }
+}
+
+SelectorAnswer SelectorServer::Take(const kg_msgs::Candidates& message) {
+  if (message.round == 0) {
+    kg_msgs::Candidates& known = unmasked_[message.agent];
+    if (message.cycle < known.cycle) return {};
+    const bool is_new = known.cycle != message.cycle;
+    known = message;
+    if (!rules_ || message.cycle != rules_->cycle) return {};
+    // A planner that came back, or one that was given up: if it has something
+    // new to say for this cycle, the team is put together again.
+    if (finished_ && is_new) Begin();
+    if (finished_) return {};
+  }
+  if (!rules_ || message.cycle != rules_->cycle || message.round != round_) {
+    return {};
+  }
+  Offer(message);
+  return Step();
+}
+
+void SelectorServer::Offer(const kg_msgs::Candidates& message) {
+  team_->Offer(message.agent, FromMessage(message));
+  offered_[message.agent] = message;
+  waiting_since_s_ = Now_s();
+}
+
+std::vector<std::string> SelectorServer::WaitingFor() const {
+  if (!team_ || finished_) return {};
+  return {team_->waiting_for().begin(), team_->waiting_for().end()};
+}
+
+SelectorAnswer SelectorServer::GiveUpWaiting() {
+  for (const std::string& agent : WaitingFor()) {
+    team_->Drop(agent, "no candidates came within the deadline");
+  }
+  return Step();
+}
+
+SelectorAnswer SelectorServer::Step() {
+  if (!team_ || finished_ || !knows_last_run_) return {};
+  if (!team_->waiting_for().empty()) return {};
+  if (complete_s_ == 0.0) complete_s_ = Now_s();
+  SelectorAnswer answer;
+  if (!team_->Advance()) {
+    answer.rejections = Ask();
+    return answer;
+  }
+  finished_ = true;
+  last_run_ = run_;
+  answer.rejections = End();
+  answer.assignments = Plan();
+  return answer;
+}
+
+// Everybody who is in the way is told of all that is committed.
+kg_msgs::Rejections SelectorServer::Ask() {
+  kg_msgs::Rejections message = Header<kg_msgs::Rejections>();
+  message.round = ++round_;
+  waiting_since_s_ = Now_s();
+  const std::set<std::string> full =
+      kg_selector::FullEvents(team_rules_, team_->committed());
+  for (const std::string& agent : team_->waiting_for()) {
+    for (const Pathlet& pathlet : team_->committed()) {
+      kg_msgs::Cooling cooling;
+      cooling.agent = agent;
+      cooling.by_agent = pathlet.agent;
+      cooling.separation_m =
+          team_rules_.separation_is_hard ? team_rules_.separation_m : 0.0;
+      cooling.factor = 0.0;
+      cooling.expires = message.header.stamp;
+      cooling.track = ToMessage(pathlet.track);
+      cooling.full_events.assign(full.begin(), full.end());
+      message.cooling.push_back(cooling);
+    }
+  }
+  return message;
+}
+
+kg_msgs::Rejections SelectorServer::End() const {
+  kg_msgs::Rejections message = Header<kg_msgs::Rejections>();
+  message.round = 0;
+  for (const Rejection& rejection : team_->rejections()) {
+    kg_msgs::Rejection one;
+    one.agent = rejection.pathlet.agent;
+    const auto offered = offered_.find(one.agent);
+    if (offered != offered_.end()) one.agent_iri = offered->second.agent_iri;
+    one.rank = rejection.pathlet.rank;
+    one.round = rejection.round;
+    one.score = rejection.pathlet.score();
+    one.kind = kg_selector::Name(rejection.conflict.kind);
+    one.to_agent = rejection.conflict.with_agent;
+    one.window = rejection.conflict.window;
+    one.event = rejection.conflict.event;
+    one.margin = rejection.conflict.margin;
+    one.reason = rejection.reason;
+    message.rejections.push_back(one);
+  }
+  return message;
+}
+
+kg_msgs::Assignments SelectorServer::Plan() const {
+  kg_msgs::Assignments plan = Header<kg_msgs::Assignments>();
+  plan.rounds = round_;
+  plan.bound = std::numeric_limits<double>::quiet_NaN();
+  for (const Pathlet& pathlet : team_->committed()) {
+    const kg_msgs::Candidates& offered = offered_.at(pathlet.agent);
+    kg_msgs::Assignment assignment;
+    assignment.agent = pathlet.agent;
+    assignment.agent_iri = offered.agent_iri;
+    assignment.pathlet = offered.pathlets.at(pathlet.rank);
+    plan.reward += assignment.pathlet.reward;
+    plan.seam_cost += assignment.pathlet.seam_cost;
+    plan.assignments.push_back(assignment);
+  }
+  for (const auto& [agent, why] : team_->unassigned()) {
+    const auto offered = offered_.find(agent);
+    const bool has_note =
+        offered != offered_.end() && !offered->second.note.empty();
+    plan.unassigned.push_back(agent + ": " +
+                              (has_note ? offered->second.note : why));
+  }
+  plan.stages = {
+      Stage("plan", complete_s_ - began_s_, offered_.size()),
+      Stage("select", Now_s() - complete_s_, plan.assignments.size())};
+  return plan;
+}
+
+}  // namespace kg_ros

@@ -1,0 +1,73 @@
+// The team's coordination, without ROS topics: collects everybody's candidates
+// of one cycle, asks those in the way to plan again, and commits one plan.
+
+#ifndef KG_ROS_SELECTION_SELECTOR_SERVER_H_
+#define KG_ROS_SELECTION_SELECTOR_SERVER_H_
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kg_msgs/Assignments.h"
+#include "kg_msgs/Candidates.h"
+#include "kg_msgs/CoordinationRules.h"
+#include "kg_msgs/Rejections.h"
+#include "kg_selector/greedy_team.h"
+
+namespace kg_ros {
+
+// What is to be said after a step.
+struct SelectorAnswer {
+  std::optional<kg_msgs::Rejections> rejections;
+  std::optional<kg_msgs::Assignments> assignments;
+};
+
+class SelectorServer {
+ public:
+  // A new cycle begins. Throws kg_core::InputError (unknown mode, ...).
+  SelectorAnswer Take(const kg_msgs::CoordinationRules& message);
+  // In any order, also before the rules of their cycle are here.
+  SelectorAnswer Take(const kg_msgs::Candidates& message);
+  // Runs get numbers above this one: the number of the last run known. Nothing
+  // is decided before it is.
+  SelectorAnswer KnowRun(std::uint64_t run);
+
+  // Who is waited for, since when nothing has come [unix s]; empty = nobody.
+  std::vector<std::string> WaitingFor() const;
+  double waiting_since_s() const { return waiting_since_s_; }
+  // Goes on without those who are waited for.
+  SelectorAnswer GiveUpWaiting();
+
+ private:
+  void Begin();
+  void Offer(const kg_msgs::Candidates& message);
+  SelectorAnswer Step();
+  kg_msgs::Rejections Ask();
+  kg_msgs::Rejections End() const;
+  kg_msgs::Assignments Plan() const;
+  template <typename Message>
+  Message Header() const;
+
+  std::optional<kg_msgs::CoordinationRules> rules_;
+  kg_selector::TeamRules team_rules_;
+  std::unique_ptr<kg_selector::GreedyTeam> team_;
+  // Round 0 of the newest cycle heard of, by agent: kept for a fresh start.
+  std::map<std::string, kg_msgs::Candidates> unmasked_;
+  // The message behind every pathlet that was offered, by agent.
+  std::map<std::string, kg_msgs::Candidates> offered_;
+  std::uint32_t round_ = 0;
+  std::uint64_t run_ = 0;       // Under way or just finished.
+  std::uint64_t last_run_ = 0;  // The highest finished one heard of.
+  bool knows_last_run_ = false;
+  bool finished_ = false;
+  double began_s_ = 0.0;     // Unix seconds; of the cycle.
+  double complete_s_ = 0.0;  // When everybody's round 0 was here.
+  double waiting_since_s_ = 0.0;
+};
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_SELECTION_SELECTOR_SERVER_H_

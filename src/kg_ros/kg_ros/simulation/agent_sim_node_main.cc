@@ -1,0 +1,93 @@
+// agent_sim_node: plays the mission: agents follow their assigned tracks.
+//
+//   parameters  ~rate  mission hours per real second
+
+#include <cstdlib>
+#include <map>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/base/units.h"
+#include "kg_ros/base/names.h"
+#include "kg_ros/base/parameter_reader.h"
+#include "kg_ros/simulation/agent_simulator.h"
+#include "ros/ros.h"
+
+namespace kg_ros {
+namespace {
+
+constexpr double kTick_s = 0.1;
+
+class AgentSimNode {
+ public:
+  AgentSimNode(const ros::NodeHandle& node, double hours_per_s)
+      : node_(node),
+        simulator_(kg_core::HoursToSeconds(hours_per_s)),
+        last_tick_(ros::SteadyTime::now()) {
+    states_ = node_.advertise<kg_msgs::AgentState>(kAgentStatesTopic, 100);
+    world_ = node_.subscribe(kWorldTopic, 1, &AgentSimNode::HandleWorld, this);
+    plan_ = node_.subscribe(kAssignmentsTopic, 1,
+                            &AgentSimNode::HandleAssignments, this);
+    timer_ =
+        node_.createWallTimer(ros::WallDuration(kTick_s),
+                              [this](const ros::WallTimerEvent&) { Tick(); });
+  }
+
+ private:
+  void HandleWorld(const kg_msgs::World& message) {
+    simulator_.Take(message);
+    for (const std::string& agent : simulator_.agents()) {
+      if (rules_.count(agent) > 0) continue;
+      rules_[agent] = node_.subscribe(AgentTopic(agent, kSeamRules), 1,
+                                      &AgentSimNode::HandleRules, this);
+    }
+  }
+
+  void HandleAssignments(const kg_msgs::Assignments& message) {
+    try {
+      simulator_.Take(message);
+    } catch (const kg_core::InputError& error) {
+      ROS_ERROR_STREAM("[sim] plan not followed: " << error.what());
+    }
+  }
+
+  void HandleRules(const kg_msgs::SeamRules& message) {
+    simulator_.Take(message);
+  }
+
+  void Tick() {
+    const ros::SteadyTime now = ros::SteadyTime::now();
+    const double real_s = (now - last_tick_).toSec();
+    last_tick_ = now;
+    for (const kg_msgs::AgentState& state : simulator_.Advance(real_s)) {
+      states_.publish(state);
+    }
+  }
+
+  ros::NodeHandle node_;
+  AgentSimulator simulator_;
+  ros::SteadyTime last_tick_;
+  ros::Publisher states_;
+  ros::Subscriber world_;
+  ros::Subscriber plan_;
+  std::map<std::string, ros::Subscriber> rules_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace
+}  // namespace kg_ros
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "agent_sim");
+  const ros::NodeHandle own("~");  // Must outlive the last log line.
+  try {
+    kg_ros::ParameterReader read(own);
+    const double hours_per_s = read.Number("rate", {0.0, 1000.0}, 2.0);
+    read.RefuseTheRest();
+    const kg_ros::AgentSimNode node(ros::NodeHandle(), hours_per_s);
+    ros::spin();
+    return EXIT_SUCCESS;
+  } catch (const kg_core::InputError& error) {
+    ROS_FATAL_STREAM(error.what());
+    return EXIT_FAILURE;
+  }
+}
