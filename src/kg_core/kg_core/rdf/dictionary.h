@@ -1,12 +1,21 @@
-// Terms and their ids. Grows only; ids are given in order from 1.
+// Terms and their ids: those of one store, or of a fork of it.
 //
 // One writer appends terms, which nobody else can find until they are
 // published; any number of readers look terms up (a short shared lock) and
-// fetch them by id (no lock: a term never moves once it has an id).
+// fetch them by id (no lock: a term never moves once it has an id). Terms are
+// only added. New ids rise, so `next_id()` at the time of a commit tells what a
+// snapshot of it knows: Find(term, end) does not see what came later, and a
+// reader gets the same answer however long it reads.
+//
+// A layer adds its own terms to what another dictionary held when the layer
+// was made (Store::Fork). Its ids begin after all of those; what the other one
+// adds later is neither seen nor in the way, though ids of both may then have
+// the same number: they belong to different stores.
 
 #ifndef KG_CORE_RDF_DICTIONARY_H_
 #define KG_CORE_RDF_DICTIONARY_H_
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -23,22 +32,30 @@ namespace kg_core {
 
 class Dictionary {
  public:
-  static constexpr std::size_t kMaxTerms = std::size_t{1} << 28;
+  // Ids are smaller. Those of a query's own terms (sparql/term_table.h) and
+  // marks on ids may therefore use the upper bits.
+  static constexpr TermId kMaxTerms = TermId{1} << 28;
 
   Dictionary();
+  // A layer over the terms that `base` had published when its next_id() was
+  // `base_end`.
+  Dictionary(std::shared_ptr<const Dictionary> base, TermId base_end);
   ~Dictionary();
   Dictionary(const Dictionary&) = delete;
   Dictionary& operator=(const Dictionary&) = delete;
 
-  // Readers, from any thread.
-  TermId Find(const Term& term) const;  // kNoTerm if not published.
-  const Term& Get(TermId id) const;     // Throws std::out_of_range.
+  // Readers, from any thread. kNoTerm if it was not published when next_id()
+  // was `end`.
+  TermId Find(const Term& term, TermId end) const;
+  const Term& Get(TermId id) const;  // Throws std::out_of_range.
 
   // The writer, one thread at a time.
-  TermId end() const { return end_; }  // The id that the next term will get.
+  TermId next_id() const { return next_id_; }
   // The id of the term, new if needed; new ones are unpublished.
   TermId Intern(const Term& term);
   TermId FindUnpublished(const Term& term) const;
+  // The unpublished ones, in the order of their ids.
+  std::vector<std::pair<TermId, const Term*>> Unpublished() const;
   // Room for all that is unpublished, so that Publish cannot fail.
   void PrepareToPublish();
   void Publish() noexcept;
@@ -48,7 +65,10 @@ class Dictionary {
   void Restore(std::vector<std::pair<TermId, Term>> terms);
 
  private:
-  static constexpr std::size_t kChunk = 1 << 13;
+  // Chunk i has kFirstChunk << i slots; it is made when it is first needed.
+  // Slots without a term are raw memory, and cost none before they are used.
+  static constexpr int kFirstChunkBits = 9;
+  static constexpr int kChunks = 28 - kFirstChunkBits + 1;
 
   struct Entry {
     TermId id;
@@ -82,11 +102,16 @@ class Dictionary {
 
   static Wanted Want(const Term& term);
   static TermId FindIn(const EntrySet& entries, const Wanted& wanted);
-  void Put(TermId id, Term term);
+  TermId FindWanted(const Wanted& wanted, TermId end) const;
+  Term* Slot(TermId id) const;  // Null if its chunk is not there.
+  Term* MakeSlot(TermId id);
 
-  std::unique_ptr<std::atomic<Term*>[]> chunks_;  // kChunk terms each, or null.
-  TermId end_ = 1;
-  TermId published_end_ = 1;
+  const std::shared_ptr<const Dictionary> base_;  // Null: no layer below.
+  const TermId base_end_ = 1;
+  const TermId first_ = 1;  // The first id of this layer.
+  std::array<std::atomic<Term*>, kChunks> chunks_{};
+  TermId next_id_ = first_;
+  TermId published_end_ = first_;
   EntrySet unpublished_;
   mutable WriterFirstMutex mutex_;  // Guards published_.
   EntrySet published_;

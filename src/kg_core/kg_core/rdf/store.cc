@@ -14,41 +14,10 @@
 #include "kg_core/rdf/dictionary.h"
 #include "kg_core/rdf/quad_index.h"
 #include "kg_core/rdf/record.h"
+#include "kg_core/rdf/snapshot.h"
 
 namespace kg_core {
 namespace {
-
-// One committed state; never changed.
-struct Version {
-  QuadIndex index;
-  std::uint64_t world_version = 0;
-};
-
-class Snapshot : public GraphView {
- public:
-  Snapshot(std::shared_ptr<const Dictionary> dictionary,
-           std::shared_ptr<const Version> version)
-      : dictionary_(std::move(dictionary)), version_(std::move(version)) {}
-
-  TermId Find(const Term& term) const override {
-    return dictionary_->Find(term);
-  }
-  const Term& Get(TermId id) const override { return dictionary_->Get(id); }
-  void Match(const Quad& pattern,
-             absl::FunctionRef<bool(const Quad&)> visit) const override {
-    version_->index.Match(pattern, visit);
-  }
-  std::size_t Estimate(const Quad& pattern) const override {
-    return version_->index.Estimate(pattern);
-  }
-  std::uint64_t world_version() const override {
-    return version_->world_version;
-  }
-
- private:
-  const std::shared_ptr<const Dictionary> dictionary_;
-  const std::shared_ptr<const Version> version_;
-};
 
 void CheckIsRdf(const Statement& s) {
   const auto refuse = [&](const char* why) {
@@ -75,7 +44,16 @@ class QuadStore {
       version->index = QuadIndex(content.quads);
       version->world_version = content.world_version;
     }
-    current_ = std::move(version);
+    current_ = WithTerms(std::move(version));
+  }
+  // In memory, from `origin` on.
+  explicit QuadStore(const Version& origin)
+      : dictionary_(
+            std::make_shared<Dictionary>(origin.dictionary, origin.terms_end)) {
+    auto version = std::make_shared<Version>();
+    version->index = origin.index;
+    version->world_version = origin.world_version;
+    current_ = WithTerms(std::move(version));
   }
 
   std::shared_ptr<const Version> current() const {
@@ -98,9 +76,9 @@ class QuadStore {
   }
 
   // Durable first, then visible. Only the durable step may fail.
-  void Commit(const RecordChange& change,
-              std::shared_ptr<const Version> version) {
+  void Commit(const RecordChange& change, std::shared_ptr<Version> next) {
     dictionary_->PrepareToPublish();
+    std::shared_ptr<const Version> version = WithTerms(std::move(next));
     if (record_) record_->Write(change);
     dictionary_->Publish();
     const std::lock_guard<std::mutex> lock(current_mutex_);
@@ -108,6 +86,14 @@ class QuadStore {
   }
 
  private:
+  // With all terms that the dictionary has, also unpublished ones.
+  std::shared_ptr<const Version> WithTerms(
+      std::shared_ptr<Version> version) const {
+    version->dictionary = dictionary_;
+    version->terms_end = dictionary_->next_id();
+    return version;
+  }
+
   const std::shared_ptr<Dictionary> dictionary_;
   std::optional<Record> record_;
   std::mutex writer_mutex_;
@@ -124,13 +110,14 @@ struct Transaction::State : GraphView {
         base(quads->current()),
         index(base->index),
         edit(QuadTree::NewEdit()),
-        first_new_term(dictionary->end()) {}
+        terms_end(dictionary->next_id()) {}
   ~State() override { Finish(); }
 
   // Ends it; what was not committed is forgotten.
   void Finish() {
     if (!lock.owns_lock()) return;
     dictionary->Discard();
+    terms_end = dictionary->next_id();
     store->Unlock(&lock);
   }
 
@@ -151,8 +138,9 @@ struct Transaction::State : GraphView {
 
   // kNoTerm if nobody knows the term.
   TermId Find(const Term& term) const override {
-    const TermId id = dictionary->Find(term);
-    return id != kNoTerm ? id : dictionary->FindUnpublished(term);
+    const TermId id = dictionary->Find(term, terms_end);
+    if (id != kNoTerm || !lock.owns_lock()) return id;
+    return dictionary->FindUnpublished(term);
   }
   const Term& Get(TermId id) const override { return dictionary->Get(id); }
   // `visit` may change the transaction: the match keeps to its own copy, and
@@ -170,9 +158,7 @@ struct Transaction::State : GraphView {
 
   RecordChange Change(std::uint64_t world_version) const {
     RecordChange change;
-    for (TermId id = first_new_term; id < dictionary->end(); ++id) {
-      change.terms.emplace_back(id, &dictionary->Get(id));
-    }
+    change.terms = dictionary->Unpublished();
     change.added = QuadsOf(added);
     change.removed = QuadsOf(removed);
     change.world_version = world_version;
@@ -210,8 +196,8 @@ struct Transaction::State : GraphView {
   const std::shared_ptr<const Version> base;
   QuadIndex index;  // The version that Commit would publish.
   mutable std::atomic<std::uint64_t> edit;
-  const TermId first_new_term;
-  KeySet added;  // In SPOG order; against `base`.
+  TermId terms_end;  // Of what is published and known here.
+  KeySet added;      // In SPOG order; against `base`.
   KeySet removed;
 };
 
@@ -288,14 +274,24 @@ std::uint64_t Transaction::Commit(WorldChange change) {
 
 Store::Store(const std::string& path)
     : quads_(std::make_unique<QuadStore>(path)) {}
+Store::Store(std::unique_ptr<QuadStore> quads) : quads_(std::move(quads)) {}
 Store::~Store() = default;
 
 Transaction Store::Begin() {
   return Transaction(std::make_unique<Transaction::State>(quads_.get()));
 }
 
+std::unique_ptr<Store> Store::Fork(std::shared_ptr<const GraphView> world) {
+  const auto* snapshot = dynamic_cast<const Snapshot*>(world.get());
+  if (snapshot == nullptr) {
+    throw std::invalid_argument("only what Store::Read gave can be forked");
+  }
+  return std::unique_ptr<Store>(
+      new Store(std::make_unique<QuadStore>(snapshot->version())));
+}
+
 std::shared_ptr<const GraphView> Store::Read() const {
-  return std::make_shared<Snapshot>(quads_->dictionary(), quads_->current());
+  return std::make_shared<Snapshot>(quads_->current());
 }
 
 std::uint64_t Store::world_version() const {

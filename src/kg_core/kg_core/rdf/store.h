@@ -20,8 +20,10 @@
 // reader would need a lock per step, a vacuum, and a second mechanism for
 // Transaction::view(), which here is just the next, unpublished version.
 //
-// Terms are only ever added while the store is open (dictionary.h), so the
-// references that Get returns live as long as the snapshot.
+// Terms are only ever added to a dictionary (dictionary.h), so the references
+// that Get returns live as long as the snapshot; terms that came after it are
+// unknown to it. A fork shares the nodes and puts a layer of its own over the
+// dictionary.
 //
 // Design and measurements behind it: docs/architecture.md, "The store".
 
@@ -106,9 +108,12 @@ class Store {
   // thread has one open already.
   Transaction Begin();
 
-  // A store in memory that begins as `world` (of Read()) and goes its own way:
-  // hypothetical facts are committed there, and `world` and its store never see
-  // them. Costs what is changed, not what there is; may outlive its origin.
+  // A store in memory that begins as `world` (of Read(), also of another fork)
+  // and goes its own way: hypothetical facts are committed there, and `world`
+  // and its store never see them, nor it what they do next. Costs what is
+  // changed, not what there is; may outlive its origin. Ids of terms that
+  // `world` knows are the same in both; ids of later terms are not. Throws
+  // std::invalid_argument if `world` is no snapshot of a Store.
   static std::unique_ptr<Store> Fork(std::shared_ptr<const GraphView> world);
 
   // The committed state of now. Safe from any thread, also used by several at
@@ -119,6 +124,8 @@ class Store {
   std::size_t quad_count() const;
 
  private:
+  explicit Store(std::unique_ptr<QuadStore> quads);
+
   std::unique_ptr<QuadStore> quads_;
 };
 
