@@ -1,6 +1,7 @@
 #include "kg_core/rdf/turtle_check.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/text.h"
@@ -10,97 +11,159 @@ namespace {
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-// Walks over comments, IRIs and strings, and looks at what stands between.
+bool IsLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+// Of a prefixed name or a label. Beyond ASCII, every character may stand there:
+// Turtle excludes only some punctuation, none of which is syntax.
+bool IsNameChar(char c) {
+  return IsLetter(c) || IsDigit(c) || c == '_' || c == '-' || c == ':' ||
+         c == '%' || static_cast<unsigned char>(c) >= 0x80;
+}
+
+bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+// Walks over the tokens. Only where they begin and end matters here: whether
+// they make sense is serd's business.
 class Scanner {
  public:
-  Scanner(std::string_view text, const std::string& source, int max_nesting)
-      : text_(text), source_(source), max_nesting_(max_nesting) {}
+  Scanner(std::string_view text, RdfSyntax syntax, const std::string& source,
+          int max_nesting)
+      : text_(text),
+        source_(source),
+        has_braces_(syntax == RdfSyntax::kTriG),
+        is_lines_(syntax == RdfSyntax::kNTriples ||
+                  syntax == RdfSyntax::kNQuads),
+        max_nesting_(max_nesting) {}
 
-  void Run() {
-    while (at_ < text_.size()) Step();
+  std::vector<std::size_t> Run() {
+    while (at_ < text_.size()) {
+      if (is_lines_) FollowLine();
+      Step();
+    }
+    if (is_lines_) EndLine();
+    return std::move(labels_);
   }
 
  private:
+  char At(std::size_t offset) const {
+    return offset < text_.size() ? text_[offset] : '\0';
+  }
+
   void Step() {
-    switch (text_[at_]) {
-      case '#':
-        at_ = std::min(text_.find('\n', at_), text_.size());
-        return;
-      case '<':
-        at_ = std::min(text_.find_first_of(">\n", at_ + 1), text_.size() - 1);
-        break;
-      case '"':
-      case '\'':
-        SkipString();
-        return;
-      case '\\':  // Escape in a local name: the next character is no syntax.
+    const char c = text_[at_];
+    if (c == '#') {
+      at_ = std::min(text_.find('\n', at_), text_.size());
+    } else if (c == '<') {
+      at_ = std::min(text_.find_first_of(">\n", at_ + 1), text_.size() - 1) + 1;
+    } else if (c == '"' || c == '\'') {
+      SkipString();
+    } else if (c == '@') {
+      for (++at_; IsLetter(At(at_)) || IsDigit(At(at_)) || At(at_) == '-';) {
         ++at_;
-        break;
-      case '{':
-      case '}':
-        RefuseBrace();
-      case '[':
-      case '(':
-        if (++nesting_ > max_nesting_) RefuseNesting();
-        break;
-      case ']':
-      case ')':
-        if (nesting_ > 0) --nesting_;
-        break;
-      case '_':
-        NoteBlankLabel();
-        break;
-      default:
-        break;
+      }
+    } else if (c == '_' && At(at_ + 1) == ':') {
+      at_ += 2;
+      labels_.push_back(at_);
+      SkipName();
+    } else if (IsDigit(c) || c == '+' || c == '-') {
+      SkipNumber();
+    } else if (IsNameChar(c)) {
+      SkipName();
+    } else {
+      CountBracket(c);
+      ++at_;
     }
-    ++at_;
+  }
+
+  void CountBracket(char c) {
+    if ((c == '{' || c == '}') && !has_braces_) RefuseBrace();
+    if (c == '[' || c == '(') {
+      if (++nesting_ > max_nesting_) RefuseNesting();
+    } else if ((c == ']' || c == ')') && nesting_ > 0) {
+      --nesting_;
+    }
   }
 
   void SkipString() {
     const char quote = text_[at_];
     const bool is_long = text_.substr(at_, 3) == std::string(3, quote);
-    const std::string end(is_long ? 3 : 1, quote);
+    const std::string end(is_long && !is_lines_ ? 3 : 1, quote);
     at_ += end.size();
     while (at_ < text_.size() && text_.substr(at_, end.size()) != end) {
-      if (!is_long && text_[at_] == '\n') return;
+      if (end.size() == 1 && text_[at_] == '\n') return;
       at_ += text_[at_] == '\\' ? 2 : 1;
     }
     at_ = std::min(at_ + end.size(), text_.size());
   }
 
-  // serd reads _:b1 as "B1" to keep it apart from its own labels, so _:b1 and
-  // _:B1 in one text would become one node.
-  void NoteBlankLabel() {
-    const std::string_view label = text_.substr(at_, 4);
-    if (label.size() < 4 || label[1] != ':' || !IsDigit(label[3])) return;
-    (label[2] == 'b' ? has_small_b_ : has_large_b_) |=
-        label[2] == 'b' || label[2] == 'B';
-    if (has_small_b_ && has_large_b_) {
-      throw InputError(TurtleErrorPlace(text_, source_, at_) +
-                       "blank node labels like _:b1 and _:B1 in one text; "
-                       "expected only one of the two spellings");
+  // A point belongs to a name only if more of the name follows; a character
+  // behind a backslash is no syntax.
+  void SkipName() {
+    while (at_ < text_.size()) {
+      std::size_t next = at_;
+      while (At(next) == '.') ++next;
+      if (At(next) == '\\' && !is_lines_) {
+        at_ = std::min(next + 2, text_.size());
+      } else if (IsNameChar(At(next))) {
+        at_ = next + 1;
+      } else {
+        return;
+      }
     }
+  }
+
+  void SkipNumber() {
+    ++at_;
+    while (IsDigit(At(at_)) || (At(at_) == '.' && IsDigit(At(at_ + 1)))) ++at_;
+  }
+
+  // One statement a line, ended by a point, of full terms only.
+  void FollowLine() {
+    const char c = text_[at_];
+    if (c == '\n') EndLine();
+    if (IsSpace(c) || c == '#') return;
+    if (line_is_ended_) Refuse("expected the end of the line");
+    const bool is_term = c == '<' || c == '"' || c == '_';
+    if (!is_term && c != '.' && c != '@' && c != '^') {
+      Refuse("expected an IRI in angles, a blank node, a literal or a point");
+    }
+    line_has_statement_ = true;
+    line_is_ended_ = c == '.';
+  }
+
+  void EndLine() {
+    if (line_has_statement_ && !line_is_ended_) {
+      Refuse("expected a point before the end of the line");
+    }
+    line_has_statement_ = line_is_ended_ = false;
+  }
+
+  [[noreturn]] void Refuse(const std::string& what) const {
+    throw InputError(TurtleErrorPlace(text_, source_, at_) + what);
   }
 
   // serd 0.30 reads TriG's `name { ... }` as Turtle and drops the name.
   [[noreturn]] void RefuseBrace() const {
-    throw InputError(TurtleErrorPlace(text_, source_, at_) +
-                     "a brace; expected Turtle, which has no named graphs");
+    Refuse("a brace; expected Turtle, which has no named graphs");
   }
 
   [[noreturn]] void RefuseNesting() const {
-    throw InputError(TurtleErrorPlace(text_, source_, at_) +
-                     "brackets nested deeper than the limit of " +
-                     std::to_string(max_nesting_));
+    Refuse("brackets nested deeper than the limit of " +
+           std::to_string(max_nesting_));
   }
 
   const std::string_view text_;
   const std::string& source_;
+  const bool has_braces_;
+  const bool is_lines_;
   const int max_nesting_;
   std::size_t at_ = 0;
   int nesting_ = 0;
-  bool has_small_b_ = false;
-  bool has_large_b_ = false;
+  bool line_has_statement_ = false;
+  bool line_is_ended_ = false;
+  std::vector<std::size_t> labels_;
 };
 
 }  // namespace
@@ -112,8 +175,9 @@ std::string TurtleErrorPlace(std::string_view text, const std::string& source,
          std::to_string(at.column) + ": ";
 }
 
-void CheckTurtleText(std::string_view text, const std::string& source,
-                     const TurtleLimits& limits) {
+std::vector<std::size_t> CheckRdfText(std::string_view text, RdfSyntax syntax,
+                                      const std::string& source,
+                                      const TurtleLimits& limits) {
   if (text.size() > limits.bytes) {
     throw InputError(source + ":1:1: text of " + std::to_string(text.size()) +
                      " bytes; expected at most " +
@@ -128,7 +192,7 @@ void CheckTurtleText(std::string_view text, const std::string& source,
     throw InputError(TurtleErrorPlace(text, source, *bad) +
                      "byte that is not UTF-8");
   }
-  Scanner(text, source, limits.nesting).Run();
+  return Scanner(text, syntax, source, limits.nesting).Run();
 }
 
 }  // namespace kg_core

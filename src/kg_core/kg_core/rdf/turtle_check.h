@@ -1,13 +1,16 @@
-// What is checked of a Turtle text before serd sees it: size, NUL, UTF-8,
-// nesting (serd 0.30 recurses per bracket and crashes on 50,000) and blank node
-// labels that serd 0.30 would silently merge.
+// What is checked of a text before serd sees it: size, NUL, UTF-8, nesting
+// (serd 0.30 recurses per bracket and crashes on 50,000), and the lines of
+// N-Triples and N-Quads, where serd would also read Turtle.
 
 #ifndef KG_CORE_RDF_TURTLE_CHECK_H_
 #define KG_CORE_RDF_TURTLE_CHECK_H_
 
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "kg_core/rdf/syntax.h"
 #include "kg_core/rdf/turtle.h"
 
 namespace kg_core {
@@ -16,9 +19,11 @@ namespace kg_core {
 std::string TurtleErrorPlace(std::string_view text, const std::string& source,
                              std::size_t offset);
 
-// Throws InputError "source:line:column: what was expected".
-void CheckTurtleText(std::string_view text, const std::string& source,
-                     const TurtleLimits& limits);
+// Throws InputError "source:line:column: what was expected". Returns where
+// blank node labels begin (behind each "_:"), in order.
+std::vector<std::size_t> CheckRdfText(std::string_view text, RdfSyntax syntax,
+                                      const std::string& source,
+                                      const TurtleLimits& limits);
 
 }  // namespace kg_core
 

@@ -1,4 +1,4 @@
-#include "kg_core/rdf/turtle.h"
+// Reading by serd: what syntax.h and turtle.h promise of reading.
 
 #include <algorithm>
 #include <atomic>
@@ -7,13 +7,13 @@
 #include <exception>
 #include <map>
 #include <memory>
-#include <optional>
 #include <random>
 #include <utility>
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/text.h"
 #include "kg_core/rdf/namespaces.h"
+#include "kg_core/rdf/syntax.h"
 #include "kg_core/rdf/turtle_check.h"
 #include "serd/serd.h"
 
@@ -61,15 +61,30 @@ bool HasScheme(std::string_view iri) {
          std::all_of(iri.begin(), iri.begin() + colon, fits);
 }
 
+SerdSyntax SerdSyntaxOf(RdfSyntax syntax) {
+  switch (syntax) {
+    case RdfSyntax::kTurtle:
+      return SERD_TURTLE;
+    case RdfSyntax::kTriG:
+      return SERD_TRIG;
+    case RdfSyntax::kNTriples:
+      return SERD_NTRIPLES;
+    case RdfSyntax::kNQuads:
+      return SERD_NQUADS;
+  }
+  return SERD_TURTLE;
+}
+
 // One parse: serd calls back into it. No exception may cross serd (it is C),
 // so the first one is kept and thrown when serd has returned.
-class TurtleParse {
+class SerdParse {
  public:
-  TurtleParse(std::string_view text, const std::string& source,
-              const Term& graph)
+  // `labels`: where blank node labels begin in `text`.
+  SerdParse(std::string_view text, const RdfSource& source,
+            std::vector<std::size_t> labels)
       : text_(text),
         source_(source),
-        graph_(graph),
+        labels_(std::move(labels)),
         env_(serd_env_new(nullptr), serd_env_free),
         blank_prefix_(FreshBlankPrefix()) {
     for (const Prefix& prefix : kPrefixes) {
@@ -77,11 +92,15 @@ class TurtleParse {
           env_.get(), reinterpret_cast<const std::uint8_t*>(prefix.name),
           reinterpret_cast<const std::uint8_t*>(prefix.iri));
     }
+    if (source.base.empty()) return;
+    const SerdNode base = serd_node_from_string(
+        SERD_URI, reinterpret_cast<const std::uint8_t*>(source.base.c_str()));
+    serd_env_set_base_uri(env_.get(), &base);
   }
 
-  std::vector<Statement> Run() {
+  std::vector<Statement> Run(RdfSyntax syntax) {
     const std::unique_ptr<SerdReader, void (*)(SerdReader*)> reader(
-        serd_reader_new(SERD_TURTLE, this, nullptr, OnBase, OnPrefix,
+        serd_reader_new(SerdSyntaxOf(syntax), this, nullptr, OnBase, OnPrefix,
                         OnStatement, nullptr),
         serd_reader_free);
     serd_reader_set_strict(reader.get(), true);
@@ -97,52 +116,61 @@ class TurtleParse {
   }
 
  private:
-  // serd reads byte by byte, so that `at_` is the place of an error.
+  // serd reads byte by byte, so that `at_` is the place of an error. It calls
+  // nodes without a label b1, b2, ..., and would take _:b1 for one of them, so
+  // it is given every label with a letter before it.
   static std::size_t NextByte(void* buffer, std::size_t, std::size_t,
                               void* handle) {
-    auto& parse = *static_cast<TurtleParse*>(handle);
+    auto& parse = *static_cast<SerdParse*>(handle);
+    auto& byte = *static_cast<char*>(buffer);
+    if (parse.next_label_ < parse.labels_.size() &&
+        parse.labels_[parse.next_label_] == parse.at_) {
+      ++parse.next_label_;
+      byte = 'u';
+      return 1;
+    }
     if (parse.at_ == parse.text_.size()) return 0;
-    *static_cast<char*>(buffer) = parse.text_[parse.at_++];
+    byte = parse.text_[parse.at_++];
     return 1;
   }
 
   static int NoStreamError(void*) { return 0; }
 
   static SerdStatus OnError(void* handle, const SerdError* error) {
-    auto& parse = *static_cast<TurtleParse*>(handle);
+    auto& parse = *static_cast<SerdParse*>(handle);
     char what[256];
     std::vsnprintf(what, sizeof(what), error->fmt, *error->args);
     if (!parse.syntax_error_.empty()) return SERD_SUCCESS;
-    parse.syntax_error_ = parse.source_ + ":" + std::to_string(error->line) +
-                          ":" + std::to_string(error->col) + ": " +
-                          std::string(StripAsciiSpace(what));
+    const std::size_t place = parse.at_ == 0 ? 0 : parse.at_ - 1;
+    parse.syntax_error_ = parse.PlaceOf(place);
+    parse.syntax_error_ += StripAsciiSpace(what);
     std::replace(parse.syntax_error_.begin(), parse.syntax_error_.end(), '\n',
                  ' ');
     return SERD_SUCCESS;
   }
 
   static SerdStatus OnBase(void* handle, const SerdNode* uri) {
-    return serd_env_set_base_uri(static_cast<TurtleParse*>(handle)->env_.get(),
+    return serd_env_set_base_uri(static_cast<SerdParse*>(handle)->env_.get(),
                                  uri);
   }
 
   static SerdStatus OnPrefix(void* handle, const SerdNode* name,
                              const SerdNode* uri) {
-    return serd_env_set_prefix(static_cast<TurtleParse*>(handle)->env_.get(),
+    return serd_env_set_prefix(static_cast<SerdParse*>(handle)->env_.get(),
                                name, uri);
   }
 
   static SerdStatus OnStatement(void* handle, SerdStatementFlags,
-                                const SerdNode*, const SerdNode* subject,
+                                const SerdNode* graph, const SerdNode* subject,
                                 const SerdNode* predicate,
                                 const SerdNode* object,
                                 const SerdNode* datatype,
                                 const SerdNode* language) {
-    auto& parse = *static_cast<TurtleParse*>(handle);
+    auto& parse = *static_cast<SerdParse*>(handle);
     try {
       parse.statements_.push_back(
           {parse.TermOf(*subject), parse.TermOf(*predicate),
-           parse.ObjectOf(*object, datatype, language), parse.graph_});
+           parse.ObjectOf(*object, datatype, language), parse.GraphOf(graph)});
       return SERD_SUCCESS;
     } catch (...) {
       parse.failure_ = std::current_exception();
@@ -161,6 +189,11 @@ class TurtleParse {
       return Literal(std::string(TextOf(node)));
     }
     return Literal(std::string(TextOf(node)), TermOf(*datatype).text);
+  }
+
+  Term GraphOf(const SerdNode* node) {
+    const bool is_named = node != nullptr && node->buf != nullptr;
+    return is_named ? TermOf(*node) : source_.default_graph;
   }
 
   Term TermOf(const SerdNode& node) {
@@ -191,8 +224,7 @@ class TurtleParse {
     const std::string name(curie.substr(0, curie.find(':') + 1));
     const std::size_t found = text_.rfind(name, at_);
     const std::size_t place = found == std::string_view::npos ? at_ : found;
-    throw InputError(TurtleErrorPlace(text_, source_, place) +
-                     "unknown prefix '" + name +
+    throw InputError(PlaceOf(place) + "unknown prefix '" + name +
                      "'; expected one declared with @prefix, or one of ours");
   }
 
@@ -211,68 +243,44 @@ class TurtleParse {
                      ">; expected an absolute IRI or an @base before it");
   }
 
-  std::string Here() const { return TurtleErrorPlace(text_, source_, at_); }
+  std::string PlaceOf(std::size_t offset) const {
+    return TurtleErrorPlace(text_, source_.name, offset);
+  }
+  std::string Here() const { return PlaceOf(at_); }
 
   const std::string_view text_;
-  const std::string& source_;
-  const Term& graph_;
+  const RdfSource& source_;
+  const std::vector<std::size_t> labels_;
   const std::unique_ptr<SerdEnv, void (*)(SerdEnv*)> env_;
   const std::string blank_prefix_;
   std::map<std::string, std::size_t> blanks_;
   std::vector<Statement> statements_;
   std::size_t at_ = 0;
+  std::size_t next_label_ = 0;
   std::string syntax_error_;
   std::exception_ptr failure_;
 };
 
 }  // namespace
 
+std::vector<Statement> ParseRdf(std::string_view text, RdfSyntax syntax,
+                                const RdfSource& source,
+                                const TurtleLimits& limits) {
+  return SerdParse(text, source,
+                   CheckRdfText(text, syntax, source.name, limits))
+      .Run(syntax);
+}
+
 std::vector<Statement> ParseTurtle(std::string_view text,
                                    const std::string& source, const Term& graph,
                                    const TurtleLimits& limits) {
-  CheckTurtleText(text, source, limits);
-  return TurtleParse(text, source, graph).Run();
+  return ParseRdf(text, RdfSyntax::kTurtle, {source, graph}, limits);
 }
 
 std::vector<Statement> ParseTurtleFile(const std::string& path,
                                        const Term& graph,
                                        const TurtleLimits& limits) {
   return ParseTurtle(ReadFile(path, limits.bytes), path, graph, limits);
-}
-
-std::string WriteTurtle(const GraphView& view, std::string_view graph) {
-  using Properties = std::map<std::string, std::vector<std::string>>;
-  static const std::string kType = std::string(kRdf) + "type";
-  std::map<std::string, Properties> subjects;
-  const TermId graph_id = view.Find(Iri(std::string(graph)));
-  const auto collect = [&](const Quad& quad) {
-    const Term& predicate = view.Get(quad.predicate);
-    const bool is_type = predicate.is_iri() && predicate.text == kType;
-    subjects[ToTurtle(view.Get(quad.subject))]
-            [is_type ? "a" : ToTurtle(predicate)]
-                .push_back(ToTurtle(view.Get(quad.object)));
-    return true;
-  };
-  if (graph_id != kNoTerm) view.Match({0, 0, 0, graph_id}, collect);
-
-  std::string out;
-  for (const Prefix& prefix : kPrefixes) {
-    out += std::string("@prefix ") + prefix.name + ": <" + prefix.iri + "> .\n";
-  }
-  for (auto& [subject, properties] : subjects) {
-    out += "\n" + subject;
-    const char* before_property = " ";
-    for (auto& [property, objects] : properties) {
-      out += before_property + property + " ";
-      before_property = " ;\n    ";
-      std::sort(objects.begin(), objects.end());
-      for (std::size_t i = 0; i < objects.size(); ++i) {
-        out += (i == 0 ? "" : ", ") + objects[i];
-      }
-    }
-    out += " .\n";
-  }
-  return out;
 }
 
 }  // namespace kg_core

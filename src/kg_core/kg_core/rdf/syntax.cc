@@ -1,0 +1,64 @@
+#include "kg_core/rdf/syntax.h"
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/base/text.h"
+
+namespace kg_core {
+namespace {
+
+template <typename Fits>
+const RdfSyntaxName* FindSyntax(Fits fits) {
+  for (const RdfSyntaxName& syntax : RdfSyntaxes()) {
+    if (fits(syntax)) return &syntax;
+  }
+  return nullptr;
+}
+
+bool EndsWith(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() &&
+         text.substr(text.size() - end.size()) == end;
+}
+
+}  // namespace
+
+const std::vector<RdfSyntaxName>& RdfSyntaxes() {
+  static const std::vector<RdfSyntaxName> syntaxes = {
+      {RdfSyntax::kTurtle, "turtle", ".ttl", "text/turtle", false},
+      {RdfSyntax::kTriG, "trig", ".trig", "application/trig", true},
+      {RdfSyntax::kNTriples, "ntriples", ".nt", "application/n-triples", false},
+      {RdfSyntax::kNQuads, "nquads", ".nq", "application/n-quads", true},
+  };
+  return syntaxes;
+}
+
+const RdfSyntaxName* SyntaxNamed(std::string_view name) {
+  return FindSyntax([&](const RdfSyntaxName& s) { return name == s.name; });
+}
+
+const RdfSyntaxName* SyntaxOfPath(std::string_view path) {
+  const std::string lower = ToLowerAscii(path);
+  return FindSyntax(
+      [&](const RdfSyntaxName& s) { return EndsWith(lower, s.suffix); });
+}
+
+const RdfSyntaxName* SyntaxOfMediaType(std::string_view media_type) {
+  const std::string lower =
+      ToLowerAscii(StripAsciiSpace(media_type.substr(0, media_type.find(';'))));
+  return FindSyntax(
+      [&](const RdfSyntaxName& s) { return lower == s.media_type; });
+}
+
+std::vector<Statement> ParseRdfFile(const std::string& path,
+                                    const Term& default_graph,
+                                    const TurtleLimits& limits) {
+  const RdfSyntaxName* syntax = SyntaxOfPath(path);
+  if (syntax == nullptr) {
+    throw InputError(path +
+                     ": expected a file whose name ends in .ttl, .trig, " +
+                     ".nt or .nq");
+  }
+  return ParseRdf(ReadFile(path, limits.bytes), syntax->syntax,
+                  {path, default_graph}, limits);
+}
+
+}  // namespace kg_core

@@ -1,0 +1,137 @@
+// Writing: what syntax.h and turtle.h promise of it.
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/rdf/syntax.h"
+
+namespace kg_core {
+namespace {
+
+// What is said of a subject: objects by property, all in Turtle.
+using Properties = std::map<std::string, std::set<std::string>>;
+using Subjects = std::map<std::string, Properties>;
+
+void Collect(const GraphView& view, const std::string& graph,
+             Subjects* subjects) {
+  static const std::string kType = std::string(kRdf) + "type";
+  const TermId graph_id = view.Find(Iri(graph));
+  if (graph_id == kNoTerm) return;
+  view.Match({0, 0, 0, graph_id}, [&](const Quad& quad) {
+    const Term& predicate = view.Get(quad.predicate);
+    const bool is_type = predicate.is_iri() && predicate.text == kType;
+    (*subjects)[ToTurtle(view.Get(quad.subject))]
+               [is_type ? "a" : ToTurtle(predicate)]
+                   .insert(ToTurtle(view.Get(quad.object)));
+    return true;
+  });
+}
+
+void Append(const Subjects& subjects, std::string* out) {
+  for (const auto& [subject, properties] : subjects) {
+    *out += "\n" + subject;
+    const char* before_property = " ";
+    for (const auto& [property, objects] : properties) {
+      *out += before_property + property + " ";
+      before_property = " ;\n    ";
+      const char* before_object = "";
+      for (const std::string& object : objects) {
+        *out += before_object + object;
+        before_object = ", ";
+      }
+    }
+    *out += " .\n";
+  }
+}
+
+std::string OurPrefixes() {
+  std::string out;
+  for (const Prefix& prefix : kPrefixes) {
+    out += std::string("@prefix ") + prefix.name + ": <" + prefix.iri + "> .\n";
+  }
+  return out;
+}
+
+std::string ToTurtleText(const GraphView& view, const RdfSelection& selection) {
+  Subjects subjects;
+  for (const std::string& graph : selection.graphs) {
+    Collect(view, graph, &subjects);
+  }
+  std::string out = OurPrefixes();
+  Append(subjects, &out);
+  return out;
+}
+
+std::string ToTriG(const GraphView& view, const RdfSelection& selection) {
+  std::string out = OurPrefixes();
+  const std::set<std::string> graphs(selection.graphs.begin(),
+                                     selection.graphs.end());
+  for (const std::string& graph : graphs) {
+    Subjects subjects;
+    Collect(view, graph, &subjects);
+    if (subjects.empty()) continue;
+    const bool is_default = graph == selection.default_graph;
+    if (!is_default) out += "\n" + ToTurtle(Iri(graph)) + " {";
+    Append(subjects, &out);
+    if (!is_default) out += "}\n";
+  }
+  return out;
+}
+
+std::string ToLines(const GraphView& view, const RdfSelection& selection,
+                    bool has_graphs) {
+  std::set<std::string> lines;
+  for (const std::string& graph : selection.graphs) {
+    const TermId graph_id = view.Find(Iri(graph));
+    if (graph_id == kNoTerm) continue;
+    const bool is_named = has_graphs && graph != selection.default_graph;
+    const std::string end = is_named ? " " + ToNTriples(Iri(graph)) : "";
+    view.Match({0, 0, 0, graph_id}, [&](const Quad& quad) {
+      lines.insert(ToNTriples(view.Get(quad.subject)) + " " +
+                   ToNTriples(view.Get(quad.predicate)) + " " +
+                   ToNTriples(view.Get(quad.object)) + end + " .\n");
+      return true;
+    });
+  }
+  std::string out;
+  for (const std::string& line : lines) out += line;
+  return out;
+}
+
+}  // namespace
+
+std::string WriteRdf(const GraphView& view, const RdfSelection& selection,
+                     RdfSyntax syntax) {
+  switch (syntax) {
+    case RdfSyntax::kTurtle:
+      return ToTurtleText(view, selection);
+    case RdfSyntax::kTriG:
+      return ToTriG(view, selection);
+    case RdfSyntax::kNTriples:
+      return ToLines(view, selection, false);
+    case RdfSyntax::kNQuads:
+      return ToLines(view, selection, true);
+  }
+  return {};
+}
+
+std::string WriteTurtle(const GraphView& view, std::string_view graph) {
+  return WriteRdf(view, {{std::string(graph)}}, RdfSyntax::kTurtle);
+}
+
+std::vector<std::string> GraphsOf(const GraphView& view) {
+  std::set<TermId> ids;
+  view.Match({}, [&](const Quad& quad) {
+    ids.insert(quad.graph);
+    return true;
+  });
+  std::vector<std::string> graphs;
+  for (const TermId id : ids) graphs.push_back(view.Get(id).text);
+  std::sort(graphs.begin(), graphs.end());
+  return graphs;
+}
+
+}  // namespace kg_core
