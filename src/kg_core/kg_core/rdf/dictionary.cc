@@ -1,7 +1,7 @@
 #include "kg_core/rdf/dictionary.h"
 
+#include <algorithm>
 #include <mutex>
-#include <new>
 #include <shared_mutex>
 #include <stdexcept>
 #include <string>
@@ -10,57 +10,38 @@
 #include "absl/hash/hash.h"
 
 namespace kg_core {
-namespace {
-
-// Where a slot lies: which chunk, and where in it. Counting from the size of
-// the first chunk, the highest bit of the number tells the chunk.
-struct Place {
-  int chunk;
-  std::uint32_t offset;
-};
-
-Place PlaceOf(std::uint32_t index, int first_chunk_bits) {
-  const std::uint32_t number = index + (1u << first_chunk_bits);
-  const int bit = 31 - __builtin_clz(number);
-  return {bit - first_chunk_bits, number - (1u << bit)};
-}
-
-}  // namespace
 
 Dictionary::Dictionary() : Dictionary(nullptr, 1) {}
 
 Dictionary::Dictionary(std::shared_ptr<const Dictionary> base, TermId base_end)
     : base_(std::move(base)),
       base_end_(base_end),
-      first_(base_end),
+      first_(base_ ? std::max(base_end, base_->free_from_) : 1),
+      free_from_(first_),
       unpublished_(0, Hash{}, Equal{this}),
       published_(0, Hash{}, Equal{this}) {}
 
-Dictionary::~Dictionary() {
-  Discard();
-  for (const Entry& entry : published_) Slot(entry.id)->~Term();
-  for (int i = 0; i < kChunks; ++i) ::operator delete(chunks_[i].load());
-}
-
 Dictionary::Wanted Dictionary::Want(const Term& term) {
-  return {term, static_cast<std::uint32_t>(
-                    absl::HashOf(static_cast<int>(term.kind), term.text,
-                                 term.datatype, term.language))};
-}
-
-TermId Dictionary::FindIn(const EntrySet& entries, const Wanted& wanted) {
-  const auto found = entries.find(wanted);
-  return found == entries.end() ? kNoTerm : found->id;
+  constexpr std::uint32_t kBits = 0x7FFFFFFF;
+  return {term, kBits & static_cast<std::uint32_t>(
+                            absl::HashOf(static_cast<int>(term.kind), term.text,
+                                         term.datatype, term.language))};
 }
 
 TermId Dictionary::FindWanted(const Wanted& wanted, TermId end) const {
-  TermId id = kNoTerm;
   {
     const std::shared_lock<WriterFirstMutex> lock(mutex_);
-    id = FindIn(published_, wanted);
+    const auto found = published_.find(wanted);
+    if (found != published_.end()) {
+      return found->is_old || found->id < end ? found->id : kNoTerm;
+    }
   }
-  if (id != kNoTerm) return id < end ? id : kNoTerm;
   return base_ ? base_->FindWanted(wanted, base_end_) : kNoTerm;
+}
+
+TermId Dictionary::FindUnpublished(const Wanted& wanted) const {
+  const auto found = unpublished_.find(wanted);
+  return found == unpublished_.end() ? kNoTerm : found->id;
 }
 
 TermId Dictionary::Find(const Term& term, TermId end) const {
@@ -68,52 +49,49 @@ TermId Dictionary::Find(const Term& term, TermId end) const {
 }
 
 TermId Dictionary::FindUnpublished(const Term& term) const {
-  return unpublished_.empty() ? kNoTerm : FindIn(unpublished_, Want(term));
-}
-
-Term* Dictionary::Slot(TermId id) const {
-  const Place place = PlaceOf(id - first_, kFirstChunkBits);
-  Term* chunk = chunks_[place.chunk].load(std::memory_order_acquire);
-  return chunk == nullptr ? nullptr : chunk + place.offset;
+  return unpublished_.empty() ? kNoTerm : FindUnpublished(Want(term));
 }
 
 const Term& Dictionary::Get(TermId id) const {
   if (base_ && id < first_) return base_->Get(id);
-  const Term* slot = id >= first_ && id < kMaxTerms ? Slot(id) : nullptr;
-  if (slot == nullptr) {
+  const Term* term = id >= first_ ? terms_.At(id - first_) : nullptr;
+  if (term == nullptr) {
     throw std::out_of_range("no term has the id " + std::to_string(id));
   }
-  return *slot;
+  return *term;
 }
 
-Term* Dictionary::MakeSlot(TermId id) {
-  if (id >= kMaxTerms) throw std::runtime_error("the store has no more terms");
-  const Place place = PlaceOf(id - first_, kFirstChunkBits);
-  std::atomic<Term*>& chunk = chunks_[place.chunk];
-  if (chunk.load() == nullptr) {
-    const std::size_t size = std::size_t{1} << (kFirstChunkBits + place.chunk);
-    chunk.store(static_cast<Term*>(::operator new(size * sizeof(Term))));
-  }
-  return chunk.load() + place.offset;
+std::size_t Dictionary::size() const {
+  const std::shared_lock<WriterFirstMutex> lock(mutex_);
+  return published_.size();
 }
+
+TermId Dictionary::IdAt(std::size_t n) const {
+  return n < free_ids_.size()
+             ? free_ids_[n]
+             : static_cast<TermId>(free_from_ + (n - free_ids_.size()));
+}
+
+TermId Dictionary::ids_end() const { return std::max(next_id(), free_from_); }
 
 TermId Dictionary::Intern(const Term& term) {
   const Wanted wanted = Want(term);
   if (const TermId id = FindWanted(wanted, kMaxTerms)) return id;
-  if (const TermId id = FindIn(unpublished_, wanted)) return id;
-  const TermId id = next_id_;
+  if (const TermId id = FindUnpublished(wanted)) return id;
+  const TermId id = next_id();
+  if (id >= kMaxTerms) throw std::runtime_error("the store has no more terms");
   Term copy = term;
-  Term* slot = MakeSlot(id);
-  unpublished_.insert({id, wanted.hash});
-  new (slot) Term(std::move(copy));
-  next_id_ = id + 1;
+  terms_.Reserve(id - first_);
+  unpublished_.insert({id, wanted.hash, 0});
+  terms_.Fill(id - first_, std::move(copy));
+  ++given_;
   return id;
 }
 
 std::vector<std::pair<TermId, const Term*>> Dictionary::Unpublished() const {
   std::vector<std::pair<TermId, const Term*>> terms;
-  for (TermId id = published_end_; id < next_id_; ++id) {
-    terms.emplace_back(id, &Get(id));
+  for (std::size_t n = published_given_; n < given_; ++n) {
+    terms.emplace_back(IdAt(n), &Get(IdAt(n)));
   }
   return terms;
 }
@@ -127,24 +105,52 @@ void Dictionary::Publish() noexcept {
   const std::lock_guard<WriterFirstMutex> lock(mutex_);
   published_.insert(unpublished_.begin(), unpublished_.end());
   unpublished_.clear();
-  published_end_ = next_id_;
+  published_given_ = given_;
 }
 
 void Dictionary::Discard() {
-  for (const Entry& entry : unpublished_) Slot(entry.id)->~Term();
+  for (const Entry& entry : unpublished_) terms_.Clear(entry.id - first_);
   unpublished_.clear();
-  next_id_ = published_end_;
+  given_ = published_given_;
 }
 
-void Dictionary::Restore(std::vector<std::pair<TermId, Term>> terms) {
+void Dictionary::Restore(std::vector<std::pair<TermId, Term>> terms,
+                         TermId end) {
   const std::lock_guard<WriterFirstMutex> lock(mutex_);
-  published_.reserve(published_.size() + terms.size());
+  published_.reserve(terms.size());
   for (auto& [id, term] : terms) {
-    Term* slot = MakeSlot(id);
-    published_.insert({id, Want(term).hash});
-    new (slot) Term(std::move(term));
-    next_id_ = published_end_ = id + 1;
+    terms_.Reserve(id - first_);
+    published_.insert({id, Want(term).hash, 1});
+    terms_.Fill(id - first_, std::move(term));
   }
+  free_from_ = end;
+}
+
+std::vector<std::pair<TermId, const Term*>> Dictionary::Unused(
+    const std::vector<bool>& used) const {
+  std::vector<std::pair<TermId, const Term*>> terms;
+  const std::shared_lock<WriterFirstMutex> lock(mutex_);
+  for (const Entry& entry : published_) {
+    if (!used[entry.id]) terms.emplace_back(entry.id, &Get(entry.id));
+  }
+  return terms;
+}
+
+std::shared_ptr<Dictionary> Dictionary::Compacted(
+    const std::vector<bool>& used, const std::vector<bool>& taken) const {
+  auto fresh = std::make_shared<Dictionary>(base_, base_end_);
+  fresh->terms_.TakeOver(
+      terms_, [&](std::size_t index) { return used[first_ + index]; });
+  fresh->published_.reserve(std::count(used.begin(), used.end(), true));
+  const std::shared_lock<WriterFirstMutex> lock(mutex_);
+  for (const Entry& entry : published_) {
+    if (used[entry.id]) fresh->published_.insert({entry.id, entry.hash, 1});
+  }
+  fresh->free_from_ = ids_end();
+  for (TermId id = first_; id < fresh->free_from_; ++id) {
+    if (!taken[id]) fresh->free_ids_.push_back(id);
+  }
+  return fresh;
 }
 
 }  // namespace kg_core

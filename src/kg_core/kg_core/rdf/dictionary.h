@@ -3,9 +3,16 @@
 // One writer appends terms, which nobody else can find until they are
 // published; any number of readers look terms up (a short shared lock) and
 // fetch them by id (no lock: a term never moves once it has an id). Terms are
-// only added. New ids rise, so `next_id()` at the time of a commit tells what a
-// snapshot of it knows: Find(term, end) does not see what came later, and a
-// reader gets the same answer however long it reads.
+// only added, with rising ids, so `next_id()` at the time of a commit tells
+// what a snapshot of it knows: Find(term, end) does not see what came later,
+// and a reader gets the same answer however long it reads.
+//
+// Terms that no quad uses any more leave with their dictionary: the writer goes
+// on with a Compacted one, which has the used terms at their same ids and gives
+// the free ids to later terms; old snapshots keep the old one. It shares the
+// chunks of 256 terms that have no unused one. Cost: one look at every id and
+// one hash table entry for every term that stays (about 50 ns each), and a copy
+// of those that lay in a chunk with unused ones.
 //
 // A layer adds its own terms to what another dictionary held when the layer
 // was made (Store::Fork). Its ids begin after all of those; what the other one
@@ -15,8 +22,6 @@
 #ifndef KG_CORE_RDF_DICTIONARY_H_
 #define KG_CORE_RDF_DICTIONARY_H_
 
-#include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -27,20 +32,20 @@
 #include "kg_core/base/writer_first_mutex.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_core/rdf/term.h"
+#include "kg_core/rdf/term_chunks.h"
 
 namespace kg_core {
 
 class Dictionary {
  public:
-  // Ids are smaller. Those of a query's own terms (sparql/term_table.h) and
-  // marks on ids may therefore use the upper bits.
+  // Ids are smaller. Those of a query's own terms (sparql/term_table.h) begin
+  // above.
   static constexpr TermId kMaxTerms = TermId{1} << 28;
 
   Dictionary();
   // A layer over the terms that `base` had published when its next_id() was
   // `base_end`.
   Dictionary(std::shared_ptr<const Dictionary> base, TermId base_end);
-  ~Dictionary();
   Dictionary(const Dictionary&) = delete;
   Dictionary& operator=(const Dictionary&) = delete;
 
@@ -48,9 +53,12 @@ class Dictionary {
   // was `end`.
   TermId Find(const Term& term, TermId end) const;
   const Term& Get(TermId id) const;  // Throws std::out_of_range.
+  std::size_t size() const;          // Published ones, without layers below.
 
   // The writer, one thread at a time.
-  TermId next_id() const { return next_id_; }
+  TermId next_id() const { return IdAt(given_); }
+  // One past the largest id that a term of it has or had.
+  TermId ids_end() const;
   // The id of the term, new if needed; new ones are unpublished.
   TermId Intern(const Term& term);
   TermId FindUnpublished(const Term& term) const;
@@ -61,18 +69,24 @@ class Dictionary {
   void Publish() noexcept;
   // Forgets all that is unpublished.
   void Discard();
-  // Puts the terms of the record at their ids, which rise, published.
-  void Restore(std::vector<std::pair<TermId, Term>> terms);
+  // Puts the terms of the record at their ids, which rise, published; later
+  // ones get ids from `end` on.
+  void Restore(std::vector<std::pair<TermId, Term>> terms, TermId end);
+
+  // The published terms of this layer of which `used`, by id, is false.
+  std::vector<std::pair<TermId, const Term*>> Unused(
+      const std::vector<bool>& used) const;
+  // See above. It does not give the ids of which `taken` is true to new terms;
+  // `used` ones are taken. There must be nothing unpublished, and nothing may
+  // be interned here any more.
+  std::shared_ptr<Dictionary> Compacted(const std::vector<bool>& used,
+                                        const std::vector<bool>& taken) const;
 
  private:
-  // Chunk i has kFirstChunk << i slots; it is made when it is first needed.
-  // Slots without a term are raw memory, and cost none before they are used.
-  static constexpr int kFirstChunkBits = 9;
-  static constexpr int kChunks = 28 - kFirstChunkBits + 1;
-
   struct Entry {
     TermId id;
-    std::uint32_t hash;
+    std::uint32_t hash : 31;
+    std::uint32_t is_old : 1;  // Older than this dictionary: always found.
   };
   struct Wanted {  // A term that is looked for.
     const Term& term;
@@ -101,17 +115,19 @@ class Dictionary {
   using EntrySet = absl::flat_hash_set<Entry, Hash, Equal>;
 
   static Wanted Want(const Term& term);
-  static TermId FindIn(const EntrySet& entries, const Wanted& wanted);
   TermId FindWanted(const Wanted& wanted, TermId end) const;
-  Term* Slot(TermId id) const;  // Null if its chunk is not there.
-  Term* MakeSlot(TermId id);
+  TermId FindUnpublished(const Wanted& wanted) const;
+  // The id of the n-th new term of this dictionary.
+  TermId IdAt(std::size_t n) const;
 
   const std::shared_ptr<const Dictionary> base_;  // Null: no layer below.
-  const TermId base_end_ = 1;
-  const TermId first_ = 1;  // The first id of this layer.
-  std::array<std::atomic<Term*>, kChunks> chunks_{};
-  TermId next_id_ = first_;
-  TermId published_end_ = first_;
+  const TermId base_end_;
+  const TermId first_;               // The first id of this layer.
+  TermChunks terms_;                 // By id - first_.
+  std::vector<TermId> free_ids_;     // Rising; given before those from...
+  TermId free_from_;                 // ... here on.
+  std::size_t given_ = 0;            // How many new terms there are,
+  std::size_t published_given_ = 0;  // and how many of them are published.
   EntrySet unpublished_;
   mutable WriterFirstMutex mutex_;  // Guards published_.
   EntrySet published_;

@@ -2,7 +2,19 @@
 
 #include <string>
 
+#include "absl/container/flat_hash_set.h"
+
 namespace kg_core {
+
+std::vector<TermId> GraphView::Graphs() const {
+  std::vector<TermId> graphs;
+  absl::flat_hash_set<TermId> seen;
+  Match({}, [&](const Quad& quad) {
+    if (seen.insert(quad.graph).second) graphs.push_back(quad.graph);
+    return true;
+  });
+  return graphs;
+}
 namespace {
 
 // Which place of the pattern the caller asks for.

@@ -19,7 +19,9 @@
 
 namespace kg_core {
 
-// An interned term. Equal terms have equal ids within one store.
+// An interned term. Equal terms have equal ids within one view; in another view
+// of the same store an id means the same term as long as a quad uses it
+// (store.h says why).
 using TermId = std::uint32_t;
 inline constexpr TermId kNoTerm = 0;  // No term; in a pattern: any term.
 
@@ -50,6 +52,10 @@ class GraphView {
                      absl::FunctionRef<bool(const Quad&)> visit) const = 0;
   // How many quads match, at least roughly; cheap. For join ordering.
   virtual std::size_t Estimate(const Quad& pattern) const = 0;
+
+  // The graphs that have a quad, each once, the same order every time. A store
+  // searches its GSPO order once for each; only views of a few quads may scan.
+  virtual std::vector<TermId> Graphs() const;
 
   // Counts transactions on facts and vocabulary; never goes back.
   virtual std::uint64_t world_version() const = 0;

@@ -145,4 +145,32 @@ std::size_t QuadIndex::Estimate(const Quad& pattern) const {
   return ShortestScan(pattern).length;
 }
 
+std::vector<bool> QuadIndex::UsedTerms(TermId end) const {
+  std::vector<bool> used(end);
+  Match({}, [&](const Quad& q) {
+    for (const TermId id : {q.subject, q.predicate, q.object, q.graph}) {
+      used[id] = true;
+    }
+    return true;
+  });
+  return used;
+}
+
+std::vector<TermId> QuadIndex::Graphs() const {
+  std::vector<TermId> graphs;
+  const QuadTree& tree = trees_[static_cast<int>(QuadOrder::kGspo)];
+  const auto next = [&](const QuadKey& key) {
+    graphs.push_back(UnpackQuad(key, QuadOrder::kGspo).graph);
+    return false;
+  };
+  constexpr QuadKey kLast{~std::uint64_t{0}, ~std::uint64_t{0}};
+  std::size_t known = 0;
+  do {
+    known = graphs.size();
+    const TermId graph = graphs.empty() ? kNoTerm : graphs.back();
+    tree.Scan({std::uint64_t{graph + 1} << 32, 0}, kLast, next);
+  } while (graphs.size() > known);
+  return graphs;
+}
+
 }  // namespace kg_core

@@ -53,6 +53,11 @@ class QuadIndex {
   // Length of the scan that Match would make: exact, or an upper bound where
   // it filters.
   std::size_t Estimate(const Quad& pattern) const;
+  // By id, below `end`: does a quad use the term?
+  std::vector<bool> UsedTerms(TermId end) const;
+  // The graphs that have a quad, in the order of their ids: a search for each,
+  // however many quads they have.
+  std::vector<TermId> Graphs() const;
 
  private:
   struct Scan {

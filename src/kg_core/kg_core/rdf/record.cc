@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/rdf/dictionary.h"
 
 namespace kg_core {
 namespace {
@@ -160,7 +161,7 @@ SqliteDatabase OpenDatabase(const std::string& path) {
   }
 }
 
-bool IsTermId(std::int64_t id) { return id > 0 && id <= 0xFFFFFFFF; }
+bool IsTermId(std::int64_t id) { return id > 0 && id < Dictionary::kMaxTerms; }
 
 }  // namespace
 
@@ -204,7 +205,7 @@ void Record::Open() {
 RecordContent Record::Load() {
   try {
     RecordContent content = ReadAll();
-    SweepUnusedTerms(&content);
+    LeaveOutUnusedTerms(&content);
     return content;
   } catch (const SqliteError& error) {
     RefuseOpening(path_, error);
@@ -264,32 +265,55 @@ std::vector<bool> Record::UsedTerms(const RecordContent& content) const {
   return used;
 }
 
-void Record::SweepUnusedTerms(RecordContent* content) {
+void Record::LeaveOutUnusedTerms(RecordContent* content) {
   auto& terms = content->terms;
   const std::vector<bool> used = UsedTerms(*content);
-  const std::size_t kept = std::count(used.begin(), used.end(), true);
-  if (terms.size() <= 2 * kept) return;
+  content->terms_end = static_cast<TermId>(used.size());
   const auto first_unused = std::stable_partition(
       terms.begin(), terms.end(),
       [&](const auto& entry) { return used[entry.first]; });
-  database_.Execute("BEGIN IMMEDIATE");
-  std::uint64_t sum = sum_;
   for (auto entry = first_unused; entry != terms.end(); ++entry) {
-    queries_->remove_term.Bind(1, std::int64_t{entry->first}).Run();
-    sum -= HashOf(entry->first, entry->second);
+    forgotten_.emplace(entry->first, HashOf(entry->first, entry->second));
   }
-  WriteWorld(sum, content->world_version);
-  database_.Execute("COMMIT");
-  sum_ = sum;
   terms.erase(first_unused, terms.end());
+}
+
+void Record::Forget(const std::vector<std::pair<TermId, const Term*>>& terms) {
+  for (const auto& [id, term] : terms) {
+    forgotten_.emplace(id, HashOf(id, *term));
+  }
+}
+
+void Record::MarkForgotten(std::vector<bool>* ids) const {
+  for (const auto& [id, hash] : forgotten_) (*ids)[id] = true;
+}
+
+std::size_t Record::RowsToRemove(const RecordChange& change) const {
+  constexpr std::size_t kAtLeast = 64;
+  const std::size_t own =
+      change.terms.size() + change.added.size() + change.removed.size();
+  return std::min(forgotten_.size(), own + kAtLeast);
+}
+
+std::uint64_t Record::RemoveForgotten(std::size_t rows, std::uint64_t sum) {
+  auto row = forgotten_.begin();
+  for (; rows > 0; --rows, ++row) {
+    queries_->remove_term.Bind(1, std::int64_t{row->first}).Run();
+    CheckOneRowChanged();
+    sum -= row->second;
+  }
+  return sum;
 }
 
 void Record::Write(const RecordChange& change) {
   try {
+    const std::size_t removed = RowsToRemove(change);
     database_.Execute("BEGIN IMMEDIATE");
-    const std::uint64_t sum = WriteRows(change);
+    const std::uint64_t sum = WriteRows(change, RemoveForgotten(removed, sum_));
     database_.Execute("COMMIT");
     sum_ = sum;
+    forgotten_.erase(forgotten_.begin(),
+                     std::next(forgotten_.begin(), removed));
   } catch (const SqliteError& error) {
     RollBack();
     throw std::runtime_error(path_ + ": cannot be written: " + error.what());
@@ -299,8 +323,7 @@ void Record::Write(const RecordChange& change) {
   }
 }
 
-std::uint64_t Record::WriteRows(const RecordChange& change) {
-  std::uint64_t sum = sum_;
+std::uint64_t Record::WriteRows(const RecordChange& change, std::uint64_t sum) {
   for (const auto& [id, term] : change.terms) {
     queries_->add_term.Bind(1, std::int64_t{id})
         .Bind(2, static_cast<std::int64_t>(term->kind))
@@ -335,6 +358,10 @@ void Record::RunQuadQuery(SqliteQuery* query, const Quad& quad) {
       .Bind(3, std::int64_t{quad.object})
       .Bind(4, std::int64_t{quad.graph})
       .Run();
+  CheckOneRowChanged();
+}
+
+void Record::CheckOneRowChanged() const {
   if (database_.changed_rows() != 1) {
     throw std::runtime_error(path_ + ": the record differs from the memory");
   }

@@ -10,6 +10,7 @@
 #define KG_CORE_RDF_RECORD_H_
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,7 +23,8 @@
 namespace kg_core {
 
 struct RecordContent {
-  std::vector<std::pair<TermId, Term>> terms;  // By rising id.
+  std::vector<std::pair<TermId, Term>> terms;  // Used ones, by rising id.
+  TermId terms_end = 1;                        // All ids are smaller.
   std::vector<Quad> quads;
   std::uint64_t world_version = 0;
 };
@@ -41,15 +43,20 @@ class Record {
   // of ours, is damaged or is in use.
   explicit Record(const std::string& path);
 
-  // Everything that is recorded. Terms that no quad uses any more are swept
-  // away once they are the greater part.
+  // Everything that is recorded. Terms that no quad uses are left out, as if
+  // Forget had been called for them.
   RecordContent Load();
 
   // Durable when it returns. Throws std::runtime_error; then the record is as
   // it was.
   void Write(const RecordChange& change);
 
- private:
+  // These terms are not used any more. Their rows leave with the next writes, a
+  // few more with each than it writes itself, so no write is held up by them;
+  // until then their ids are not free.
+  void Forget(const std::vector<std::pair<TermId, const Term*>>& terms);
+  // By id: sets where there is such a row.
+  void MarkForgotten(std::vector<bool>* ids) const;
   struct Queries {
     explicit Queries(SqliteDatabase* database);
     SqliteQuery add_term, remove_term, add_quad, remove_quad, set_world;
@@ -60,16 +67,20 @@ class Record {
   void ReadTerms(RecordContent* content);
   void ReadQuads(RecordContent* content);
   std::vector<bool> UsedTerms(const RecordContent& content) const;
-  void SweepUnusedTerms(RecordContent* content);
+  void LeaveOutUnusedTerms(RecordContent* content);
+  std::size_t RowsToRemove(const RecordChange& change) const;
   void WriteWorld(std::uint64_t sum, std::uint64_t world_version);
-  std::uint64_t WriteRows(const RecordChange& change);
+  std::uint64_t WriteRows(const RecordChange& change, std::uint64_t sum);
+  std::uint64_t RemoveForgotten(std::size_t rows, std::uint64_t sum);
   void RunQuadQuery(SqliteQuery* query, const Quad& quad);
+  void CheckOneRowChanged() const;
   void RollBack() noexcept;
 
   const std::string path_;
   SqliteDatabase database_;
   std::optional<Queries> queries_;
   std::uint64_t sum_ = 0;  // Of the hashes of terms and quads.
+  std::map<TermId, std::uint64_t> forgotten_;  // Hashes of rows to remove.
 };
 
 }  // namespace kg_core

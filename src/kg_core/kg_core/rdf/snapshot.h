@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "kg_core/rdf/dictionary.h"
 #include "kg_core/rdf/graph_view.h"
@@ -40,6 +41,9 @@ class Snapshot : public GraphView {
   }
   std::size_t Estimate(const Quad& pattern) const override {
     return version_->index.Estimate(pattern);
+  }
+  std::vector<TermId> Graphs() const override {
+    return version_->index.Graphs();
   }
   std::uint64_t world_version() const override {
     return version_->world_version;

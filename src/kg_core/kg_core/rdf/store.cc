@@ -34,13 +34,13 @@ void CheckIsRdf(const Statement& s) {
 
 class QuadStore {
  public:
-  explicit QuadStore(const std::string& path)
-      : dictionary_(std::make_shared<Dictionary>()) {
+  QuadStore(const std::string& path, const StoreOptions& options)
+      : options_(options), dictionary_(std::make_shared<Dictionary>()) {
     auto version = std::make_shared<Version>();
     if (!path.empty()) {
       record_.emplace(path);
       RecordContent content = record_->Load();
-      dictionary_->Restore(std::move(content.terms));
+      dictionary_->Restore(std::move(content.terms), content.terms_end);
       version->index = QuadIndex(content.quads);
       version->world_version = content.world_version;
     }
@@ -81,8 +81,22 @@ class QuadStore {
     std::shared_ptr<const Version> version = WithTerms(std::move(next));
     if (record_) record_->Write(change);
     dictionary_->Publish();
-    const std::lock_guard<std::mutex> lock(current_mutex_);
-    current_.swap(version);
+    Exchange(std::move(version));
+  }
+
+  // The writer says how many quads it has removed. What is done about their
+  // terms may fail for want of memory: then it is done another time.
+  void NoteRemoved(std::size_t quads) noexcept {
+    removed_ += quads;
+    const std::size_t enough =
+        std::max(options_.compact_after, current_->index.size() / 4);
+    if (removed_ < enough) return;
+    try {
+      Compact();
+      removed_ = 0;
+    } catch (const std::bad_alloc&) {
+      removed_ = 0;
+    }
   }
 
  private:
@@ -94,7 +108,27 @@ class QuadStore {
     return version;
   }
 
-  const std::shared_ptr<Dictionary> dictionary_;
+  void Exchange(std::shared_ptr<const Version> version) {
+    const std::lock_guard<std::mutex> lock(current_mutex_);
+    current_.swap(version);
+  }
+
+  // Goes on with the terms that are used now.
+  void Compact() {
+    const std::vector<bool> used =
+        current_->index.UsedTerms(dictionary_->ids_end());
+    std::vector<bool> taken = used;
+    if (record_) {
+      record_->Forget(dictionary_->Unused(used));
+      record_->MarkForgotten(&taken);
+    }
+    dictionary_ = dictionary_->Compacted(used, taken);
+    Exchange(WithTerms(std::make_shared<Version>(*current_)));
+  }
+
+  const StoreOptions options_;
+  std::shared_ptr<Dictionary> dictionary_;
+  std::size_t removed_ = 0;  // Quads, since it was compacted.
   std::optional<Record> record_;
   std::mutex writer_mutex_;
   std::atomic<std::thread::id> writer_{};
@@ -134,6 +168,7 @@ struct Transaction::State : GraphView {
     if (!index.Erase(quad, edit)) return;
     const QuadKey key = PackQuad(quad, QuadOrder::kSpog);
     if (added.erase(key) == 0) removed.insert(key);
+    ++removals;
   }
 
   // kNoTerm if nobody knows the term.
@@ -154,6 +189,7 @@ struct Transaction::State : GraphView {
   std::size_t Estimate(const Quad& pattern) const override {
     return index.Estimate(pattern);
   }
+  std::vector<TermId> Graphs() const override { return index.Graphs(); }
   std::uint64_t world_version() const override { return base->world_version; }
 
   RecordChange Change(std::uint64_t world_version) const {
@@ -199,6 +235,7 @@ struct Transaction::State : GraphView {
   TermId terms_end;  // Of what is published and known here.
   KeySet added;      // In SPOG order; against `base`.
   KeySet removed;
+  std::size_t removals = 0;  // Also of quads that were added here.
 };
 
 Transaction::Transaction(std::unique_ptr<State> state)
@@ -267,13 +304,14 @@ std::uint64_t Transaction::Commit(WorldChange change) {
     version->index = state_->index;
     version->world_version = world_version;
     state_->store->Commit(state_->Change(world_version), std::move(version));
+    state_->store->NoteRemoved(state_->removals);
   }
   state_->Finish();
   return world_version;
 }
 
-Store::Store(const std::string& path)
-    : quads_(std::make_unique<QuadStore>(path)) {}
+Store::Store(const std::string& path, const StoreOptions& options)
+    : quads_(std::make_unique<QuadStore>(path, options)) {}
 Store::Store(std::unique_ptr<QuadStore> quads) : quads_(std::move(quads)) {}
 Store::~Store() = default;
 
@@ -300,6 +338,10 @@ std::uint64_t Store::world_version() const {
 
 std::size_t Store::quad_count() const {
   return quads_->current()->index.size();
+}
+
+std::size_t Store::term_count() const {
+  return quads_->current()->dictionary->size();
 }
 
 }  // namespace kg_core

@@ -25,6 +25,16 @@
 // unknown to it. A fork shares the nodes and puts a layer of its own over the
 // dictionary.
 //
+// Terms that no quad uses any more leave memory and record while the store is
+// open: after a commit with which a quarter of the quads have been removed
+// since the last time (and at least StoreOptions::compact_after), the writer
+// goes on with a compacted dictionary. That commit takes longer by about 0.1 us
+// for every quad and term in the store, so each removed quad costs 0.4 us more;
+// readers wait for nothing, and a snapshot keeps its own dictionary. The rows
+// of such terms leave with later commits, a few with each. An id is given to a
+// new term only then: within a snapshot it means one term, in two snapshots it
+// means the same one only while a quad uses it.
+//
 // Design and measurements behind it: docs/architecture.md, "The store".
 
 #ifndef KG_CORE_RDF_STORE_H_
@@ -50,6 +60,10 @@ struct Statement {
 // Does this commit change facts or vocabulary, that is, the world? Plans,
 // provenance, logs and agent states do not.
 enum class WorldChange { kYes, kNo };
+
+struct StoreOptions {
+  std::size_t compact_after = 1 << 16;  // Removed quads.
+};
 
 class Store;
 class QuadStore;  // The state behind Store; see store.cc.
@@ -98,7 +112,7 @@ class Store {
   // Opens or creates the store at `path`; "" keeps it in memory only. Throws
   // InputError if the file is no store of ours, is damaged (quick_check) or is
   // in use by another process.
-  explicit Store(const std::string& path);
+  explicit Store(const std::string& path, const StoreOptions& options = {});
   ~Store();
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
@@ -122,6 +136,8 @@ class Store {
 
   std::uint64_t world_version() const;
   std::size_t quad_count() const;
+  // Terms in memory, used or not; of a fork only those of its own.
+  std::size_t term_count() const;
 
  private:
   explicit Store(std::unique_ptr<QuadStore> quads);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <random>
 #include <set>
 #include <string>
@@ -12,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "gtest/gtest.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/store.h"
 
@@ -40,6 +42,20 @@ inline Model ContentOf(const GraphView& view) {
   return content;
 }
 
+// The named graphs, by the view and by what is in them.
+inline std::vector<Term> GraphsOf(const GraphView& view) {
+  std::vector<Term> graphs;
+  for (const TermId graph : view.Graphs()) graphs.push_back(view.Get(graph));
+  std::sort(graphs.begin(), graphs.end());
+  return graphs;
+}
+
+inline std::vector<Term> GraphsOf(const Model& model) {
+  std::set<Term> graphs;
+  for (const Key& key : model) graphs.insert(std::get<3>(key));
+  return {graphs.begin(), graphs.end()};
+}
+
 inline Model AsModel(const std::vector<Statement>& statements) {
   Model model;
   for (const Statement& s : statements) model.insert(KeyOf(s));
@@ -53,16 +69,18 @@ inline Model Minus(const Model& a, const Model& b) {
   return difference;
 }
 
+// About 40 * `spread` different terms.
 class RandomFacts {
  public:
-  explicit RandomFacts(int seed) : random_(seed) {}
+  explicit RandomFacts(int seed, int spread = 1)
+      : random_(seed), spread_(spread) {}
   int Pick(int n) { return static_cast<int>(random_() % n); }
   Term Object() {
     switch (Pick(4)) {
       case 0:
-        return Ex("o" + std::to_string(Pick(6)));
+        return Ex("o" + std::to_string(Pick(6 * spread_)));
       case 1:
-        return IntegerLiteral(Pick(6));
+        return IntegerLiteral(Pick(6 * spread_));
       case 2:
         return LanguageLiteral("w" + std::to_string(Pick(3)), "en");
       default:
@@ -71,13 +89,14 @@ class RandomFacts {
   }
   Statement Next() {
     const Term graph = Iri(Pick(2) ? kFactsGraph : kVocabGraph);
-    const Term subject = Pick(5) ? Ex("s" + std::to_string(Pick(8)))
+    const Term subject = Pick(5) ? Ex("s" + std::to_string(Pick(8 * spread_)))
                                  : Blank("b" + std::to_string(Pick(3)));
     return {subject, Ex("p" + std::to_string(Pick(4))), Object(), graph};
   }
 
  private:
   std::mt19937 random_;
+  int spread_;
 };
 
 inline void RemoveMatching(const Statement& s, int bits, Transaction* change,
@@ -111,6 +130,51 @@ inline void ChangeAtRandom(RandomFacts* facts, Transaction* change,
       change->Add(s);
       model->insert(KeyOf(s));
   }
+}
+
+// Random transactions, committed or dropped, against a plain set; snapshots
+// stay held over many commits; a durable store is reopened now and then.
+inline void RunAgainstModel(const std::string& path, RandomFacts facts,
+                            const StoreOptions& options) {
+  auto store = std::make_unique<Store>(path, options);
+  Model committed;
+  std::uint64_t world_version = 0;
+  std::vector<std::pair<std::shared_ptr<const GraphView>, Model>> held;
+  for (int round = 0; round < 120; ++round) {
+    if (!path.empty() && facts.Pick(12) == 0) {
+      store.reset();
+      store = std::make_unique<Store>(path, options);
+    }
+    {
+      Transaction change = store->Begin();
+      Model next = committed;
+      for (int i = facts.Pick(30); i > 0; --i) {
+        ChangeAtRandom(&facts, &change, &next);
+      }
+      ASSERT_EQ(ContentOf(change.view()), next);
+      ASSERT_EQ(GraphsOf(change.view()), GraphsOf(next));
+      ASSERT_EQ(AsModel(change.added()), Minus(next, committed));
+      ASSERT_EQ(AsModel(change.removed()), Minus(committed, next));
+      ASSERT_EQ(change.empty(), next == committed);
+      ASSERT_EQ(ContentOf(*store->Read()), committed);
+      if (facts.Pick(4) != 0) {
+        const bool is_world = facts.Pick(2) == 0;
+        if (is_world && next != committed) ++world_version;
+        ASSERT_EQ(
+            change.Commit(is_world ? WorldChange::kYes : WorldChange::kNo),
+            world_version);
+        committed = next;
+      }
+    }
+    ASSERT_EQ(store->world_version(), world_version);
+    ASSERT_EQ(store->quad_count(), committed.size());
+    held.emplace_back(store->Read(), committed);
+    const auto& [view, was] = held[facts.Pick(held.size())];
+    ASSERT_EQ(ContentOf(*view), was);
+    ASSERT_EQ(GraphsOf(*view), GraphsOf(was));
+  }
+  store.reset();
+  for (const auto& [view, was] : held) ASSERT_EQ(ContentOf(*view), was);
 }
 
 }  // namespace kg_core

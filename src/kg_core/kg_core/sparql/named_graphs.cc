@@ -36,6 +36,32 @@ const TriplePattern* Anchor(const Pattern& pattern) {
   return nullptr;
 }
 
+// Of the quads that match, by looking at them.
+std::vector<TermId> GraphsOfMatches(const GraphView& view, const Quad& pattern,
+                                    Budget* budget) {
+  std::vector<TermId> graphs;
+  view.Match(pattern, [&](const Quad& quad) {
+    budget->Step();
+    graphs.push_back(quad.graph);
+    return true;
+  });
+  std::sort(graphs.begin(), graphs.end());
+  graphs.erase(std::unique(graphs.begin(), graphs.end()), graphs.end());
+  return graphs;
+}
+
+// All that may have such a quad, by asking the index about each.
+std::vector<TermId> GraphsWith(const GraphView& view, Quad pattern,
+                               Budget* budget) {
+  std::vector<TermId> graphs;
+  for (const TermId graph : view.Graphs()) {
+    budget->Step();
+    pattern.graph = graph;
+    if (view.Estimate(pattern) > 0) graphs.push_back(graph);
+  }
+  return graphs;
+}
+
 }  // namespace
 
 // The graph named `graph`; nullptr if the dataset has none of this name.
@@ -53,7 +79,8 @@ const ActiveGraph* Evaluator::NamedGraph(TermId graph) {
   return (graphs_[graph] = std::move(active)).get();
 }
 
-// The graphs that may have solutions of `p`, in the order of the store.
+// The graphs that may have solutions of `p`: by a look at each graph, or, where
+// that is less, at each quad that matches the anchor.
 std::vector<TermId> Evaluator::CandidateGraphs(const Pattern& p,
                                                const Row& row) {
   if (dataset_.named_graphs) return *dataset_.named_graphs;
@@ -64,20 +91,18 @@ std::vector<TermId> Evaluator::CandidateGraphs(const Pattern& p,
     quad.predicate = ValueOf(anchor->predicate, row);
     quad.object = ValueOf(anchor->object, row);
   }
-  std::vector<TermId> graphs;
   if (TermTable::IsLocal(quad.subject) || TermTable::IsLocal(quad.predicate) ||
       TermTable::IsLocal(quad.object)) {
-    return graphs;
+    return {};
   }
-  absl::flat_hash_set<TermId> seen;
-  terms_->view().Match(quad, [&](const Quad& found) {
-    budget_->Step();
-    if (found.graph != dataset_.unnamed_graph &&
-        seen.insert(found.graph).second) {
-      graphs.push_back(found.graph);
-    }
-    return true;
-  });
+  constexpr std::size_t kFewQuads = 32;
+  const GraphView& view = terms_->view();
+  std::vector<TermId> graphs = view.Estimate(quad) <= kFewQuads
+                                   ? GraphsOfMatches(view, quad, budget_)
+                                   : GraphsWith(view, quad, budget_);
+  const auto unnamed =
+      std::find(graphs.begin(), graphs.end(), dataset_.unnamed_graph);
+  if (unnamed != graphs.end()) graphs.erase(unnamed);
   return graphs;
 }
 
