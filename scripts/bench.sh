@@ -1,18 +1,54 @@
 #!/usr/bin/env bash
 # Builds and runs every benchmark program (devel/lib/*/*_bench).
-#     scripts/bench.sh [ARGUMENT OF EVERY PROGRAM...]
+#     scripts/bench.sh [--only=NAME] [ARGUMENT OF EVERY PROGRAM...]
+# NAME is part of a program's name: --only=store runs store_bench alone;
+# --triples=100000,1000000,3000000 gives it those sizes. It measures rdflib
+# beside, and Oxigraph if npm can get it into build/bench_peers.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 source "$repository/scripts/stage.sh"
+
+only=
+arguments=()
+for argument in "$@"; do
+  case $argument in
+    --only=*) only=${argument#--only=} ;;
+    *) arguments+=("$argument") ;;
+  esac
+done
 
 "$repository/scripts/install_packages.sh" base
 "$repository/scripts/build.sh"
 use_workspace
 shopt -s nullglob
-programs=("$repository"/devel/lib/*/*_bench)
+programs=("$repository"/devel/lib/*/*"$only"*_bench)
+
+# find_peers: sets KG_STORE_BENCH_PEERS; says which store is not compared.
+find_peers() {
+  local peers="$repository/build/bench_peers"
+  local rdflib="$repository/scripts/bench_store_rdflib.py"
+  local oxigraph="$repository/scripts/bench_store_oxigraph.mjs"
+  KG_STORE_BENCH_PEERS=
+  if /usr/bin/python3 -c 'import rdflib' 2>/dev/null; then
+    KG_STORE_BENCH_PEERS="rdflib=100000=/usr/bin/python3 $rdflib"
+  else
+    echo "bench:   no rdflib (python3-rdflib), not compared"
+  fi
+  mkdir -p "$peers"
+  if [[ -d $peers/node_modules/oxigraph ]] ||
+    npm install --prefix "$peers" --no-audit --no-fund oxigraph \
+      >"$peers/npm.log" 2>&1; then
+    KG_STORE_BENCH_PEERS+=";oxigraph=10000000=cd '$peers' && node $oxigraph"
+  else
+    echo "bench:   npm cannot get Oxigraph, not compared"
+  fi
+  export KG_STORE_BENCH_PEERS=${KG_STORE_BENCH_PEERS#;}
+}
+
 processor=$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -n 1)
 for program in "${programs[@]}"; do
+  [[ $program == */store_bench ]] && find_peers
   echo "bench:   $(basename "$program") on $(nproc) cores, $processor"
-  "$program" "$@"
+  "$program" "${arguments[@]}"
 done
 stage bench "${#programs[@]} benchmark programs"

@@ -1,6 +1,7 @@
 #include "kg_core/rdf/quad_index.h"
 
 #include <algorithm>
+#include <future>
 
 namespace kg_core {
 namespace {
@@ -47,6 +48,32 @@ bool Fits(const Quad& quad, const Quad& pattern) {
          fits(&Quad::object) && fits(&Quad::graph);
 }
 
+std::vector<QuadKey> SortedKeys(const std::vector<Quad>& quads,
+                                QuadOrder order) {
+  std::vector<QuadKey> keys(quads.size());
+  std::transform(quads.begin(), quads.end(), keys.begin(),
+                 [&](const Quad& quad) { return PackQuad(quad, order); });
+  if (!std::is_sorted(keys.begin(), keys.end())) {
+    std::sort(keys.begin(), keys.end());
+  }
+  return keys;
+}
+
+std::vector<QuadKey> Merged(const QuadTree& tree,
+                            const std::vector<QuadKey>& keys) {
+  std::vector<QuadKey> all;
+  all.reserve(tree.size() + keys.size());
+  auto next = keys.begin();
+  constexpr std::uint64_t kLargest = ~std::uint64_t{0};
+  tree.Scan({0, 0}, {kLargest, kLargest}, [&](const QuadKey& old) {
+    while (next != keys.end() && *next < old) all.push_back(*next++);
+    all.push_back(old);
+    return true;
+  });
+  all.insert(all.end(), next, keys.end());
+  return all;
+}
+
 }  // namespace
 
 QuadKey PackQuad(const Quad& quad, QuadOrder order) {
@@ -75,13 +102,34 @@ int BoundPlaces(const Quad& pattern) {
 }
 
 QuadIndex::QuadIndex(const std::vector<Quad>& quads) {
-  std::vector<QuadKey> keys(quads.size());
+  // Two threads: that is what the machines have that this runs on.
+  const auto build = [&](int i) {
+    trees_[i] =
+        QuadTree::FromSorted(SortedKeys(quads, static_cast<QuadOrder>(i)));
+  };
+  const auto other = std::async(std::launch::async, [&] {
+    build(0);
+    build(1);
+  });
+  build(2);
+  build(3);
+  other.wait();
+}
+
+void QuadIndex::InsertAll(std::vector<Quad> quads, std::uint64_t edit) {
+  constexpr std::size_t kMany = 1000;
+  if (quads.size() < kMany) {
+    for (const Quad& quad : quads) Insert(quad, edit);
+    return;
+  }
+  const bool anew = quads.size() >= size() / 2;
   for (int i = 0; i < kQuadOrders; ++i) {
-    const auto order = static_cast<QuadOrder>(i);
-    std::transform(quads.begin(), quads.end(), keys.begin(),
-                   [&](const Quad& quad) { return PackQuad(quad, order); });
-    std::sort(keys.begin(), keys.end());
-    trees_[i] = QuadTree::FromSorted(keys);
+    const auto keys = SortedKeys(quads, static_cast<QuadOrder>(i));
+    if (anew) {
+      trees_[i] = QuadTree::FromSorted(Merged(trees_[i], keys));
+    } else {
+      for (const QuadKey& key : keys) trees_[i].Insert(key, edit);
+    }
   }
 }
 

@@ -45,6 +45,9 @@ class QuadIndex {
 
   bool Insert(const Quad& quad, std::uint64_t edit);  // False if there.
   bool Erase(const Quad& quad, std::uint64_t edit);   // False if not there.
+  // Quads that are not there, without duplicates. Where they are many, the
+  // trees are made anew, from sorted keys.
+  void InsertAll(std::vector<Quad> quads, std::uint64_t edit);
 
   std::size_t size() const { return trees_[0].size(); }
   bool Contains(const Quad& quad) const;

@@ -123,6 +123,66 @@ TEST(QuadIndex, EstimatesExactlyWhereNothingIsFiltered) {
   }
 }
 
+std::vector<Quad> NewQuads(std::mt19937* random, std::size_t n, Model* model) {
+  std::vector<Quad> quads;
+  while (quads.size() < n) {
+    const Quad quad = RandomQuad(random, 400);
+    if (model->insert(AsTuple(quad)).second) quads.push_back(quad);
+  }
+  return quads;
+}
+
+// Few at a time, many, and so many that the trees are made anew; every order
+// has them all, and a copy made before has none of them.
+TEST(QuadIndex, InsertsManyAtOnceLikeOneByOne) {
+  std::mt19937 random(4);
+  QuadIndex index, slow;
+  Model model;
+  for (const std::size_t n : {10, 3000, 1200, 1, 9000, 999, 2000, 1000}) {
+    const std::uint64_t edit = QuadTree::NewEdit();
+    const QuadIndex before = index;
+    const std::size_t size = before.size();
+    const std::vector<Quad> quads = NewQuads(&random, n, &model);
+    index.InsertAll(quads, edit);
+    for (const Quad& quad : quads) slow.Insert(quad, edit);
+    ASSERT_EQ(before.size(), size);
+    ASSERT_EQ(index.size(), model.size());
+    for (const int bits : {0, 8, 4, 2, 1}) {
+      const Quad pattern = PatternOf(quads[0], bits);
+      std::vector<Quad> found, expected;
+      index.Match(pattern, [&](const Quad& quad) {
+        found.push_back(quad);
+        return true;
+      });
+      slow.Match(pattern, [&](const Quad& quad) {
+        expected.push_back(quad);
+        return true;
+      });
+      ASSERT_EQ(found, expected) << n << " " << bits;
+    }
+  }
+}
+
+TEST(QuadIndex, ListsGraphsAndUsedTermsLikeBruteForce) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 30; ++round) {
+    Model model;
+    const std::vector<Quad> quads = NewQuads(&random, random() % 200, &model);
+    std::set<TermId> graphs;
+    std::vector<bool> used(401);
+    for (const Quad& q : quads) {
+      graphs.insert(q.graph);
+      for (const TermId id : {q.subject, q.predicate, q.object, q.graph}) {
+        used[id] = true;
+      }
+    }
+    const QuadIndex index(quads);
+    EXPECT_EQ(index.Graphs(),
+              std::vector<TermId>(graphs.begin(), graphs.end()));
+    EXPECT_EQ(index.UsedTerms(401), used);
+  }
+}
+
 TEST(QuadIndex, ASmallGraphIsNotSearchedThroughALargePredicate) {
   std::vector<Quad> quads;
   for (TermId i = 0; i < 5000; ++i) quads.push_back({10 + i, 1, 2, 3});

@@ -23,6 +23,17 @@ struct QuadTree::Node {
 
   bool is_leaf() const { return children.empty(); }
 
+  // A vector that grows by itself would take room for 128.
+  void CopyWithRoom(const Node& other) {
+    keys.reserve(kMaxKeys + 1);
+    keys = other.keys;
+    if (other.is_leaf()) return;
+    children.reserve(kMaxKeys + 1);
+    children = other.children;
+    sizes.reserve(kMaxKeys + 1);
+    sizes = other.sizes;
+  }
+
   std::size_t size() const {
     if (is_leaf()) return keys.size();
     return std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
@@ -79,8 +90,10 @@ std::uint64_t QuadTree::NewEdit() {
 
 QuadTree::Node& QuadTree::Editable(NodePtr* slot, std::uint64_t edit) {
   if ((*slot)->edit != edit) {
-    *slot = std::make_shared<Node>(**slot);
-    (*slot)->edit = edit;
+    const auto copy = std::make_shared<Node>();
+    copy->CopyWithRoom(**slot);
+    copy->edit = edit;
+    *slot = copy;
   }
   return **slot;
 }
@@ -122,6 +135,7 @@ void QuadTree::SplitChild(Node* parent, std::size_t which, std::uint64_t edit) {
   const auto right = std::make_shared<Node>();
   right->edit = edit;
   const std::size_t half = left.keys.size() / 2;
+  right->keys.reserve(kMaxKeys + 1);
   right->keys.assign(left.keys.begin() + half, left.keys.end());
   left.keys.resize(half);
   if (!left.is_leaf()) {

@@ -46,7 +46,7 @@ SqliteQuery& SqliteQuery::Bind(int parameter, std::string_view bytes) {
   // A null pointer would bind NULL.
   const char* data = bytes.empty() ? "" : bytes.data();
   Check(sqlite3_bind_blob64(statement_.get(), parameter, data, bytes.size(),
-                            SQLITE_TRANSIENT));
+                            SQLITE_STATIC));
   return *this;
 }
 

@@ -30,7 +30,8 @@ class SqliteQuery {
  public:
   SqliteQuery(sqlite3* database, const char* sql);
 
-  // Parameters and columns count from 1 and from 0, as in SQLite.
+  // Parameters and columns count from 1 and from 0, as in SQLite. Bound bytes
+  // must live until the query is reset.
   SqliteQuery& Bind(int parameter, std::int64_t value);
   SqliteQuery& Bind(int parameter, std::string_view bytes);
   bool Step();  // True: there is a row.

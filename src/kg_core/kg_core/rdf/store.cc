@@ -159,16 +159,25 @@ struct Transaction::State : GraphView {
     if (!lock.owns_lock()) throw std::logic_error("the transaction is over");
   }
 
+  // An addition goes to the index when somebody asks: many at once cost less,
+  // and leave fuller nodes.
   void Add(const Quad& quad) {
-    if (!index.Insert(quad, edit)) return;
     const QuadKey key = PackQuad(quad, QuadOrder::kSpog);
-    if (removed.erase(key) == 0) added.insert(key);
+    if (removed.erase(key) == 0) {
+      if (base->index.Contains(quad) || !added.insert(key).second) return;
+    }
+    waiting.push_back(quad);
   }
   void Remove(const Quad& quad) {
+    InsertWaiting();
     if (!index.Erase(quad, edit)) return;
     const QuadKey key = PackQuad(quad, QuadOrder::kSpog);
     if (added.erase(key) == 0) removed.insert(key);
     ++removals;
+  }
+  void InsertWaiting() const {
+    const std::lock_guard<std::mutex> guard(waiting_mutex);
+    index.InsertAll(std::exchange(waiting, {}), edit);
   }
 
   // kNoTerm if nobody knows the term.
@@ -182,14 +191,19 @@ struct Transaction::State : GraphView {
   // the nodes of it are no longer changed in place.
   void Match(const Quad& pattern,
              absl::FunctionRef<bool(const Quad&)> visit) const override {
+    InsertWaiting();
     const QuadIndex now = index;
     edit = QuadTree::NewEdit();
     now.Match(pattern, visit);
   }
   std::size_t Estimate(const Quad& pattern) const override {
+    InsertWaiting();
     return index.Estimate(pattern);
   }
-  std::vector<TermId> Graphs() const override { return index.Graphs(); }
+  std::vector<TermId> Graphs() const override {
+    InsertWaiting();
+    return index.Graphs();
+  }
   std::uint64_t world_version() const override { return base->world_version; }
 
   RecordChange Change(std::uint64_t world_version) const {
@@ -230,8 +244,12 @@ struct Transaction::State : GraphView {
   std::unique_lock<std::mutex> lock;  // Held while the transaction is open.
   const std::shared_ptr<Dictionary> dictionary;
   const std::shared_ptr<const Version> base;
-  QuadIndex index;  // The version that Commit would publish.
+  // The version that Commit would publish, but for the quads that wait.
+  mutable QuadIndex index;
+  mutable std::mutex waiting_mutex;
+  mutable std::vector<Quad> waiting;  // Added, but not yet to the index.
   mutable std::atomic<std::uint64_t> edit;
+  Quad last;         // The statement before this one.
   TermId terms_end;  // Of what is published and known here.
   KeySet added;      // In SPOG order; against `base`.
   KeySet removed;
@@ -248,11 +266,16 @@ void Transaction::Add(const Statement& s) {
   state_->CheckOpen();
   CheckIsRdf(s);
   Dictionary& terms = *state_->dictionary;
+  // Those often follow each other with the same one: no look-up then.
+  const auto intern = [&](const Term& term, TermId* last) {
+    const bool same = *last != kNoTerm && terms.Get(*last) == term;
+    return same ? *last : *last = terms.Intern(term);
+  };
   Quad quad;
-  quad.subject = terms.Intern(s.subject);
-  quad.predicate = terms.Intern(s.predicate);
+  quad.subject = intern(s.subject, &state_->last.subject);
+  quad.predicate = intern(s.predicate, &state_->last.predicate);
   quad.object = terms.Intern(s.object);
-  quad.graph = terms.Intern(s.graph);
+  quad.graph = intern(s.graph, &state_->last.graph);
   state_->Add(quad);
 }
 
@@ -301,6 +324,7 @@ std::uint64_t Transaction::Commit(WorldChange change) {
   if (!empty()) {
     if (change == WorldChange::kYes) ++world_version;
     auto version = std::make_shared<Version>();
+    state_->InsertWaiting();
     version->index = state_->index;
     version->world_version = world_version;
     state_->store->Commit(state_->Change(world_version), std::move(version));
