@@ -7,8 +7,10 @@
 #include <set>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/mission/changed.h"
 #include "kg_core/mission/class_tree.h"
 #include "kg_core/mission/terms.h"
+#include "kg_core/mission/time_forms.h"
 
 namespace kg_core {
 namespace {
@@ -34,33 +36,6 @@ using Json = nlohmann::json;
 
 std::string LocalName(const Term& term) {
   return term.text.substr(term.text.find_last_of("/#") + 1);
-}
-
-// Subjects whose `property` the transaction changes.
-std::set<Term> Changed(const Transaction& transaction, const Term& property) {
-  std::set<Term> subjects;
-  for (const auto& statements : {transaction.added(), transaction.removed()}) {
-    for (const Statement& statement : statements) {
-      if (statement.predicate == property && statement.graph == Facts()) {
-        subjects.insert(statement.subject);
-      }
-    }
-  }
-  return subjects;
-}
-
-// Objects of (subject, link), also those that the transaction takes away.
-std::set<Term> Linked(const Transaction& transaction, const Term& subject,
-                      const Term& link) {
-  const std::vector<Term> now =
-      Objects(transaction.view(), kFactsGraph, subject, link);
-  std::set<Term> nodes(now.begin(), now.end());
-  for (const Statement& statement : transaction.removed()) {
-    const bool is_link =
-        statement.subject == subject && statement.predicate == link;
-    if (is_link) nodes.insert(statement.object);
-  }
-  return nodes;
 }
 
 // Keys of the outer object, each once; strict JSON (RFC 8259).
@@ -157,7 +132,7 @@ class JsonExpansion {
 
 void ExpandJson(Transaction& transaction, std::vector<std::string>& reasons) {
   for (const JsonProperty& kind : kJsonProperties) {
-    for (const Term& policy : Changed(transaction, Ex(kind.property))) {
+    for (const Term& policy : ChangedSubjects(transaction, Ex(kind.property))) {
       try {
         JsonExpansion(kind, transaction).Expand(policy);
       } catch (const InputError& error) {
@@ -166,6 +141,13 @@ void ExpandJson(Transaction& transaction, std::vector<std::string>& reasons) {
       }
     }
   }
+}
+
+// A geometry node, or one that has no facts any more; a link to anything else
+// is left for the shapes to refuse.
+bool IsGeometry(const GraphView& view, const Term& node) {
+  const std::vector<Term> types = Objects(view, kFactsGraph, node, RdfType());
+  return types.empty() || types == std::vector<Term>{GeoTerm("Geometry")};
 }
 
 // Makes `copy` say what `original` says.
@@ -182,6 +164,7 @@ void CopyWkt(Transaction& transaction, const Term& original, const Term& copy) {
 void RenewGeometryNode(Transaction& transaction, const Term& feature) {
   const Term has_geometry = GeoTerm("hasGeometry");
   for (const Term& node : Linked(transaction, feature, has_geometry)) {
+    if (!IsGeometry(transaction.view(), node)) continue;
     transaction.RemoveMatching(&node, nullptr, nullptr, Facts());
     transaction.Remove({feature, has_geometry, node, Facts()});
   }
@@ -196,8 +179,9 @@ void RenewGeometryNode(Transaction& transaction, const Term& feature) {
 }
 
 void KeepGeometries(Transaction& transaction) {
-  const std::set<Term> changed = Changed(transaction, GeoTerm("asWKT"));
-  const std::set<Term> linked = Changed(transaction, GeoTerm("hasGeometry"));
+  const std::set<Term> changed = ChangedSubjects(transaction, GeoTerm("asWKT"));
+  const std::set<Term> linked =
+      ChangedSubjects(transaction, GeoTerm("hasGeometry"));
   std::set<Term> features;
   std::set<Term> owners = linked;
   for (const Term& subject : changed) {
@@ -216,7 +200,9 @@ void KeepGeometries(Transaction& transaction) {
     if (features.count(owner) != 0) continue;
     const auto node = FirstObject(transaction.view(), kFactsGraph, owner,
                                   GeoTerm("hasGeometry"));
-    if (node) CopyWkt(transaction, *node, owner);
+    if (node && IsGeometry(transaction.view(), *node)) {
+      CopyWkt(transaction, *node, owner);
+    }
   }
 }
 
@@ -226,6 +212,7 @@ std::vector<std::string> StageDerivedFacts(Transaction& transaction) {
   std::vector<std::string> reasons;
   ExpandJson(transaction, reasons);
   KeepGeometries(transaction);
+  StageTimeForms(transaction);
   return reasons;
 }
 

@@ -8,6 +8,7 @@
 //  - geo:asWKT of a feature as a geometry node of its own, and back (A25):
 //      ex:zone geo:asWKT W => ex:zone geo:hasGeometry <zone/geometry> .
 //           <zone/geometry> a geo:Geometry ; geo:asWKT W .
+//  - the times of a window as OWL-Time has them, and back (time_forms.h).
 
 #ifndef KG_CORE_MISSION_DERIVED_FACTS_H_
 #define KG_CORE_MISSION_DERIVED_FACTS_H_

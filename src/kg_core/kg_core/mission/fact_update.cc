@@ -9,6 +9,7 @@
 #include "kg_core/mission/derived_facts.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/ingested_facts.h"
+#include "kg_core/mission/keys.h"
 #include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/statement_check.h"
 #include "kg_core/mission/terms.h"
@@ -61,14 +62,17 @@ class Stager {
   }
 
   // What follows from the changes, and what speaks against them.
-  std::vector<std::string> Finish() {
-    if (!reasons_.empty() || transaction_.empty()) return Reasons();
+  Judgement Finish() {
+    if (!reasons_.empty()) return {Reasons(), std::nullopt};
+    if (transaction_.empty()) return {{}, std::vector<Violation>()};
     Append(StageDerivedFacts(transaction_));
     if (IngestIsDue(transaction_)) DropIngestedFacts(transaction_);
     Append(CheckChangedSubjects(vocabulary_, transaction_));
-    if (reasons_.empty()) CheckShapes();
+    std::vector<Violation> violations = ValidateChange(transaction_);
+    if (reasons_.empty()) Append(Lines(violations));
+    if (reasons_.empty()) Append(CheckKeys(transaction_));
     if (reasons_.empty()) CheckMission();
-    return Reasons();
+    return {Reasons(), std::move(violations)};
   }
 
  private:
@@ -83,7 +87,8 @@ class Stager {
   }
 
   Term ParseProperty(const std::string& text) const {
-    const Term property = text == "a" ? RdfType() : ParseIri(text, "property");
+    const Term property = vocabulary_.Canonical(
+        text == "a" ? RdfType() : ParseIri(text, "property"));
     if (vocabulary_.FindProperty(property) != nullptr) return property;
     throw InputError(vocabulary_.UnknownProperty(property));
   }
@@ -94,13 +99,23 @@ class Stager {
     graphs.writable = {kFactsGraph};
     try {
       RunUpdate(text, graphs, {}, &transaction_);
+      for (const Statement& statement : transaction_.added()) Rename(statement);
     } catch (const InputError& error) {
       reasons_.push_back(std::string("sparql: ") + error.what());
     }
   }
 
-  // Plain strings become WKT where that is what the property takes.
+  // What SPARQL wrote, in the form of everybody else.
+  void Rename(const Statement& statement) {
+    if (statement.graph != Facts()) return;
+    transaction_.Remove(statement);
+    AddStatement(statement);
+  }
+
+  // Plain strings become WKT where that is what the property takes, other names
+  // of a class its own.
   Term Coerce(const Term& property, Term value) const {
+    if (property == RdfType()) return vocabulary_.Canonical(value);
     const PropertyFacts* facts = vocabulary_.FindProperty(property);
     const Term wkt = GeoTerm("wktLiteral");
     if (facts == nullptr || !value.is_literal()) return value;
@@ -111,6 +126,7 @@ class Stager {
   }
 
   void AddStatement(Statement statement) {
+    statement.predicate = vocabulary_.Canonical(statement.predicate);
     statement.object = Coerce(statement.predicate, std::move(statement.object));
     transaction_.Add(statement);
   }
@@ -170,12 +186,6 @@ class Stager {
     return found;
   }
 
-  void CheckShapes() {
-    for (const Violation& violation : Validate(transaction_.view())) {
-      reasons_.push_back(violation.Line());
-    }
-  }
-
   bool HadMission() const {
     const auto is_mission = [](const Statement& statement) {
       return statement.graph == Facts() && statement.predicate == RdfType() &&
@@ -223,18 +233,22 @@ class Stager {
 
 }  // namespace
 
-std::vector<std::string> StageUpdate(const FactUpdate& update,
-                                     Transaction& transaction) {
+Judgement JudgeUpdate(const FactUpdate& update, Transaction& transaction) {
   Stager stager(transaction);
   stager.Apply(update);
   return stager.Finish();
+}
+
+std::vector<std::string> StageUpdate(const FactUpdate& update,
+                                     Transaction& transaction) {
+  return JudgeUpdate(update, transaction).reasons;
 }
 
 std::vector<std::string> StageFactsFile(const std::string& path,
                                         Transaction& transaction) {
   Stager stager(transaction);
   stager.AddParsed([&] { return ParseTurtleFile(path, Facts()); });
-  return stager.Finish();
+  return stager.Finish().reasons;
 }
 
 }  // namespace kg_core

@@ -5,15 +5,19 @@
 #define KG_CORE_MISSION_FACT_UPDATE_H_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "kg_core/rdf/store.h"
+#include "kg_core/shacl/violation.h"
 
 namespace kg_core {
 
 // Three strings in Turtle's term syntax with the usual prefixes known. Plain
-// strings become geo:wktLiteral where that is the property's range.
+// strings become geo:wktLiteral where that is the property's range, and other
+// names of classes and properties (ex:BaseLayer, ssn:observedProperty) those
+// that they stand for.
 struct Fact {
   std::string subject;
   std::string property;
@@ -39,11 +43,21 @@ struct FactUpdate {
 //  - malformed terms or Turtle, with the position;
 //  - a property that the ontology does not know, with the nearest known name;
 //  - `remove` of a fact that is not there;
-//  - violations of the shapes in the state after it (validator.h), e.g. an
-//    agent whose policy does not exist, a confidence of 1.2, malformed WKT;
+//  - violations of the shapes in the state after it, e.g. an agent whose policy
+//    does not exist, a confidence of 1.2, malformed WKT; only what the change
+//    can have touched is checked (ValidateChange, validator.h);
+//  - two with one key, e.g. two costs of an edge for one agent (keys.h);
 //  - a mission that can no longer be read (mission_reader.h).
 std::vector<std::string> StageUpdate(const FactUpdate& update,
                                      Transaction& transaction);
+
+// The same, with the violations of shapes themselves, even where the reasons
+// are others; nothing if the update could not be read and applied.
+struct Judgement {
+  std::vector<std::string> reasons;
+  std::optional<std::vector<Violation>> violations;
+};
+Judgement JudgeUpdate(const FactUpdate& update, Transaction& transaction);
 
 // Adds the log entry of an accepted update (graph ex:graph/log): who, when,
 // each old and new value, and the provenance activity (ex:graph/prov). Adds

@@ -199,6 +199,46 @@ TEST(FactUpdateTest, RefusesJsonThatIsNoneAndNamesThatNothingHas) {
              "of kind \"soft\"");
 }
 
+TEST(FactUpdateTest, OtherNamesAreStoredAsWhatTheyStandFor) {
+  TestWorld world(std::string(kTestFacts) + kTestArtifacts);
+  const auto types = [&](const char* name) {
+    return Objects(*world.store.Read(), kFactsGraph, Ex(name), RdfType());
+  };
+  const Term observed = Iri(std::string(kSosa) + "observedProperty");
+  EXPECT_EQ(types("layer1"), std::vector<Term>{Ex("ValueLayer")});
+  ASSERT_EQ(Joined(world.Set({"ex:field", "a", "ex:WorkLayer"})), "");
+  EXPECT_EQ(types("field"), std::vector<Term>{Ex("WorkField")});
+  ASSERT_EQ(Joined(world.Set(
+                {"ex:field", "ssn:observedProperty", "ex:seaWaterVelocity"})),
+            "");
+  EXPECT_EQ(Objects(*world.store.Read(), kFactsGraph, Ex("field"), observed),
+            std::vector<Term>{Ex("seaWaterVelocity")});
+  ASSERT_EQ(Joined(world.Remove({"ex:field", "ssn:observedProperty", ""})), "");
+  EXPECT_FALSE(
+      FirstObject(*world.store.Read(), kFactsGraph, Ex("field"), observed));
+  FactUpdate update;
+  update.sparql =
+      "INSERT DATA { ex:field ssn:observedProperty ex:seaWaterVelocity . "
+      "ex:shape a geo:Geometry ; geo:asWKT \"POINT(1 2)\" }";
+  ASSERT_EQ(Joined(world.Commit(update)), "");
+  EXPECT_TRUE(Has(*world.store.Read(), kFactsGraph, Ex("field"), observed,
+                  Ex("seaWaterVelocity")));
+  EXPECT_TRUE(Has(*world.store.Read(), kFactsGraph, Ex("shape"),
+                  GeoTerm("asWKT"), WktLiteral("POINT(1 2)")));
+}
+
+TEST(FactUpdateTest, AGeometryLinkToSomethingElseIsRefusedAndHarmsNothing) {
+  TestWorld world;
+  FactUpdate update;
+  update.turtle =
+      "ex:sanctuary geo:hasGeometry ex:alpha ; geo:asWKT "
+      "\"POLYGON((-95 27, -93 27, -93 28, -95 27))\" .";
+  update.remove = {{"ex:sanctuary", "geo:asWKT", ""}};
+  ExpectSaid(world.Commit(update), "ex:sanctuary geo:hasGeometry: expected");
+  EXPECT_EQ(Joined(world.Commit(update)).find("ex:alpha ex:id"),
+            std::string::npos);
+}
+
 TEST(FactUpdateTest, RefusesToRemoveWhatIsNotThere) {
   TestWorld world;
   ExpectSaid(world.Remove({"ex:alpha", "ex:usesPolicy", "ex:fast"}),

@@ -15,6 +15,7 @@
 #include "kg_core/mission/ingested_facts.h"
 #include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/terms.h"
+#include "kg_core/mission/validator.h"
 
 namespace kg_core {
 namespace {
@@ -267,7 +268,9 @@ std::vector<std::string> StageIngest(FileCache& cache,
                                      Transaction& transaction) {
   DropIngestedFacts(transaction);
   try {
-    return Ingest(cache, transaction).Run();
+    std::vector<std::string> reasons = Ingest(cache, transaction).Run();
+    if (reasons.empty()) reasons = Lines(ValidateChange(transaction));
+    return reasons;
   } catch (const InputError& error) {
     return {error.what()};
   }

@@ -60,7 +60,8 @@ class FileCache {
 };
 
 // Stages the facts of every data source in `transaction`. Returns the reasons
-// why it cannot (too few days for the windows, all land, ...); empty = done.
+// why it cannot (too few days for the windows, all land, facts that violate a
+// shape, ...); empty = done.
 std::vector<std::string> StageIngest(FileCache& cache,
                                      Transaction& transaction);
 

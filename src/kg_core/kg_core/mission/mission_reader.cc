@@ -11,6 +11,8 @@
 #include "kg_core/mission/choice.h"
 #include "kg_core/mission/class_tree.h"
 #include "kg_core/mission/entity.h"
+#include "kg_core/mission/expiry.h"
+#include "kg_core/mission/grid_check.h"
 #include "kg_core/mission/literals.h"
 #include "kg_core/mission/policy_reader.h"
 #include "kg_core/mission/terms.h"
@@ -39,6 +41,8 @@ class Reader {
     ReadAgents(mission);
     Collect("Constraint", mission_.constraints, &Reader::ReadConstraint);
     Collect("PriorLayer", mission_.priors, &Reader::ReadPrior);
+    DropOutlived(mission_.constraints);
+    DropOutlived(mission_.priors);
     Collect("Event", mission_.events, &Reader::ReadEvent);
     Collect("ValueLayer", mission_.value_layers, &Reader::ReadValueLayer);
     Collect("WorkField", mission_.work_fields, &Reader::ReadWorkField);
@@ -177,6 +181,32 @@ class Reader {
                  layers.end());
   }
 
+  // The windows among `named` (empty: all) that begin while the facts about
+  // `entity` hold; {kNoWindow} if there is none.
+  std::vector<int> Alive(const Entity& entity, std::vector<int> named) const {
+    const double end_s = ValidUntil_s(entity);
+    if (std::isinf(end_s)) return named;
+    std::vector<int> alive;
+    for (const TimeWindow& window : mission_.windows) {
+      const bool is_named =
+          named.empty() ||
+          std::count(named.begin(), named.end(), window.index) > 0;
+      if (is_named && window.begin_s < end_s) alive.push_back(window.index);
+    }
+    return alive.empty() ? std::vector<int>{kNoWindow} : alive;
+  }
+  static constexpr int kNoWindow = -1;
+
+  // What applies in no window: an empty list would mean all of them.
+  template <typename Value>
+  static void DropOutlived(std::vector<Value>& values) {
+    const auto is_over = [](const Value& value) {
+      return value.windows == std::vector<int>{kNoWindow};
+    };
+    values.erase(std::remove_if(values.begin(), values.end(), is_over),
+                 values.end());
+  }
+
   std::vector<int> WindowsOf(const Entity& entity, const Term& property) const {
     std::vector<int> windows;
     for (const std::string& iri : entity.Iris(property)) {
@@ -266,8 +296,8 @@ class Reader {
     constraint.buffer_cells = entity.Number(Ex("bufferCells"), 0.0);
     constraint.attenuation = entity.Number(Ex("attenuation"), 1.0);
     const bool is_cooling = entity.One(Ex("expires")).has_value();
-    constraint.windows =
-        WindowsOf(entity, Ex(is_cooling ? "forWindow" : "appliesIn"));
+    constraint.windows = Alive(
+        entity, WindowsOf(entity, Ex(is_cooling ? "forWindow" : "appliesIn")));
     constraint.agents = entity.Iris(Ex(is_cooling ? "forAgent" : "appliesTo"));
     return constraint;
   }
@@ -285,7 +315,7 @@ class Reader {
             entity.Text(Ex("name")),
             ReadArea(entity),
             KmToMetres(entity.Number(Ex("edgeKm"), 0.0)),
-            WindowsOf(entity, Ex("appliesIn")),
+            Alive(entity, WindowsOf(entity, Ex("appliesIn"))),
             entity.Iris(Ex("appliesTo"))};
   }
 
@@ -298,6 +328,10 @@ class Reader {
     event.radius_m =
         KmToMetres(entity.Number(Ex("radiusKm"), kDefaultEventRadiusKm));
     event.windows = EventWindows(entity);
+    if (!event.windows.empty()) {
+      event.windows = Alive(entity, std::move(event.windows));
+    }
+    if (event.windows == std::vector<int>{kNoWindow}) event.windows.clear();
     return event;
   }
   static constexpr double kDefaultEventRadiusKm = 10.0;
@@ -360,25 +394,6 @@ class Reader {
   static SourceFile ReadFile(const Entity& entity) {
     return {entity.iri(), entity.Text(Ex("path")), entity.Text(Ex("sha256"))};
   }
-
-  // Do rows, cell size and bounding box of a grid agree?
-  static void CheckGrid(const Entity& entity) {
-    const Geometry box = entity.Wkt();
-    const double height_km =
-        (box.north_deg() - box.south_deg()) * kKmPerDegreeOfLatitude;
-    const double rows_km =
-        entity.Number(Ex("pixelSizeKm")) * entity.Integer(Ex("rows"));
-    if (!(std::abs(rows_km - height_km) <= kGridTolerance * height_km)) {
-      entity.Refuse(Ex("pixelSizeKm"),
-                    "ex:rows times ex:pixelSizeKm to span the height of "
-                    "geo:asWKT, " +
-                        std::to_string(height_km) + " km, not " +
-                        std::to_string(rows_km));
-    }
-  }
-  // WGS84's meridian: 110.57 km at the equator, 111.69 km at the poles.
-  static constexpr double kKmPerDegreeOfLatitude = 111.13;
-  static constexpr double kGridTolerance = 0.05;
 
   const GraphView& view_;
   Mission mission_;

@@ -6,6 +6,9 @@
 #ifndef KG_CORE_MISSION_MISSION_READER_H_
 #define KG_CORE_MISSION_MISSION_READER_H_
 
+#include <string>
+#include <vector>
+
 #include "kg_core/mission/mission.h"
 #include "kg_core/rdf/graph_view.h"
 
@@ -13,6 +16,10 @@ namespace kg_core {
 
 // Throws InputError.
 Mission ReadMission(const GraphView& view);
+
+// Times between windows that no window covers, a line each: allowed, but
+// nothing is planned there.
+std::vector<std::string> WindowGaps(const Mission& mission);
 
 }  // namespace kg_core
 

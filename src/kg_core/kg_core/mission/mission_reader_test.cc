@@ -215,5 +215,27 @@ TEST(MissionReaderTest, RefusesAGridWhoseNumbersDisagree) {
   EXPECT_NE(said.find("ex:grid ex:pixelSizeKm"), std::string::npos) << said;
 }
 
+TEST(MissionReaderTest, AGridMayHaveCellsOfAnotherShapeButNotOfAny) {
+  const auto said = [](const char* cols) {
+    return RefusalOf(std::string(kTestFacts) +
+                     Replace(kTestArtifacts, "ex:cols 50", cols));
+  };
+  for (const char* cols : {"ex:cols 25", "ex:cols 45", "ex:cols 100"}) {
+    EXPECT_EQ(said(cols), "") << cols;
+  }
+  for (const char* cols : {"ex:cols 5", "ex:cols 500"}) {
+    EXPECT_NE(said(cols).find("ex:grid ex:cols: expected"), std::string::npos)
+        << cols;
+  }
+}
+
+TEST(MissionReaderTest, GapsBetweenWindowsAreSaid) {
+  EXPECT_TRUE(WindowGaps(ReadWith()).empty());
+  const Mission mission = ReadWith("ex:w0 ex:durationHours 23 .");
+  EXPECT_EQ(WindowGaps(mission),
+            std::vector<std::string>{"ex:w1 begins 3600 s after ex:w0 ends: "
+                                     "nothing is planned in between"});
+}
+
 }  // namespace
 }  // namespace kg_core

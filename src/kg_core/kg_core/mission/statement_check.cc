@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/geo/wkt.h"
+#include "kg_core/mission/changed.h"
 #include "kg_core/mission/literals.h"
 #include "kg_core/mission/terms.h"
 
@@ -110,6 +110,7 @@ class SubjectCheck {
 
   void CheckRange(const Statement& statement, const PropertyFacts& facts) {
     const Term& value = statement.object;
+    if (!value.is_literal() && !facts.classes.empty()) return;
     if (facts.datatypes.empty()) {
       if (!value.is_literal()) return;
       reasons_.push_back(Where(statement) + "expected an instance of " +
@@ -148,14 +149,8 @@ class SubjectCheck {
 
 std::vector<std::string> CheckChangedSubjects(const Vocabulary& vocabulary,
                                               const Transaction& transaction) {
-  std::set<Term> subjects;
-  for (const auto& statements : {transaction.added(), transaction.removed()}) {
-    for (const Statement& statement : statements) {
-      if (statement.graph == Facts()) subjects.insert(statement.subject);
-    }
-  }
   std::vector<std::string> reasons;
-  for (const Term& subject : subjects) {
+  for (const Term& subject : ChangedSubjects(transaction)) {
     for (std::string& reason :
          SubjectCheck(vocabulary, transaction.view(), subject).Run()) {
       reasons.push_back(std::move(reason));

@@ -35,7 +35,7 @@ ex:land a ex:Constraint ; ex:kind "no_go" ; ex:gridRef "land" ;
 ex:cool a ex:CoolingConstraint ; ex:kind "soft" ; ex:attenuation 0.5 ;
     geo:asWKT "POLYGON((-92 27, -91 27, -91 28, -92 28, -92 27))" ;
     ex:forAgent ex:bravo ; ex:forWindow ex:w1 ;
-    ex:expires "2026-06-03T00:00:00Z"^^xsd:dateTime .
+    ex:expires "2026-06-04T00:00:00Z"^^xsd:dateTime .
 ex:seep a ex:Event ; ex:forWindow ex:w0 ; ex:value 5 ; ex:capacity 2 ;
     geo:asWKT "POINT(-93.5 27.5)" .
 ex:alpha a ex:Agent ; ex:id "alpha" ; ex:usesPolicy ex:safe ;
@@ -76,6 +76,19 @@ ex:run a ex:PlanRun ; ex:forWindow ex:w0 , ex:w1 ; ex:worldVersion 3 ;
     ex:status "ok" .
 ex:as a ex:Assignment ; ex:forAgent ex:alpha ; ex:forWindow ex:w0 ;
     ex:waypointWKT "POINT(-93 26.2)" ; prov:wasGeneratedBy ex:run .
+ex:rejection a ex:Rejection ; ex:forAgent ex:bravo ; ex:forWindow ex:w0 ;
+    ex:kind "separation" ; ex:reason "too near" ; ex:rank 0 ; ex:round 1 ;
+    ex:lostTo ex:alpha ; prov:wasGeneratedBy ex:run .
+ex:phi2 a ex:CompilePhi2 ; ex:worldVersion 3 ;
+    prov:startedAtTime "2026-06-01T00:00:00Z"^^xsd:dateTime ;
+    prov:endedAtTime "2026-06-01T00:00:01Z"^^xsd:dateTime ;
+    prov:used ex:field ; prov:generated ex:heat .
+ex:state a ex:MissionState ; ex:missionFolder "/missions/test" ; ex:cycle 2 ;
+    ex:planRun 1 ; ex:currentPlan ex:run ; ex:ended false ;
+    ex:missionTime "2026-06-02T00:00:00Z"^^xsd:dateTime .
+ex:update a ex:UpdateFacts ; ex:worldVersion 3 ; ex:author "operator" .
+ex:change a ex:FactChange ; ex:inUpdate ex:update ; ex:ofSubject ex:alpha ;
+    ex:ofProperty ex:usesPolicy ; ex:oldValue ex:fast ; ex:newValue ex:safe .
 )ttl";
 
 class TestWorld {

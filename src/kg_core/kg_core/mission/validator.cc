@@ -35,6 +35,15 @@ std::vector<Violation> Validate(const GraphView& view) {
   return shacl::Validation(data, *shapes).Run();
 }
 
+std::vector<Violation> ValidateGraph(const GraphView& view,
+                                     const std::string& graph) {
+  const auto shapes = ShapesOf(view);
+  shacl::DataGraph data = FactsOf(view);
+  data.graph = graph;
+  data.class_graphs.push_back(graph);
+  return shacl::Validation(data, *shapes).Run();
+}
+
 std::vector<Violation> ValidateChange(const Transaction& transaction) {
   const GraphView& view = transaction.view();
   const shacl::Change change = {transaction.added(), transaction.removed()};

@@ -8,6 +8,7 @@
 #ifndef KG_CORE_MISSION_VALIDATOR_H_
 #define KG_CORE_MISSION_VALIDATOR_H_
 
+#include <string>
 #include <vector>
 
 #include "kg_core/rdf/graph_view.h"
@@ -19,6 +20,11 @@ namespace kg_core {
 // Validates every focus node of `view`'s facts graph against the shapes of its
 // vocabulary graph. Throws InputError if a shape itself cannot be used.
 std::vector<Violation> Validate(const GraphView& view);
+
+// The same for another graph, such as a plan's: its own focus nodes and values,
+// classes also by the graphs above.
+std::vector<Violation> ValidateGraph(const GraphView& view,
+                                     const std::string& graph);
 
 // The same for the state that `transaction` would leave, if the one it began
 // with has no violation: only what its changes can have touched is checked

@@ -35,6 +35,23 @@ PropertyFacts ReadProperty(const GraphView& view, const Term& property) {
   return facts;
 }
 
+Term Owl(const std::string& local) { return Iri(kOwl + local); }
+
+std::map<Term, Term> ReadAliases(const GraphView& view) {
+  std::map<Term, Term> aliases;
+  for (const char* name : {"equivalentClass", "equivalentProperty"}) {
+    Quad pattern;
+    pattern.predicate = view.Find(Owl(name));
+    pattern.graph = view.Find(Iri(kVocabGraph));
+    if (pattern.predicate == kNoTerm || pattern.graph == kNoTerm) continue;
+    view.Match(pattern, [&](const Quad& quad) {
+      aliases.emplace(view.Get(quad.subject), view.Get(quad.object));
+      return true;
+    });
+  }
+  return aliases;
+}
+
 // The term whose abbreviated name is nearest to that of `wanted`.
 template <typename Terms>
 std::string Nearest(const Terms& terms, const std::string& wanted) {
@@ -70,25 +87,30 @@ Statement VersionOf(const std::string& folder) {
 
 }  // namespace
 
-Vocabulary::Vocabulary(const GraphView& view) : view_(view) {
-  for (const char* type :
-       {"ObjectProperty", "DatatypeProperty", "AnnotationProperty"}) {
-    const Term owl_type = Iri(std::string(kOwl) + type);
-    for (const Term& property :
-         Subjects(view, kVocabGraph, RdfType(), owl_type)) {
+Vocabulary::Vocabulary(const GraphView& view)
+    : view_(view), aliases_(ReadAliases(view)) {
+  const Term annotation = Owl("AnnotationProperty");
+  for (const Term& type : {Owl("ObjectProperty"), Owl("DatatypeProperty"),
+                           Iri(std::string(kRdf) + "Property"), annotation}) {
+    for (const Term& property : Subjects(view, kVocabGraph, RdfType(), type)) {
       PropertyFacts facts = ReadProperty(view, property);
-      facts.is_annotation = type == std::string_view("AnnotationProperty");
+      facts.is_annotation = type == annotation;
       properties_[property] = std::move(facts);
     }
   }
   const std::vector<Term> classes =
-      Subjects(view, kVocabGraph, RdfType(), Iri(std::string(kOwl) + "Class"));
+      Subjects(view, kVocabGraph, RdfType(), Owl("Class"));
   classes_.insert(classes.begin(), classes.end());
 }
 
 const PropertyFacts* Vocabulary::FindProperty(const Term& property) const {
   const auto found = properties_.find(property);
   return found == properties_.end() ? nullptr : &found->second;
+}
+
+const Term& Vocabulary::Canonical(const Term& term) const {
+  const auto found = aliases_.find(term);
+  return found == aliases_.end() ? term : found->second;
 }
 
 bool Vocabulary::IsAnyOf(const std::vector<Term>& types,

@@ -32,6 +32,10 @@ class Vocabulary {
   bool IsAnyOf(const std::vector<Term>& types,
                const std::vector<Term>& tops) const;
 
+  // The name that `term` is another name of (owl:equivalentClass,
+  // owl:equivalentProperty), else `term`.
+  const Term& Canonical(const Term& term) const;
+
   // "ex:usePolicy is not a property of the ontology, nearest is ex:usesPolicy"
   std::string UnknownProperty(const Term& property) const;
   std::string UnknownClass(const Term& type) const;
@@ -40,6 +44,7 @@ class Vocabulary {
   const GraphView& view_;
   std::map<Term, PropertyFacts> properties_;
   std::set<Term> classes_;
+  std::map<Term, Term> aliases_;
 };
 
 // Least number of characters to insert, delete or replace to turn a into b.

@@ -110,28 +110,36 @@ bool IsIn(const std::vector<std::string>& graphs, const Term& graph) {
   return std::find(graphs.begin(), graphs.end(), graph.text) != graphs.end();
 }
 
+using Statements = std::vector<const Statement*>;
+
 class Toucher {
  public:
-  Toucher(const DataGraph& before_and_after, const ShapeGraph& shapes)
-      : data_(before_and_after), shapes_(shapes) {}
+  Toucher(const DataGraph& before_and_after, const ShapeGraph& shapes,
+          const Statements& changes)
+      : data_(before_and_after), shapes_(shapes), changes_(changes) {
+    for (const Statement* s : changes) by_predicate_[s->predicate].push_back(s);
+  }
 
-  std::set<Term> Touched(const Shape& shape,
-                         const std::vector<const Statement*>& changes) const {
+  std::set<Term> Touched(const Shape& shape) const {
     std::set<Term> nodes;
     for (const Read& read : ReadFinder(shapes_).Find(shape)) {
-      nodes.merge(Walk(data_, Inverse(read.prefix), Seen(read, changes)));
+      nodes.merge(Walk(data_, Inverse(read.prefix), Seen(read)));
     }
-    for (const Statement* change : changes) AddTargets(shape, *change, nodes);
+    AddTargets(shape, nodes);
     return nodes;
   }
 
  private:
+  const Statements& Of(const Term& predicate) const {
+    static const Statements kNone;
+    const auto found = by_predicate_.find(predicate);
+    return found == by_predicate_.end() ? kNone : found->second;
+  }
+
   // Where `read` would have begun to see one of the changes.
-  std::set<Term> Seen(const Read& read,
-                      const std::vector<const Statement*>& changes) const {
+  std::set<Term> Seen(const Read& read) const {
     std::set<Term> nodes;
-    for (const Statement* s : changes) {
-      if (read.predicate && s->predicate != *read.predicate) continue;
+    for (const Statement* s : read.predicate ? Of(*read.predicate) : changes_) {
       const bool sees = read.is_class ? IsIn(data_.class_graphs, s->graph)
                                       : s->graph.text == data_.graph;
       if (!sees) continue;
@@ -141,22 +149,28 @@ class Toucher {
     return nodes;
   }
 
-  // What the change may have made a target.
-  void AddTargets(const Shape& shape, const Statement& change,
-                  std::set<Term>& nodes) const {
-    if (change.graph.text != data_.graph) return;
-    const auto is_in = [&](const std::vector<Term>& predicates) {
-      return std::find(predicates.begin(), predicates.end(),
-                       change.predicate) != predicates.end();
-    };
-    const bool typed =
-        !shape.target_classes.empty() && change.predicate == RdfType();
-    if (typed || is_in(shape.target_subjects_of)) nodes.insert(change.subject);
-    if (is_in(shape.target_objects_of)) nodes.insert(change.object);
+  // What the changes may have made a target.
+  void AddTargets(const Shape& shape, std::set<Term>& nodes) const {
+    if (!shape.target_classes.empty()) {
+      AddEnds(RdfType(), Direction::kForward, nodes);
+    }
+    for (const Term& predicate : shape.target_subjects_of) {
+      AddEnds(predicate, Direction::kForward, nodes);
+    }
+    for (const Term& predicate : shape.target_objects_of) {
+      AddEnds(predicate, Direction::kBackward, nodes);
+    }
+  }
+
+  void AddEnds(const Term& predicate, Direction direction,
+               std::set<Term>& nodes) const {
+    nodes.merge(Seen({{}, predicate, direction, false}));
   }
 
   const DataGraph& data_;
   const ShapeGraph& shapes_;
+  const Statements& changes_;
+  std::map<Term, Statements> by_predicate_;
 };
 
 }  // namespace
@@ -164,7 +178,7 @@ class Toucher {
 std::optional<TouchedNodes> FindTouched(const DataGraph& data,
                                         const ShapeGraph& shapes,
                                         const Change& change) {
-  std::vector<const Statement*> changes;
+  Statements changes;
   for (const Statement& s : change.added) changes.push_back(&s);
   for (const Statement& s : change.removed) changes.push_back(&s);
   for (const Statement* s : changes) {
@@ -174,10 +188,10 @@ std::optional<TouchedNodes> FindTouched(const DataGraph& data,
   }
   const DataGraph both{data.view, data.graph, data.class_graphs,
                        &change.removed};
-  const Toucher toucher(both, shapes);
+  const Toucher toucher(both, shapes, changes);
   TouchedNodes touched;
   for (const auto& [id, shape] : shapes) {
-    if (HasTarget(shape)) touched[id] = toucher.Touched(shape, changes);
+    if (HasTarget(shape)) touched[id] = toucher.Touched(shape);
   }
   return touched;
 }

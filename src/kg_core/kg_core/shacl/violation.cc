@@ -32,6 +32,14 @@ std::string Violation::Line() const {
   return line + " (" + ToTurtle(named_shape) + ")";
 }
 
+std::vector<std::string> Lines(const std::vector<Violation>& violations) {
+  std::vector<std::string> lines;
+  for (const Violation& violation : violations) {
+    lines.push_back(violation.Line());
+  }
+  return lines;
+}
+
 std::string ReportTurtle(const std::vector<Violation>& violations) {
   std::string text;
   for (const Prefix& prefix : kPrefixes) {

@@ -27,6 +27,8 @@ struct Violation {
   std::string Line() const;  // "ex:alpha ex:usesPolicy: ... (shape ...)"
 };
 
+std::vector<std::string> Lines(const std::vector<Violation>& violations);
+
 // A W3C validation report in Turtle, with the prefixes that it needs.
 // https://www.w3.org/TR/shacl/#validation-report
 std::string ReportTurtle(const std::vector<Violation>& violations);

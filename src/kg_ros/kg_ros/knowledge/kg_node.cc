@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/validator.h"
 #include "kg_ros/base/names.h"
 #include "kg_ros/conversion/fact_conversion.h"
@@ -53,7 +54,11 @@ KgNode::KgNode(const MissionFolders& folders, const ros::NodeHandle& node,
       server_.mission().constraints.size(), server_.mission().events.size(),
       server_.world_version(),
       server_.was_restored() ? ", taken up again" : "");
+  for (const std::string& line : server_.violations_at_start()) {
+    ROS_WARN_STREAM("[facts] the store holds what its shapes forbid: " << line);
+  }
   ExpectFirstPlan();
+  ExpireFacts();
   PublishWorld();
 }
 
@@ -66,6 +71,7 @@ void KgNode::ExpectFirstPlan() {
   report.accepted = true;
   report.world_version = server_.world_version();
   report.stages = {Stage("facts", Now_s() - opening_s_, 1)};
+  TellGaps(&report);
   pending_.Add(report);
 }
 
@@ -118,11 +124,17 @@ bool KgNode::HandleUpdate(kg_msgs::UpdateFacts::Request& request,
 
 UpdateReport KgNode::Decide(const kg_msgs::FactUpdate& message) {
   const std::uint64_t before = server_.world_version();
-  const Decision decision = server_.Apply(FromMessage(message));
+  const kg_core::FactUpdate update = FromMessage(message);
+  return Report(update, server_.Apply(update), before);
+}
+
+UpdateReport KgNode::Report(const kg_core::FactUpdate& update,
+                            const Decision& decision,
+                            const std::uint64_t before) {
   UpdateReport report;
   report.header.stamp = ros::Time::now();
-  report.id = message.id;
-  report.author = message.author;
+  report.id = update.id;
+  report.author = update.author;
   report.accepted = decision.accepted;
   report.reasons = decision.reasons;
   report.world_version = decision.world_version;
@@ -130,14 +142,14 @@ UpdateReport KgNode::Decide(const kg_msgs::FactUpdate& message) {
                    Stage("ingest", decision.ingest_s, 0)};
   report.plan_status = UpdateReport::PLAN_PENDING;
   for (const std::string& reason : decision.reasons) {
-    ROS_WARN_STREAM("[facts] refused from " << message.author << ": "
-                                            << reason);
+    ROS_WARN_STREAM("[facts] refused from " << update.author << ": " << reason);
   }
   if (decision.world_version != before) {
     cycle_is_due_ = true;
     plan_note_.clear();
     if (plan_status_ != World::PLAN_NONE) plan_status_ = World::PLAN_STALE;
     server_.MarkPlanStale();
+    TellGaps(&report);
     pending_.Add(report);
     PublishWorld();
   } else if (decision.accepted) {
@@ -150,6 +162,30 @@ UpdateReport KgNode::Decide(const kg_msgs::FactUpdate& message) {
   return report;
 }
 
+void KgNode::ExpireFacts() {
+  if (!server_.ExpiryIsDue()) return;
+  const std::uint64_t before = server_.world_version();
+  const Expired expired = server_.Expire();
+  for (const std::string& line : expired.kept) {
+    ROS_WARN_STREAM("[facts] expired, but " << line);
+  }
+  for (const kg_core::Fact& fact : expired.update.remove) {
+    ROS_INFO_STREAM("[facts] expired: " << fact.subject);
+  }
+  if (expired.update.remove.empty()) return;
+  Report(expired.update, expired.decision, before);
+}
+
+void KgNode::TellGaps(UpdateReport* report) {
+  std::vector<std::string> gaps = kg_core::WindowGaps(server_.mission());
+  if (gaps == gaps_) return;
+  gaps_ = std::move(gaps);
+  for (const std::string& gap : gaps_) {
+    ROS_WARN_STREAM("[facts] " << gap);
+    report->warnings.push_back(gap);
+  }
+}
+
 bool KgNode::HandleValidate(kg_msgs::Validate::Request& request,
                             kg_msgs::Validate::Response& response) {
   response.world_version = server_.world_version();
@@ -160,12 +196,14 @@ bool KgNode::HandleValidate(kg_msgs::Validate::Request& request,
   if (nothing) {
     const std::vector<kg_core::Violation> violations =
         kg_core::Validate(*server_.Read());
-    for (const kg_core::Violation& violation : violations) {
-      response.violations.push_back(violation.Line());
-    }
+    response.violations = kg_core::Lines(violations);
     response.report = kg_core::ReportTurtle(violations);
   } else {
-    response.violations = server_.Check(update);
+    const kg_core::Judgement judgement = server_.Check(update);
+    response.violations = judgement.reasons;
+    if (judgement.violations) {
+      response.report = kg_core::ReportTurtle(*judgement.violations);
+    }
   }
   response.conforms = response.violations.empty();
   return true;
@@ -303,6 +341,7 @@ void KgNode::HandleAgentState(const kg_msgs::AgentState& message) {
   fleet_has_moved_ = true;
   const int after = server_.current_window();
   if (after > before) PassWindows(before, after);
+  ExpireFacts();
 }
 
 // What was planned for the windows that are over has been done.

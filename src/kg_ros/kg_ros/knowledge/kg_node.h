@@ -56,6 +56,12 @@ class KgNode {
   void HandleRejections(const kg_msgs::Rejections& message);
 
   kg_msgs::UpdateReport Decide(const kg_msgs::FactUpdate& message);
+  kg_msgs::UpdateReport Report(const kg_core::FactUpdate& update,
+                               const Decision& decision, std::uint64_t before);
+  // Facts that mission time has outlived are taken back.
+  void ExpireFacts();
+  // Times that no window covers, when they have changed.
+  void TellGaps(kg_msgs::UpdateReport* report);
   void StartCycle();
   bool FleetIsReady() const;
   void FailCycle(const std::string& why);
@@ -88,6 +94,7 @@ class KgNode {
   std::shared_ptr<const kg_compiler::Compilation> compilation_;
   std::optional<kg_msgs::Assignments> plan_;  // The last one committed.
   PendingReports pending_;
+  std::vector<std::string> gaps_;  // Told last.
   bool cycle_is_due_ = true;
   double patience_ends_s_ = 0.0;  // Unix seconds; for poses at a new window.
   bool fleet_has_moved_ = false;

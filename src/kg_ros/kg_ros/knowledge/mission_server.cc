@@ -4,12 +4,15 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/mission/expiry.h"
 #include "kg_core/mission/mission_reader.h"
+#include "kg_core/mission/validator.h"
 #include "kg_core/mission/vocabulary.h"
 #include "kg_core/rdf/namespaces.h"
 
@@ -26,6 +29,7 @@ using kg_core::WorldChange;
 
 constexpr double kLeastShareToPlan = 0.25;  // Of a window's duration.
 constexpr std::uint64_t kKeptPlans = 5;
+constexpr double kLongAgo_s = -std::numeric_limits<double>::infinity();
 
 double Now_s() {
   return std::chrono::duration<double>(
@@ -104,6 +108,7 @@ MissionServer::MissionServer(MissionFolders folders)
   } else {
     Restore(state);
   }
+  next_expiry_s_ = kg_core::NextExpiry_s(*Read(), kLongAgo_s);
 }
 
 void MissionServer::LoadVocabulary() {
@@ -134,6 +139,7 @@ void MissionServer::Restore(const MissionState& state) {
                      state.mission_folder + ", not " + folders_.mission +
                      ": choose another with state:=");
   }
+  violations_at_start_ = kg_core::Lines(kg_core::Validate(*store_->Read()));
   mission_ = kg_core::ReadMission(*store_->Read());
   fleet_.Restore(state.poses, state.mission_time_s);
   fleet_.Follow(mission_);
@@ -143,16 +149,16 @@ void MissionServer::Restore(const MissionState& state) {
   was_restored_ = true;
 }
 
-std::vector<std::string> MissionServer::Stage(const kg_core::FactUpdate& update,
-                                              Transaction& transaction,
-                                              Decision* decision) {
-  std::vector<std::string> reasons = kg_core::StageUpdate(update, transaction);
-  if (reasons.empty() && kg_core::IngestIsDue(transaction)) {
+kg_core::Judgement MissionServer::Stage(const kg_core::FactUpdate& update,
+                                        Transaction& transaction,
+                                        Decision* decision) {
+  kg_core::Judgement judgement = kg_core::JudgeUpdate(update, transaction);
+  if (judgement.reasons.empty() && kg_core::IngestIsDue(transaction)) {
     const Stopwatch watch;
-    reasons = kg_core::StageIngest(files_, transaction);
+    judgement.reasons = kg_core::StageIngest(files_, transaction);
     decision->ingest_s = watch.seconds();
   }
-  return reasons;
+  return judgement;
 }
 
 Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
@@ -160,7 +166,7 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
   Decision decision;
   Transaction transaction = store_->Begin();
   try {
-    decision.reasons = Stage(update, transaction, &decision);
+    decision.reasons = Stage(update, transaction, &decision).reasons;
     if (decision.reasons.empty()) {
       kg_core::Mission mission = kg_core::ReadMission(transaction.view());
       if (!transaction.empty()) {
@@ -169,6 +175,7 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
       }
       mission_ = std::move(mission);
       fleet_.Follow(mission_);
+      next_expiry_s_ = kg_core::NextExpiry_s(*Read(), kLongAgo_s);
       decision.accepted = true;
     }
   } catch (const std::runtime_error& error) {  // InputError, or no disk space.
@@ -179,16 +186,28 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
   return decision;
 }
 
-std::vector<std::string> MissionServer::Check(
-    const kg_core::FactUpdate& update) {
+Expired MissionServer::Expire() {
+  const double now_s = fleet_.time_s();
+  kg_core::Expiry expiry = kg_core::FindExpired(*Read(), now_s);
+  Expired expired;
+  expired.update = std::move(expiry.update);
+  if (!expired.update.remove.empty()) expired.decision = Apply(expired.update);
+  for (std::string& line : expiry.kept) {
+    if (told_kept_.insert(line).second) expired.kept.push_back(std::move(line));
+  }
+  next_expiry_s_ = kg_core::NextExpiry_s(*Read(), now_s);
+  return expired;
+}
+
+kg_core::Judgement MissionServer::Check(const kg_core::FactUpdate& update) {
   Decision decision;
   Transaction transaction = store_->Begin();
   try {
-    std::vector<std::string> reasons = Stage(update, transaction, &decision);
-    if (reasons.empty()) kg_core::ReadMission(transaction.view());
-    return reasons;
+    kg_core::Judgement judgement = Stage(update, transaction, &decision);
+    if (judgement.reasons.empty()) kg_core::ReadMission(transaction.view());
+    return judgement;
   } catch (const InputError& error) {
-    return {error.what()};
+    return {{error.what()}, std::nullopt};
   }
 }
 

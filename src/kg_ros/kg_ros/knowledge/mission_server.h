@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,13 @@ struct Decision {
   double ingest_s = 0.0;  // Reading files, if any were due.
 };
 
+// What mission time has outlived.
+struct Expired {
+  kg_core::FactUpdate update;  // Takes it back; empty: nothing can go.
+  Decision decision;
+  std::vector<std::string> kept;  // What cannot go and why, each said once.
+};
+
 class MissionServer {
  public:
   // Opens the state folder's store, or makes it from the mission folder. A
@@ -44,8 +52,14 @@ class MissionServer {
 
   // One transaction, decided: durable when this returns accepted.
   Decision Apply(const kg_core::FactUpdate& update);
-  // What Apply would answer, without doing it.
-  std::vector<std::string> Check(const kg_core::FactUpdate& update);
+  // What Apply would answer, without doing it; with the violations of shapes
+  // that the update would cause.
+  kg_core::Judgement Check(const kg_core::FactUpdate& update);
+
+  // Has mission time reached the end of some facts' lives? Takes them back, in
+  // an update of its own (kg_core/mission/expiry.h).
+  bool ExpiryIsDue() const { return fleet_.time_s() >= next_expiry_s_; }
+  Expired Expire();
 
   std::shared_ptr<const kg_core::GraphView> Read() const {
     return store_->Read();
@@ -53,6 +67,12 @@ class MissionServer {
   const kg_core::Mission& mission() const { return mission_; }
   std::uint64_t world_version() const { return store_->world_version(); }
   bool was_restored() const { return was_restored_; }
+  // What a store that was taken up again holds against the shapes, a line each:
+  // shapes may have changed since it was written. The mission goes on; updates
+  // are refused only for what they touch.
+  const std::vector<std::string>& violations_at_start() const {
+    return violations_at_start_;
+  }
 
   FleetState& fleet() { return fleet_; }
   const FleetState& fleet() const { return fleet_; }
@@ -89,9 +109,9 @@ class MissionServer {
   void LoadVocabulary();
   void LoadMission();
   void Restore(const MissionState& state);
-  std::vector<std::string> Stage(const kg_core::FactUpdate& update,
-                                 kg_core::Transaction& transaction,
-                                 Decision* decision);
+  kg_core::Judgement Stage(const kg_core::FactUpdate& update,
+                           kg_core::Transaction& transaction,
+                           Decision* decision);
   int FirstWindowToPlan() const;
   void StartFromPoses(kg_compiler::Compilation* compilation) const;
   void CloseVisitedEvents(kg_compiler::Compilation* compilation) const;
@@ -108,6 +128,9 @@ class MissionServer {
   std::uint64_t cycle_ = 0;
   std::uint64_t plan_run_ = 0;
   bool was_restored_ = false;
+  std::vector<std::string> violations_at_start_;
+  double next_expiry_s_ = 0.0;       // Mission time, Unix seconds.
+  std::set<std::string> told_kept_;  // Lines of `Expired::kept`.
 };
 
 }  // namespace kg_ros

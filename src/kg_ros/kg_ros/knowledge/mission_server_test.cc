@@ -6,6 +6,8 @@
 #include "gtest/gtest.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/temporary_folder.h"
+#include "kg_core/mission/validator.h"
+#include "kg_core/mission/vocabulary.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_ros/conversion/rules_conversion.h"
@@ -133,11 +135,58 @@ TEST_F(MissionServerTest, AnUnreadableFileIsRefusedAndTheMissionRunsOn) {
 TEST_F(MissionServerTest, CheckChangesNothing) {
   MissionServer server(folders_);
   const std::uint64_t before = server.world_version();
-  EXPECT_TRUE(
-      server.Check(Set("ex:alpha", "ex:usesPolicy", "ex:safe")).empty());
-  EXPECT_FALSE(server.Check(Set("ex:w0", "ex:confidence", "1.2")).empty());
+  EXPECT_TRUE(server.Check(Set("ex:alpha", "ex:usesPolicy", "ex:safe"))
+                  .reasons.empty());
+  EXPECT_FALSE(
+      server.Check(Set("ex:w0", "ex:confidence", "1.2")).reasons.empty());
   EXPECT_EQ(server.world_version(), before);
   EXPECT_EQ(server.mission().agents.at(0).policy.name, "fast");
+}
+
+TEST_F(MissionServerTest, CheckTellsTheViolationsThatAnUpdateWouldCause) {
+  MissionServer server(folders_);
+  const kg_core::Judgement judgement =
+      server.Check(Set("ex:w0", "ex:confidence", "1.2"));
+  ASSERT_TRUE(judgement.violations);
+  ASSERT_EQ(judgement.violations->size(), 1u);
+  const kg_core::Violation& violation = judgement.violations->front();
+  EXPECT_EQ(judgement.reasons,
+            std::vector<std::string>{"ex:w0 ex:confidence: expected exactly "
+                                     "one confidence in [0, 1], not 1.2 "
+                                     "(ex:TimeWindowShape)"});
+  EXPECT_EQ(violation.Line(), judgement.reasons[0]);
+  EXPECT_NE(kg_core::ReportTurtle(*judgement.violations)
+                .find("sh:focusNode ex:w0 ;\n    sh:resultPath ex:confidence"),
+            std::string::npos);
+  EXPECT_TRUE(
+      server.Check(Set("ex:w0", "ex:confidence", "0.5")).violations->empty());
+  kg_core::FactUpdate unreadable;
+  unreadable.turtle = "ex:w0 ex:confidence";
+  EXPECT_FALSE(server.Check(unreadable).violations);
+}
+
+TEST_F(MissionServerTest, AStoreThatViolatesTheShapesIsToldAndCanBeRepaired) {
+  { MissionServer server(folders_); }
+  {
+    kg_core::Store store(folders_.state + "/store.db");
+    kg_core::Transaction damage = store.Begin();
+    const kg_core::Term w1 = kg_core::Iri(std::string(kg_core::kEx) + "w1");
+    const kg_core::Term property =
+        kg_core::Iri(std::string(kg_core::kEx) + "confidence");
+    const kg_core::Term facts = kg_core::Iri(kg_core::kFactsGraph);
+    damage.RemoveMatching(&w1, &property, nullptr, facts);
+    damage.Add({w1, property, kg_core::DoubleLiteral(1.5), facts});
+    damage.Commit(kg_core::WorldChange::kYes);
+  }
+  MissionServer server(folders_);
+  ASSERT_EQ(server.violations_at_start().size(), 1u);
+  EXPECT_EQ(server.violations_at_start()[0].rfind("ex:w1 ex:confidence: ", 0),
+            0u);
+  EXPECT_TRUE(
+      server.Apply(Set("ex:alpha", "ex:usesPolicy", "ex:safe")).accepted);
+  EXPECT_FALSE(server.Apply(Set("ex:w1", "ex:durationHours", "23")).accepted);
+  EXPECT_TRUE(server.Apply(Set("ex:w1", "ex:confidence", "0.8")).accepted);
+  EXPECT_TRUE(kg_core::Validate(*server.Read()).empty());
 }
 
 TEST_F(MissionServerTest, PlansBecomeFactsThatLeadBackToFiles) {
@@ -255,6 +304,113 @@ TEST_F(MissionServerTest, AWindowThatIsNearlyOverIsNotPlannedAnyMore) {
   ASSERT_EQ(rules.windows.size(), 1u);
   EXPECT_EQ(rules.windows[0].window, 1);
   EXPECT_EQ(rules.windows[0].begin_s, pose.time_s);
+}
+
+TEST_F(MissionServerTest, AConstraintThatExpiresComesOffTheMap) {
+  MissionServer server(folders_);
+  kg_core::FactUpdate update;
+  update.author = "operator";
+  update.turtle =
+      "ex:firing a ex:Constraint ; ex:kind \"no_go\" ; ex:validUntil "
+      "\"2026-06-02T12:00:00Z\"^^xsd:dateTime ; geo:asWKT "
+      "\"POLYGON((-91 25.5, -90.7 25.5, -90.7 26, -91 26, -91 25.5))\" .";
+  const std::size_t without = server.mission().constraints.size();
+  ASSERT_TRUE(server.Apply(update).accepted);
+  ASSERT_EQ(server.mission().constraints.size(), without + 1);
+  EXPECT_EQ(server.mission().constraints[0].windows, std::vector<int>{0});
+  const auto blocked = server.BeginCycle();
+  AgentPose pose;
+  pose.position = {-90.6, 25.6};
+  pose.time_s = server.mission().windows[0].begin_s + 6 * 3600.0;
+  server.fleet().Observe("alpha", pose);
+  EXPECT_FALSE(server.ExpiryIsDue());
+  pose.time_s += 6 * 3600.0;
+  server.fleet().Observe("alpha", pose);
+  ASSERT_TRUE(server.ExpiryIsDue());
+  const std::uint64_t before = server.world_version();
+  const Expired expired = server.Expire();
+  EXPECT_TRUE(expired.decision.accepted);
+  EXPECT_EQ(expired.decision.world_version, before + 1);
+  EXPECT_FALSE(server.ExpiryIsDue());
+  EXPECT_EQ(server.mission().constraints.size(), without);
+  const auto open = server.BeginCycle();
+  EXPECT_FALSE(open->dirty.empty());
+  for (const auto& dirty : open->dirty) EXPECT_EQ(dirty.window, 0);
+  EXPECT_NE(open->tensors.at(0)->hash, blocked->tensors.at(0)->hash);
+  EXPECT_EQ(open->tensors.at(1)->hash, blocked->tensors.at(1)->hash);
+  EXPECT_EQ(Count(server,
+                  "SELECT ?c { GRAPH graph:log { ?c ex:ofSubject ex:firing ; "
+                  "ex:ofProperty ex:kind ; ex:oldValue \"no_go\" ; "
+                  "ex:inUpdate ?u } ?u ex:author \"kg\" }"),
+            1u);
+}
+
+TEST_F(MissionServerTest, WhatOthersReferToOutlivesItsEndAndIsSaidOnce) {
+  MissionServer server(folders_);
+  kg_core::FactUpdate update;
+  update.turtle =
+      "ex:reef a ex:Constraint ; ex:kind \"soft\" ; ex:attenuation 0.5 ; "
+      "ex:validUntil \"2026-06-01T00:00:00Z\"^^xsd:dateTime ; geo:asWKT "
+      "\"POLYGON((-91 25.5, -90.7 25.5, -90.7 26, -91 26, -91 25.5))\" . "
+      "ex:safe ex:softOverrides '{\"reef\": 0.1}' .";
+  const std::size_t without = server.mission().constraints.size();
+  ASSERT_TRUE(server.Apply(update).accepted);
+  EXPECT_EQ(server.mission().constraints.size(), without);  // Applies nowhere.
+  ASSERT_TRUE(server.ExpiryIsDue());
+  const Expired expired = server.Expire();
+  EXPECT_TRUE(expired.update.remove.empty());
+  ASSERT_EQ(expired.kept.size(), 1u);
+  EXPECT_NE(expired.kept[0].find("ex:constraint refers to it"),
+            std::string::npos);
+  EXPECT_FALSE(server.ExpiryIsDue());
+  EXPECT_TRUE(server.Expire().kept.empty());
+  kg_core::FactUpdate freed;
+  freed.remove = {{"ex:safe", "ex:softOverrides", ""}};
+  ASSERT_TRUE(server.Apply(freed).accepted);
+  ASSERT_TRUE(server.ExpiryIsDue());
+  EXPECT_TRUE(server.Expire().decision.accepted);
+  EXPECT_EQ(Count(server, "SELECT ?t { ex:reef a ?t }"), 0u);
+}
+
+TEST_F(MissionServerTest, AllThatItWritesConformsAndIsInTheOntology) {
+  MissionServer server(folders_);
+  const auto compilation = server.BeginCycle();
+  PlannerAnswer answer;
+  const kg_msgs::Assignments plan = PlanOf(*compilation, server, &answer);
+  Record(plan, answer, &server);
+  std::string previous;
+  for (const kg_msgs::NavGraph& graph : answer.nav_graphs) {
+    server.RecordNavGraph(graph, previous);
+    previous = graph.hash;
+  }
+  server.Apply(Set("ex:alpha", "ex:usesPolicy", "ex:safe"));
+  server.MarkPlanStale();
+  const auto view = server.Read();
+  const kg_core::Vocabulary vocabulary(*view);
+  const kg_core::Term type = kg_core::Iri(std::string(kg_core::kRdf) + "type");
+  for (const std::string& graph :
+       {std::string(kg_core::kFactsGraph), std::string(kg_core::kProvGraph),
+        std::string(kg_core::kLogGraph), std::string(kg_core::kStateGraph),
+        PlanGraph(server.plan_run()).text}) {
+    for (const kg_core::Violation& found :
+         kg_core::ValidateGraph(*view, graph)) {
+      ADD_FAILURE() << graph << ": " << found.Line();
+    }
+    int quads = 0;
+    kg_core::Quad pattern;
+    pattern.graph = view->Find(kg_core::Iri(graph));
+    view->Match(pattern, [&](const kg_core::Quad& quad) {
+      const kg_core::Term& property = view->Get(quad.predicate);
+      EXPECT_NE(vocabulary.FindProperty(property), nullptr) << property;
+      if (property == type) {
+        EXPECT_TRUE(vocabulary.HasClass(view->Get(quad.object)))
+            << view->Get(quad.object);
+      }
+      ++quads;
+      return true;
+    });
+    EXPECT_GT(quads, 5) << graph;
+  }
 }
 
 TEST_F(MissionServerTest, AVisitedEventIsClosed) {

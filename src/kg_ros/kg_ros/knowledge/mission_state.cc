@@ -74,12 +74,22 @@ class Writer {
   kg_core::Transaction* transaction_;
 };
 
-void WritePose(const AgentPose& pose, const kg_core::Agent& agent,
-               kg_core::Transaction* transaction) {
+// The window of a time; the first before the mission, the last after it.
+Term WindowAt(const kg_core::Mission& mission, double time_s) {
+  std::string iri = mission.windows.front().iri;
+  for (const kg_core::TimeWindow& window : mission.windows) {
+    if (time_s >= window.begin_s) iri = window.iri;
+  }
+  return Iri(iri);
+}
+
+void WritePose(const AgentPose& pose, const Term& window,
+               const kg_core::Agent& agent, kg_core::Transaction* transaction) {
   Writer write(Ex("state/" + agent.id), transaction);
   write.Add(Iri(std::string(kg_core::kRdf) + "type"), Ex("AgentState"))
       .Add(Ex("id"), Literal(agent.id))
       .Add(Ex("forAgent"), Iri(agent.iri))
+      .Add(Ex("forWindow"), window)
       .Add(Iri(std::string(kg_core::kGeo) + "asWKT"),
            Literal(kg_core::PointWkt(pose.position),
                    std::string(kg_core::kGeo) + "wktLiteral"))
@@ -115,7 +125,8 @@ void SaveState(const MissionState& state, const kg_core::Mission& mission,
   const Term graph = Iri(kg_core::kStateGraph);
   transaction.RemoveMatching(nullptr, nullptr, nullptr, graph);
   Writer write(StateNode(), &transaction);
-  write.Add(Ex("missionFolder"), Literal(state.mission_folder))
+  write.Add(Iri(std::string(kg_core::kRdf) + "type"), Ex("MissionState"))
+      .Add(Ex("missionFolder"), Literal(state.mission_folder))
       .Add(Ex("cycle"),
            kg_core::IntegerLiteral(static_cast<long long>(state.cycle)))
       .Add(Ex("planRun"),
@@ -128,7 +139,8 @@ void SaveState(const MissionState& state, const kg_core::Mission& mission,
   for (const kg_core::Agent& agent : mission.agents) {
     const auto pose = state.poses.find(agent.id);
     if (pose != state.poses.end()) {
-      WritePose(pose->second, agent, &transaction);
+      WritePose(pose->second, WindowAt(mission, pose->second.time_s), agent,
+                &transaction);
     }
   }
 }

@@ -1,0 +1,40 @@
+// The end of facts' lives: what mission time has outlived is taken back.
+//
+// ex:validUntil (of constraints, prior layers and events) and ex:expires (of
+// coolings) say when. The mission reader lets such a thing apply in windows
+// that begin before; the update made here removes the facts about it once
+// mission time has reached it, in a transaction like any other: checked,
+// logged with old values, numbered. ex:expiresAfter of an event ends its
+// rewards only (A42): the event stays, for agents may have visited it.
+
+#ifndef KG_CORE_MISSION_EXPIRY_H_
+#define KG_CORE_MISSION_EXPIRY_H_
+
+#include <string>
+#include <vector>
+
+#include "kg_core/mission/entity.h"
+#include "kg_core/mission/fact_update.h"
+#include "kg_core/rdf/graph_view.h"
+
+namespace kg_core {
+
+// When the facts about `entity` end, Unix seconds; infinity if never.
+double ValidUntil_s(const Entity& entity);
+
+// When the next fact in `view` expires after `after_s`; infinity if none.
+double NextExpiry_s(const GraphView& view, double after_s);
+
+struct Expiry {
+  FactUpdate update;  // Author "kg"; removes what is over.
+  std::vector<std::string>
+      kept;  // What cannot go, a line each with the reason.
+};
+
+// What has expired by `mission_time_s`. What other facts still refer to is
+// kept, unless they expire, too.
+Expiry FindExpired(const GraphView& view, double mission_time_s);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_MISSION_EXPIRY_H_
