@@ -93,6 +93,7 @@ class Grammar {
   void ReadGroupElement(Group* group, Pattern* basic);
   Pattern ReadGroupOrUnion();
   Pattern ReadGraph();
+  Pattern ReadService();
   Pattern ReadMinus(Pattern left);
   Pattern ReadOptional(Pattern left);
   void ReadBind(Group* group);

@@ -204,8 +204,8 @@ Expression Grammar::ReadIriExpression() {
   if (!AtMark("(")) return Of(Op::kConstant, ConstantNumber(Iri(iri)));
   const Function* function = FindIriFunction(iri);
   if (function != nullptr) return ReadCall(*function, position);
-  if (query_.unknown_function.empty()) {
-    query_.unknown_function = std::to_string(position.line) + ":" +
+  if (query_.unavailable.empty()) {
+    query_.unavailable = std::to_string(position.line) + ":" +
                               std::to_string(position.column) + ": function <" +
                               iri + "> is not known";
   }

@@ -102,7 +102,7 @@ void Grammar::ReadGroupElement(Group* group, Pattern* basic) {
   } else if (AtMark("{")) {
     group->pattern = Join(std::move(group->pattern), ReadGroupOrUnion());
   } else if (AtWord("SERVICE")) {
-    Fail(Peek(), "SERVICE is not available: a query reads this store only");
+    group->pattern = Join(std::move(group->pattern), ReadService());
   } else {
     Expected("a graph pattern or '}'");
   }
@@ -134,6 +134,34 @@ Pattern Grammar::ReadGraph() {
     pattern.graph = ConstantNode(Iri(ReadIri()));
   }
   pattern.parts.push_back(ReadGroupPattern());
+  return pattern;
+}
+
+// [59] ServiceGraphPattern: this store asks nobody. SERVICE fails then, and
+// with SILENT it has one solution that binds nothing: OPTIONAL of what never
+// is. https://www.w3.org/TR/sparql11-federated-query/#serviceSilent
+Pattern Grammar::ReadService() {
+  const Position position = Take().position;
+  const bool silent = TakeWord("SILENT");
+  const std::string before = query_.unavailable;
+  if (Peek().kind == Token::Kind::kVariable) {
+    ReadVariable();
+  } else {
+    ReadIri();
+  }
+  Pattern inner = ReadGroupPattern();
+  query_.unavailable = before;
+  if (!silent && before.empty()) {
+    query_.unavailable = std::to_string(position.line) + ":" +
+                         std::to_string(position.column) +
+                         ": SERVICE is not available: a query reads this store "
+                         "only";
+  }
+  Pattern pattern =
+      Binary(Pattern::Kind::kLeftJoin, Pattern(), std::move(inner));
+  Expression never;
+  never.index = ConstantNumber(BooleanLiteral(false));
+  pattern.filters.push_back(std::move(never));
   return pattern;
 }
 

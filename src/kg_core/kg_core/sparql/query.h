@@ -173,9 +173,9 @@ struct Query {
   std::vector<std::string> from;
   std::vector<std::string> from_named;
   std::string base;
-  // "line:column: function <...> is not known", for the first such call. The
-  // grammar allows it, RunQuery does not: it would be an error in every row.
-  std::string unknown_function;
+  // "line:column: function <...> is not known", or that SERVICE is not there:
+  // the first of what the grammar allows and RunQuery does not.
+  std::string unavailable;
 };
 
 // A variable that stands for a blank node or for an unnamed value.

@@ -79,7 +79,7 @@ QueryResult RunQuery(const GraphView& view, std::string_view query_text,
   CheckText(query_text, limits);
   Budget budget(limits);
   Query query = sparql::ParseQuery(query_text, limits.nesting);
-  if (!query.unknown_function.empty()) throw InputError(query.unknown_function);
+  if (!query.unavailable.empty()) throw InputError(query.unavailable);
   sparql::CheckDataset(view, query);
   sparql::Prepare(&query.select);
   TermTable terms(&view, &budget);

@@ -348,6 +348,17 @@ TEST(QueryEngine, DescribesAResourceDownToItsBlankNodes) {
   EXPECT_EQ(Query("DESCRIBE ex:alpha").triples.size(), 10u);
 }
 
+// https://www.w3.org/TR/sparql11-federated-query/#serviceSilent
+TEST(QueryEngine, ASilentServiceHasOneSolutionThatBindsNothing) {
+  EXPECT_EQ(Rows("SELECT * { ex:fast ex:risk ?r "
+                 "SERVICE SILENT <http://x/> { ?s ex:risk ?v FILTER(ex:f(1)) } "
+                 "}"),
+            (Lines{"3 - -"}));
+  EXPECT_EQ(Rows("SELECT ?r { SERVICE SILENT ?x { SERVICE <http://y/> {} } "
+                 "ex:safe ex:risk ?r }"),
+            (Lines{"1"}));
+}
+
 TEST(QueryEngine, SaysWhereTheMistakeIs) {
   const std::pair<const char*, const char*> kCases[] = {
       {"",
@@ -360,6 +371,10 @@ TEST(QueryEngine, SaysWhereTheMistakeIs) {
        "1:14: function <http://example.org/mission/f> is not known"},
       {"ASK { SERVICE <http://x/> {} }",
        "1:7: SERVICE is not available: a query reads this store only"},
+      {"ASK { SERVICE <http://x/> { ?s ?p ?o } SERVICE SILENT ?y {} }",
+       "1:7: SERVICE is not available: a query reads this store only"},
+      {"ASK { SERVICE <http://x/> { ?s ?p } }",
+       "1:35: expected a variable or a term, got }"},
       {"LOAD <http://x/>",
        "1:1: LOAD is not available: a query changes nothing"},
       {"CONSTRUCT WHERE { ?s ?p ?o FILTER(true) }",

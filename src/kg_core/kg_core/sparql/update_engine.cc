@@ -119,6 +119,7 @@ void Updater::Run(const Operation& operation) {
     case Operation::Kind::kAdd:
       return Transfer(operation);
     case Operation::Kind::kLoad:
+      if (operation.silent) return;
       Refuse(operation,
              "LOAD is not available: an update reads this store only");
   }
@@ -270,7 +271,7 @@ sparql::Update Parse(std::string_view text, const QueryLimits& limits) {
   }
   sparql::Update update = sparql::ParseUpdate(text, limits.nesting);
   for (Operation& operation : update.operations) {
-    const std::string& unknown = operation.query.unknown_function;
+    const std::string& unknown = operation.query.unavailable;
     if (!unknown.empty()) throw InputError(unknown);
     sparql::Prepare(&operation.query.select);
   }

@@ -7,7 +7,8 @@
 //   if (Validate(change.view()).empty()) change.Commit(WorldChange::kYes);
 //
 // All or nothing: on an error the transaction is as it was before. Files and
-// the network are never read: LOAD is refused, SILENT or not. Operations run in
+// the network are never read: LOAD is an error, which SILENT turns into doing
+// nothing (https://www.w3.org/TR/sparql11-update/#load). Operations run in
 // order, each on what the ones before it left; what one matches it does not see
 // change. The store knows no empty graphs: CREATE makes nothing, CLEAR and DROP
 // do the same, and COPY, MOVE and ADD from a graph without quads are errors,

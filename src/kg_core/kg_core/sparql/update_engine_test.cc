@@ -183,6 +183,10 @@ TEST(UpdateEngine, ClearsAndMovesWholeGraphs) {
   EXPECT_TRUE(
       Leaves("COPY SILENT ex:nothing TO DEFAULT ; CREATE SILENT " + plan,
              kFacts, kOther));
+  EXPECT_TRUE(
+      Leaves("LOAD SILENT <file:///etc/passwd> ; "
+             "LOAD SILENT <http://x/> INTO GRAPH ex:g",
+             kFacts, kOther));
 }
 
 TEST(UpdateEngine, SaysWhereTheMistakeIs) {
@@ -192,7 +196,7 @@ TEST(UpdateEngine, SaysWhereTheMistakeIs) {
        "SELECT"},
       {"LOAD <file:///etc/passwd>",
        "1:1: LOAD is not available: an update reads this store only"},
-      {"CLEAR ALL ;\n LOAD SILENT <http://x/> INTO GRAPH ex:g",
+      {"CLEAR ALL ;\n LOAD <http://x/> INTO GRAPH ex:g",
        "2:2: LOAD is not available: an update reads this store only"},
       {"INSERT DATA { ?a ex:b 1 }", "1:15: INSERT DATA may not have variables"},
       {"DELETE DATA { _:a ex:b 1 }",

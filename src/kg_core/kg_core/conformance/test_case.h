@@ -1,0 +1,40 @@
+// One test as its manifest describes it, and the ways to run it.
+
+#ifndef KG_CORE_CONFORMANCE_TEST_CASE_H_
+#define KG_CORE_CONFORMANCE_TEST_CASE_H_
+
+#include <string>
+
+#include "kg_core/conformance/documents.h"
+
+namespace kg_core::conformance {
+
+struct TestCase {
+  Documents* documents;  // Holds the manifest.
+  std::string manifest;  // Its URL.
+  Term subject;          // The test.
+  std::string kind;      // Local name of its type.
+
+  // The values of a property in the manifest, by its whole IRI.
+  std::optional<Term> One(const Term& node, const std::string& property) const {
+    return documents->One(manifest, node, property);
+  }
+  std::vector<Term> All(const Term& node, const std::string& property) const {
+    return documents->All(manifest, node, property);
+  }
+  // Throws InputError if the manifest does not say.
+  Term Action() const;
+  Term Result() const;
+};
+
+// Each says how what came differs from what was to come; "" if it does not.
+// All throw NotRun, and InputError for what cannot be read.
+std::string RunQueryTest(const TestCase& test);
+std::string RunUpdateTest(const TestCase& test);
+std::string RunPositiveSyntaxTest(const TestCase& test);
+std::string RunNegativeSyntaxTest(const TestCase& test);
+std::string RunShaclTest(const TestCase& test);
+
+}  // namespace kg_core::conformance
+
+#endif  // KG_CORE_CONFORMANCE_TEST_CASE_H_
