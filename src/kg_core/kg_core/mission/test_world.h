@@ -76,6 +76,8 @@ ex:run a ex:PlanRun ; ex:forWindow ex:w0 , ex:w1 ; ex:worldVersion 3 ;
     ex:status "ok" .
 ex:as a ex:Assignment ; ex:forAgent ex:alpha ; ex:forWindow ex:w0 ;
     ex:waypointWKT "POINT(-93 26.2)" ; prov:wasGeneratedBy ex:run .
+ex:rule a ex:Rule ; rdfs:label "none" ; rdfs:comment "Concludes nothing." ;
+    ex:construct "CONSTRUCT { ?p ex:mustAvoid ?p } WHERE { ?p ex:horizon 9 }" .
 )ttl";
 
 class TestWorld {
