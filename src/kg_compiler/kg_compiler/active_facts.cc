@@ -16,14 +16,19 @@ bool InScope(const std::vector<T>& scope, const T& value) {
 }
 
 ActiveConstraint Activate(const kg_core::Constraint& fact,
-                          const kg_core::Policy& policy) {
-  ActiveConstraint active{&fact, fact.kind == kg_core::ConstraintKind::kNoGo,
-                          1.0};
+                          const kg_core::Agent& agent) {
+  ActiveConstraint active;
+  active.fact = &fact;
+  active.hard = fact.kind == kg_core::ConstraintKind::kNoGo;
   if (active.hard) return active;
-  const auto found = policy.soft_overrides.find(fact.iri);
+  const auto& overrides = agent.policy.soft_overrides;
+  const auto found = overrides.find(fact.iri);
   active.attenuation =
-      found == policy.soft_overrides.end() ? fact.attenuation : found->second;
-  active.hard = policy.escalate_soft && active.attenuation < 1.0;
+      found == overrides.end() ? fact.attenuation : found->second;
+  const auto avoided = agent.must_avoid.find(fact.iri);
+  if (avoided == agent.must_avoid.end()) return active;
+  active.hard = true;
+  active.avoided_by = avoided->second;
   return active;
 }
 
@@ -50,7 +55,7 @@ ActiveFacts FindActiveFacts(const kg_core::Mission& mission,
   for (const kg_core::Constraint& constraint : mission.constraints) {
     if (!InScope(constraint.windows, window.index)) continue;
     if (!InScope(constraint.agents, agent.iri)) continue;
-    active.constraints.push_back(Activate(constraint, policy));
+    active.constraints.push_back(Activate(constraint, agent));
     active.names_agent |= !constraint.agents.empty();
   }
   FindPriors(mission, agent, window.index, &active);

@@ -14,8 +14,10 @@ namespace kg_compiler {
 
 struct ActiveConstraint {
   const kg_core::Constraint* fact = nullptr;
-  bool hard = false;         // no_go, or a soft zone escalated (A11).
+  bool hard = false;         // no_go, or a soft zone the agent must avoid.
   double attenuation = 1.0;  // Of a soft zone, the policy's override applied.
+  // Where it is said that the agent must avoid it (A11).
+  std::vector<std::string> avoided_by;
 };
 
 struct ActivePrior {
@@ -32,8 +34,8 @@ struct ActiveFacts {
   std::vector<const kg_core::Event*> events;  // With beta_poi only.
 };
 
-// Points into `mission`, which must outlive it. A soft zone is escalated where
-// the policy says so and its factor is below 1.
+// Points into `mission`, which must outlive it. A soft zone is hard where the
+// agent must avoid it: rules conclude that, or an operator says so.
 ActiveFacts FindActiveFacts(const kg_core::Mission& mission,
                             const kg_core::Agent& agent,
                             const kg_core::TimeWindow& window);

@@ -214,6 +214,7 @@ std::vector<std::string> TensorSources(const Mission& mission,
   if (active.names_agent) sources.insert(agent.iri);
   for (const ActiveConstraint& constraint : active.constraints) {
     sources.insert(constraint.fact->iri);
+    sources.insert(constraint.avoided_by.begin(), constraint.avoided_by.end());
   }
   for (const ActivePrior& prior : active.priors) {
     sources.insert(prior.fact->iri);

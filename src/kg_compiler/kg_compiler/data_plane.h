@@ -8,7 +8,7 @@
 //   w_t     after N, else it would cancel (A1; `pre` and `horizon` by policy).
 //   M_soft  product of the attenuations of the soft zones a cell's centre is in
 //           (A10), the policy's softOverrides in place of their own factor;
-//           escalated to M_hard by the policy (A11).
+//           those that the agent must avoid are in M_hard instead (A11).
 //   M_hard  0 where a no_go area touches the cell (supercover), within the land
 //           buffer (Euclidean distance to land <= bufferCells), and on land;
 //           applied last, so forbidden cells are exactly 0 (A4).
@@ -72,7 +72,9 @@ std::string TensorHash(const kg_core::Mission& mission,
 // The IRIs of the facts and files that it reads, sorted: the policy, the window
 // and the field whose gaps are land always; the value layer and its file if
 // alpha or gamma is not 0; every constraint, weighted prior and bumping event
-// in force; the agent itself only if one of them is in force for naming it.
+// in force, and for each that the agent must avoid what says so (an inference,
+// or the agent); the agent itself only if one of them is in force for naming
+// it.
 std::vector<std::string> TensorSources(const kg_core::Mission& mission,
                                        const kg_core::Agent& agent,
                                        const kg_core::TimeWindow& window,

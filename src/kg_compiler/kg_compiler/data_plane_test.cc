@@ -108,7 +108,7 @@ class Reference {
     const auto& overrides = agent_.policy.soft_overrides;
     const double f =
         overrides.count(c.iri) ? overrides.at(c.iri) : c.attenuation;
-    return agent_.policy.escalate_soft && f < 1 ? -1.0 : f;
+    return agent_.must_avoid.count(c.iri) ? -1.0 : f;
   }
   bool Inside(const Constraint& c, int i, bool touched) const {
     if (c.is_land) return in_.land[i];
@@ -246,7 +246,10 @@ TEST(DataPlane, AgreesWithTheStraightforwardImplementation) {
   for (int round = 0; round < 12; ++round) {
     const kg_core::Grid grid = UnevenGrid(rng, 14, 18);
     Mission mission = RandomMission(rng, grid);
-    mission.agents[0].policy.escalate_soft = round % 4 == 3;
+    if (round % 4 == 3) {
+      mission.agents[0].must_avoid = {{"ex:c1", {"ex:i1"}},
+                                      {"ex:c2", {"ex:i2"}}};
+    }
     const WindowRasters rasters = RandomRasters(rng, grid);
     const int t = round % 3;
     for (const Agent& agent : mission.agents) {
@@ -481,7 +484,7 @@ TEST(DataPlane, HashCoversWhatIsReadAndNothingElse) {
       [](Mission* m) { m->agents[0].policy.beta["ex:p1"] = 0.6; },
       [](Mission* m) { m->agents[0].policy.beta_poi = 0.1; },
       [](Mission* m) { m->agents[0].policy.soft_overrides["ex:c1"] = 0.2; },
-      [](Mission* m) { m->agents[0].policy.escalate_soft = true; },
+      [](Mission* m) { m->agents[0].must_avoid["ex:c1"] = {"ex:i1"}; },
       [](Mission* m) {
         m->agents[0].policy.normalisation = kg_core::Normalisation::kMinMax;
       },
@@ -524,9 +527,12 @@ TEST(DataPlane, DerivesFromExactlyTheFactsItRead) {
   EXPECT_EQ((List{"ex:alpha", "ex:c0", "ex:c1", "ex:c3", "ex:field", "ex:p0",
                   "ex:p1", "ex:policy", "ex:value", "ex:value_file", "ex:w2"}),
             sources(0, 2));
+  mission.agents[1].must_avoid = {{"ex:c1", {"ex:i1", "ex:i2"}},
+                                  {"ex:c9", {"ex:i9"}}};
   mission.agents[1].policy = kg_core::Policy();
   mission.agents[1].policy.alpha_base = 0.0;
-  EXPECT_EQ((List{"ex:c0", "ex:c1", "ex:field", "ex:w0"}), sources(1, 0));
+  EXPECT_EQ((List{"ex:c0", "ex:c1", "ex:field", "ex:i1", "ex:i2", "ex:w0"}),
+            sources(1, 0));
 }
 
 TEST(DataPlane, RefusesRastersOfAnotherSize) {

@@ -6,6 +6,7 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/mission/class_tree.h"
+#include "kg_core/mission/conclusions.h"
 #include "kg_core/mission/derived_facts.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/ingested_facts.h"
@@ -16,6 +17,7 @@
 #include "kg_core/mission/validator.h"
 #include "kg_core/mission/vocabulary.h"
 #include "kg_core/rdf/turtle.h"
+#include "kg_core/rules/inference.h"
 #include "kg_core/sparql/update_engine.h"
 
 namespace kg_core {
@@ -68,9 +70,13 @@ class Stager {
     Append(StageDerivedFacts(transaction_));
     if (IngestIsDue(transaction_)) DropIngestedFacts(transaction_);
     Append(CheckChangedSubjects(vocabulary_, transaction_));
+    Append(StageInferences(transaction_));
     std::vector<Violation> violations = ValidateChange(transaction_);
     if (reasons_.empty()) Append(Lines(violations));
     if (reasons_.empty()) Append(CheckKeys(transaction_));
+    if (reasons_.empty()) {
+      Append(CheckConclusions(vocabulary_, transaction_.view()));
+    }
     if (reasons_.empty()) CheckMission();
     return {Reasons(), std::move(violations)};
   }

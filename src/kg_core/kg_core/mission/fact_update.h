@@ -37,15 +37,18 @@ struct FactUpdate {
 
 // Stages the update's changes in `transaction` (facts graph): first `remove`,
 // then `set`, `add`, `turtle` and `sparql`; then what follows from them
-// (derived_facts.h). Returns the reasons to refuse it; empty = none. With
-// reasons, the transaction is half done and to be dropped. Knows nothing of
-// files: see ingest.h. What an earlier ingest stated is dropped if IngestIsDue.
+// (derived_facts.h) and what the rules conclude (inference.h). Returns the
+// reasons to refuse it; empty = none. With reasons, the transaction is half
+// done and to be dropped. Knows nothing of files: see ingest.h. What an earlier
+// ingest stated is dropped if IngestIsDue.
 //  - malformed terms or Turtle, with the position;
 //  - a property that the ontology does not know, with the nearest known name;
 //  - `remove` of a fact that is not there;
 //  - violations of the shapes in the state after it, e.g. an agent whose policy
 //    does not exist, a confidence of 1.2, malformed WKT; only what the change
 //    can have touched is checked (ValidateChange, validator.h);
+//  - a rule that cannot be used, or whose conclusions are no facts that the
+//    above would let pass (conclusions.h);
 //  - two with one key, e.g. two costs of an edge for one agent (keys.h);
 //  - a mission that can no longer be read (mission_reader.h).
 std::vector<std::string> StageUpdate(const FactUpdate& update,

@@ -10,12 +10,15 @@
 #include "kg_core/base/input_error.h"
 #include "kg_core/geo/geodesy.h"
 #include "kg_core/mission/class_tree.h"
+#include "kg_core/mission/conclusions.h"
 #include "kg_core/mission/entity.h"
 #include "kg_core/mission/ingest_times.h"
 #include "kg_core/mission/ingested_facts.h"
 #include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/terms.h"
 #include "kg_core/mission/validator.h"
+#include "kg_core/mission/vocabulary.h"
+#include "kg_core/rules/inference.h"
 
 namespace kg_core {
 namespace {
@@ -269,8 +272,11 @@ std::vector<std::string> StageIngest(FileCache& cache,
   DropIngestedFacts(transaction);
   try {
     std::vector<std::string> reasons = Ingest(cache, transaction).Run();
+    if (reasons.empty()) reasons = StageInferences(transaction);
     if (reasons.empty()) reasons = Lines(ValidateChange(transaction));
-    return reasons;
+    if (!reasons.empty()) return reasons;
+    const GraphView& view = transaction.view();
+    return CheckConclusions(Vocabulary(view), view);
   } catch (const InputError& error) {
     return {error.what()};
   }

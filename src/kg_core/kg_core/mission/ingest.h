@@ -59,7 +59,8 @@ class FileCache {
   std::map<std::string, std::shared_ptr<const OceanFile>> files_;
 };
 
-// Stages the facts of every data source in `transaction`. Returns the reasons
+// Stages the facts of every data source in `transaction`, and what the rules
+// conclude from them. Returns the reasons
 // why it cannot (too few days for the windows, all land, facts that violate a
 // shape, ...); empty = done.
 std::vector<std::string> StageIngest(FileCache& cache,

@@ -9,8 +9,23 @@
 namespace kg_core {
 namespace {
 
-// Properties that only data sources and windows have.
-bool AlwaysMatters(const Term& property) {
+bool IsDataSource(const GraphView& view, const Term& subject) {
+  return Has(view, kFactsGraph, subject, RdfType(), Ex("DataSource"));
+}
+
+bool Matters(const Statement& statement, const GraphView& view) {
+  if (statement.graph != Facts()) return false;
+  if (IngestReads(statement.predicate)) return true;
+  if (statement.predicate == RdfType()) {
+    return statement.object == Ex("DataSource");
+  }
+  return statement.predicate == Ex("kind") &&
+         IsDataSource(view, statement.subject);
+}
+
+}  // namespace
+
+bool IngestReads(const Term& property) {
   static const std::set<Term> kMatters = {Ex("file"),
                                           Ex("provides"),
                                           Ex("index"),
@@ -21,22 +36,6 @@ bool AlwaysMatters(const Term& property) {
                                           TimeTerm("hasEnd")};
   return kMatters.count(property) != 0;
 }
-
-bool IsDataSource(const GraphView& view, const Term& subject) {
-  return Has(view, kFactsGraph, subject, RdfType(), Ex("DataSource"));
-}
-
-bool Matters(const Statement& statement, const GraphView& view) {
-  if (statement.graph != Facts()) return false;
-  if (AlwaysMatters(statement.predicate)) return true;
-  if (statement.predicate == RdfType()) {
-    return statement.object == Ex("DataSource");
-  }
-  return statement.predicate == Ex("kind") &&
-         IsDataSource(view, statement.subject);
-}
-
-}  // namespace
 
 bool IngestIsDue(const Transaction& transaction) {
   const auto any = [&](const std::vector<Statement>& statements) {

@@ -8,6 +8,10 @@
 
 namespace kg_core {
 
+// Properties that only data sources and windows have: to change one is to make
+// an ingest due.
+bool IngestReads(const Term& property);
+
 // Removes all facts about subjects with ex:ingestedFrom.
 void DropIngestedFacts(Transaction& transaction);
 

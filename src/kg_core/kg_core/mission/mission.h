@@ -54,7 +54,6 @@ struct Policy {
   double lambda_risk = 0.0;            // Per hour at hazard 1, see SeamRules.
   double lambda_uncertainty = 0.0;     // Times (1 - w).
   std::map<std::string, double> soft_overrides;       // By constraint IRI.
-  bool escalate_soft = false;                         // A11.
   std::string value_kind = "delta_sst";               // ex:valueKind (A29).
   Normalisation normalisation = Normalisation::kMax;  // A5.
   ConfidenceMode confidence_mode = ConfidenceMode::kPost;  // A1.
@@ -70,6 +69,10 @@ struct Agent {
   LonLat start;  // Position of the ex:AgentState to start from.
   double start_heading_rad = 0.0;  // Clockwise from north.
   std::string start_iri;
+  // ex:mustAvoid (A11): soft constraints that are hard for this agent, by IRI,
+  // with where that is said: the agent's IRI if it is asserted, and those of
+  // the inferences (rules/reasons.h) that conclude it.
+  std::map<std::string, std::vector<std::string>> must_avoid;
 };
 
 enum class ConstraintKind { kNoGo, kSoft };

@@ -16,6 +16,8 @@
 #include "kg_core/mission/literals.h"
 #include "kg_core/mission/policy_reader.h"
 #include "kg_core/mission/terms.h"
+#include "kg_core/rules/facts_and_conclusions.h"
+#include "kg_core/rules/reasons.h"
 
 namespace kg_core {
 namespace {
@@ -25,7 +27,7 @@ constexpr Named<ConstraintKind> kConstraintKinds[] = {
 
 class Reader {
  public:
-  explicit Reader(const GraphView& view) : view_(view) {}
+  explicit Reader(const GraphView& view) : asserted_(view), view_(view) {}
 
   Mission Read() {
     const std::vector<Entity> missions = All("Mission");
@@ -257,7 +259,25 @@ class Reader {
     agent.start = start.Position();
     agent.start_heading_rad = DegToRad(start.Number(Ex("headingDeg"), 0.0));
     agent.start_iri = start.iri();
+    for (const std::string& zone : entity.Iris(Ex("mustAvoid"))) {
+      agent.must_avoid[zone] = SourcesOf(agent.iri, Ex("mustAvoid"), zone);
+    }
     return agent;
+  }
+
+  // Where it is said: the subject if it is asserted, and the inferences.
+  std::vector<std::string> SourcesOf(const std::string& subject,
+                                     const Term& property,
+                                     const std::string& object) const {
+    const Triple triple = {Iri(subject), property, Iri(object)};
+    std::vector<std::string> sources;
+    if (Has(asserted_, kFactsGraph, triple.subject, property, triple.object)) {
+      sources.push_back(subject);
+    }
+    for (Inference& inference : WhyInferred(asserted_, triple)) {
+      sources.push_back(std::move(inference.iri));
+    }
+    return sources;
   }
 
   // The agent's state for the earliest window.
@@ -395,7 +415,8 @@ class Reader {
     return {entity.iri(), entity.Text(Ex("path")), entity.Text(Ex("sha256"))};
   }
 
-  const GraphView& view_;
+  const GraphView& asserted_;       // As it is,
+  const FactsAndConclusions view_;  // and as it is read.
   Mission mission_;
   std::map<std::string, int> index_of_;  // Of all windows, by IRI.
 };

@@ -1,4 +1,5 @@
-// Reads the typed mission out of the facts. The facts are valid by then
+// Reads the typed mission out of the facts and what the rules conclude from
+// them, which counts as much (facts_and_conclusions.h). All is valid by then
 // (validator.h); what only becomes visible here (an agent without a start, two
 // windows of one index, a prior weight for a layer that does not exist) is
 // refused with one line that names subject, property and expectation.

@@ -76,7 +76,6 @@ Policy ReadPolicy(const GraphView& view, const Entity& entity) {
   policy.lambda_risk = entity.Number(Ex("lambda_risk"), policy.lambda_risk);
   policy.lambda_uncertainty =
       entity.Number(Ex("lambda_unc"), policy.lambda_uncertainty);
-  policy.escalate_soft = entity.Flag(Ex("escalateSoft"), false);
   policy.value_kind = entity.Text(Ex("valueKind"), policy.value_kind);
   policy.normalisation = Choice(entity, Ex("normalisation"), kNormalisations,
                                 policy.normalisation);

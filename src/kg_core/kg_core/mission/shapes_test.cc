@@ -71,6 +71,8 @@ const BadFact kBadFacts[] = {
     {"Agent", {"ex:alpha", "ex:usesPolicy", "ex:brave"}, "not ex:brave"},
     {"Agent", {"ex:alpha", "ex:hasCapabilities", ""}, "AgentCapabilities"},
     {"Agent", {"ex:alpha", "ex:id", "\"Alpha 1\""}, "lower-case letters"},
+    {"Agent", {"ex:alpha", "ex:mustAvoid", "ex:w0"}, "ex:Constraint"},
+    {"Rule", {"ex:rule", "rdfs:comment", ""}, "to be cited"},
     {"AgentCapabilities",
      {"ex:alpha_can", "ex:cruiseSpeedKts", "2"},
      "at most ex:maxSpeedKts"},

@@ -55,13 +55,23 @@ std::vector<Statement> StatementsOf(const GraphView& view,
   return statements;
 }
 
+// A shipped rule has its class in the vocabulary, and may be spoken of in the
+// facts.
+std::vector<Term> TypesOf(const GraphView& view, const Term& subject) {
+  std::vector<Term> types = Objects(view, kFactsGraph, subject, RdfType());
+  const bool is_shipped_rule =
+      types.empty() && Has(view, kVocabGraph, subject, RdfType(), Ex("Rule"));
+  if (is_shipped_rule) types.push_back(Ex("Rule"));
+  return types;
+}
+
 class SubjectCheck {
  public:
   SubjectCheck(const Vocabulary& vocabulary, const GraphView& view,
                const Term& subject)
       : vocabulary_(vocabulary),
         statements_(StatementsOf(view, subject)),
-        types_(Objects(view, kFactsGraph, subject, RdfType())),
+        types_(TypesOf(view, subject)),
         subject_(subject) {}
 
   std::vector<std::string> Run() {
@@ -149,10 +159,16 @@ class SubjectCheck {
 
 std::vector<std::string> CheckChangedSubjects(const Vocabulary& vocabulary,
                                               const Transaction& transaction) {
+  return CheckSubjects(vocabulary, transaction.view(),
+                       ChangedSubjects(transaction));
+}
+
+std::vector<std::string> CheckSubjects(const Vocabulary& vocabulary,
+                                       const GraphView& view,
+                                       const std::set<Term>& subjects) {
   std::vector<std::string> reasons;
-  for (const Term& subject : ChangedSubjects(transaction)) {
-    for (std::string& reason :
-         SubjectCheck(vocabulary, transaction.view(), subject).Run()) {
+  for (const Term& subject : subjects) {
+    for (std::string& reason : SubjectCheck(vocabulary, view, subject).Run()) {
       reasons.push_back(std::move(reason));
     }
   }

@@ -6,6 +6,7 @@
 #ifndef KG_CORE_MISSION_STATEMENT_CHECK_H_
 #define KG_CORE_MISSION_STATEMENT_CHECK_H_
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,11 @@ namespace kg_core {
 // Reasons to refuse what stands about the subjects that `transaction` changes.
 std::vector<std::string> CheckChangedSubjects(const Vocabulary& vocabulary,
                                               const Transaction& transaction);
+
+// Likewise what `view` says about `subjects`.
+std::vector<std::string> CheckSubjects(const Vocabulary& vocabulary,
+                                       const GraphView& view,
+                                       const std::set<Term>& subjects);
 
 }  // namespace kg_core
 

@@ -89,6 +89,8 @@ ex:state a ex:MissionState ; ex:missionFolder "/missions/test" ; ex:cycle 2 ;
 ex:update a ex:UpdateFacts ; ex:worldVersion 3 ; ex:author "operator" .
 ex:change a ex:FactChange ; ex:inUpdate ex:update ; ex:ofSubject ex:alpha ;
     ex:ofProperty ex:usesPolicy ; ex:oldValue ex:fast ; ex:newValue ex:safe .
+ex:rule a ex:Rule ; rdfs:label "none" ; rdfs:comment "Concludes nothing." ;
+    ex:construct "CONSTRUCT { ?p ex:mustAvoid ?p } WHERE { ?p ex:horizon 9 }" .
 )ttl";
 
 class TestWorld {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "kg_core/rdf/namespaces.h"
+#include "kg_core/rules/facts_and_conclusions.h"
 #include "kg_core/shacl/changes.h"
 #include "kg_core/shacl/shape_cache.h"
 #include "kg_core/shacl/validation.h"
@@ -52,6 +53,14 @@ std::vector<Violation> ValidateChange(const Transaction& transaction) {
   }
   const auto shapes = ShapesOf(view);
   return shacl::ValidateTouched(FactsOf(view), *shapes, change);
+}
+
+std::vector<Violation> ValidateConclusions(const GraphView& view) {
+  const shacl::Change change = {Conclusions(view), {}};
+  if (change.added.empty()) return {};
+  const auto shapes = ShapesOf(view);
+  const FactsAndConclusions world(view);
+  return shacl::ValidateTouched(FactsOf(world), *shapes, change);
 }
 
 }  // namespace kg_core

@@ -31,6 +31,10 @@ std::vector<Violation> ValidateGraph(const GraphView& view,
 // (shacl/changes.h), or everything if they touch the vocabulary.
 std::vector<Violation> ValidateChange(const Transaction& transaction);
 
+// The violations that what rules conclude would bring, were it among the facts,
+// if the facts of `view` alone have none.
+std::vector<Violation> ValidateConclusions(const GraphView& view);
+
 }  // namespace kg_core
 
 #endif  // KG_CORE_MISSION_VALIDATOR_H_

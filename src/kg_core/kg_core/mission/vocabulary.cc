@@ -5,15 +5,18 @@
 #include <set>
 #include <string_view>
 
+#include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
 #include "kg_core/mission/class_tree.h"
 #include "kg_core/mission/terms.h"
 #include "kg_core/rdf/turtle.h"
+#include "kg_core/rules/inference.h"
 
 namespace kg_core {
 namespace {
 
-constexpr const char* kOntologyFiles[] = {"mission.ttl", "shapes.ttl"};
+constexpr const char* kOntologyFiles[] = {"mission.ttl", "shapes.ttl",
+                                          "rules.ttl"};
 
 bool StartsWith(std::string_view text, std::string_view prefix) {
   return text.substr(0, prefix.size()) == prefix;
@@ -164,6 +167,8 @@ void StageVocabulary(const std::string& folder, Transaction& transaction) {
     }
   }
   transaction.Add(version);
+  const std::vector<std::string> reasons = StageInferences(transaction);
+  if (!reasons.empty()) throw InputError(folder + ": " + reasons.front());
 }
 
 }  // namespace kg_core

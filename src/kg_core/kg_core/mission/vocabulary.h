@@ -50,9 +50,9 @@ class Vocabulary {
 // Least number of characters to insert, delete or replace to turn a into b.
 int EditDistance(const std::string& a, const std::string& b);
 
-// Stages the ontology and the shapes of `folder` (mission.ttl, shapes.ttl) in
-// the vocabulary graph, in place of what it holds; nothing if it holds these
-// already. Throws InputError.
+// Stages ontology, shapes and rules of `folder` (mission.ttl, shapes.ttl,
+// rules.ttl) in the vocabulary graph, in place of what it holds, and what the
+// rules conclude; nothing if it holds these already. Throws InputError.
 void StageVocabulary(const std::string& folder, Transaction& transaction);
 
 }  // namespace kg_core

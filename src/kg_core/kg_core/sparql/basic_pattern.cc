@@ -6,7 +6,9 @@
 
 #include "kg_core/sparql/algebra.h"
 #include "kg_core/sparql/evaluator.h"
+#include "kg_core/sparql/matched_scope.h"
 #include "kg_core/sparql/path_walker.h"
+#include "kg_core/sparql/path_witness.h"
 
 namespace kg_core::sparql {
 namespace {
@@ -151,6 +153,8 @@ bool Evaluator::Step(const BasicRun& run, std::size_t step) {
                      ValueOf(triple.object, *run.row), kNoTerm};
   return run.graph.Match(pattern, [&](const Quad& quad) {
     Binding binding(run.row);
+    const MatchedScope scope(matched_);
+    scope.Push(quad);
     return !binding.Bind(triple.subject, quad.subject) ||
            !binding.Bind(triple.predicate, quad.predicate) ||
            !binding.Bind(triple.object, quad.object) || Step(run, step + 1);
@@ -171,8 +175,16 @@ bool Evaluator::PathStep(const BasicRun& run, std::size_t step,
       *triple.path, subject, object, [&](TermId from, TermId to) {
         if (check && from == to && !run.graph.HasNode(from)) return true;
         Binding binding(run.row);
-        return !binding.Bind(triple.subject, from) ||
-               !binding.Bind(triple.object, to) || Step(run, step + 1);
+        if (!binding.Bind(triple.subject, from) ||
+            !binding.Bind(triple.object, to)) {
+          return true;
+        }
+        const MatchedScope scope(matched_);
+        if (matched_ != nullptr) {
+          const PathWitness witness(&run.graph, &constants_, budget_, terms_);
+          scope.Append(witness.Find(*triple.path, from, to).value());
+        }
+        return Step(run, step + 1);
       });
 }
 

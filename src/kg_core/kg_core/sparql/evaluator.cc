@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kg_core/sparql/matched_scope.h"
+
 namespace kg_core::sparql {
 
 Evaluator::Evaluator(const Query* query, TermTable* terms, DatasetIds dataset,
@@ -39,7 +41,7 @@ bool Evaluator::Evaluate(const Pattern& p, const ActiveGraph& g, Row* row,
 JoinTable& Evaluator::TableOf(const Pattern& p, const ActiveGraph& g) {
   std::unique_ptr<JoinTable>& table = tables_[{&p, &g}];
   if (table != nullptr) return *table;
-  auto fresh = std::make_unique<JoinTable>(p, budget_);
+  auto fresh = std::make_unique<JoinTable>(p, budget_, matched_);
   Row row(query_->variables.size(), kNoTerm);
   EvaluateBody(p, g, &row, [&fresh](Row& solution) {
     fresh->Add(solution);
@@ -170,6 +172,7 @@ bool Evaluator::Graph(const Pattern& p, Row* row, Emit emit) {
 
 // https://www.w3.org/TR/sparql11-query/#defn_evalExists
 bool Evaluator::HasSolution(const Pattern& p, const Solution& solution) {
+  const MatchedScope scope(matched_);
   bool found = false;
   Row row = solution.row;
   Evaluate(p, solution.graph, &row, [&found](Row&) {

@@ -43,6 +43,11 @@ class Evaluator {
   // Calls `emit` with the columns of each solution of the query (of ASK: the
   // whole solution).
   void Run(Emit emit);
+  // From now on, `matched` holds at every solution the triples that its
+  // patterns matched in the default graph, those of a path once each along a
+  // shortest way (path_witness.h), those of a group all. What EXISTS and MINUS
+  // looked at is not among them.
+  void Trace(std::vector<Quad>* matched) { matched_ = matched; }
   const ActiveGraph& default_graph() const { return default_graph_; }
 
  private:
@@ -54,6 +59,7 @@ class Evaluator {
   };
   struct BasicRun;
   struct Sorted;
+  struct Group;
 
   // Each returns false if `emit` stopped it, and leaves `row` as it was.
   bool Evaluate(const Pattern& p, const ActiveGraph& g, Row* row, Emit emit);
@@ -88,6 +94,7 @@ class Evaluator {
   bool RunSelect(const Select& select, const ActiveGraph& g, Emit emit);
   bool Solutions(const Select& select, const ActiveGraph& g, Emit emit);
   bool Grouped(const Select& select, const ActiveGraph& g, Emit emit);
+  Group NewGroup(const Select& select, const Row& key);
   bool FinishRow(const Select& select, const ActiveGraph& g, Row* row,
                  Emit emit);
   void RankKeys(std::vector<Sorted>* all);
@@ -98,6 +105,7 @@ class Evaluator {
   TermTable* terms_;
   DatasetIds dataset_;
   Budget* budget_;
+  std::vector<Quad>* matched_ = nullptr;  // Of Trace().
   ExpressionEvaluator expressions_;
   std::vector<TermId> constants_;  // Ids of the query's constants.
   ActiveGraph default_graph_;

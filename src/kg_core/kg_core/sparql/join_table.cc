@@ -1,8 +1,14 @@
 #include "kg_core/sparql/join_table.h"
 
+#include "kg_core/sparql/matched_scope.h"
+
 namespace kg_core::sparql {
 
-JoinTable::JoinTable(const Pattern& pattern, Budget* budget) : budget_(budget) {
+JoinTable::JoinTable(const Pattern& pattern, Budget* budget,
+                     std::vector<Quad>* matched)
+    : budget_(budget),
+      matched_(matched),
+      matched_before_(matched == nullptr ? 0 : matched->size()) {
   for (const int variable : pattern.possible.Members()) {
     columns_.push_back(static_cast<std::size_t>(variable));
     certain_.push_back(pattern.certain.Contains(variable));
@@ -13,6 +19,9 @@ void JoinTable::Add(const Row& row) {
   budget_->UseWorkingBytes(sizeof(TermId) * (columns_.size() + 4));
   for (const std::size_t variable : columns_) cells_.push_back(row[variable]);
   all_.push_back(static_cast<std::uint32_t>(all_.size()));
+  if (matched_ == nullptr) return;
+  matched_of_.push_back(MatchedSince(*matched_, matched_before_));
+  budget_->UseWorkingBytes(sizeof(Quad) * (matched_of_.back().size() + 2));
 }
 
 const std::vector<std::uint32_t>& JoinTable::Candidates(const Row& row) {
@@ -68,6 +77,8 @@ bool JoinTable::Join(Row* row, absl::FunctionRef<bool(Row&)> emit) {
       slot = At(solution, i);
       bound.push_back(columns_[i]);
     }
+    const MatchedScope scope(matched_);
+    if (matched_ != nullptr) scope.Append(matched_of_[solution]);
     const bool go_on = emit(*row);
     for (const std::size_t variable : bound) (*row)[variable] = kNoTerm;
     if (!go_on) return false;

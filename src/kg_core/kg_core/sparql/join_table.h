@@ -17,8 +17,9 @@ namespace kg_core::sparql {
 
 class JoinTable {
  public:
-  // For solutions of `pattern`.
-  JoinTable(const Pattern& pattern, Budget* budget);
+  // For solutions of `pattern`. What each was matched with is that part of
+  // `matched` (Evaluator::Trace; may be null) that comes after now.
+  JoinTable(const Pattern& pattern, Budget* budget, std::vector<Quad>* matched);
 
   void Add(const Row& row);
   // Calls `emit` with `row` merged with each solution that agrees with it;
@@ -44,6 +45,9 @@ class JoinTable {
   // By the columns that are its key.
   absl::flat_hash_map<std::vector<std::size_t>, Index> indices_;
   Budget* budget_;
+  std::vector<Quad>* matched_;
+  std::size_t matched_before_;
+  std::vector<std::vector<Quad>> matched_of_;  // By solution, if traced.
 };
 
 }  // namespace kg_core::sparql

@@ -6,6 +6,7 @@
 
 #include "kg_core/sparql/aggregation.h"
 #include "kg_core/sparql/evaluator.h"
+#include "kg_core/sparql/matched_scope.h"
 #include "kg_core/sparql/values.h"
 
 namespace kg_core::sparql {
@@ -139,27 +140,34 @@ bool Evaluator::FinishRow(const Select& select, const ActiveGraph& g, Row* row,
   return go_on;
 }
 
+struct Evaluator::Group {
+  Row key;
+  std::vector<Accumulator> values;
+  std::vector<Quad> matched;  // If traced.
+};
+
+Evaluator::Group Evaluator::NewGroup(const Select& select, const Row& key) {
+  Group group{key, {}, {}};
+  for (const Aggregate& aggregate : select.aggregates) {
+    group.values.emplace_back(&aggregate, terms_, budget_);
+  }
+  budget_->UseWorkingBytes(sizeof(Group) +
+                           sizeof(Accumulator) * select.aggregates.size() +
+                           4 * sizeof(TermId) * (key.size() + 8));
+  return group;
+}
+
 // https://www.w3.org/TR/sparql11-query/#aggregateAlgebra
 bool Evaluator::Grouped(const Select& select, const ActiveGraph& g, Emit emit) {
-  struct Group {
-    Row key;
-    std::vector<Accumulator> values;
-  };
   std::vector<Group> groups;  // In order of appearance.
   absl::flat_hash_map<Row, std::size_t> numbers;
   const auto group_of = [&](const Row& key) -> Group& {
     const auto [found, is_new] = numbers.emplace(key, groups.size());
-    if (!is_new) return groups[found->second];
-    groups.push_back({key, {}});
-    for (const Aggregate& aggregate : select.aggregates) {
-      groups.back().values.emplace_back(&aggregate, terms_, budget_);
-    }
-    budget_->UseWorkingBytes(sizeof(Group) +
-                             sizeof(Accumulator) * select.aggregates.size() +
-                             4 * sizeof(TermId) * (key.size() + 8));
-    return groups.back();
+    if (is_new) groups.push_back(NewGroup(select, key));
+    return groups[found->second];
   };
   if (select.group_by.empty()) group_of({});
+  const std::size_t before = matched_ == nullptr ? 0 : matched_->size();
   Row start(query_->variables.size(), kNoTerm);
   Evaluate(select.where, g, &start, [&](Row& row) {
     Row key;
@@ -169,6 +177,11 @@ bool Evaluator::Grouped(const Select& select, const ActiveGraph& g, Emit emit) {
                         : Slot(&row, column.variable));
     }
     Group& group = group_of(key);
+    if (matched_ != nullptr) {
+      budget_->UseWorkingBytes(sizeof(Quad) * (matched_->size() - before));
+      const std::vector<Quad> more = MatchedSince(*matched_, before);
+      group.matched.insert(group.matched.end(), more.begin(), more.end());
+    }
     for (std::size_t i = 0; i < select.aggregates.size(); ++i) {
       const Aggregate& aggregate = select.aggregates[i];
       if (aggregate.argument) {
@@ -190,6 +203,8 @@ bool Evaluator::Grouped(const Select& select, const ActiveGraph& g, Emit emit) {
       Slot(&row, select.aggregates[i].variable) =
           value ? terms_->Intern(*value) : kNoTerm;
     }
+    const MatchedScope scope(matched_);
+    scope.Append(group.matched);
     if (!emit(row)) return false;
   }
   return true;

@@ -3,6 +3,8 @@
 
 #include "kg_ros/knowledge/mission_server.h"
 
+#include <algorithm>
+
 #include "gtest/gtest.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/temporary_folder.h"
@@ -456,6 +458,131 @@ TEST_F(MissionServerTest, OldPlansAreDroppedWhole) {
                   "SELECT DISTINCT ?g { GRAPH ?g "
                   "{ ?r a ex:PlanRun } }"),
             5u);
+}
+
+// A soft zone around everything, a second agent with a policy of its own, and
+// what a policy that escalates makes of the zone.
+class EscalationTest : public MissionServerTest {
+ protected:
+  EscalationTest() : server_(folders_) {
+    kg_core::FactUpdate update;
+    update.author = "operator";
+    update.turtle = R"ttl(
+ex:zone a ex:Constraint ; ex:kind "soft" ; ex:attenuation 0.4 ;
+    geo:asWKT "POLYGON((-95 20, -85 20, -85 30, -95 30, -95 20))" .
+ex:mission ex:hasAgent ex:bravo .
+ex:bravo a ex:Agent ; ex:id "bravo" ; ex:usesPolicy ex:safe ;
+    ex:hasCapabilities ex:alpha_capabilities .
+ex:bravo_start a ex:AgentState ; ex:forAgent ex:bravo ; ex:forWindow ex:w0 ;
+    geo:asWKT "POINT(-90.7 25.7)" .
+)ttl";
+    EXPECT_TRUE(server_.Apply(update).accepted);
+  }
+
+  void Take(const std::string& subject, const std::string& property,
+            const std::string& value) {
+    const Decision decision = server_.Apply(Set(subject, property, value));
+    EXPECT_TRUE(decision.accepted) << decision.reasons.at(0);
+  }
+
+  static double Most(const kg_core::Raster& raster) {
+    double most = 0.0;
+    for (const float value : raster) {
+      if (value > most) most = value;
+    }
+    return most;
+  }
+
+  // Of the agent's tensors, by window.
+  using Tensors =
+      std::vector<std::shared_ptr<const kg_compiler::MissionTensor>>;
+  static Tensors Of(const Compilation& compilation, const std::string& agent) {
+    Tensors tensors;
+    for (const auto& tensor : compilation.tensors) {
+      if (tensor->agent_iri == kg_core::kEx + agent) tensors.push_back(tensor);
+    }
+    EXPECT_EQ(tensors.size(), 2u);
+    return tensors;
+  }
+
+  // The inference that alpha must avoid the zone; empty if there is none.
+  std::string Inference() const {
+    const kg_core::QueryResult result = kg_core::RunQuery(
+        *server_.Read(),
+        "SELECT ?i { ?i a ex:Inference ; ex:byRule ex:escalation ; "
+        "ex:conclusion [ rdf:subject ex:alpha ; rdf:predicate ex:mustAvoid ; "
+        "rdf:object ex:zone ] ; prov:wasDerivedFrom [ rdf:subject ex:fast ; "
+        "rdf:predicate ex:escalateSoft ; rdf:object true ] }",
+        kg_core::DefaultDataset(std::nullopt), {});
+    return result.rows.empty() ? "" : result.rows[0][0]->text;
+  }
+
+  MissionServer server_;
+};
+
+TEST_F(EscalationTest, TogglingThePolicyFlipsTheMaskOfThatAgentOnly) {
+  const auto before = server_.BeginCycle();
+  for (const char* agent : {"alpha", "bravo"}) {
+    for (const auto& tensor : Of(*before, agent)) {
+      EXPECT_NEAR(Most(tensor->Get(Layer::kAttenuation)), 0.4, 1e-6);
+      EXPECT_GT(Most(tensor->Get(Layer::kFused)), 0.0);
+      EXPECT_EQ(Most(tensor->Get(Layer::kFeasibility)), 1.0);
+    }
+  }
+  EXPECT_EQ(Inference(), "");
+  Take("ex:fast", "ex:escalateSoft", "true");
+  const auto after = server_.BeginCycle();
+  for (const auto& tensor : Of(*after, "alpha")) {
+    EXPECT_EQ(Most(tensor->Get(Layer::kFused)), 0.0);
+    EXPECT_EQ(Most(tensor->Get(Layer::kFeasibility)), 0.0);
+  }
+  EXPECT_EQ(Of(*after, "bravo"), Of(*before, "bravo"));  // The same objects.
+  for (const kg_compiler::DirtyArtifact& dirty : after->dirty) {
+    EXPECT_EQ(dirty.agent, std::string(kg_core::kEx) + "alpha");
+  }
+  Take("ex:fast", "ex:escalateSoft", "false");
+  const auto again = server_.BeginCycle();
+  EXPECT_EQ(Of(*again, "alpha")[0]->hash, Of(*before, "alpha")[0]->hash);
+  EXPECT_EQ(Inference(), "");
+}
+
+TEST_F(EscalationTest, TheTensorIsDerivedFromTheInference) {
+  Take("ex:fast", "ex:escalateSoft", "true");
+  const auto compilation = server_.BeginCycle();
+  const std::string inference = Inference();
+  ASSERT_NE(inference, "");
+  const auto cites = [&](const std::string& agent) {
+    const auto& sources = Of(*compilation, agent)[0]->derived_from;
+    return std::count(sources.begin(), sources.end(), inference);
+  };
+  EXPECT_EQ(cites("alpha"), 1);
+  EXPECT_EQ(cites("bravo"), 0);
+}
+
+TEST_F(EscalationTest, SwitchingTheRuleOffByAFactStopsIt) {
+  Take("ex:fast", "ex:escalateSoft", "true");
+  Take("ex:escalation", "ex:enabled", "false");
+  EXPECT_EQ(Inference(), "");
+  EXPECT_TRUE(server_.mission().agents.at(0).must_avoid.empty());
+  EXPECT_GT(Most(Of(*server_.BeginCycle(), "alpha")[0]->Get(Layer::kFused)),
+            0.0);
+  Take("ex:escalation", "ex:enabled", "true");
+  EXPECT_NE(Inference(), "");
+  EXPECT_EQ(Most(Of(*server_.BeginCycle(), "alpha")[0]->Get(Layer::kFused)),
+            0.0);
+}
+
+TEST_F(MissionServerTest, ConclusionsSurviveARestart) {
+  {
+    MissionServer server(folders_);
+    kg_core::FactUpdate update = Set("ex:fast", "ex:escalateSoft", "true");
+    update.turtle =
+        "ex:zone a ex:Constraint ; ex:kind 'soft' ; ex:attenuation 0.4 ; "
+        "geo:asWKT 'POLYGON((-95 20, -85 20, -85 30, -95 30, -95 20))' .";
+    EXPECT_TRUE(server.Apply(update).accepted);
+  }
+  const MissionServer server(folders_);
+  EXPECT_EQ(server.mission().agents.at(0).must_avoid.size(), 1u);
 }
 
 }  // namespace

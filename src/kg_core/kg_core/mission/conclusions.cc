@@ -1,0 +1,60 @@
+#include "kg_core/mission/conclusions.h"
+
+#include <set>
+#include <utility>
+
+#include "kg_core/mission/statement_check.h"
+#include "kg_core/mission/terms.h"
+#include "kg_core/mission/validator.h"
+#include "kg_core/rules/facts_and_conclusions.h"
+#include "kg_core/rules/reasons.h"
+
+namespace kg_core {
+namespace {
+
+// " (concluded by ex:r1, ex:r2)": the rules with a conclusion about `subject`,
+// else all that have any.
+std::string Blame(const GraphView& view,
+                  const std::vector<Statement>& conclusions,
+                  const Term& subject) {
+  std::set<std::string> about;
+  std::set<std::string> all;
+  for (const Statement& s : conclusions) {
+    for (const Inference& inference :
+         WhyInferred(view, {s.subject, s.predicate, s.object})) {
+      const std::string rule = ToTurtle(Iri(inference.rule_iri));
+      all.insert(rule);
+      if (s.subject == subject || s.object == subject) about.insert(rule);
+    }
+  }
+  std::string names;
+  for (const std::string& name : about.empty() ? all : about) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return " (concluded by " + names + ")";
+}
+
+}  // namespace
+
+std::vector<std::string> CheckConclusions(const Vocabulary& vocabulary,
+                                          const GraphView& view) {
+  const std::vector<Statement> conclusions = Conclusions(view);
+  std::set<Term> subjects;
+  for (const Statement& s : conclusions) subjects.insert(s.subject);
+  const FactsAndConclusions world(view);
+  std::vector<std::string> reasons;
+  for (const Term& subject : subjects) {
+    for (const std::string& reason :
+         CheckSubjects(vocabulary, world, {subject})) {
+      reasons.push_back(reason + Blame(view, conclusions, subject));
+    }
+  }
+  if (!reasons.empty()) return reasons;
+  for (const Violation& violation : ValidateConclusions(view)) {
+    reasons.push_back(violation.Line() +
+                      Blame(view, conclusions, violation.focus_node));
+  }
+  return reasons;
+}
+
+}  // namespace kg_core

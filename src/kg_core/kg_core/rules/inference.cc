@@ -1,0 +1,151 @@
+#include "kg_core/rules/inference.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+
+#include "absl/container/flat_hash_set.h"
+#include "kg_core/base/input_error.h"
+#include "kg_core/mission/terms.h"
+#include "kg_core/mission/vocabulary.h"
+#include "kg_core/rules/conclusion_check.h"
+#include "kg_core/rules/rule.h"
+
+namespace kg_core {
+namespace {
+
+bool IsWorld(const Statement& statement) {
+  return statement.graph.text == kFactsGraph ||
+         statement.graph.text == kVocabGraph;
+}
+
+// What a transaction changed in facts and vocabulary.
+std::vector<Statement> ChangesOf(const Transaction& transaction) {
+  std::vector<Statement> changes;
+  for (auto& statements : {transaction.added(), transaction.removed()}) {
+    std::copy_if(statements.begin(), statements.end(),
+                 std::back_inserter(changes), IsWorld);
+  }
+  return changes;
+}
+
+// May other rules, or other meanings of their words, have come?
+bool ChangesRules(const std::vector<Statement>& changes) {
+  return std::any_of(changes.begin(), changes.end(), [](const Statement& s) {
+    return s.graph.text == kVocabGraph || DefinesRules(s);
+  });
+}
+
+bool IsRead(const std::vector<Statement>& changes, const Rule& rule) {
+  for (const auto* kinds : {&rule.reads, &rule.doubts}) {
+    for (const TripleKind& kind : *kinds) {
+      for (const Statement& change : changes) {
+        if (Includes(kind, change)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+// Makes the inferred graph hold exactly what `inferences` say.
+class Writer {
+ public:
+  explicit Writer(Transaction& transaction) : transaction_(transaction) {
+    const GraphView& view = transaction.view();
+    graph_ = view.Find(Iri(kInferredGraph));
+    if (graph_ == kNoTerm) return;
+    view.Match({kNoTerm, kNoTerm, kNoTerm, graph_}, [this](const Quad& quad) {
+      left_.insert({quad.subject, quad.predicate, quad.object});
+      return true;
+    });
+  }
+
+  void Write(const std::vector<Inference>& inferences) {
+    for (const Inference& inference : inferences) {
+      for (Statement& statement : StatementsOf(inference)) {
+        Want(std::move(statement));
+      }
+    }
+    const GraphView& view = transaction_.view();
+    std::vector<Statement> removed;
+    for (const auto& [subject, predicate, object] : left_) {
+      removed.push_back({view.Get(subject), view.Get(predicate),
+                         view.Get(object), Iri(kInferredGraph)});
+    }
+    for (const Statement& statement : removed) transaction_.Remove(statement);
+    for (const Statement& statement : added_) transaction_.Add(statement);
+  }
+  std::size_t added() const { return added_.size(); }
+
+ private:
+  using Ids = std::tuple<TermId, TermId, TermId>;
+
+  void Want(Statement statement) {
+    const GraphView& view = transaction_.view();
+    const Ids ids = {view.Find(statement.subject),
+                     view.Find(statement.predicate),
+                     view.Find(statement.object)};
+    const auto [subject, predicate, object] = ids;
+    const bool known =
+        subject != kNoTerm && predicate != kNoTerm && object != kNoTerm;
+    if (known && (left_.erase(ids) > 0 || kept_.count(ids) > 0)) {
+      kept_.insert(ids);
+      return;
+    }
+    added_.push_back(std::move(statement));
+  }
+
+  Transaction& transaction_;
+  TermId graph_ = kNoTerm;
+  absl::flat_hash_set<Ids> left_;
+  absl::flat_hash_set<Ids> kept_;
+  std::vector<Statement> added_;
+};
+
+std::size_t CountStatements(const std::vector<Inference>& inferences) {
+  std::size_t count = 0;
+  for (const Inference& inference : inferences) {
+    count += 9 + 5 * inference.premises.size();
+  }
+  return count;
+}
+
+void Infer(const std::vector<Rule>& rules, const InferenceLimits& limits,
+           Transaction& transaction) {
+  const std::vector<Inference> inferences =
+      RunRules(rules, transaction.view(), limits);
+  if (CountStatements(inferences) > limits.statements) {
+    throw InputError(
+        "the rules conclude, with reasons, more statements than "
+        "the limit of " +
+        std::to_string(limits.statements));
+  }
+  for (const Inference& inference : inferences) CheckConclusion(inference);
+  Writer(transaction).Write(inferences);
+}
+
+}  // namespace
+
+std::vector<std::string> StageInferences(Transaction& transaction,
+                                         const InferenceLimits& limits) {
+  const std::vector<Statement> changes = ChangesOf(transaction);
+  if (changes.empty()) return {};
+  std::vector<std::string> reasons;
+  const std::vector<Rule> rules = LoadRules(transaction.view(), &reasons);
+  const bool others = ChangesRules(changes);
+  if (others) CheckWritten(rules, Vocabulary(transaction.view()), &reasons);
+  if (!reasons.empty()) return reasons;
+  const bool is_due =
+      others || std::any_of(rules.begin(), rules.end(), [&](const Rule& rule) {
+        return IsRead(changes, rule);
+      });
+  if (!is_due) return {};
+  try {
+    Infer(rules, limits, transaction);
+  } catch (const InputError& error) {
+    return {error.what()};
+  }
+  return {};
+}
+
+}  // namespace kg_core

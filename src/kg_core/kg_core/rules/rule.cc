@@ -1,0 +1,125 @@
+#include "kg_core/rules/rule.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/mission/literals.h"
+#include "kg_core/mission/terms.h"
+#include "kg_core/rules/rule_analysis.h"
+#include "kg_core/sparql/algebra.h"
+#include "kg_core/sparql/parser.h"
+#include "kg_core/sparql/query_engine.h"
+
+namespace kg_core {
+namespace {
+
+bool Agree(const std::optional<Term>& a, const std::optional<Term>& b) {
+  return !a || !b || *a == *b;
+}
+
+// Rules keep no order of solutions, and conclude every triple once.
+void DropOrder(sparql::Pattern* pattern);
+void DropOrder(sparql::Select* select) {
+  select->order_by.clear();
+  select->distinct = false;
+  DropOrder(&select->where);
+}
+void DropOrder(sparql::Pattern* pattern) {
+  for (sparql::Pattern& part : pattern->parts) DropOrder(&part);
+  if (pattern->select != nullptr) DropOrder(pattern->select.get());
+}
+
+Rule Parse(const Term& iri, const std::string& construct) {
+  const QueryLimits limits;
+  if (construct.size() > limits.text_bytes) {
+    throw InputError("longer than the limit of " +
+                     std::to_string(limits.text_bytes) + " bytes");
+  }
+  Rule rule;
+  rule.iri = iri;
+  rule.query = sparql::ParseQuery(construct, limits.nesting);
+  RuleReads found = AnalyseRule(rule.query);
+  rule.reads = std::move(found.reads);
+  rule.doubts = std::move(found.doubts);
+  DropOrder(&rule.query.select);
+  sparql::Prepare(&rule.query.select);
+  rule.writes = AnalyseTemplate(rule.query);
+  // An ASK is evaluated for whole solutions, a CONSTRUCT for those variables
+  // that its template names.
+  if (!rule.query.select.grouped) rule.query.form = sparql::Query::Form::kAsk;
+  return rule;
+}
+
+// The values in the facts, else those in the vocabulary.
+std::vector<Term> ValuesOf(const GraphView& view, const Term& rule,
+                           const Term& property) {
+  std::vector<Term> values = Objects(view, kFactsGraph, rule, property);
+  if (values.empty()) values = Objects(view, kVocabGraph, rule, property);
+  return values;
+}
+
+bool IsEnabled(const GraphView& view, const Term& rule) {
+  const std::vector<Term> flags = ValuesOf(view, rule, Ex("enabled"));
+  return std::none_of(flags.begin(), flags.end(), [](const Term& flag) {
+    return BooleanValue(flag) == false;
+  });
+}
+
+}  // namespace
+
+bool Includes(const TripleKind& kind, const Statement& statement) {
+  if (kind.predicate && *kind.predicate != statement.predicate) return false;
+  return !kind.type || *kind.type == statement.object;
+}
+
+bool Overlap(const TripleKind& a, const TripleKind& b) {
+  return Agree(a.predicate, b.predicate) && Agree(a.type, b.type);
+}
+
+std::string ToString(const TripleKind& kind) {
+  if (kind.type) return "a " + ToTurtle(*kind.type);
+  return kind.predicate ? ToTurtle(*kind.predicate) : "any property";
+}
+
+Rule ParseRule(const Term& iri, const std::string& construct) {
+  try {
+    return Parse(iri, construct);
+  } catch (const InputError& error) {
+    throw InputError(ToTurtle(iri) + " ex:construct: " + error.what());
+  }
+}
+
+std::vector<Rule> LoadRules(const GraphView& view,
+                            std::vector<std::string>* reasons) {
+  std::set<Term> iris;
+  for (const char* graph : {kVocabGraph, kFactsGraph}) {
+    for (Term& iri : Subjects(view, graph, RdfType(), Ex("Rule"))) {
+      iris.insert(std::move(iri));
+    }
+  }
+  std::vector<Rule> rules;
+  for (const Term& iri : iris) {
+    try {
+      const std::vector<Term> texts = ValuesOf(view, iri, Ex("construct"));
+      if (!iri.is_iri() || texts.size() != 1) {
+        throw InputError(ToTurtle(iri) +
+                         " ex:construct: expected an IRI with exactly one");
+      }
+      Rule rule = ParseRule(iri, texts[0].text);
+      if (IsEnabled(view, iri)) rules.push_back(std::move(rule));
+    } catch (const InputError& error) {
+      reasons->push_back(error.what());
+    }
+  }
+  return rules;
+}
+
+bool DefinesRules(const Statement& statement) {
+  return statement.predicate == Ex("construct") ||
+         statement.predicate == Ex("enabled") ||
+         (statement.predicate == RdfType() && statement.object == Ex("Rule"));
+}
+
+}  // namespace kg_core

@@ -1,0 +1,233 @@
+#include "kg_core/rules/rule_analysis.h"
+
+#include <string>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/mission/terms.h"
+
+namespace kg_core {
+namespace {
+
+using sparql::Aggregate;
+using sparql::Expression;
+using sparql::Node;
+using sparql::Path;
+using sparql::Pattern;
+using sparql::Query;
+using sparql::Select;
+using sparql::TriplePattern;
+
+constexpr const char* kChangingFunctions[] = {"RAND", "NOW", "UUID", "STRUUID",
+                                              "BNODE"};
+
+const Term& ConstantOf(const Query& query, int index) {
+  return query.constants[static_cast<std::size_t>(index)];
+}
+
+TripleKind KindOf(const Query& query, const TriplePattern& triple) {
+  TripleKind kind;
+  if (triple.predicate.is_variable) return kind;
+  kind.predicate = ConstantOf(query, triple.predicate.index);
+  if (*kind.predicate == RdfType() && !triple.object.is_variable) {
+    kind.type = ConstantOf(query, triple.object.index);
+  }
+  return kind;
+}
+
+class Analyst {
+ public:
+  explicit Analyst(const Query& query) : query_(query) {}
+
+  RuleReads Run() {
+    Visit(query_.select, {});
+    return std::move(found_);
+  }
+
+ private:
+  struct Place {
+    bool doubtful = false;  // More triples here may mean fewer solutions.
+    bool counted = false;   // Within what an aggregate sums up.
+  };
+  static Place Doubtful(Place place) {
+    place.doubtful = true;
+    return place;
+  }
+
+  void Note(const TripleKind& kind, const Place& place) {
+    (place.doubtful ? found_.doubts : found_.reads).push_back(kind);
+  }
+
+  void Visit(const Select& select, Place place) {
+    if (select.limit || select.offset > 0) {
+      throw InputError("LIMIT and OFFSET are not for rules: they choose");
+    }
+    if (select.distinct && place.counted) {
+      throw InputError(
+          "a DISTINCT subquery below an aggregate is not for rules: write "
+          "COUNT(DISTINCT ?x)");
+    }
+    for (const Aggregate& aggregate : select.aggregates) {
+      CheckAggregate(aggregate);
+    }
+    if (select.grouped) place = {true, true};
+    Visit(select.where, place);
+    VisitExpressions(select, Doubtful(place));
+  }
+
+  static void CheckAggregate(const Aggregate& aggregate) {
+    const bool chooses = aggregate.kind == Aggregate::Kind::kSample ||
+                         aggregate.kind == Aggregate::Kind::kGroupConcat;
+    if (chooses) {
+      throw InputError(
+          "SAMPLE and GROUP_CONCAT are not for rules: their values depend on "
+          "an order that facts do not have");
+    }
+  }
+
+  void VisitExpressions(const Select& select, const Place& place) {
+    for (const sparql::Column& column : select.columns) {
+      if (column.expression) Visit(*column.expression, place);
+    }
+    for (const sparql::Column& key : select.group_by) {
+      if (key.expression) Visit(*key.expression, place);
+    }
+    for (const Aggregate& aggregate : select.aggregates) {
+      if (aggregate.argument) Visit(*aggregate.argument, place);
+    }
+    for (const Expression& having : select.having) Visit(having, place);
+    for (const sparql::OrderKey& key : select.order_by) {
+      Visit(key.expression, place);
+    }
+  }
+
+  void Visit(const Pattern& pattern, const Place& place) {
+    if (pattern.kind == Pattern::Kind::kGraph) {
+      throw InputError(
+          "GRAPH is not for rules: they read facts, vocabulary and what rules "
+          "conclude, as one graph");
+    }
+    for (const TriplePattern& triple : pattern.triples) Visit(triple, place);
+    const bool may_take_away = pattern.kind == Pattern::Kind::kLeftJoin ||
+                               pattern.kind == Pattern::Kind::kMinus;
+    for (std::size_t i = 0; i < pattern.parts.size(); ++i) {
+      Visit(pattern.parts[i], i > 0 && may_take_away ? Doubtful(place) : place);
+    }
+    const bool is_filter = pattern.kind == Pattern::Kind::kFilter;
+    for (const Expression& filter : pattern.filters) {
+      if (is_filter) {
+        VisitCondition(filter, place);
+      } else {
+        Visit(filter, Doubtful(place));
+      }
+    }
+    if (pattern.select != nullptr) Visit(*pattern.select, place);
+  }
+
+  // EXISTS within a condition that needs it, perhaps with others, only helps.
+  void VisitCondition(const Expression& condition, const Place& place) {
+    switch (condition.op) {
+      case Expression::Op::kAnd:
+      case Expression::Op::kOr:
+        for (const Expression& part : condition.arguments) {
+          VisitCondition(part, place);
+        }
+        return;
+      case Expression::Op::kExists:
+        return Visit(*condition.pattern, place);
+      default:
+        return Visit(condition, Doubtful(place));
+    }
+  }
+
+  void Visit(const Expression& expression, const Place& place) {
+    if (expression.function != nullptr) CheckFunction(*expression.function);
+    if (expression.pattern != nullptr) Visit(*expression.pattern, place);
+    for (const Expression& argument : expression.arguments) {
+      Visit(argument, place);
+    }
+  }
+
+  static void CheckFunction(const sparql::Function& function) {
+    for (const char* name : kChangingFunctions) {
+      if (function.name != name) continue;
+      throw InputError(function.name +
+                       "() is not for rules: equal facts must give equal "
+                       "conclusions");
+    }
+  }
+
+  void Visit(const TriplePattern& triple, const Place& place) {
+    if (!triple.path) return Note(KindOf(query_, triple), place);
+    // A path of length zero between two variables goes through every node.
+    const bool open = triple.subject.is_variable && triple.object.is_variable;
+    Visit(*triple.path, open, place);
+  }
+
+  void Visit(const Path& path, bool open, const Place& place) {
+    const bool may_be_empty = path.kind == Path::Kind::kZeroOrMore ||
+                              path.kind == Path::Kind::kZeroOrOne;
+    if (path.kind == Path::Kind::kNegated || (open && may_be_empty)) {
+      return Note({}, place);
+    }
+    if (path.kind == Path::Kind::kLink) {
+      return Note({ConstantOf(query_, path.constant), std::nullopt}, place);
+    }
+    for (const Path& part : path.parts) Visit(part, open, place);
+  }
+
+  const Query& query_;
+  RuleReads found_;
+};
+
+std::string NameOf(const Query& query, const Node& variable) {
+  return "?" + query.variables[static_cast<std::size_t>(variable.index)];
+}
+
+// Can a solution bind `node`?
+bool IsGround(const Query& query, const Node& node) {
+  if (!node.is_variable) return true;
+  if (sparql::IsHidden(query.variables[static_cast<std::size_t>(node.index)])) {
+    return true;  // A node of its own, see fixed_point.h.
+  }
+  if (!query.select.grouped) {
+    return query.select.where.possible.Contains(node.index);
+  }
+  for (const sparql::Column& key : query.select.group_by) {
+    if (key.variable == node.index) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+RuleReads AnalyseRule(const Query& query) {
+  if (query.form != Query::Form::kConstruct) {
+    throw InputError("expected CONSTRUCT { ... } WHERE { ... }");
+  }
+  if (query.has_dataset) {
+    throw InputError(
+        "FROM is not for rules: they read facts, vocabulary and what rules "
+        "conclude");
+  }
+  if (!query.unknown_function.empty()) throw InputError(query.unknown_function);
+  return Analyst(query).Run();
+}
+
+std::vector<TripleKind> AnalyseTemplate(const Query& query) {
+  if (query.construct.empty()) {
+    throw InputError("expected a triple to conclude in CONSTRUCT { ... }");
+  }
+  std::vector<TripleKind> writes;
+  for (const sparql::QuadTemplate& made : query.construct) {
+    const TriplePattern& triple = made.triple;
+    for (const Node& node : {triple.subject, triple.predicate, triple.object}) {
+      if (IsGround(query, node)) continue;
+      throw InputError(NameOf(query, node) +
+                       " is concluded, but WHERE never binds it");
+    }
+    writes.push_back(KindOf(query, triple));
+  }
+  return writes;
+}
+
+}  // namespace kg_core

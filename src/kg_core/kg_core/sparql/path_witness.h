@@ -1,0 +1,62 @@
+// The triples along one way that a property path takes between two nodes: what
+// to cite for it.
+//
+// The way is one of the fewest steps of every '*', '+' and '?'; among equals,
+// the one with the fewest triples, then the first in the order of their terms.
+// So it depends on the graph alone, not on the order of its ids.
+
+#ifndef KG_CORE_SPARQL_PATH_WITNESS_H_
+#define KG_CORE_SPARQL_PATH_WITNESS_H_
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "kg_core/sparql/active_graph.h"
+#include "kg_core/sparql/path_walker.h"
+#include "kg_core/sparql/query.h"
+#include "kg_core/sparql/term_table.h"
+
+namespace kg_core::sparql {
+
+class PathWitness {
+ public:
+  PathWitness(const ActiveGraph* graph, const std::vector<TermId>* constants,
+              Budget* budget, const TermTable* terms)
+      : graph_(graph),
+        constants_(constants),
+        budget_(budget),
+        terms_(terms),
+        walker_(graph, constants, budget) {}
+
+  // Nothing if `path` does not connect the two; empty for a way of length zero.
+  std::optional<std::vector<Quad>> Find(const Path& path, TermId from,
+                                        TermId to) const;
+
+ private:
+  using Way = std::vector<Quad>;
+  using Ways = std::map<TermId, Way>;  // By where they lead.
+
+  std::optional<Way> FindLink(const Quad& wanted) const;
+  std::optional<Way> FindSequence(const Path* parts, std::size_t count,
+                                  TermId from, TermId to) const;
+  std::optional<Way> FindNegated(const Path& path, TermId from,
+                                 TermId to) const;
+  std::optional<Way> FindClosure(const Path& path, TermId from,
+                                 TermId to) const;
+  Ways NextLayer(const Path& step, const Ways& layer) const;
+  std::vector<TermId> Targets(const Path& path, TermId from) const;
+  bool IsBetter(const Way& a, const Way& b) const;
+  void Improve(std::optional<Way>* best, std::optional<Way> way) const;
+
+  const ActiveGraph* graph_;
+  const std::vector<TermId>* constants_;
+  Budget* budget_;
+  const TermTable* terms_;
+  PathWalker walker_;
+};
+
+}  // namespace kg_core::sparql
+
+#endif  // KG_CORE_SPARQL_PATH_WITNESS_H_
