@@ -8,6 +8,7 @@ so its update is not durable.
 
 import statistics
 import sys
+import threading
 import time
 
 import rdflib
@@ -52,4 +53,9 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    # rdflib walks a path by recursion, a call or more for each of its steps.
+    sys.setrecursionlimit(1000000)
+    threading.stack_size(1 << 29)
+    thread = threading.Thread(target=main)
+    thread.start()
+    thread.join()
