@@ -8,8 +8,14 @@
 
 namespace kg_selector {
 
+const std::string& NameOf(const TeamMember& member) {
+  return member.rules.agent_id.empty() ? member.rules.agent_iri
+                                       : member.rules.agent_id;
+}
+
 Candidates PlanAround(const TeamRules& rules, const TeamMember& member,
                       const std::vector<Pathlet>& committed) {
+  if (member.graphs.empty()) return {};
   const kg_compiler::SeamRules open =
       CloseEvents(member.rules, FullEvents(rules, committed));
   kg_planner::KBestOptions options;
@@ -19,10 +25,12 @@ Candidates PlanAround(const TeamRules& rules, const TeamMember& member,
       MaskCommitted(rules, member.graphs, committed), options);
   Candidates candidates;
   candidates.proven = best.proven;
-  for (const kg_planner::Path& path : best.paths)
+  for (const kg_planner::Path& path : best.paths) {
     candidates.pathlets.push_back(
         ToPathlet(open, member.graphs, path,
                   static_cast<int>(candidates.pathlets.size())));
+    candidates.pathlets.back().agent = NameOf(member);
+  }
   return candidates;
 }
 
@@ -36,8 +44,8 @@ TeamPlan PlanTeam(TeamRules rules, const std::vector<TeamMember>& members) {
   std::map<std::string, const TeamMember*> by_agent;
   std::vector<std::string> agents;
   for (const TeamMember& member : members) {
-    by_agent[member.rules.agent_iri] = &member;
-    agents.push_back(member.rules.agent_iri);
+    by_agent[NameOf(member)] = &member;
+    agents.push_back(NameOf(member));
     for (const auto& window : member.rules.windows)
       rules.window_end_s.emplace(window.window, window.end_s);
   }

@@ -18,8 +18,13 @@ namespace kg_selector {
 
 struct TeamMember {
   kg_compiler::SeamRules rules;
-  std::vector<kg_compiler::NavGraph> graphs;  // One a window of `rules`.
+  // One a window of `rules`; none = the agent cannot be planned.
+  std::vector<kg_compiler::NavGraph> graphs;
 };
+
+// What a team calls its members, as the selector node does: the ex:id, or the
+// IRI of who has none.
+const std::string& NameOf(const TeamMember& member);
 
 struct Candidates {
   std::vector<Pathlet> pathlets;  // Best first; at most rules.candidates.

@@ -273,4 +273,15 @@ std::vector<std::string> StageIngest(FileCache& cache,
   }
 }
 
+StagedUpdate StageUpdateWithFiles(const FactUpdate& update, FileCache& cache,
+                                  Transaction& transaction) {
+  StagedUpdate staged;
+  staged.reasons = StageUpdate(update, transaction);
+  if (!staged.reasons.empty() || !IngestIsDue(transaction)) return staged;
+  const double begin_s = Now_s();
+  staged.reasons = StageIngest(cache, transaction);
+  staged.ingest_s = Now_s() - begin_s;
+  return staged;
+}
+
 }  // namespace kg_core

@@ -293,7 +293,7 @@ void KgNode::HandleAgentState(const kg_msgs::AgentState& message) {
   pose.heading_rad = message.heading_rad;
   pose.time_s = FromRosTime(message.header.stamp);
   pose.energy_left_j = message.energy_left_j;
-  if (!server_.fleet().Observe(message.agent, pose)) {
+  if (!server_.Observe(message.agent, pose)) {
     ROS_WARN_STREAM_THROTTLE(10, "[agents] state of '"
                                      << message.agent
                                      << "' refused: unknown agent or numbers "
