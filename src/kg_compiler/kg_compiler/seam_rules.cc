@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "kg_compiler/as_sent.h"
 #include "kg_core/base/units.h"
 
 namespace kg_compiler {
@@ -48,7 +47,7 @@ WindowRules CompileWindow(const kg_core::Mission& mission,
       capabilities.cruise_mps * window.duration_s());
   for (const kg_core::Event& event : mission.events) {
     if (!IsActive(event, window.index)) continue;
-    rules.events.push_back({event.iri, AsSent(event.position),
+    rules.events.push_back({event.iri, event.position,
                             event.value * window.confidence, event.radius_m});
   }
   return rules;
@@ -112,7 +111,7 @@ SeamRules CompileSeamRules(const kg_core::Mission& mission,
   rules.spacing_m = team.waypoint_spacing_m;
   rules.max_waypoints = std::min(team.waypoints_per_window, kMostWaypoints);
   rules.candidates = team.candidates_per_agent;
-  rules.start = AsSent(agent.start);
+  rules.start = agent.start;
   rules.start_heading_rad = agent.start_heading_rad;
   for (const kg_core::TimeWindow& window : mission.windows) {
     if (window.index < first_window) continue;

@@ -15,11 +15,23 @@ using kg_compiler::Compilation;
 
 constexpr double kLeastShareToPlan = 0.25;  // Of a window's duration.
 
+// What is planned here is what a planner node is sent.
+void TakeAsSent(Compilation* compilation) {
+  for (kg_compiler::SeamRules& rules : compilation->rules) {
+    rules.start = kg_compiler::AsSent(rules.start);
+    for (kg_compiler::WindowRules& window : rules.windows) {
+      for (kg_compiler::EventRule& event : window.events) {
+        event.position = kg_compiler::AsSent(event.position);
+      }
+    }
+  }
+}
+
 void StartFromPoses(const FleetState& fleet, Compilation* compilation) {
   for (kg_compiler::SeamRules& rules : compilation->rules) {
     const auto pose = fleet.poses().find(rules.agent_id);
     if (pose == fleet.poses().end() || rules.windows.empty()) continue;
-    rules.start = kg_compiler::AsSent(pose->second.position);
+    rules.start = pose->second.position;
     rules.start_heading_rad = pose->second.heading_rad;
     if (!std::isnan(pose->second.energy_left_j)) {
       rules.energy_budget_j = std::max(0.0, pose->second.energy_left_j);
@@ -78,6 +90,7 @@ std::shared_ptr<const Compilation> StartFrom(const StartState& start,
   auto started = std::make_shared<Compilation>(compilation);
   StartFromPoses(start.fleet, started.get());
   CloseVisitedEvents(start.executed, started.get());
+  TakeAsSent(started.get());
   return started;
 }
 
