@@ -13,6 +13,11 @@ const std::string& NameOf(const TeamMember& member) {
                                        : member.rules.agent_id;
 }
 
+const char* NoPathNote(const bool alone) {
+  return alone ? "no path leads through all windows"
+               : "no path is left beside the others'";
+}
+
 Candidates PlanAround(const TeamRules& rules, const TeamMember& member,
                       const std::vector<Pathlet>& committed) {
   if (member.graphs.empty()) return {};
@@ -31,6 +36,7 @@ Candidates PlanAround(const TeamRules& rules, const TeamMember& member,
                   static_cast<int>(candidates.pathlets.size())));
     candidates.pathlets.back().agent = NameOf(member);
   }
+  if (best.paths.empty()) candidates.note = NoPathNote(committed.empty());
   return candidates;
 }
 
@@ -50,18 +56,23 @@ TeamPlan PlanTeam(TeamRules rules, const std::vector<TeamMember>& members) {
       rules.window_end_s.emplace(window.window, window.end_s);
   }
   TeamPlan plan;
+  std::map<std::string, std::string> notes;  // With the last offer.
   GreedyTeam team(rules, agents);
   while (!team.Advance()) {
     const std::set<std::string> waiting = team.waiting_for();
     for (const std::string& agent : waiting) {
       Candidates found = PlanAround(rules, *by_agent[agent], team.committed());
       plan.proven = plan.proven && found.proven;
+      notes[agent] = found.note;
       team.Offer(agent, std::move(found.pathlets));
     }
   }
   plan.committed = team.committed();
   plan.rejections = team.rejections();
   plan.unassigned = team.unassigned();
+  for (auto& [agent, why] : plan.unassigned) {
+    if (!notes[agent].empty()) why = notes[agent];
+  }
   plan.rounds = team.rounds();
   return plan;
 }

@@ -29,7 +29,11 @@ const std::string& NameOf(const TeamMember& member);
 struct Candidates {
   std::vector<Pathlet> pathlets;  // Best first; at most rules.candidates.
   bool proven = true;
+  std::string note;  // One line; why there is no path, or "".
 };
+
+// What a planner says that found no path, alone or around those committed.
+const char* NoPathNote(bool alone);
 
 // One agent's best paths around those committed; none has a hard conflict.
 Candidates PlanAround(const TeamRules& rules, const TeamMember& member,

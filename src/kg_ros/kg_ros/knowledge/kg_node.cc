@@ -37,7 +37,8 @@ KgNode::KgNode(const MissionFolders& folders, const ros::NodeHandle& node,
       server_(folders),
       artifacts_(node_),
       rviz_(node_),
-      queries_(node_, &server_) {
+      queries_(node_, &server_),
+      what_ifs_(node_, &server_) {
   updates_ = node_.advertise<UpdateReport>(kUpdatesTopic, 100, kLatched);
   world_ = node_.advertise<World>(kWorldTopic, 1, kLatched);
   Subscribe();

@@ -27,15 +27,34 @@ void TakeAsSent(Compilation* compilation) {
   }
 }
 
+double Used_j(const std::vector<ExecutedVisit>& executed,
+              const std::string& agent) {
+  double used_j = 0.0;
+  for (const ExecutedVisit& past : executed) {
+    if (past.agent == agent) used_j += past.visit.cost.energy_j;
+  }
+  return used_j;
+}
+
+// No more than the agent says it has, and no more than past stops have left of
+// its budget, which a fact may have changed meanwhile.
+void LimitEnergy(const StartState& start, kg_compiler::SeamRules* rules) {
+  const double used_j = Used_j(start.executed, rules->agent_id);
+  rules->energy_budget_j = std::max(0.0, rules->energy_budget_j - used_j);
+  const auto pose = start.fleet.poses().find(rules->agent_id);
+  if (pose == start.fleet.poses().end()) return;
+  const double left_j = pose->second.energy_left_j;
+  if (std::isnan(left_j)) return;
+  rules->energy_budget_j =
+      std::min(rules->energy_budget_j, std::max(0.0, left_j));
+}
+
 void StartFromPoses(const FleetState& fleet, Compilation* compilation) {
   for (kg_compiler::SeamRules& rules : compilation->rules) {
     const auto pose = fleet.poses().find(rules.agent_id);
     if (pose == fleet.poses().end() || rules.windows.empty()) continue;
     rules.start = pose->second.position;
     rules.start_heading_rad = pose->second.heading_rad;
-    if (!std::isnan(pose->second.energy_left_j)) {
-      rules.energy_budget_j = std::max(0.0, pose->second.energy_left_j);
-    }
     kg_compiler::WindowRules& first = rules.windows.front();
     const double duration_s = first.end_s - first.begin_s;
     first.begin_s = fleet.time_s();
@@ -88,6 +107,9 @@ int FirstWindowToPlan(const StartState& start,
 std::shared_ptr<const Compilation> StartFrom(const StartState& start,
                                              const Compilation& compilation) {
   auto started = std::make_shared<Compilation>(compilation);
+  for (kg_compiler::SeamRules& rules : started->rules) {
+    LimitEnergy(start, &rules);
+  }
   StartFromPoses(start.fleet, started.get());
   CloseVisitedEvents(start.executed, started.get());
   TakeAsSent(started.get());
