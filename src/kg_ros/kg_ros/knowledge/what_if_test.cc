@@ -16,6 +16,7 @@
 #include "kg_core/base/units.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/query_engine.h"
+#include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/conversion/rules_conversion.h"
 #include "kg_ros/conversion/tensor_conversion.h"
 #include "kg_ros/knowledge/mission_server.h"
@@ -40,7 +41,7 @@ ex:bravo_capabilities a ex:AgentCapabilities ; ex:cruiseSpeedKts 0.8 ;
     ex:energyBudget 900 ; ex:sensorRadiusKm 6 .
 ex:bravo_start a ex:AgentState ; ex:forAgent ex:bravo ; ex:forWindow ex:w0 ;
     geo:asWKT "POINT(-90.87 25.73)"^^geo:wktLiteral .
-ex:safe ex:lambda_time 0.05 ; ex:lambda_energy 0.01 ; ex:lambda_risk 0.4 .
+ex:safe ex:lambda_time 0.15 ; ex:lambda_energy 0.01 ; ex:lambda_risk 0.4 .
 ex:fast ex:lambda_time 0.01 ; ex:lambda_energy 0.002 ; ex:lambda_risk 0.1 .
 )ttl";
 
