@@ -50,6 +50,8 @@ struct Compilation {
   std::map<std::string, double> stage_seconds;
 };
 
+// A copy shares what has been made so far and goes its own way from there; it
+// may be used by another thread.
 class MissionCompiler {
  public:
   explicit MissionCompiler(kg_core::FileCache* files);

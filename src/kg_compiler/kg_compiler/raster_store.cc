@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "kg_compiler/as_sent.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
 
@@ -120,6 +121,7 @@ std::shared_ptr<const WorkField> RasterStore::Field(
     field->window = window;
     field->iri = ref.iri;
     field->field = readers_.field(mission, ref);
+    field->field.grid = AsSent(field->field.grid);
     field->hash = field->field.Hash();
     kept.value = std::move(field);
   }

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "kg_compiler/proximal_recurrence.h"
+#include "kg_compiler/window_sea.h"
 #include "kg_core/base/sha256.h"
 #include "kg_core/geo/geodesy.h"
 
@@ -12,13 +13,6 @@ namespace {
 
 constexpr int kFewWaypoints = 3;      // Below it, staying put is a choice, too.
 constexpr int kPicksPerWaypoint = 2;  // Some picks cannot be flown to.
-
-kg_core::Mask OpenCells(const MissionTensor& tensor) {
-  const kg_core::Raster& feasibility = tensor.Get(Layer::kFeasibility);
-  kg_core::Mask open(feasibility.size());
-  for (std::size_t i = 0; i < open.size(); ++i) open[i] = feasibility[i] == 1.f;
-  return open;
-}
 
 // A waypoint to be, with the flights to it.
 struct Draft {
@@ -33,14 +27,9 @@ class Builder {
       : in_(inputs),
         grid_(inputs.world.tensor->grid),
         fused_(inputs.world.tensor->Get(Layer::kFused)),
-        open_(OpenCells(*inputs.world.tensor)),
-        hazard_(ComputeHazard(grid_, open_,
-                              inputs.world.tensor->Get(Layer::kAttenuation),
-                              inputs.rules->hazard_range_m)),
-        sea_{inputs.world.field, &open_, &hazard_} {
+        sea_(*inputs.rules, *inputs.window, inputs.world) {
     for (const kg_core::LonLat& source : in_.sources) {
-      reaches_.push_back(
-          ComputeReach(sea_, in_.rules->motion, DepartureFrom(source)));
+      reaches_.push_back(sea_.ReachFrom(source));
     }
   }
 
@@ -52,26 +41,19 @@ class Builder {
   }
 
  private:
-  Departure DepartureFrom(kg_core::LonLat source) const {
-    return {source, in_.window->begin_s, in_.window->end_s,
-            in_.window->base_travel_m};
-  }
-
   // Keeps the place if it can be flown to from anywhere.
   bool Add(kg_core::LonLat position) {
     const std::optional<kg_core::Cell> cell = grid_.CellAt(position);
-    if (!cell || !open_[grid_.Index(*cell)]) return false;
+    if (!cell || !sea_.IsOpen(*cell)) return false;
     Draft draft;
     draft.cell = *cell;
     draft.waypoint.position = position;
     for (std::size_t i = 0; i < in_.sources.size(); ++i) {
-      std::optional<Flight> flight =
-          Traverse(sea_, in_.rules->motion, DepartureFrom(in_.sources[i]),
-                   reaches_[i], position);
-      if (!flight) continue;
-      const double cost =
-          SeamCost(in_.rules->weights, *flight, in_.window->confidence);
-      draft.edges.push_back({static_cast<int>(i), 0, std::move(*flight), cost});
+      std::optional<TraverseEdge> edge =
+          sea_.Fly(in_.sources[i], reaches_[i], position);
+      if (!edge) continue;
+      edge->from = static_cast<int>(i);
+      draft.edges.push_back(std::move(*edge));
     }
     if (draft.edges.empty()) return false;
     drafts_.push_back(std::move(draft));
@@ -121,8 +103,7 @@ class Builder {
       last = cell.index;
       const kg_core::LonLat centre =
           grid_.Centre({cell.index / grid_.cols(), cell.index % grid_.cols()});
-      const double from_s = HoldableFrom_s(sea_, in_.rules->motion,
-                                           DepartureFrom(centre), centre);
+      const double from_s = sea_.HoldableFrom_s(centre);
       allowed[cell.index] = in_.window->begin_s + cell.arrival_s >= from_s;
     }
     return allowed;
@@ -195,9 +176,7 @@ class Builder {
   const WindowInputs& in_;
   const kg_core::Grid& grid_;
   const kg_core::Raster& fused_;
-  kg_core::Mask open_;
-  kg_core::Raster hazard_;
-  TraversalWorld sea_;
+  WindowSea sea_;
   std::vector<Reach> reaches_;  // By source.
   std::vector<Draft> drafts_;
 };

@@ -22,7 +22,7 @@ struct Visit {
 };
 
 struct Pathlet {
-  std::string agent;  // IRI.
+  std::string agent;  // Its name in the team (NameOf in plan_team.h).
   int rank = 0;       // In the agent's own order, 0 = best.
   double reward = 0.0;
   double seam_cost = 0.0;

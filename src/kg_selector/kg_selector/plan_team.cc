@@ -8,8 +8,19 @@
 
 namespace kg_selector {
 
+const std::string& NameOf(const TeamMember& member) {
+  return member.rules.agent_id.empty() ? member.rules.agent_iri
+                                       : member.rules.agent_id;
+}
+
+const char* NoPathNote(const bool alone) {
+  return alone ? "no path leads through all windows"
+               : "no path is left beside the others'";
+}
+
 Candidates PlanAround(const TeamRules& rules, const TeamMember& member,
                       const std::vector<Pathlet>& committed) {
+  if (member.graphs.empty()) return {};
   const kg_compiler::SeamRules open =
       CloseEvents(member.rules, FullEvents(rules, committed));
   kg_planner::KBestOptions options;
@@ -19,10 +30,13 @@ Candidates PlanAround(const TeamRules& rules, const TeamMember& member,
       MaskCommitted(rules, member.graphs, committed), options);
   Candidates candidates;
   candidates.proven = best.proven;
-  for (const kg_planner::Path& path : best.paths)
+  for (const kg_planner::Path& path : best.paths) {
     candidates.pathlets.push_back(
         ToPathlet(open, member.graphs, path,
                   static_cast<int>(candidates.pathlets.size())));
+    candidates.pathlets.back().agent = NameOf(member);
+  }
+  if (best.paths.empty()) candidates.note = NoPathNote(committed.empty());
   return candidates;
 }
 
@@ -36,24 +50,29 @@ TeamPlan PlanTeam(TeamRules rules, const std::vector<TeamMember>& members) {
   std::map<std::string, const TeamMember*> by_agent;
   std::vector<std::string> agents;
   for (const TeamMember& member : members) {
-    by_agent[member.rules.agent_iri] = &member;
-    agents.push_back(member.rules.agent_iri);
+    by_agent[NameOf(member)] = &member;
+    agents.push_back(NameOf(member));
     for (const auto& window : member.rules.windows)
       rules.window_end_s.emplace(window.window, window.end_s);
   }
   TeamPlan plan;
+  std::map<std::string, std::string> notes;  // With the last offer.
   GreedyTeam team(rules, agents);
   while (!team.Advance()) {
     const std::set<std::string> waiting = team.waiting_for();
     for (const std::string& agent : waiting) {
       Candidates found = PlanAround(rules, *by_agent[agent], team.committed());
       plan.proven = plan.proven && found.proven;
+      notes[agent] = found.note;
       team.Offer(agent, std::move(found.pathlets));
     }
   }
   plan.committed = team.committed();
   plan.rejections = team.rejections();
   plan.unassigned = team.unassigned();
+  for (auto& [agent, why] : plan.unassigned) {
+    if (!notes[agent].empty()) why = notes[agent];
+  }
   plan.rounds = team.rounds();
   return plan;
 }

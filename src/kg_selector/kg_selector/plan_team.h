@@ -18,13 +18,22 @@ namespace kg_selector {
 
 struct TeamMember {
   kg_compiler::SeamRules rules;
-  std::vector<kg_compiler::NavGraph> graphs;  // One a window of `rules`.
+  // One a window of `rules`; none = the agent cannot be planned.
+  std::vector<kg_compiler::NavGraph> graphs;
 };
+
+// What a team calls its members, as the selector node does: the ex:id, or the
+// IRI of who has none.
+const std::string& NameOf(const TeamMember& member);
 
 struct Candidates {
   std::vector<Pathlet> pathlets;  // Best first; at most rules.candidates.
   bool proven = true;
+  std::string note;  // One line; why there is no path, or "".
 };
+
+// What a planner says that found no path, alone or around those committed.
+const char* NoPathNote(bool alone);
 
 // One agent's best paths around those committed; none has a hard conflict.
 Candidates PlanAround(const TeamRules& rules, const TeamMember& member,

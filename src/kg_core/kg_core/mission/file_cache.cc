@@ -89,11 +89,16 @@ std::string FileCache::Resolve(const std::string& file) const {
 
 std::shared_ptr<const OceanFile> FileCache::Read(
     const std::string& path, const std::vector<Quantity>& wanted) {
-  std::shared_ptr<const OceanFile>& file = files_[KeyOf(path, wanted)];
-  if (file == nullptr) {
-    file = std::make_shared<const OceanFile>(ReadOceanFileSafely(path, wanted));
+  const std::string key = KeyOf(path, wanted);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto known = files_.find(key);
+    if (known != files_.end()) return known->second;
   }
-  return file;
+  auto file =
+      std::make_shared<const OceanFile>(ReadOceanFileSafely(path, wanted));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return files_.emplace(key, std::move(file)).first->second;
 }
 
 VectorField LoadWorkField(FileCache& cache, const Mission& mission,

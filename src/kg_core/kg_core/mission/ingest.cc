@@ -282,4 +282,16 @@ std::vector<std::string> StageIngest(FileCache& cache,
   }
 }
 
+StagedUpdate StageUpdateWithFiles(const FactUpdate& update, FileCache& cache,
+                                  Transaction& transaction) {
+  StagedUpdate staged;
+  staged.judgement = JudgeUpdate(update, transaction);
+  std::vector<std::string>& reasons = staged.judgement.reasons;
+  if (!reasons.empty() || !IngestIsDue(transaction)) return staged;
+  const double begin_s = Now_s();
+  reasons = StageIngest(cache, transaction);
+  staged.ingest_s = Now_s() - begin_s;
+  return staged;
+}
+
 }  // namespace kg_core

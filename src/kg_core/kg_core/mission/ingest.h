@@ -25,9 +25,11 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
+#include "kg_core/mission/fact_update.h"
 #include "kg_core/mission/mission.h"
 #include "kg_core/raster/ocean_file.h"
 #include "kg_core/raster/vector_field.h"
@@ -40,7 +42,8 @@ namespace kg_core {
 inline constexpr char kDifferenceKind[] = "delta_sst";
 
 // The rasters of files that facts refer to, by sha256; a file is read once,
-// in a child process (ReadOceanFileSafely).
+// in a child process (ReadOceanFileSafely). Safe from any thread: two that want
+// a new file at the same time may both read it, and get the same rasters.
 class FileCache {
  public:
   // `data_folder`: where relative ex:file names are looked up first (launch
@@ -56,6 +59,7 @@ class FileCache {
  private:
   std::string mission_folder_;
   std::string data_folder_;
+  std::mutex mutex_;  // Held for looking up, not for reading.
   std::map<std::string, std::shared_ptr<const OceanFile>> files_;
 };
 
@@ -69,6 +73,15 @@ std::vector<std::string> StageIngest(FileCache& cache,
 // Does the transaction change what an ingest would read (a data source, a
 // window's times), so that StageIngest is due?
 bool IngestIsDue(const Transaction& transaction);
+
+// StageUpdate (fact_update.h), and StageIngest if that is due then: all that
+// can refuse an update but a mission that cannot be read.
+struct StagedUpdate {
+  Judgement judgement;
+  double ingest_s = 0.0;  // Wall-clock, reading files.
+};
+StagedUpdate StageUpdateWithFiles(const FactUpdate& update, FileCache& cache,
+                                  Transaction& transaction);
 
 // The rasters behind the typed references. Throws InputError.
 VectorField LoadWorkField(FileCache& cache, const Mission& mission,

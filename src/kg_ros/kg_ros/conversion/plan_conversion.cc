@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kg_core/base/input_error.h"
 #include "kg_ros/conversion/message_units.h"
@@ -12,16 +13,6 @@ namespace {
 using kg_compiler::NavGraph;
 using kg_compiler::TimedPoint;
 using kg_compiler::TraverseEdge;
-
-kg_msgs::EdgeCost CostMessage(const TraverseEdge& edge) {
-  kg_msgs::EdgeCost cost;
-  cost.travel_s = edge.flight.travel_s;
-  cost.energy_j = edge.flight.energy_j;
-  cost.hazard_s = edge.flight.hazard_s;
-  cost.through_water_m = edge.flight.through_water_m;
-  cost.seam_cost = edge.seam_cost;
-  return cost;
-}
 
 kg_msgs::Waypoint ToMessage(const kg_compiler::Waypoint& waypoint) {
   kg_msgs::Waypoint message;
@@ -51,6 +42,16 @@ const TraverseEdge* FindEdge(const NavGraph& graph, int from, int to) {
 }
 
 }  // namespace
+
+kg_msgs::EdgeCost CostMessage(const TraverseEdge& edge) {
+  kg_msgs::EdgeCost cost;
+  cost.travel_s = edge.flight.travel_s;
+  cost.energy_j = edge.flight.energy_j;
+  cost.hazard_s = edge.flight.hazard_s;
+  cost.through_water_m = edge.flight.through_water_m;
+  cost.seam_cost = edge.seam_cost;
+  return cost;
+}
 
 std::vector<kg_msgs::TimedPoint> ToMessage(
     const std::vector<TimedPoint>& track) {
@@ -143,6 +144,43 @@ kg_selector::Pathlet FromMessage(const kg_msgs::Pathlet& message,
   }
   pathlet.track = FromMessage(message.track);
   return pathlet;
+}
+
+kg_msgs::Rejection ToMessage(const kg_selector::Rejection& rejection,
+                             const std::string& agent_iri) {
+  kg_msgs::Rejection message;
+  message.agent = rejection.pathlet.agent;
+  message.agent_iri = agent_iri;
+  message.rank = rejection.pathlet.rank;
+  message.round = rejection.round;
+  message.score = rejection.pathlet.score();
+  message.kind = kg_selector::Name(rejection.conflict.kind);
+  message.to_agent = rejection.conflict.with_agent;
+  message.window = rejection.conflict.window;
+  message.event = rejection.conflict.event;
+  message.margin = rejection.conflict.margin;
+  message.reason = rejection.reason;
+  return message;
+}
+
+kg_msgs::Assignments ToMessage(const kg_selector::PlannedMission& planned) {
+  kg_msgs::Assignments message;
+  message.rounds = planned.plan.rounds - 1;  // Of planning again.
+  message.bound = std::numeric_limits<double>::quiet_NaN();
+  for (const kg_selector::Pathlet& pathlet : planned.plan.committed) {
+    const kg_selector::TeamMember* member = planned.FindMember(pathlet.agent);
+    kg_msgs::Assignment assignment;
+    assignment.agent = pathlet.agent;
+    assignment.agent_iri = member->rules.agent_iri;
+    assignment.pathlet = ToMessage(pathlet, member->graphs);
+    message.reward += pathlet.reward;
+    message.seam_cost += pathlet.seam_cost;
+    message.assignments.push_back(assignment);
+  }
+  for (const auto& [agent, why] : planned.plan.unassigned) {
+    message.unassigned.push_back(agent + ": " + why);
+  }
+  return message;
 }
 
 kg_core::LonLat PositionAt(const std::vector<TimedPoint>& track,

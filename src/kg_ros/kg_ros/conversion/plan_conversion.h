@@ -10,10 +10,15 @@
 #include "kg_compiler/nav_graph.h"
 #include "kg_compiler/seam_rules.h"
 #include "kg_compiler/traversal.h"
+#include "kg_msgs/Assignments.h"
+#include "kg_msgs/EdgeCost.h"
 #include "kg_msgs/NavGraph.h"
 #include "kg_msgs/Pathlet.h"
+#include "kg_msgs/Rejection.h"
 #include "kg_msgs/TimedPoint.h"
+#include "kg_selector/greedy_team.h"
 #include "kg_selector/pathlet.h"
+#include "kg_selector/plan_mission.h"
 
 namespace kg_ros {
 
@@ -23,6 +28,7 @@ std::vector<kg_msgs::TimedPoint> ToMessage(
 std::vector<kg_compiler::TimedPoint> FromMessage(
     const std::vector<kg_msgs::TimedPoint>& message);
 
+kg_msgs::EdgeCost CostMessage(const kg_compiler::TraverseEdge& edge);
 kg_msgs::NavGraph ToMessage(const kg_compiler::NavGraph& graph,
                             const kg_compiler::SeamRules& rules);
 
@@ -31,6 +37,12 @@ kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
                            const std::vector<kg_compiler::NavGraph>& graphs);
 kg_selector::Pathlet FromMessage(const kg_msgs::Pathlet& message,
                                  const std::string& agent);
+
+kg_msgs::Rejection ToMessage(const kg_selector::Rejection& rejection,
+                             const std::string& agent_iri);
+// The plan as the selector node commits it, but for header, versions, run and
+// stages.
+kg_msgs::Assignments ToMessage(const kg_selector::PlannedMission& planned);
 
 // Where a track is at a time: before its begin its first point, after its end
 // its last. The track must not be empty.

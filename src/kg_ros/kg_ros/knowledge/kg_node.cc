@@ -38,7 +38,8 @@ KgNode::KgNode(const MissionFolders& folders, const ros::NodeHandle& node,
       server_(folders),
       artifacts_(node_),
       rviz_(node_),
-      queries_(node_, &server_) {
+      queries_(node_, &server_),
+      what_ifs_(node_, &server_) {
   updates_ = node_.advertise<UpdateReport>(kUpdatesTopic, 100, kLatched);
   world_ = node_.advertise<World>(kWorldTopic, 1, kLatched);
   Subscribe();
@@ -331,7 +332,7 @@ void KgNode::HandleAgentState(const kg_msgs::AgentState& message) {
   pose.heading_rad = message.heading_rad;
   pose.time_s = FromRosTime(message.header.stamp);
   pose.energy_left_j = message.energy_left_j;
-  if (!server_.fleet().Observe(message.agent, pose)) {
+  if (!server_.Observe(message.agent, pose)) {
     ROS_WARN_STREAM_THROTTLE(10, "[agents] state of '"
                                      << message.agent
                                      << "' refused: unknown agent or numbers "

@@ -26,6 +26,7 @@
 #include "kg_ros/knowledge/pending_reports.h"
 #include "kg_ros/knowledge/plan_progress.h"
 #include "kg_ros/knowledge/query_server.h"
+#include "kg_ros/knowledge/what_if_server.h"
 #include "ros/node_handle.h"
 #include "ros/timer.h"
 
@@ -82,6 +83,7 @@ class KgNode {
   ArtifactPublisher artifacts_;
   RvizPublisher rviz_;
   QueryServer queries_;
+  WhatIfServer what_ifs_;
   PlanProgress progress_;
   diagnostic_updater::Updater diagnostics_;
 

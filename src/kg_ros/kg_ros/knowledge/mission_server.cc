@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <limits>
-#include <map>
-#include <set>
 #include <utility>
 
 #include "kg_core/base/input_error.h"
@@ -27,7 +24,6 @@ using kg_core::Term;
 using kg_core::Transaction;
 using kg_core::WorldChange;
 
-constexpr double kLeastShareToPlan = 0.25;  // Of a window's duration.
 constexpr std::uint64_t kKeptPlans = 5;
 constexpr double kLongAgo_s = -std::numeric_limits<double>::infinity();
 
@@ -100,7 +96,8 @@ MissionServer::MissionServer(MissionFolders folders)
     : folders_(std::move(folders)),
       files_(folders_.mission, folders_.data),
       store_(OpenStore(folders_.state)),
-      compiler_(&files_) {
+      compiler_(&files_),
+      shared_compiler_(compiler_) {
   const MissionState state = LoadState(*store_->Read());
   LoadVocabulary();
   if (state.mission_folder.empty()) {
@@ -129,7 +126,7 @@ void MissionServer::LoadMission() {
   origin.author = "mission.ttl";
   kg_core::LogUpdate(origin, Now_s(), transaction);
   transaction.Commit(WorldChange::kYes);
-  fleet_.Reset(mission_);
+  start_.fleet.Reset(mission_);
   Save();
 }
 
@@ -141,24 +138,12 @@ void MissionServer::Restore(const MissionState& state) {
   }
   violations_at_start_ = kg_core::Lines(kg_core::Validate(*store_->Read()));
   mission_ = kg_core::ReadMission(*store_->Read());
-  fleet_.Restore(state.poses, state.mission_time_s);
-  fleet_.Follow(mission_);
+  start_.fleet.Restore(state.poses, state.mission_time_s);
+  start_.fleet.Follow(mission_);
   cycle_ = state.cycle;
   plan_run_ = state.plan_run;
-  executed_ = ReadExecuted(*store_->Read(), plan_run_, mission_);
+  start_.executed = ReadExecuted(*store_->Read(), plan_run_, mission_);
   was_restored_ = true;
-}
-
-kg_core::Judgement MissionServer::Stage(const kg_core::FactUpdate& update,
-                                        Transaction& transaction,
-                                        Decision* decision) {
-  kg_core::Judgement judgement = kg_core::JudgeUpdate(update, transaction);
-  if (judgement.reasons.empty() && kg_core::IngestIsDue(transaction)) {
-    const Stopwatch watch;
-    judgement.reasons = kg_core::StageIngest(files_, transaction);
-    decision->ingest_s = watch.seconds();
-  }
-  return judgement;
 }
 
 Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
@@ -166,7 +151,10 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
   Decision decision;
   Transaction transaction = store_->Begin();
   try {
-    decision.reasons = Stage(update, transaction, &decision).reasons;
+    kg_core::StagedUpdate staged =
+        kg_core::StageUpdateWithFiles(update, files_, transaction);
+    decision.reasons = std::move(staged.judgement.reasons);
+    decision.ingest_s = staged.ingest_s;
     if (decision.reasons.empty()) {
       kg_core::Mission mission = kg_core::ReadMission(transaction.view());
       if (!transaction.empty()) {
@@ -174,8 +162,9 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
         transaction.Commit(WorldChange::kYes);
       }
       mission_ = std::move(mission);
-      fleet_.Follow(mission_);
       next_expiry_s_ = kg_core::NextExpiry_s(*Read(), kLongAgo_s);
+      const std::lock_guard<std::mutex> lock(mutex_);
+      start_.fleet.Follow(mission_);
       decision.accepted = true;
     }
   } catch (const std::runtime_error& error) {  // InputError, or no disk space.
@@ -187,7 +176,7 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
 }
 
 Expired MissionServer::Expire() {
-  const double now_s = fleet_.time_s();
+  const double now_s = fleet().time_s();
   kg_core::Expiry expiry = kg_core::FindExpired(*Read(), now_s);
   Expired expired;
   expired.update = std::move(expiry.update);
@@ -200,10 +189,10 @@ Expired MissionServer::Expire() {
 }
 
 kg_core::Judgement MissionServer::Check(const kg_core::FactUpdate& update) {
-  Decision decision;
   Transaction transaction = store_->Begin();
   try {
-    kg_core::Judgement judgement = Stage(update, transaction, &decision);
+    kg_core::Judgement judgement =
+        kg_core::StageUpdateWithFiles(update, files_, transaction).judgement;
     if (judgement.reasons.empty()) kg_core::ReadMission(transaction.view());
     return judgement;
   } catch (const InputError& error) {
@@ -211,71 +200,14 @@ kg_core::Judgement MissionServer::Check(const kg_core::FactUpdate& update) {
   }
 }
 
-int MissionServer::FirstWindowToPlan() const {
-  const int current = current_window();
-  const int count = static_cast<int>(mission_.windows.size());
-  if (current + 1 >= count) return current;
-  const kg_core::TimeWindow& window = mission_.windows[current];
-  const double left_s = window.end_s - fleet_.time_s();
-  const bool worth_it = left_s >= kLeastShareToPlan * window.duration_s();
-  return worth_it ? current : current + 1;
-}
-
-void MissionServer::StartFromPoses(
-    kg_compiler::Compilation* compilation) const {
-  for (kg_compiler::SeamRules& rules : compilation->rules) {
-    const auto pose = fleet_.poses().find(rules.agent_id);
-    if (pose == fleet_.poses().end() || rules.windows.empty()) continue;
-    rules.start = pose->second.position;
-    rules.start_heading_rad = pose->second.heading_rad;
-    if (!std::isnan(pose->second.energy_left_j)) {
-      rules.energy_budget_j = std::max(0.0, pose->second.energy_left_j);
-    }
-    kg_compiler::WindowRules& first = rules.windows.front();
-    const double duration_s = first.end_s - first.begin_s;
-    first.begin_s = fleet_.time_s();
-    first.base_travel_m *= (first.end_s - first.begin_s) / duration_s;
-  }
-}
-
-// An event rewards an agent once, and no more agents than it has capacity for;
-// visits that have been made count.
-void MissionServer::CloseVisitedEvents(
-    kg_compiler::Compilation* compilation) const {
-  std::map<std::string, std::set<std::string>> visitors;  // By event.
-  for (const ExecutedVisit& past : executed_) {
-    for (const std::string& event : past.visit.events) {
-      visitors[event].insert(past.agent_iri);
-    }
-  }
-  std::map<std::string, int>& capacity =
-      compilation->coordination.event_capacity;
-  for (const auto& [event, agents] : visitors) {
-    const auto left = capacity.find(event);
-    if (left == capacity.end()) continue;
-    left->second = std::max(0, left->second - static_cast<int>(agents.size()));
-  }
-  for (kg_compiler::SeamRules& rules : compilation->rules) {
-    const auto is_closed = [&](const kg_compiler::EventRule& event) {
-      const auto left = capacity.find(event.iri);
-      return visitors[event.iri].count(rules.agent_iri) > 0 ||
-             (left != capacity.end() && left->second == 0);
-    };
-    for (kg_compiler::WindowRules& window : rules.windows) {
-      auto& events = window.events;
-      events.erase(std::remove_if(events.begin(), events.end(), is_closed),
-                   events.end());
-    }
-  }
-}
-
 std::shared_ptr<const kg_compiler::Compilation> MissionServer::BeginCycle() {
-  const auto compiled =
-      compiler_.Compile(mission_, store_->world_version(), FirstWindowToPlan());
-  auto started = std::make_shared<kg_compiler::Compilation>(*compiled);
-  StartFromPoses(started.get());
-  CloseVisitedEvents(started.get());
-  compilation_ = started;
+  const auto compiled = compiler_.Compile(mission_, store_->world_version(),
+                                          FirstWindowToPlan(start_, mission_));
+  compilation_ = StartFrom(start_, *compiled);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    shared_compiler_ = compiler_;
+  }
   ++cycle_;
   Save();
   return compilation_;
@@ -286,16 +218,16 @@ void MissionServer::Save() {
   state.mission_folder = folders_.mission;
   state.cycle = cycle_;
   state.plan_run = plan_run_;
-  state.mission_time_s = fleet_.time_s();
+  state.mission_time_s = fleet().time_s();
   state.ended = ended();
-  state.poses = fleet_.poses();
+  state.poses = fleet().poses();
   Transaction transaction = store_->Begin();
   SaveState(state, mission_, transaction);
   transaction.Commit(WorldChange::kNo);
 }
 
 void MissionServer::RecordPlan(PlanRecord record) {
-  record.executed = executed_;
+  record.executed = start_.executed;
   plan_run_ = record.assignments.plan_run;
   Transaction transaction = store_->Begin();
   for (const kg_core::Statement& statement :
@@ -361,9 +293,19 @@ void MissionServer::AddExecuted(ExecutedVisit visit) {
     return known.agent == visit.agent &&
            known.visit.window == visit.visit.window;
   };
-  if (std::none_of(executed_.begin(), executed_.end(), same)) {
-    executed_.push_back(std::move(visit));
-  }
+  if (std::any_of(executed().begin(), executed().end(), same)) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  start_.executed.push_back(std::move(visit));
+}
+
+bool MissionServer::Observe(const std::string& agent, const AgentPose& pose) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return start_.fleet.Observe(agent, pose);
+}
+
+Present MissionServer::present() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return {store_->Read(), start_, shared_compiler_};
 }
 
 }  // namespace kg_ros

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,9 +16,9 @@
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/mission.h"
 #include "kg_core/rdf/store.h"
-#include "kg_ros/knowledge/fleet_state.h"
 #include "kg_ros/knowledge/mission_state.h"
 #include "kg_ros/knowledge/plan_facts.h"
+#include "kg_ros/knowledge/start_state.h"
 
 namespace kg_ros {
 
@@ -58,7 +59,7 @@ class MissionServer {
 
   // Has mission time reached the end of some facts' lives? Takes them back, in
   // an update of its own (kg_core/mission/expiry.h).
-  bool ExpiryIsDue() const { return fleet_.time_s() >= next_expiry_s_; }
+  bool ExpiryIsDue() const { return fleet().time_s() >= next_expiry_s_; }
   Expired Expire();
 
   std::shared_ptr<const kg_core::GraphView> Read() const {
@@ -74,17 +75,17 @@ class MissionServer {
     return violations_at_start_;
   }
 
-  FleetState& fleet() { return fleet_; }
-  const FleetState& fleet() const { return fleet_; }
-  int current_window() const { return fleet_.CurrentWindow(mission_); }
+  // False if the agent is unknown or a number is not finite.
+  bool Observe(const std::string& agent, const AgentPose& pose);
+  const FleetState& fleet() const { return start_.fleet; }
+  int current_window() const { return fleet().CurrentWindow(mission_); }
   bool ended() const {
     return current_window() == static_cast<int>(mission_.windows.size());
   }
 
   // Compiles what is dirty for the windows still to be planned and starts the
-  // next cycle: rules leave from where the agents are now. A current window
-  // with less than a quarter left is not planned any more: agents leave for the
-  // next one at once. Throws kg_core::InputError; then no cycle has begun.
+  // next cycle, from where the agents are now (start_state.h). Throws
+  // kg_core::InputError; then no cycle has begun.
   std::shared_ptr<const kg_compiler::Compilation> BeginCycle();
   std::uint64_t cycle() const { return cycle_; }
 
@@ -97,9 +98,14 @@ class MissionServer {
   // Facts have changed since: says so on the current run.
   void MarkPlanStale();
 
-  // The stops agents made in windows before the planned ones.
-  const std::vector<ExecutedVisit>& executed() const { return executed_; }
+  const std::vector<ExecutedVisit>& executed() const { return start_.executed; }
   void AddExecuted(ExecutedVisit visit);
+
+  // What somebody else needs to think ahead from now. Safe from any thread, as
+  // are Read() and files().
+  Present present() const;
+  kg_core::FileCache* files() { return &files_; }
+
   // Keeps cycle, time and poses for the next start.
   void Save();
   // All windows are flown: the current plan's stops have been made.
@@ -109,12 +115,6 @@ class MissionServer {
   void LoadVocabulary();
   void LoadMission();
   void Restore(const MissionState& state);
-  kg_core::Judgement Stage(const kg_core::FactUpdate& update,
-                           kg_core::Transaction& transaction,
-                           Decision* decision);
-  int FirstWindowToPlan() const;
-  void StartFromPoses(kg_compiler::Compilation* compilation) const;
-  void CloseVisitedEvents(kg_compiler::Compilation* compilation) const;
   void DropOldPlans(kg_core::Transaction* transaction) const;
 
   MissionFolders folders_;
@@ -122,9 +122,11 @@ class MissionServer {
   std::unique_ptr<kg_core::Store> store_;
   kg_compiler::MissionCompiler compiler_;
   kg_core::Mission mission_;
-  FleetState fleet_;
+  // Changed by one thread only, which reads them freely; guarded for present().
+  mutable std::mutex mutex_;
+  StartState start_;
+  kg_compiler::MissionCompiler shared_compiler_;  // As of the last cycle.
   std::shared_ptr<const kg_compiler::Compilation> compilation_;
-  std::vector<ExecutedVisit> executed_;
   std::uint64_t cycle_ = 0;
   std::uint64_t plan_run_ = 0;
   bool was_restored_ = false;

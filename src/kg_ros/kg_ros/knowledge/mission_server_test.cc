@@ -240,7 +240,7 @@ TEST_F(MissionServerTest, ARestartGoesOnWhereItWas) {
     pose.position = {-90.5, 25.6};
     pose.time_s = server.mission().windows[0].begin_s + 1000.0;
     pose.energy_left_j = 123.0;
-    EXPECT_TRUE(server.fleet().Observe("alpha", pose));
+    EXPECT_TRUE(server.Observe("alpha", pose));
     server.Save();
     version = server.world_version();
     cycle = server.cycle();
@@ -270,7 +270,7 @@ TEST_F(MissionServerTest, AfterItsEndAMissionBeginsAnewAndTheOldOneIsKept) {
     AgentPose pose;
     pose.position = {-90.5, 25.6};
     pose.time_s = server.mission().windows.back().end_s;
-    server.fleet().Observe("alpha", pose);
+    server.Observe("alpha", pose);
     ASSERT_TRUE(server.ended());
     server.RecordEnd();
   }
@@ -286,7 +286,7 @@ TEST_F(MissionServerTest, CyclesLeaveFromWhereAgentsAreNow) {
   AgentPose pose;
   pose.position = {-90.6, 25.6};
   pose.time_s = first.begin_s + 0.5 * first.duration_s();
-  server.fleet().Observe("alpha", pose);
+  server.Observe("alpha", pose);
   const auto rules = server.BeginCycle()->rules.at(0);
   EXPECT_EQ(rules.start.lon_deg, -90.6);
   ASSERT_EQ(rules.windows.size(), 2u);
@@ -301,7 +301,7 @@ TEST_F(MissionServerTest, AWindowThatIsNearlyOverIsNotPlannedAnyMore) {
   AgentPose pose;
   pose.position = {-90.6, 25.6};
   pose.time_s = first.begin_s + 0.9 * first.duration_s();
-  server.fleet().Observe("alpha", pose);
+  server.Observe("alpha", pose);
   const auto rules = server.BeginCycle()->rules.at(0);
   ASSERT_EQ(rules.windows.size(), 1u);
   EXPECT_EQ(rules.windows[0].window, 1);

@@ -23,7 +23,9 @@ std::string DirtyHash(const kg_compiler::Compilation& compilation,
   return "";
 }
 
-std::vector<kg_msgs::DirtyArtifact> ToMessage(
+}  // namespace
+
+std::vector<kg_msgs::DirtyArtifact> DirtyMessages(
     const kg_compiler::Compilation& compilation) {
   std::vector<kg_msgs::DirtyArtifact> messages;
   for (const kg_compiler::DirtyArtifact& dirty : compilation.dirty) {
@@ -38,8 +40,6 @@ std::vector<kg_msgs::DirtyArtifact> ToMessage(
   return messages;
 }
 
-}  // namespace
-
 kg_msgs::StageTime Stage(const std::string& name, double seconds,
                          std::size_t count) {
   kg_msgs::StageTime stage;
@@ -53,7 +53,7 @@ void PendingReports::Compiled(const kg_compiler::Compilation& compilation,
                               const double compile_s, const double publish_s) {
   for (UpdateReport& report : reports_) {
     if (!report.dirty.empty()) continue;
-    report.dirty = ToMessage(compilation);
+    report.dirty = DirtyMessages(compilation);
     report.stages.push_back(
         Stage("compile", compile_s, compilation.dirty.size()));
     report.stages.push_back(Stage("publish", publish_s, 0));

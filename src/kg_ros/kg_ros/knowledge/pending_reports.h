@@ -11,10 +11,15 @@
 
 #include "kg_compiler/mission_compiler.h"
 #include "kg_msgs/Assignments.h"
+#include "kg_msgs/DirtyArtifact.h"
 #include "kg_msgs/StageTime.h"
 #include "kg_msgs/UpdateReport.h"
 
 namespace kg_ros {
+
+// What `compilation` made anew.
+std::vector<kg_msgs::DirtyArtifact> DirtyMessages(
+    const kg_compiler::Compilation& compilation);
 
 kg_msgs::StageTime Stage(const std::string& name, double seconds,
                          std::size_t count);

@@ -234,7 +234,28 @@ void WriteTensor(const kg_compiler::MissionTensor& tensor,
   }
 }
 
+void WriteEdgeCost(const Term& edge, const std::string& agent_iri,
+                   const kg_msgs::EdgeCost& cost, Writer* write) {
+  write->About(Iri(edge.text + "/cost"), "EdgeCost")
+      .Link("forEdge", edge)
+      .Link("forAgent", Iri(agent_iri));
+  WriteCost(cost, write);
+}
+
 }  // namespace
+
+Term EdgeNode(const std::string& graph_hash, unsigned from, unsigned to) {
+  return Iri(NavGraphNode(graph_hash).text + "/edge/" + std::to_string(from) +
+             "-" + std::to_string(to));
+}
+
+std::vector<Statement> EdgeCostStatements(const Term& graph, const Term& edge,
+                                          const std::string& agent_iri,
+                                          const kg_msgs::EdgeCost& cost) {
+  Writer write(graph);
+  WriteEdgeCost(edge, agent_iri, cost, &write);
+  return write.Take();
+}
 
 Term PlanGraph(unsigned long long run) {
   return Iri(kg_core::kPlanGraphPrefix + std::to_string(run));
@@ -286,9 +307,7 @@ std::vector<Statement> NavGraphStatements(const kg_msgs::NavGraph& graph,
              WktLiteral(GetPosition(waypoint)));
   }
   for (const kg_msgs::TraverseEdge& edge : graph.edges) {
-    const Term edge_node =
-        Iri(node.text + "/edge/" + std::to_string(edge.from) + "-" +
-            std::to_string(edge.to));
+    const Term edge_node = EdgeNode(graph.hash, edge.from, edge.to);
     const Term from =
         place.previous_hash.empty()
             ? Iri(place.start_iri)
@@ -297,10 +316,7 @@ std::vector<Statement> NavGraphStatements(const kg_msgs::NavGraph& graph,
         .Link("inGraph", node)
         .Link("from", from)
         .Link("to", WaypointNode(node, edge.to));
-    write.About(Iri(edge_node.text + "/cost"), "EdgeCost")
-        .Link("forEdge", edge_node)
-        .Link("forAgent", Iri(graph.agent_iri));
-    WriteCost(edge.cost, &write);
+    WriteEdgeCost(edge_node, graph.agent_iri, edge.cost, &write);
   }
   return write.Take();
 }

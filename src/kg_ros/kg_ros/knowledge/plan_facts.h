@@ -46,6 +46,10 @@ struct PlanRecord {
 kg_core::Term PlanGraph(unsigned long long run);
 kg_core::Term PlanRunNode(unsigned long long run);
 
+// An edge of the graph with this hash, from and to its waypoints.
+kg_core::Term EdgeNode(const std::string& graph_hash, unsigned from,
+                       unsigned to);
+
 // The run, its assignments and rejections, and the tensors it used.
 std::vector<kg_core::Statement> PlanStatements(
     const PlanRecord& record, const kg_compiler::Compilation& compilation);
@@ -61,6 +65,11 @@ struct NavGraphPlace {
 // Waypoints, edges and edge costs of one graph.
 std::vector<kg_core::Statement> NavGraphStatements(
     const kg_msgs::NavGraph& graph, const NavGraphPlace& place);
+
+// One ex:EdgeCost, in `graph`.
+std::vector<kg_core::Statement> EdgeCostStatements(
+    const kg_core::Term& graph, const kg_core::Term& edge,
+    const std::string& agent_iri, const kg_msgs::EdgeCost& cost);
 
 // The executed stops that the graph of `run` holds, by agent and window.
 std::vector<ExecutedVisit> ReadExecuted(const kg_core::GraphView& view,

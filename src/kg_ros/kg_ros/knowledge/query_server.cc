@@ -6,7 +6,6 @@
 #include "kg_core/sparql/query_engine.h"
 #include "kg_core/sparql/results.h"
 #include "kg_msgs/Export.h"
-#include "kg_msgs/WhatIf.h"
 #include "kg_msgs/Why.h"
 #include "kg_ros/base/names.h"
 #include "kg_ros/knowledge/mission_server.h"
@@ -51,14 +50,6 @@ QueryServer::QueryServer(const ros::NodeHandle& node,
         return true;
       };
   services_.push_back(node_.advertiseService(kWhyService, why));
-  const boost::function<bool(kg_msgs::WhatIf::Request&,
-                             kg_msgs::WhatIf::Response&)>
-      what_if =
-          [](kg_msgs::WhatIf::Request&, kg_msgs::WhatIf::Response& response) {
-            response.errors = {kNotAvailable};
-            return true;
-          };
-  services_.push_back(node_.advertiseService(kWhatIfService, what_if));
   const boost::function<bool(kg_msgs::Export::Request&,
                              kg_msgs::Export::Response&)>
       do_export =

@@ -12,6 +12,7 @@
 #include "kg_ros/conversion/tensor_conversion.h"
 #include "kg_ros/knowledge/pending_reports.h"
 #include "kg_selector/masking.h"
+#include "kg_selector/plan_team.h"
 #include "ros/time.h"
 
 namespace kg_ros {
@@ -147,8 +148,7 @@ kg_msgs::Candidates PlannerServer::Stitch(
                   graphs_));
   }
   if (best.paths.empty()) {
-    candidates.note = cooling.empty() ? "no path leads through all windows"
-                                      : "no path is left beside the others'";
+    candidates.note = kg_selector::NoPathNote(cooling.empty());
   }
   return candidates;
 }

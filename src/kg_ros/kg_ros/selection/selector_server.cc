@@ -152,20 +152,9 @@ kg_msgs::Rejections SelectorServer::End() const {
   kg_msgs::Rejections message = Header<kg_msgs::Rejections>();
   message.round = 0;
   for (const Rejection& rejection : team_->rejections()) {
-    kg_msgs::Rejection one;
-    one.agent = rejection.pathlet.agent;
-    const auto offered = offered_.find(one.agent);
-    if (offered != offered_.end()) one.agent_iri = offered->second.agent_iri;
-    one.rank = rejection.pathlet.rank;
-    one.round = rejection.round;
-    one.score = rejection.pathlet.score();
-    one.kind = kg_selector::Name(rejection.conflict.kind);
-    one.to_agent = rejection.conflict.with_agent;
-    one.window = rejection.conflict.window;
-    one.event = rejection.conflict.event;
-    one.margin = rejection.conflict.margin;
-    one.reason = rejection.reason;
-    message.rejections.push_back(one);
+    const auto offered = offered_.find(rejection.pathlet.agent);
+    message.rejections.push_back(ToMessage(
+        rejection, offered == offered_.end() ? "" : offered->second.agent_iri));
   }
   return message;
 }

@@ -1,0 +1,9 @@
+# What if every agent's energy budget were reduced by 30 %?
+# To be asked with what_if_energy_budget.rq.
+PREFIX ex: <http://example.org/mission/>
+DELETE { ?can ex:energyBudget ?budget_wh }
+INSERT { ?can ex:energyBudget ?less_wh }
+WHERE {
+  ?can a ex:AgentCapabilities ; ex:energyBudget ?budget_wh .
+  BIND(0.7 * ?budget_wh AS ?less_wh)
+}

@@ -1,0 +1,114 @@
+#include "kg_ros/knowledge/edge_prices.h"
+
+#include <array>
+#include <map>
+#include <utility>
+
+#include "kg_compiler/window_sea.h"
+#include "kg_core/base/parallel.h"
+
+namespace kg_ros {
+namespace {
+
+using kg_compiler::NavGraph;
+using kg_compiler::SeamRules;
+using kg_compiler::TraverseEdge;
+using kg_compiler::Way;
+using kg_selector::TeamMember;
+
+Way WayOf(const TeamMember& member, std::size_t window,
+          const TraverseEdge& edge) {
+  return {BeginOf(member, window, edge),
+          member.graphs[window].waypoints[edge.to].position};
+}
+
+using Ends = std::array<double, 4>;
+Ends EndsOf(const Way& way) {
+  return {way.from.lon_deg, way.from.lat_deg, way.to.lon_deg, way.to.lat_deg};
+}
+
+std::optional<std::size_t> PlaceOf(const SeamRules& rules, int window) {
+  for (std::size_t i = 0; i < rules.windows.size(); ++i) {
+    if (rules.windows[i].window == window) return i;
+  }
+  return std::nullopt;
+}
+
+// The edges of one graph, by their ends.
+std::map<Ends, const TraverseEdge*> KnownPrices(const TeamMember& member,
+                                                std::size_t window) {
+  std::map<Ends, const TraverseEdge*> known;
+  if (member.graphs.empty()) return known;
+  for (const TraverseEdge& edge : member.graphs[window].edges) {
+    known[EndsOf(WayOf(member, window, edge))] = &edge;
+  }
+  return known;
+}
+
+}  // namespace
+
+kg_core::LonLat BeginOf(const TeamMember& member, std::size_t window,
+                        const TraverseEdge& edge) {
+  if (window == 0) return member.rules.start;
+  return member.graphs[window - 1].waypoints[edge.from].position;
+}
+
+EdgePrices::EdgePrices(const kg_selector::PlannedMission& now,
+                       const PlannedWorld& then)
+    : now_(now), prices_(now.members.size()) {
+  std::vector<std::pair<std::size_t, std::size_t>> jobs;
+  for (std::size_t i = 0; i < now.members.size(); ++i) {
+    prices_[i].resize(now.members[i].graphs.size());
+    for (std::size_t w = 0; w < prices_[i].size(); ++w) jobs.push_back({i, w});
+  }
+  kg_core::ForEachInParallel(jobs.size(), [&](std::size_t job) {
+    const auto [i, w] = jobs[job];
+    prices_[i][w] = PriceWindow(now.members[i], w, then);
+  });
+}
+
+EdgePrices::WindowPrices EdgePrices::PriceWindow(
+    const TeamMember& member, std::size_t window,
+    const PlannedWorld& then) const {
+  WindowPrices prices;
+  const NavGraph& graph = member.graphs[window];
+  prices.then.resize(graph.edges.size());
+  const TeamMember* other = then.planned.FindMember(NameOf(member));
+  if (other == nullptr) return prices;
+  const auto place = PlaceOf(other->rules, graph.window);
+  if (!place) return prices;
+  prices.same =
+      !other->graphs.empty() && other->graphs[*place].hash == graph.hash;
+  if (prices.same) return prices;
+  const auto known = KnownPrices(*other, *place);
+  std::vector<Way> ways;
+  std::vector<std::size_t> unknown;
+  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+    const Way way = WayOf(member, window, graph.edges[i]);
+    const auto found = known.find(EndsOf(way));
+    if (found != known.end()) {
+      prices.then[i] = *found->second;
+    } else {
+      ways.push_back(way);
+      unknown.push_back(i);
+    }
+  }
+  if (ways.empty()) return prices;
+  const auto worlds = kg_selector::WorldsOf(*then.compilation, other->rules);
+  const kg_compiler::WindowSea sea(other->rules, other->rules.windows[*place],
+                                   worlds[*place]);
+  auto flown = kg_compiler::PriceWays(sea, ways);
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    prices.then[unknown[i]] = std::move(flown[i]);
+  }
+  return prices;
+}
+
+const TraverseEdge* EdgePrices::Then(std::size_t member, std::size_t window,
+                                     std::size_t edge) const {
+  const WindowPrices& prices = prices_[member][window];
+  if (prices.same) return &now_.members[member].graphs[window].edges[edge];
+  return prices.then[edge] ? &*prices.then[edge] : nullptr;
+}
+
+}  // namespace kg_ros

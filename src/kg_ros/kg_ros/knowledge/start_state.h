@@ -1,0 +1,44 @@
+// Where a cycle, or a what-if, begins from beside the facts: where the agents
+// are, how far the mission has come, and what they have done already.
+
+#ifndef KG_ROS_KNOWLEDGE_START_STATE_H_
+#define KG_ROS_KNOWLEDGE_START_STATE_H_
+
+#include <memory>
+#include <vector>
+
+#include "kg_compiler/mission_compiler.h"
+#include "kg_core/mission/mission.h"
+#include "kg_core/rdf/graph_view.h"
+#include "kg_ros/knowledge/fleet_state.h"
+#include "kg_ros/knowledge/plan_facts.h"
+
+namespace kg_ros {
+
+struct StartState {
+  FleetState fleet;
+  // The stops agents made in windows before the planned ones.
+  std::vector<ExecutedVisit> executed;
+};
+
+// A current window with less than a quarter left is not planned any more:
+// agents leave for the next one at once.
+int FirstWindowToPlan(const StartState& start, const kg_core::Mission& mission);
+
+// The compilation with rules that leave from where the agents are, with the
+// energy they have left, and without what their past visits have closed: an
+// event rewards an agent once, and no more agents than it has capacity for.
+std::shared_ptr<const kg_compiler::Compilation> StartFrom(
+    const StartState& start, const kg_compiler::Compilation& compilation);
+
+// The world of one moment: its facts, where the agents are, and what has been
+// compiled of it so far.
+struct Present {
+  std::shared_ptr<const kg_core::GraphView> facts;
+  StartState start;
+  kg_compiler::MissionCompiler compiler;
+};
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_KNOWLEDGE_START_STATE_H_

@@ -1,0 +1,104 @@
+#include "kg_ros/knowledge/what_if_facts.h"
+
+#include <chrono>
+#include <utility>
+
+#include "kg_core/rdf/namespaces.h"
+#include "kg_ros/conversion/plan_conversion.h"
+
+namespace kg_ros {
+namespace {
+
+using kg_core::Statement;
+using kg_selector::TeamMember;
+
+kg_core::Term GraphNamed(const std::string& name) {
+  return kg_core::Iri(kg_core::kPlanGraphPrefix + name);
+}
+
+double Now_s() {
+  return std::chrono::duration<double>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+void AddAll(std::vector<Statement> statements, const std::string& graph,
+            kg_core::Transaction* transaction) {
+  const kg_core::Term name = GraphNamed(graph);
+  for (Statement& statement : statements) {
+    statement.graph = name;
+    transaction->Add(statement);
+  }
+}
+
+PlanRecord RecordOf(const PlannedWorld& world, const HypotheticalRun& run) {
+  PlanRecord record;
+  record.assignments = ToMessage(world.planned);
+  record.assignments.plan_run = run.number;
+  record.assignments.world_version = world.compilation->world_version;
+  record.executed = run.executed;
+  for (const kg_selector::Rejection& rejection :
+       world.planned.plan.rejections) {
+    const TeamMember* member =
+        world.planned.FindMember(rejection.pathlet.agent);
+    record.rejections.push_back(ToMessage(rejection, member->rules.agent_iri));
+  }
+  for (const TeamMember& member : world.planned.members) {
+    for (const kg_compiler::NavGraph& graph : member.graphs) {
+      record.nav_graph_hashes[{NameOf(member), graph.window}] = graph.hash;
+    }
+  }
+  record.started_s = record.ended_s = Now_s();
+  return record;
+}
+
+void RecordGraphs(const PlannedWorld& world, const TeamMember& member,
+                  const HypotheticalRun& run,
+                  kg_core::Transaction* transaction) {
+  NavGraphPlace place;
+  place.run = run.number;
+  const kg_core::Mission& mission = world.compilation->mission;
+  const kg_core::Agent* agent = mission.FindAgent(member.rules.agent_iri);
+  if (agent != nullptr) place.start_iri = agent->start_iri;
+  for (const kg_compiler::NavGraph& graph : member.graphs) {
+    for (const kg_core::TimeWindow& window : mission.windows) {
+      if (window.index == graph.window) place.window_iri = window.iri;
+    }
+    AddAll(NavGraphStatements(ToMessage(graph, member.rules), place), run.graph,
+           transaction);
+    place.previous_hash = graph.hash;
+  }
+}
+
+}  // namespace
+
+void RecordPlannedWorld(const PlannedWorld& world, const HypotheticalRun& run,
+                        kg_core::Transaction* transaction) {
+  AddAll(PlanStatements(RecordOf(world, run), *world.compilation), run.graph,
+         transaction);
+  for (const TeamMember& member : world.planned.members) {
+    RecordGraphs(world, member, run, transaction);
+  }
+}
+
+void RecordPrices(const kg_selector::PlannedMission& now,
+                  const EdgePrices& prices, const std::string& graph,
+                  kg_core::Transaction* transaction) {
+  for (std::size_t i = 0; i < now.members.size(); ++i) {
+    const TeamMember& member = now.members[i];
+    for (std::size_t w = 0; w < member.graphs.size(); ++w) {
+      const kg_compiler::NavGraph& edges = member.graphs[w];
+      for (std::size_t e = 0; e < edges.edges.size(); ++e) {
+        const kg_compiler::TraverseEdge* then = prices.Then(i, w, e);
+        if (then == nullptr) continue;
+        AddAll(EdgeCostStatements(
+                   GraphNamed(graph),
+                   EdgeNode(edges.hash, edges.edges[e].from, edges.edges[e].to),
+                   edges.agent_iri, CostMessage(*then)),
+               graph, transaction);
+      }
+    }
+  }
+}
+
+}  // namespace kg_ros

@@ -1,0 +1,40 @@
+// Answers kg/what_if on a thread of its own, one question after the other:
+// facts are taken and cycles planned meanwhile.
+
+#ifndef KG_ROS_KNOWLEDGE_WHAT_IF_SERVER_H_
+#define KG_ROS_KNOWLEDGE_WHAT_IF_SERVER_H_
+
+#include "kg_msgs/WhatIf.h"
+#include "kg_ros/knowledge/what_if.h"
+#include "ros/callback_queue.h"
+#include "ros/node_handle.h"
+#include "ros/service_server.h"
+#include "ros/spinner.h"
+
+namespace kg_ros {
+
+class MissionServer;
+
+class WhatIfServer {
+ public:
+  // `server` must outlive this; only present() and files() are used.
+  WhatIfServer(const ros::NodeHandle& node, MissionServer* server);
+  ~WhatIfServer();
+  WhatIfServer(const WhatIfServer&) = delete;
+  WhatIfServer& operator=(const WhatIfServer&) = delete;
+
+ private:
+  bool Handle(kg_msgs::WhatIf::Request& request,
+              kg_msgs::WhatIf::Response& response);
+
+  ros::CallbackQueue queue_;
+  ros::NodeHandle node_;
+  const MissionServer* server_;
+  WhatIf what_if_;
+  ros::ServiceServer service_;
+  ros::AsyncSpinner spinner_;
+};
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_KNOWLEDGE_WHAT_IF_SERVER_H_

@@ -1,0 +1,48 @@
+// From a compilation to a team plan in one process: what the planner nodes and
+// the selector node do together, for what-ifs, explanations and benchmarks.
+// What comes out is what the nodes commit for the same compilation.
+
+#ifndef KG_SELECTOR_PLAN_MISSION_H_
+#define KG_SELECTOR_PLAN_MISSION_H_
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "kg_compiler/mission_compiler.h"
+#include "kg_selector/plan_team.h"
+
+namespace kg_selector {
+
+// Keeps what the plan was made from, so that others can ask about it. Agents
+// are named by their ex:id.
+struct PlannedMission {
+  TeamRules rules;
+  // In the order of the compilation's rules.
+  std::vector<TeamMember> members;
+  // Why an agent has no graphs, e.g. it starts on land. By ex:id.
+  std::map<std::string, std::string> unplannable;
+  TeamPlan plan;
+
+  // Null = not of the mission, or without a path.
+  const TeamMember* FindMember(const std::string& agent) const;
+  const Pathlet* FindPath(const std::string& agent) const;
+};
+
+// The team's rules as the selector node reads them.
+TeamRules ToTeamRules(const kg_compiler::CoordinationRules& rules);
+
+// The rasters of `rules`, in the order of its windows. Throws std::logic_error
+// if they are not of `compilation`.
+std::vector<kg_compiler::WindowWorld> WorldsOf(
+    const kg_compiler::Compilation& compilation,
+    const kg_compiler::SeamRules& rules);
+
+// Plans what `compilation` says, agents side by side on the machine's cores.
+// Graphs of `previous` (may be null) whose inputs are the same are taken over.
+PlannedMission PlanMission(const kg_compiler::Compilation& compilation,
+                           const PlannedMission* previous);
+
+}  // namespace kg_selector
+
+#endif  // KG_SELECTOR_PLAN_MISSION_H_
