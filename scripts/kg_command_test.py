@@ -9,10 +9,15 @@ import re
 import shutil
 import sqlite3
 import subprocess
+import sys
 import tempfile
 import unittest
 
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(REPOSITORY / "src/mission/test"))
+
+import small_mission  # After its folder is known.
+
 PROGRAM = REPOSITORY / "devel/lib/kg_ros/kg"
 MISSIONS = REPOSITORY / "config/missions"
 SUITES = pathlib.Path(os.environ.get(
@@ -143,6 +148,40 @@ class AMissionFolder(KgTestCase):
         refused = kg(*change, "ex:nosuch", "--check")
         self.assertEqual(1, refused.returncode)
         self.assertIn("refused: ", refused.stderr)
+
+
+class AMissionWithItsFiles(KgTestCase):
+
+    def setUp(self):
+        super().setUp()
+        self.mission = self.folder / "small"
+        self.mission.mkdir()
+        small_mission.write_mission(self.mission)
+
+    def test_says_what_its_files_say(self):
+        self.assertEqual("yes", self.ask(self.mission, (
+            "ASK { ?field a ex:CurrentField ; ex:forWindow ex:w0 ; "
+            "prov:wasDerivedFrom ?file . ?file ex:sha256 ?hash }")))
+
+    def test_becomes_a_state_folder_with_the_same_facts(self):
+        state = self.folder / "state"
+        state.mkdir()
+        self.kg("import", state / "store.db", self.mission / "mission.ttl",
+                "--data", self.mission)
+        self.assertEqual("0 violations\n", self.kg("validate", state))
+        facts = ["--graph", "graph:facts", "--format", "ntriples"]
+        self.assertEqual(self.kg("export", self.mission, *facts),
+                         self.kg("export", state, *facts))
+        before = self.kg("export", state, "--format", "nquads")
+        later = ["set", "ex:w0", "time:hasBeginning",
+                 '"2026-06-02T01:00:00Z"^^xsd:dateTime']
+        without = kg("update", state, *later)
+        self.assertEqual(1, without.returncode)
+        self.assertIn('refused: ex:currents: file "ocean.nc"', without.stderr)
+        self.assertEqual(before, self.kg("export", state, "--format", "nquads"))
+        self.kg("update", state, *later, "--data", self.mission)
+        self.assertEqual("yes", self.ask(
+            state, "ASK { ?field a ex:CurrentField ; ex:forWindow ex:w0 }"))
 
 
 class Facts(KgTestCase):
