@@ -38,7 +38,7 @@ Answer IsLiteralTerm(FunctionContext&, const Arguments& a) {
 }
 
 Answer IsNumericTerm(FunctionContext&, const Arguments& a) {
-  return BooleanLiteral(ToNumber(*a[0]).has_value());
+  return BooleanLiteral(NumericValue(*a[0]).has_value());
 }
 
 // https://www.w3.org/TR/sparql11-query/#func-iri

@@ -206,8 +206,8 @@ Expression Grammar::ReadIriExpression() {
   if (function != nullptr) return ReadCall(*function, position);
   if (query_.unavailable.empty()) {
     query_.unavailable = std::to_string(position.line) + ":" +
-                              std::to_string(position.column) + ": function <" +
-                              iri + "> is not known";
+                         std::to_string(position.column) + ": function <" +
+                         iri + "> is not known";
   }
   return Of(Op::kCall, ReadArguments());
 }

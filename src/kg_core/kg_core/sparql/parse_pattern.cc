@@ -149,7 +149,7 @@ Pattern Grammar::ReadService() {
   } else {
     ReadIri();
   }
-  Pattern inner = ReadGroupPattern();
+  const Pattern inner = ReadGroupPattern();
   query_.unavailable = before;
   if (!silent && before.empty()) {
     query_.unavailable = std::to_string(position.line) + ":" +
@@ -157,12 +157,10 @@ Pattern Grammar::ReadService() {
                          ": SERVICE is not available: a query reads this store "
                          "only";
   }
-  Pattern pattern =
-      Binary(Pattern::Kind::kLeftJoin, Pattern(), std::move(inner));
-  Expression never;
-  never.index = ConstantNumber(BooleanLiteral(false));
-  pattern.filters.push_back(std::move(never));
-  return pattern;
+  Pattern nothing;
+  nothing.kind = Pattern::Kind::kValues;
+  nothing.variables = VisibleVariables(inner).Members();
+  return Binary(Pattern::Kind::kLeftJoin, Pattern(), std::move(nothing));
 }
 
 // [67] GroupOrUnionGraphPattern

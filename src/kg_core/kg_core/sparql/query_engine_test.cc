@@ -269,6 +269,13 @@ TEST(QueryEngine, KnowsTheFunctions) {
       {"LANGMATCHES('en-GB', 'en')", "true"},
       {"STRDT('1', xsd:byte) + 1", "2"},
       {"isNumeric('x'^^xsd:integer)", "false"},
+      {"isNumeric('1200'^^xsd:byte)", "false"},
+      {"isNumeric('-120'^^xsd:byte) && isNumeric('INF'^^xsd:float)", "true"},
+      {"REGEX('helloworld', 'hello world', 'x')", "true"},
+      {"REGEX('helloworld', 'hello[ ]world', 'x')", "false"},
+      {"REGEX('hello world', 'hello\\\\ sworld', 'x')", "true"},
+      {"REGEX('a#b', 'a # b', 'x')", "true"},
+      {"REGEX('a b', 'a b', 'xq')", "true"},
   };
   for (const auto& [expression, value] : kCases) {
     EXPECT_EQ(Value(expression), value) << expression;

@@ -37,8 +37,7 @@ std::optional<std::uint32_t> OptionsOf(const std::string& flags) {
       case 'i':
         options |= PCRE2_CASELESS;
         break;
-      case 'x':
-        options |= PCRE2_EXTENDED;
+      case 'x':  // See WithoutSpace.
         break;
       case 'q':
         literal = true;
@@ -49,6 +48,29 @@ std::optional<std::uint32_t> OptionsOf(const std::string& flags) {
   }
   if (!literal) return options | PCRE2_DOLLAR_ENDONLY;
   return PCRE2_LITERAL | PCRE2_UTF | (options & PCRE2_CASELESS);
+}
+
+bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+// The pattern of flag x: white space is taken out, but for that within
+// character classes. PCRE2's own flag would also read comments and keep spaces
+// behind a backslash.
+std::string WithoutSpace(const std::string& pattern) {
+  std::string out;
+  int classes = 0;
+  bool is_escaped = false;
+  for (const char c : pattern) {
+    if (classes == 0 && IsSpace(c)) continue;
+    if (!is_escaped && c == '[') ++classes;
+    if (!is_escaped && c == ']' && classes > 0) --classes;
+    is_escaped = !is_escaped && c == '\\';
+    out.push_back(c);
+  }
+  return out;
+}
+
+bool Has(const std::string& flags, char flag) {
+  return flags.find(flag) != std::string::npos;
 }
 
 PCRE2_SPTR Bytes(const std::string& text) {
@@ -137,7 +159,9 @@ const Regex* RegexCache::Compile(const std::string& pattern,
   std::unique_ptr<Regex> regex;
   const std::optional<std::uint32_t> options = OptionsOf(flags);
   if (options && pattern.size() <= kPatternLimit_bytes) {
-    regex = std::make_unique<Regex>(pattern, *options);
+    const bool is_spaced = Has(flags, 'x') && !Has(flags, 'q');
+    regex = std::make_unique<Regex>(is_spaced ? WithoutSpace(pattern) : pattern,
+                                    *options);
     if (!regex->ok()) regex.reset();
   }
   if (compiled_.size() >= 1000) compiled_.clear();

@@ -1,0 +1,65 @@
+#include "kg_ros/command/change.h"
+
+#include <chrono>
+#include <iostream>
+
+#include "kg_core/mission/ingest.h"
+#include "kg_core/rdf/namespaces.h"
+#include "kg_ros/command/command.h"
+#include "kg_ros/knowledge/mission_state.h"
+#include "kg_ros/knowledge/plan_facts.h"
+
+namespace kg_ros::command {
+namespace {
+
+double Now_s() {
+  return std::chrono::duration<double>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+void MarkPlanStale(kg_core::Transaction* transaction) {
+  const std::uint64_t run = LoadState(transaction->view()).plan_run;
+  if (run == 0) return;
+  const kg_core::Term node = PlanRunNode(run);
+  const kg_core::Term graph = PlanGraph(run);
+  const kg_core::Term status =
+      kg_core::Iri(std::string(kg_core::kEx) + "status");
+  transaction->RemoveMatching(&node, &status, nullptr, graph);
+  transaction->Add({node, status, kg_core::Literal("stale"), graph});
+}
+
+}  // namespace
+
+std::vector<std::string> Stage(const kg_core::FactUpdate& update,
+                               const std::string& data_folder,
+                               const Target& target,
+                               kg_core::Transaction* transaction) {
+  std::vector<std::string> reasons = kg_core::StageUpdate(update, *transaction);
+  if (reasons.empty() && kg_core::IngestIsDue(*transaction)) {
+    kg_core::FileCache files(target.mission_folder, data_folder);
+    reasons = kg_core::StageIngest(files, *transaction);
+  }
+  if (reasons.empty() && !transaction->empty()) {
+    kg_core::LogUpdate(update, Now_s(), *transaction);
+    MarkPlanStale(transaction);
+  }
+  return reasons;
+}
+
+int Finish(const std::vector<std::string>& reasons,
+           kg_core::Transaction* transaction) {
+  for (const std::string& reason : reasons) {
+    std::cerr << "refused: " << reason << "\n";
+  }
+  if (!reasons.empty()) return kRefused;
+  if (transaction->empty()) {
+    std::cout << "nothing to change\n";
+    return kDone;
+  }
+  const std::uint64_t version = transaction->Commit(kg_core::WorldChange::kYes);
+  std::cout << "world version " << version << "\n";
+  return kDone;
+}
+
+}  // namespace kg_ros::command
