@@ -36,9 +36,24 @@ std::string LocalName(const Term& term) {
   return term.text.substr(term.text.find_last_of("/#") + 1);
 }
 
-// Subjects whose `property` the transaction changes.
-std::set<Term> Changed(const Transaction& transaction, const Term& property) {
+std::set<Term> Having(const GraphView& view, const Term& property) {
   std::set<Term> subjects;
+  const Quad pattern{kNoTerm, view.Find(property), kNoTerm, view.Find(Facts())};
+  if (pattern.predicate == kNoTerm || pattern.graph == kNoTerm) return subjects;
+  view.Match(pattern, [&](const Quad& quad) {
+    subjects.insert(view.Get(quad.subject));
+    return true;
+  });
+  return subjects;
+}
+
+// Subjects whose `property` the transaction changes; kAll: and that have it.
+std::set<Term> Changed(const Transaction& transaction, const Term& property,
+                       DerivedScope scope) {
+  std::set<Term> subjects;
+  if (scope == DerivedScope::kAll) {
+    subjects = Having(transaction.view(), property);
+  }
   for (const auto& statements : {transaction.added(), transaction.removed()}) {
     for (const Statement& statement : statements) {
       if (statement.predicate == property && statement.graph == Facts()) {
@@ -155,9 +170,10 @@ class JsonExpansion {
   Transaction& transaction_;
 };
 
-void ExpandJson(Transaction& transaction, std::vector<std::string>& reasons) {
+void ExpandJson(Transaction& transaction, DerivedScope scope,
+                std::vector<std::string>& reasons) {
   for (const JsonProperty& kind : kJsonProperties) {
-    for (const Term& policy : Changed(transaction, Ex(kind.property))) {
+    for (const Term& policy : Changed(transaction, Ex(kind.property), scope)) {
       try {
         JsonExpansion(kind, transaction).Expand(policy);
       } catch (const InputError& error) {
@@ -195,22 +211,29 @@ void RenewGeometryNode(Transaction& transaction, const Term& feature) {
   CopyWkt(transaction, feature, node);
 }
 
-void KeepGeometries(Transaction& transaction) {
-  const std::set<Term> changed = Changed(transaction, GeoTerm("asWKT"));
-  const std::set<Term> linked = Changed(transaction, GeoTerm("hasGeometry"));
+// Also one that RenewGeometryNode has just made.
+bool IsGeometryNode(const GraphView& view, const Term& subject) {
+  return Has(view, kFactsGraph, subject, RdfType(), GeoTerm("Geometry"));
+}
+
+void KeepGeometries(Transaction& transaction, DerivedScope scope) {
+  const std::set<Term> changed = Changed(transaction, GeoTerm("asWKT"), scope);
+  const std::set<Term> linked =
+      Changed(transaction, GeoTerm("hasGeometry"), scope);
   std::set<Term> features;
   std::set<Term> owners = linked;
   for (const Term& subject : changed) {
     const std::vector<Term> of = Subjects(transaction.view(), kFactsGraph,
                                           GeoTerm("hasGeometry"), subject);
     const bool is_node =
-        !of.empty() || Has(transaction.view(), kFactsGraph, subject, RdfType(),
-                           GeoTerm("Geometry"));
+        !of.empty() || IsGeometryNode(transaction.view(), subject);
     if (!is_node) features.insert(subject);
     owners.insert(of.begin(), of.end());
   }
   for (const Term& feature : features) {
-    if (feature.is_iri()) RenewGeometryNode(transaction, feature);
+    if (feature.is_iri() && !IsGeometryNode(transaction.view(), feature)) {
+      RenewGeometryNode(transaction, feature);
+    }
   }
   for (const Term& owner : owners) {
     if (features.count(owner) != 0) continue;
@@ -222,10 +245,11 @@ void KeepGeometries(Transaction& transaction) {
 
 }  // namespace
 
-std::vector<std::string> StageDerivedFacts(Transaction& transaction) {
+std::vector<std::string> StageDerivedFacts(Transaction& transaction,
+                                           DerivedScope scope) {
   std::vector<std::string> reasons;
-  ExpandJson(transaction, reasons);
-  KeepGeometries(transaction);
+  ExpandJson(transaction, scope, reasons);
+  KeepGeometries(transaction, scope);
   return reasons;
 }
 

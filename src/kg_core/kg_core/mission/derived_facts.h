@@ -19,9 +19,13 @@
 
 namespace kg_core {
 
+// kAll: as if every fact were new.
+enum class DerivedScope { kChanged, kAll };
+
 // Brings them up to date with what `transaction` changed in the facts. Returns
 // reasons why it cannot: JSON that is none, a name that nothing has.
-std::vector<std::string> StageDerivedFacts(Transaction& transaction);
+std::vector<std::string> StageDerivedFacts(
+    Transaction& transaction, DerivedScope scope = DerivedScope::kChanged);
 
 }  // namespace kg_core
 

@@ -38,6 +38,7 @@ class Stager {
       : transaction_(transaction), vocabulary_(transaction.view()) {}
 
   void Apply(const FactUpdate& update) {
+    if (update.replaces_facts) ClearFacts();
     for (const Fact& fact : update.remove) Try("remove", fact, &Stager::Remove);
     for (const Fact& fact : update.set) Try("set", fact, &Stager::Clear);
     if (!reasons_.empty()) return;
@@ -48,7 +49,7 @@ class Stager {
           "update" + (update.author.empty() ? "" : " of " + update.author);
       AddParsed([&] { return ParseTurtle(update.turtle, source, Facts()); });
     }
-    if (!update.sparql.empty() && reasons_.empty()) RunSparql(update.sparql);
+    if (!update.sparql.empty() && reasons_.empty()) RunSparql(update);
   }
 
   template <typename Parse>
@@ -63,7 +64,7 @@ class Stager {
   // What follows from the changes, and what speaks against them.
   std::vector<std::string> Finish() {
     if (!reasons_.empty() || transaction_.empty()) return Reasons();
-    Append(StageDerivedFacts(transaction_));
+    Append(StageDerivedFacts(transaction_, scope_));
     if (IngestIsDue(transaction_)) DropIngestedFacts(transaction_);
     Append(CheckChangedSubjects(vocabulary_, transaction_));
     if (reasons_.empty()) CheckShapes();
@@ -88,12 +89,33 @@ class Stager {
     throw InputError(vocabulary_.UnknownProperty(property));
   }
 
+  // What an ingest has stated stays: it follows from files, not from senders.
+  void ClearFacts() {
+    scope_ = DerivedScope::kAll;
+    const GraphView& view = transaction_.view();
+    const std::set<Term> ingested = IngestedSubjects(view);
+    std::vector<Statement> statements;
+    const TermId graph = view.Find(Facts());
+    if (graph == kNoTerm) return;
+    view.Match({kNoTerm, kNoTerm, kNoTerm, graph}, [&](const Quad& quad) {
+      statements.push_back({view.Get(quad.subject), view.Get(quad.predicate),
+                            view.Get(quad.object), Facts()});
+      return true;
+    });
+    for (const Statement& statement : statements) {
+      if (ingested.count(statement.subject) == 0) {
+        transaction_.Remove(statement);
+      }
+    }
+  }
+
   // Reads what queries read, writes facts only.
-  void RunSparql(const std::string& text) {
+  void RunSparql(const FactUpdate& update) {
     UpdateGraphs graphs;
     graphs.writable = {kFactsGraph};
+    if (update.sparql_reads) graphs.read = *update.sparql_reads;
     try {
-      RunUpdate(text, graphs, {}, &transaction_);
+      RunUpdate(update.sparql, graphs, {}, &transaction_);
     } catch (const InputError& error) {
       reasons_.push_back(std::string("sparql: ") + error.what());
     }
@@ -218,6 +240,7 @@ class Stager {
 
   Transaction& transaction_;
   const Vocabulary vocabulary_;
+  DerivedScope scope_ = DerivedScope::kChanged;
   std::vector<std::string> reasons_;
 };
 

@@ -5,10 +5,12 @@
 #define KG_CORE_MISSION_FACT_UPDATE_H_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "kg_core/rdf/store.h"
+#include "kg_core/sparql/query_engine.h"
 
 namespace kg_core {
 
@@ -29,9 +31,14 @@ struct FactUpdate {
                              // everything about the subject.
   std::string turtle;        // Facts in bulk, added.
   std::string sparql{};      // SPARQL 1.1 Update on the facts graph.
+  // What the patterns of `sparql` see; nothing: what queries see.
+  std::optional<Dataset> sparql_reads{};
+  // Take the place of all facts that an operator stated, before `remove`.
+  bool replaces_facts = false;
 };
 
-// Stages the update's changes in `transaction` (facts graph): first `remove`,
+// Stages the update's changes in `transaction` (facts graph): `replaces_facts`
+// first, which leaves what files have stated; then `remove`,
 // then `set`, `add`, `turtle` and `sparql`; then what follows from them
 // (derived_facts.h). Returns the reasons to refuse it; empty = none. With
 // reasons, the transaction is half done and to be dropped. Knows nothing of

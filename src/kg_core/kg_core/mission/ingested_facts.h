@@ -4,9 +4,15 @@
 #ifndef KG_CORE_MISSION_INGESTED_FACTS_H_
 #define KG_CORE_MISSION_INGESTED_FACTS_H_
 
+#include <set>
+
+#include "kg_core/rdf/graph_view.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_core {
+
+// Those with ex:ingestedFrom.
+std::set<Term> IngestedSubjects(const GraphView& view);
 
 // Removes all facts about subjects with ex:ingestedFrom.
 void DropIngestedFacts(Transaction& transaction);
