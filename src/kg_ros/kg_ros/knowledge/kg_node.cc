@@ -22,22 +22,25 @@ constexpr unsigned kBurst = 10000;  // Fact updates that may wait.
 constexpr unsigned kManyGraphs = 1000;
 constexpr double kWatchPeriod_s = 0.5;
 constexpr double kIdle_s = 0.02;
-constexpr int kMovesPerRepaint = 4;  // Markers are large: every 2 s.
-constexpr double kPatience_s = 0.5;  // For poses of all at a new window.
+constexpr int kMovesPerRepaint = 4;       // Markers are large: every 2 s.
+constexpr double kPatience_s = 0.5;       // For poses of all at a new window.
+constexpr double kHttpPatience_s = 30.0;  // Until an update is begun.
 
 double Now_s() { return ros::WallTime::now().toSec(); }
 
 }  // namespace
 
-KgNode::KgNode(const MissionFolders& folders, const ros::NodeHandle& node,
-               const ros::NodeHandle& own)
+KgNode::KgNode(const MissionFolders& folders, const HttpDoorOptions& http,
+               const ros::NodeHandle& node, const ros::NodeHandle& own)
     : node_(node),
       own_(own),
       opening_s_(Now_s()),
       server_(folders),
       artifacts_(node_),
       rviz_(node_),
-      queries_(node_, &server_) {
+      queries_(node_, &server_),
+      watches_(node_, &server_),
+      main_thread_(ros::getGlobalCallbackQueue()) {
   updates_ = node_.advertise<UpdateReport>(kUpdatesTopic, 100, kLatched);
   world_ = node_.advertise<World>(kWorldTopic, 1, kLatched);
   Subscribe();
@@ -55,6 +58,22 @@ KgNode::KgNode(const MissionFolders& folders, const ros::NodeHandle& node,
       server_.was_restored() ? ", taken up again" : "");
   ExpectFirstPlan();
   PublishWorld();
+  if (http.port != 0) OpenHttpDoor(http);
+}
+
+KgNode::~KgNode() { main_thread_.Close(); }
+
+void KgNode::OpenHttpDoor(const HttpDoorOptions& options) {
+  kg_core::EndpointStore store;
+  store.read = [this] { return server_.Read(); };
+  store.dataset = CurrentDataset;
+  store.update = [this](const kg_core::FactUpdate& update) {
+    return DecideForHttp(update);
+  };
+  http_.emplace(options, std::move(store));
+  ROS_INFO("[http] http://127.0.0.1:%d/sparql, %s, %s", http_->port(),
+           options.writable ? "writable" : "read-only",
+           options.token_file.empty() ? "no token" : "with a token");
 }
 
 // The first cycle is reported like that of an update.
@@ -107,22 +126,38 @@ void KgNode::Spin() {
 // Facts ---------------------------------------------------------------------
 
 void KgNode::HandleFacts(const kg_msgs::FactUpdate& message) {
-  Decide(message);
+  Decide(FromMessage(message));
 }
 
 bool KgNode::HandleUpdate(kg_msgs::UpdateFacts::Request& request,
                           kg_msgs::UpdateFacts::Response& response) {
-  response.report = Decide(request.update);
+  response.report = Decide(FromMessage(request.update));
   return true;
 }
 
-UpdateReport KgNode::Decide(const kg_msgs::FactUpdate& message) {
+kg_core::UpdateVerdict KgNode::DecideForHttp(
+    const kg_core::FactUpdate& update) {
+  using Outcome = kg_core::UpdateVerdict::Outcome;
+  kg_core::UpdateVerdict verdict;
+  main_thread_.Do(
+      [&] {
+        const UpdateReport report = Decide(update);
+        verdict.outcome =
+            report.accepted ? Outcome::kAccepted : Outcome::kRefused;
+        verdict.reasons = report.reasons;
+        verdict.world_version = report.world_version;
+      },
+      kHttpPatience_s);
+  return verdict;
+}
+
+UpdateReport KgNode::Decide(const kg_core::FactUpdate& update) {
   const std::uint64_t before = server_.world_version();
-  const Decision decision = server_.Apply(FromMessage(message));
+  const Decision decision = server_.Apply(update);
   UpdateReport report;
   report.header.stamp = ros::Time::now();
-  report.id = message.id;
-  report.author = message.author;
+  report.id = update.id;
+  report.author = update.author;
   report.accepted = decision.accepted;
   report.reasons = decision.reasons;
   report.world_version = decision.world_version;
@@ -130,8 +165,7 @@ UpdateReport KgNode::Decide(const kg_msgs::FactUpdate& message) {
                    Stage("ingest", decision.ingest_s, 0)};
   report.plan_status = UpdateReport::PLAN_PENDING;
   for (const std::string& reason : decision.reasons) {
-    ROS_WARN_STREAM("[facts] refused from " << message.author << ": "
-                                            << reason);
+    ROS_WARN_STREAM("[facts] refused from " << update.author << ": " << reason);
   }
   if (decision.world_version != before) {
     cycle_is_due_ = true;

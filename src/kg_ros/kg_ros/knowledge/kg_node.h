@@ -26,6 +26,9 @@
 #include "kg_ros/knowledge/pending_reports.h"
 #include "kg_ros/knowledge/plan_progress.h"
 #include "kg_ros/knowledge/query_server.h"
+#include "kg_ros/knowledge/watch_server.h"
+#include "kg_ros/protocol/http_door.h"
+#include "kg_ros/protocol/main_thread.h"
 #include "ros/node_handle.h"
 #include "ros/timer.h"
 
@@ -34,8 +37,9 @@ namespace kg_ros {
 class KgNode {
  public:
   // Opens the mission: throws kg_core::InputError.
-  KgNode(const MissionFolders& folders, const ros::NodeHandle& node,
-         const ros::NodeHandle& own);
+  KgNode(const MissionFolders& folders, const HttpDoorOptions& http,
+         const ros::NodeHandle& node, const ros::NodeHandle& own);
+  ~KgNode();
 
   // Until ROS shuts down. Messages that are waiting are taken first; then what
   // they made dirty is compiled once.
@@ -55,7 +59,10 @@ class KgNode {
   void HandleAssignments(const kg_msgs::Assignments& message);
   void HandleRejections(const kg_msgs::Rejections& message);
 
-  kg_msgs::UpdateReport Decide(const kg_msgs::FactUpdate& message);
+  kg_msgs::UpdateReport Decide(const kg_core::FactUpdate& update);
+  void OpenHttpDoor(const HttpDoorOptions& options);
+  // From any thread but the main one, where it is decided.
+  kg_core::UpdateVerdict DecideForHttp(const kg_core::FactUpdate& update);
   void StartCycle();
   bool FleetIsReady() const;
   void FailCycle(const std::string& why);
@@ -76,6 +83,7 @@ class KgNode {
   ArtifactPublisher artifacts_;
   RvizPublisher rviz_;
   QueryServer queries_;
+  WatchServer watches_;
   PlanProgress progress_;
   diagnostic_updater::Updater diagnostics_;
 
@@ -97,6 +105,9 @@ class KgNode {
   double cycle_began_s_ = 0.0;  // Unix seconds.
   std::uint8_t plan_status_ = kg_msgs::World::PLAN_NONE;
   std::string plan_note_;
+
+  MainThread main_thread_;
+  std::optional<HttpDoor> http_;  // Ends first: its threads use the others.
 };
 
 }  // namespace kg_ros
