@@ -39,6 +39,7 @@ TOPICS = {
     'kg/candidates': 'kg_msgs/Candidates',
     'kg/assignments': 'kg_msgs/Assignments',
     'kg/rejections': 'kg_msgs/Rejections',
+    'kg/watched': 'kg_msgs/WatchedAnswer',
     'kg/markers': 'visualization_msgs/MarkerArray',
     'diagnostics': 'diagnostic_msgs/DiagnosticArray',
     'tf': 'tf2_msgs/TFMessage',
@@ -53,6 +54,7 @@ AGENT_TOPICS = {
 SERVICES = {
     'kg/update': 'kg_msgs/UpdateFacts',
     'kg/query': 'kg_msgs/Query',
+    'kg/watch': 'kg_msgs/Watch',
     'kg/why': 'kg_msgs/Why',
     'kg/what_if': 'kg_msgs/WhatIf',
     'kg/validate': 'kg_msgs/Validate',

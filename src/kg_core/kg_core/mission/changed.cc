@@ -21,6 +21,17 @@ std::set<Term> Collect(const Transaction& transaction, const Term* property) {
   return subjects;
 }
 
+std::set<Term> Having(const GraphView& view, const Term& property) {
+  std::set<Term> subjects;
+  const Quad pattern{kNoTerm, view.Find(property), kNoTerm, view.Find(Facts())};
+  if (pattern.predicate == kNoTerm || pattern.graph == kNoTerm) return subjects;
+  view.Match(pattern, [&](const Quad& quad) {
+    subjects.insert(view.Get(quad.subject));
+    return true;
+  });
+  return subjects;
+}
+
 }  // namespace
 
 std::set<Term> ChangedSubjects(const Transaction& transaction) {
@@ -28,8 +39,12 @@ std::set<Term> ChangedSubjects(const Transaction& transaction) {
 }
 
 std::set<Term> ChangedSubjects(const Transaction& transaction,
-                               const Term& property) {
-  return Collect(transaction, &property);
+                               const Term& property, const ChangeScope scope) {
+  std::set<Term> subjects = Collect(transaction, &property);
+  if (scope == ChangeScope::kAll) {
+    subjects.merge(Having(transaction.view(), property));
+  }
+  return subjects;
 }
 
 std::set<Term> Linked(const Transaction& transaction, const Term& subject,

@@ -10,10 +10,14 @@
 
 namespace kg_core {
 
+// kAll: every fact there is counts as changed, too.
+enum class ChangeScope { kChanged, kAll };
+
 // Subjects of any fact that came or went; those of `property` only.
 std::set<Term> ChangedSubjects(const Transaction& transaction);
 std::set<Term> ChangedSubjects(const Transaction& transaction,
-                               const Term& property);
+                               const Term& property,
+                               ChangeScope scope = ChangeScope::kChanged);
 
 // Objects of (subject, link) among the facts, also those that the transaction
 // takes away.

@@ -130,9 +130,11 @@ class JsonExpansion {
   Transaction& transaction_;
 };
 
-void ExpandJson(Transaction& transaction, std::vector<std::string>& reasons) {
+void ExpandJson(Transaction& transaction, ChangeScope scope,
+                std::vector<std::string>& reasons) {
   for (const JsonProperty& kind : kJsonProperties) {
-    for (const Term& policy : ChangedSubjects(transaction, Ex(kind.property))) {
+    for (const Term& policy :
+         ChangedSubjects(transaction, Ex(kind.property), scope)) {
       try {
         JsonExpansion(kind, transaction).Expand(policy);
       } catch (const InputError& error) {
@@ -178,23 +180,30 @@ void RenewGeometryNode(Transaction& transaction, const Term& feature) {
   CopyWkt(transaction, feature, node);
 }
 
-void KeepGeometries(Transaction& transaction) {
-  const std::set<Term> changed = ChangedSubjects(transaction, GeoTerm("asWKT"));
+// Also one that RenewGeometryNode has just made.
+bool IsGeometryNode(const GraphView& view, const Term& subject) {
+  return Has(view, kFactsGraph, subject, RdfType(), GeoTerm("Geometry"));
+}
+
+void KeepGeometries(Transaction& transaction, ChangeScope scope) {
+  const std::set<Term> changed =
+      ChangedSubjects(transaction, GeoTerm("asWKT"), scope);
   const std::set<Term> linked =
-      ChangedSubjects(transaction, GeoTerm("hasGeometry"));
+      ChangedSubjects(transaction, GeoTerm("hasGeometry"), scope);
   std::set<Term> features;
   std::set<Term> owners = linked;
   for (const Term& subject : changed) {
     const std::vector<Term> of = Subjects(transaction.view(), kFactsGraph,
                                           GeoTerm("hasGeometry"), subject);
     const bool is_node =
-        !of.empty() || Has(transaction.view(), kFactsGraph, subject, RdfType(),
-                           GeoTerm("Geometry"));
+        !of.empty() || IsGeometryNode(transaction.view(), subject);
     if (!is_node) features.insert(subject);
     owners.insert(of.begin(), of.end());
   }
   for (const Term& feature : features) {
-    if (feature.is_iri()) RenewGeometryNode(transaction, feature);
+    if (feature.is_iri() && !IsGeometryNode(transaction.view(), feature)) {
+      RenewGeometryNode(transaction, feature);
+    }
   }
   for (const Term& owner : owners) {
     if (features.count(owner) != 0) continue;
@@ -208,11 +217,12 @@ void KeepGeometries(Transaction& transaction) {
 
 }  // namespace
 
-std::vector<std::string> StageDerivedFacts(Transaction& transaction) {
+std::vector<std::string> StageDerivedFacts(Transaction& transaction,
+                                           ChangeScope scope) {
   std::vector<std::string> reasons;
-  ExpandJson(transaction, reasons);
-  KeepGeometries(transaction);
-  StageTimeForms(transaction);
+  ExpandJson(transaction, scope, reasons);
+  KeepGeometries(transaction, scope);
+  StageTimeForms(transaction, scope);
   return reasons;
 }
 

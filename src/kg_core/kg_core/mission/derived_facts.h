@@ -16,13 +16,15 @@
 #include <string>
 #include <vector>
 
+#include "kg_core/mission/changed.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_core {
 
 // Brings them up to date with what `transaction` changed in the facts. Returns
 // reasons why it cannot: JSON that is none, a name that nothing has.
-std::vector<std::string> StageDerivedFacts(Transaction& transaction);
+std::vector<std::string> StageDerivedFacts(
+    Transaction& transaction, ChangeScope scope = ChangeScope::kChanged);
 
 }  // namespace kg_core
 

@@ -41,6 +41,7 @@ class Stager {
       : transaction_(transaction), vocabulary_(transaction.view()) {}
 
   void Apply(const FactUpdate& update) {
+    if (update.replaces_facts) ClearFacts();
     for (const Fact& fact : update.remove) Try("remove", fact, &Stager::Remove);
     for (const Fact& fact : update.set) Try("set", fact, &Stager::Clear);
     if (!reasons_.empty()) return;
@@ -51,7 +52,7 @@ class Stager {
           "update" + (update.author.empty() ? "" : " of " + update.author);
       AddParsed([&] { return ParseTurtle(update.turtle, source, Facts()); });
     }
-    if (!update.sparql.empty() && reasons_.empty()) RunSparql(update.sparql);
+    if (!update.sparql.empty() && reasons_.empty()) RunSparql(update);
   }
 
   template <typename Parse>
@@ -67,7 +68,7 @@ class Stager {
   Judgement Finish() {
     if (!reasons_.empty()) return {Reasons(), std::nullopt};
     if (transaction_.empty()) return {{}, std::vector<Violation>()};
-    Append(StageDerivedFacts(transaction_));
+    Append(StageDerivedFacts(transaction_, scope_));
     if (IngestIsDue(transaction_)) DropIngestedFacts(transaction_);
     Append(CheckChangedSubjects(vocabulary_, transaction_));
     Append(StageInferences(transaction_));
@@ -99,13 +100,33 @@ class Stager {
     throw InputError(vocabulary_.UnknownProperty(property));
   }
 
+  // What an ingest has stated stays: it follows from files, not from senders.
+  void ClearFacts() {
+    scope_ = ChangeScope::kAll;
+    const GraphView& view = transaction_.view();
+    const std::set<Term> ingested = IngestedSubjects(view);
+    std::vector<Statement> statements;
+    const TermId graph = view.Find(Facts());
+    if (graph == kNoTerm) return;
+    view.Match({kNoTerm, kNoTerm, kNoTerm, graph}, [&](const Quad& quad) {
+      statements.push_back({view.Get(quad.subject), view.Get(quad.predicate),
+                            view.Get(quad.object), Facts()});
+      return true;
+    });
+    for (const Statement& statement : statements) {
+      if (ingested.count(statement.subject) == 0) {
+        transaction_.Remove(statement);
+      }
+    }
+  }
+
   // Reads what queries read, writes facts only.
-  void RunSparql(const std::string& text) {
+  void RunSparql(const FactUpdate& update) {
     UpdateGraphs graphs;
     graphs.writable = {kFactsGraph};
+    if (update.sparql_reads) graphs.read = *update.sparql_reads;
     try {
-      RunUpdate(text, graphs, {}, &transaction_);
-      for (const Statement& statement : transaction_.added()) Rename(statement);
+      RunUpdate(update.sparql, graphs, {}, &transaction_);
     } catch (const InputError& error) {
       reasons_.push_back(std::string("sparql: ") + error.what());
     }
@@ -234,6 +255,7 @@ class Stager {
 
   Transaction& transaction_;
   const Vocabulary vocabulary_;
+  ChangeScope scope_ = ChangeScope::kChanged;
   std::vector<std::string> reasons_;
 };
 

@@ -11,6 +11,7 @@
 
 #include "kg_core/rdf/store.h"
 #include "kg_core/shacl/violation.h"
+#include "kg_core/sparql/query_engine.h"
 
 namespace kg_core {
 
@@ -33,9 +34,14 @@ struct FactUpdate {
                              // everything about the subject.
   std::string turtle;        // Facts in bulk, added.
   std::string sparql{};      // SPARQL 1.1 Update on the facts graph.
+  // What the patterns of `sparql` see; nothing: what queries see.
+  std::optional<Dataset> sparql_reads{};
+  // Take the place of all facts that an operator stated, before `remove`.
+  bool replaces_facts = false;
 };
 
-// Stages the update's changes in `transaction` (facts graph): first `remove`,
+// Stages the update's changes in `transaction` (facts graph): `replaces_facts`
+// first, which leaves what files have stated; then `remove`,
 // then `set`, `add`, `turtle` and `sparql`; then what follows from them
 // (derived_facts.h) and what the rules conclude (inference.h). Returns the
 // reasons to refuse it; empty = none. With reasons, the transaction is half

@@ -47,18 +47,23 @@ bool IngestIsDue(const Transaction& transaction) {
   return any(transaction.added()) || any(transaction.removed());
 }
 
-void DropIngestedFacts(Transaction& transaction) {
+std::set<Term> IngestedSubjects(const GraphView& view) {
   std::set<Term> subjects;
-  const GraphView& view = transaction.view();
   Quad pattern;
   pattern.predicate = view.Find(Ex("ingestedFrom"));
   pattern.graph = view.Find(Facts());
-  if (pattern.predicate == kNoTerm || pattern.graph == kNoTerm) return;
+  if (pattern.predicate == kNoTerm || pattern.graph == kNoTerm) {
+    return subjects;
+  }
   view.Match(pattern, [&](const Quad& quad) {
     subjects.insert(view.Get(quad.subject));
     return true;
   });
-  for (const Term& subject : subjects) {
+  return subjects;
+}
+
+void DropIngestedFacts(Transaction& transaction) {
+  for (const Term& subject : IngestedSubjects(transaction.view())) {
     transaction.RemoveMatching(&subject, nullptr, nullptr, Facts());
   }
 }

@@ -4,6 +4,9 @@
 #ifndef KG_CORE_MISSION_INGESTED_FACTS_H_
 #define KG_CORE_MISSION_INGESTED_FACTS_H_
 
+#include <set>
+
+#include "kg_core/rdf/graph_view.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_core {
@@ -11,6 +14,9 @@ namespace kg_core {
 // Properties that only data sources and windows have: to change one is to make
 // an ingest due.
 bool IngestReads(const Term& property);
+
+// Those with ex:ingestedFrom.
+std::set<Term> IngestedSubjects(const GraphView& view);
 
 // Removes all facts about subjects with ex:ingestedFrom.
 void DropIngestedFacts(Transaction& transaction);

@@ -27,7 +27,8 @@ bool HasFormat(double unix_s) {
 
 class TimeForms {
  public:
-  explicit TimeForms(Transaction& transaction) : transaction_(transaction) {}
+  TimeForms(Transaction& transaction, ChangeScope scope)
+      : transaction_(transaction), scope_(scope) {}
 
   void Keep() {
     const std::set<Term> by_short = ShortFormChanged();
@@ -66,7 +67,7 @@ class TimeForms {
   std::set<Term> ShortFormChanged() const {
     std::set<Term> windows;
     for (const Term& property : {Begin(), End(), Ex("durationHours")}) {
-      for (const Term& node : ChangedSubjects(transaction_, property)) {
+      for (const Term& node : ChangedSubjects(transaction_, property, scope_)) {
         const bool is_gone = !First(node, RdfType());
         const bool had_interval =
             !Linked(transaction_, node, HasTime()).empty();
@@ -78,7 +79,7 @@ class TimeForms {
 
   std::set<Term> LongFormChanged() const {
     std::set<Term> intervals, windows;
-    for (const Term& instant : ChangedSubjects(transaction_, Stamp())) {
+    for (const Term& instant : ChangedSubjects(transaction_, Stamp(), scope_)) {
       for (const Term& property : {Begin(), End()}) {
         for (const Term& node :
              Subjects(view(), kFactsGraph, property, instant)) {
@@ -87,7 +88,7 @@ class TimeForms {
       }
     }
     for (const Term& property : {Begin(), End()}) {
-      intervals.merge(ChangedSubjects(transaction_, property));
+      intervals.merge(ChangedSubjects(transaction_, property, scope_));
     }
     for (const Term& interval : intervals) {
       for (const Term& window :
@@ -95,7 +96,7 @@ class TimeForms {
         windows.insert(window);
       }
     }
-    windows.merge(ChangedSubjects(transaction_, HasTime()));
+    windows.merge(ChangedSubjects(transaction_, HasTime(), scope_));
     return windows;
   }
 
@@ -195,11 +196,14 @@ class TimeForms {
   }
 
   Transaction& transaction_;
+  const ChangeScope scope_;
   std::set<Term> taken_;  // Instants that may not be needed any more.
 };
 
 }  // namespace
 
-void StageTimeForms(Transaction& transaction) { TimeForms(transaction).Keep(); }
+void StageTimeForms(Transaction& transaction, const ChangeScope scope) {
+  TimeForms(transaction, scope).Keep();
+}
 
 }  // namespace kg_core

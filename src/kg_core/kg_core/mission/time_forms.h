@@ -17,12 +17,13 @@
 #ifndef KG_CORE_MISSION_TIME_FORMS_H_
 #define KG_CORE_MISSION_TIME_FORMS_H_
 
+#include "kg_core/mission/changed.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_core {
 
 // Brings both forms up to date with what `transaction` changed in the facts.
-void StageTimeForms(Transaction& transaction);
+void StageTimeForms(Transaction& transaction, ChangeScope scope);
 
 }  // namespace kg_core
 

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "kg_core/base/input_error.h"
+#include "kg_core/base/limit_error.h"
 
 namespace kg_core::sparql {
 namespace {
@@ -29,24 +29,24 @@ void Budget::CheckTime() const {
   std::snprintf(text, sizeof text,
                 "the query took longer than the limit of %g s",
                 limits_.seconds);
-  throw InputError(text);
+  throw LimitError(text);
 }
 
 void Budget::UseWorkingBytes(std::size_t bytes) {
   working_bytes_ += bytes;
   if (working_bytes_ <= limits_.working_bytes) return;
-  throw InputError("the query needs more memory than the limit of " +
+  throw LimitError("the query needs more memory than the limit of " +
                    std::to_string(limits_.working_bytes) + " bytes");
 }
 
 void Budget::AddResultRow(std::size_t bytes) {
   if (++rows_ > limits_.rows) {
-    throw InputError("the result has more rows than the limit of " +
+    throw LimitError("the result has more rows than the limit of " +
                      std::to_string(limits_.rows));
   }
   result_bytes_ += bytes;
   if (result_bytes_ <= limits_.bytes) return;
-  throw InputError("the result has more bytes than the limit of " +
+  throw LimitError("the result has more bytes than the limit of " +
                    std::to_string(limits_.bytes));
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/limit_error.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/algebra.h"
 #include "kg_core/sparql/budget.h"
@@ -33,7 +34,7 @@ std::size_t BytesOf(const std::vector<std::optional<Term>>& row) {
 
 void CheckText(std::string_view text, const QueryLimits& limits) {
   if (text.size() <= limits.text_bytes) return;
-  throw InputError("the query is longer than the limit of " +
+  throw LimitError("the query is longer than the limit of " +
                    std::to_string(limits.text_bytes) + " bytes");
 }
 
@@ -80,7 +81,8 @@ QueryResult RunQuery(const GraphView& view, std::string_view query_text,
   Budget budget(limits);
   Query query = sparql::ParseQuery(query_text, limits.nesting);
   if (!query.unavailable.empty()) throw InputError(query.unavailable);
-  sparql::CheckDataset(view, query);
+  if (dataset.is_binding) query.has_dataset = false;
+  if (query.has_dataset) sparql::CheckDataset(view, query);
   sparql::Prepare(&query.select);
   TermTable terms(&view, &budget);
   Evaluator evaluator(&query, &terms, sparql::Resolve(query, dataset, &terms),

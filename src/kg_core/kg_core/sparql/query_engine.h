@@ -42,6 +42,9 @@ struct Dataset {
   // Never seen by GRAPH ?g where named_graphs is nothing: the store's name for
   // what has no name in SPARQL. "": there is none.
   std::string unnamed_graph{};
+  // Chosen by whoever sends the query: FROM and FROM NAMED do not count then.
+  // https://www.w3.org/TR/sparql11-protocol/#dataset
+  bool is_binding = false;
 };
 
 // Facts, vocabulary, what is inferred, provenance, agent states and the plan
@@ -64,7 +67,7 @@ struct QueryResult {
 };
 
 // Throws InputError with "line:column: what was expected", or with the limit
-// that was hit.
+// (LimitError) that was hit.
 QueryResult RunQuery(const GraphView& view, std::string_view query_text,
                      const Dataset& dataset, const QueryLimits& limits);
 

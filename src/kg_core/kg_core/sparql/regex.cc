@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
+#include "kg_core/base/limit_error.h"
 
 namespace kg_core::sparql {
 namespace {
@@ -101,7 +101,7 @@ class Regex {
                                   0, data_.get(), context_.get());
     if (found == PCRE2_ERROR_MATCHLIMIT || found == PCRE2_ERROR_DEPTHLIMIT ||
         found == PCRE2_ERROR_HEAPLIMIT) {
-      throw InputError(
+      throw LimitError(
           "a regular expression took more steps than the limit of " +
           std::to_string(kMatchLimit));
     }

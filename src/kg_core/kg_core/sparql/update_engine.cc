@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/limit_error.h"
 #include "kg_core/sparql/algebra.h"
 #include "kg_core/sparql/budget.h"
 #include "kg_core/sparql/construct.h"
@@ -138,7 +139,7 @@ void Updater::CheckWritable(const Operation& operation,
 
 void Updater::Count(std::size_t quads) const {
   if (quads <= limits_.rows) return;
-  throw InputError("the update changes more quads than the limit of " +
+  throw LimitError("the update changes more quads than the limit of " +
                    std::to_string(limits_.rows));
 }
 
@@ -266,7 +267,7 @@ void Updater::Transfer(const Operation& operation) {
 // What can be refused before anything is done.
 sparql::Update Parse(std::string_view text, const QueryLimits& limits) {
   if (text.size() > limits.text_bytes) {
-    throw InputError("the update is longer than the limit of " +
+    throw LimitError("the update is longer than the limit of " +
                      std::to_string(limits.text_bytes) + " bytes");
   }
   sparql::Update update = sparql::ParseUpdate(text, limits.nesting);

@@ -18,10 +18,12 @@ inline constexpr char kNavGraphsTopic[] = "kg/nav_graphs";
 inline constexpr char kCandidatesTopic[] = "kg/candidates";
 inline constexpr char kAssignmentsTopic[] = "kg/assignments";
 inline constexpr char kRejectionsTopic[] = "kg/rejections";
+inline constexpr char kWatchedTopic[] = "kg/watched";
 inline constexpr char kMarkersTopic[] = "kg/markers";
 
 inline constexpr char kUpdateService[] = "kg/update";
 inline constexpr char kQueryService[] = "kg/query";
+inline constexpr char kWatchService[] = "kg/watch";
 inline constexpr char kWhyService[] = "kg/why";
 inline constexpr char kWhatIfService[] = "kg/what_if";
 inline constexpr char kValidateService[] = "kg/validate";

@@ -64,6 +64,15 @@ int ParameterReader::Integer(const std::string& key, const Range<int> range,
   return integer;
 }
 
+bool ParameterReader::Boolean(const std::string& key, const bool fallback) {
+  XmlRpcValue value = Take(key);
+  if (!value.valid()) return fallback;
+  if (value.getType() != XmlRpcValue::TypeBoolean) {
+    Refuse(key, "must be true or false");
+  }
+  return static_cast<bool>(value);
+}
+
 std::string ParameterReader::Text(const std::string& key,
                                   const std::string& fallback) {
   XmlRpcValue value = Take(key);

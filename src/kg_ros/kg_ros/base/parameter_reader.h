@@ -33,6 +33,7 @@ class ParameterReader {
   // `fallback` where the key is not there.
   double Number(const std::string& key, Range<double> range, double fallback);
   int Integer(const std::string& key, Range<int> range, int fallback);
+  bool Boolean(const std::string& key, bool fallback);
   std::string Text(const std::string& key, const std::string& fallback);
   // Must be there and not empty.
   std::string Text(const std::string& key);

@@ -10,6 +10,7 @@ ParameterReader MakeReader() {
   XmlRpc::XmlRpcValue block;
   block["deadline_s"] = 3;
   block["agent"] = "alpha";
+  block["once"] = true;
   return ParameterReader("/planner_alpha", block);
 }
 
@@ -18,6 +19,8 @@ TEST(ParameterReaderTest, ReadsBoundedValuesAndFallbacks) {
   EXPECT_EQ(read.Number("deadline_s", {0.1, 10.0}, 1.0), 3.0);
   EXPECT_EQ(read.Number("rate", {0.0, 10.0}, 2.5), 2.5);
   EXPECT_EQ(read.Text("agent"), "alpha");
+  EXPECT_TRUE(read.Boolean("once", false));
+  EXPECT_TRUE(read.Boolean("sim", true));
   EXPECT_NO_THROW(read.RefuseTheRest());
 }
 
@@ -35,6 +38,7 @@ TEST(ParameterReaderTest, RefusesAnOutlierByName) {
 TEST(ParameterReaderTest, RefusesTheWrongType) {
   EXPECT_THROW(MakeReader().Integer("agent", {0, 1}, 0), kg_core::InputError);
   EXPECT_THROW(MakeReader().Text("deadline_s", ""), kg_core::InputError);
+  EXPECT_THROW(MakeReader().Boolean("deadline_s", true), kg_core::InputError);
 }
 
 TEST(ParameterReaderTest, RefusesAKeyNobodyReads) {

@@ -23,15 +23,16 @@ constexpr unsigned kBurst = 10000;  // Fact updates that may wait.
 constexpr unsigned kManyGraphs = 1000;
 constexpr double kWatchPeriod_s = 0.5;
 constexpr double kIdle_s = 0.02;
-constexpr int kMovesPerRepaint = 4;  // Markers are large: every 2 s.
-constexpr double kPatience_s = 0.5;  // For poses of all at a new window.
+constexpr int kMovesPerRepaint = 4;       // Markers are large: every 2 s.
+constexpr double kPatience_s = 0.5;       // For poses of all at a new window.
+constexpr double kHttpPatience_s = 30.0;  // Until an update is begun.
 
 double Now_s() { return ros::WallTime::now().toSec(); }
 
 }  // namespace
 
-KgNode::KgNode(const MissionFolders& folders, const ros::NodeHandle& node,
-               const ros::NodeHandle& own)
+KgNode::KgNode(const MissionFolders& folders, const HttpDoorOptions& http,
+               const ros::NodeHandle& node, const ros::NodeHandle& own)
     : node_(node),
       own_(own),
       opening_s_(Now_s()),
@@ -39,7 +40,9 @@ KgNode::KgNode(const MissionFolders& folders, const ros::NodeHandle& node,
       artifacts_(node_),
       rviz_(node_),
       queries_(node_, &server_),
-      what_ifs_(node_, &server_) {
+      what_ifs_(node_, &server_),
+      watches_(node_, &server_),
+      main_thread_(ros::getGlobalCallbackQueue()) {
   updates_ = node_.advertise<UpdateReport>(kUpdatesTopic, 100, kLatched);
   world_ = node_.advertise<World>(kWorldTopic, 1, kLatched);
   Subscribe();
@@ -61,6 +64,22 @@ KgNode::KgNode(const MissionFolders& folders, const ros::NodeHandle& node,
   ExpectFirstPlan();
   ExpireFacts();
   PublishWorld();
+  if (http.port != 0) OpenHttpDoor(http);
+}
+
+KgNode::~KgNode() { main_thread_.Close(); }
+
+void KgNode::OpenHttpDoor(const HttpDoorOptions& options) {
+  kg_core::EndpointStore store;
+  store.read = [this] { return server_.Read(); };
+  store.dataset = CurrentDataset;
+  store.update = [this](const kg_core::FactUpdate& update) {
+    return DecideForHttp(update);
+  };
+  http_.emplace(options, std::move(store));
+  ROS_INFO("[http] http://127.0.0.1:%d/sparql, %s, %s", http_->port(),
+           options.writable ? "writable" : "read-only",
+           options.token_file.empty() ? "no token" : "with a token");
 }
 
 // The first cycle is reported like that of an update.
@@ -114,18 +133,33 @@ void KgNode::Spin() {
 // Facts ---------------------------------------------------------------------
 
 void KgNode::HandleFacts(const kg_msgs::FactUpdate& message) {
-  Decide(message);
+  Decide(FromMessage(message));
 }
 
 bool KgNode::HandleUpdate(kg_msgs::UpdateFacts::Request& request,
                           kg_msgs::UpdateFacts::Response& response) {
-  response.report = Decide(request.update);
+  response.report = Decide(FromMessage(request.update));
   return true;
 }
 
-UpdateReport KgNode::Decide(const kg_msgs::FactUpdate& message) {
+kg_core::UpdateVerdict KgNode::DecideForHttp(
+    const kg_core::FactUpdate& update) {
+  using Outcome = kg_core::UpdateVerdict::Outcome;
+  kg_core::UpdateVerdict verdict;
+  main_thread_.Do(
+      [&] {
+        const UpdateReport report = Decide(update);
+        verdict.outcome =
+            report.accepted ? Outcome::kAccepted : Outcome::kRefused;
+        verdict.reasons = report.reasons;
+        verdict.world_version = report.world_version;
+      },
+      kHttpPatience_s);
+  return verdict;
+}
+
+UpdateReport KgNode::Decide(const kg_core::FactUpdate& update) {
   const std::uint64_t before = server_.world_version();
-  const kg_core::FactUpdate update = FromMessage(message);
   return Report(update, server_.Apply(update), before);
 }
 

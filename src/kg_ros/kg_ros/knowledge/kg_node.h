@@ -26,7 +26,10 @@
 #include "kg_ros/knowledge/pending_reports.h"
 #include "kg_ros/knowledge/plan_progress.h"
 #include "kg_ros/knowledge/query_server.h"
+#include "kg_ros/knowledge/watch_server.h"
 #include "kg_ros/knowledge/what_if_server.h"
+#include "kg_ros/protocol/http_door.h"
+#include "kg_ros/protocol/main_thread.h"
 #include "ros/node_handle.h"
 #include "ros/timer.h"
 
@@ -35,8 +38,9 @@ namespace kg_ros {
 class KgNode {
  public:
   // Opens the mission: throws kg_core::InputError.
-  KgNode(const MissionFolders& folders, const ros::NodeHandle& node,
-         const ros::NodeHandle& own);
+  KgNode(const MissionFolders& folders, const HttpDoorOptions& http,
+         const ros::NodeHandle& node, const ros::NodeHandle& own);
+  ~KgNode();
 
   // Until ROS shuts down. Messages that are waiting are taken first; then what
   // they made dirty is compiled once.
@@ -56,7 +60,10 @@ class KgNode {
   void HandleAssignments(const kg_msgs::Assignments& message);
   void HandleRejections(const kg_msgs::Rejections& message);
 
-  kg_msgs::UpdateReport Decide(const kg_msgs::FactUpdate& message);
+  kg_msgs::UpdateReport Decide(const kg_core::FactUpdate& update);
+  void OpenHttpDoor(const HttpDoorOptions& options);
+  // From any thread but the main one, where it is decided.
+  kg_core::UpdateVerdict DecideForHttp(const kg_core::FactUpdate& update);
   kg_msgs::UpdateReport Report(const kg_core::FactUpdate& update,
                                const Decision& decision, std::uint64_t before);
   // Facts that mission time has outlived are taken back.
@@ -84,6 +91,7 @@ class KgNode {
   RvizPublisher rviz_;
   QueryServer queries_;
   WhatIfServer what_ifs_;
+  WatchServer watches_;
   PlanProgress progress_;
   diagnostic_updater::Updater diagnostics_;
 
@@ -106,6 +114,9 @@ class KgNode {
   double cycle_began_s_ = 0.0;  // Unix seconds.
   std::uint8_t plan_status_ = kg_msgs::World::PLAN_NONE;
   std::string plan_note_;
+
+  MainThread main_thread_;
+  std::optional<HttpDoor> http_;  // Ends first: its threads use the others.
 };
 
 }  // namespace kg_ros

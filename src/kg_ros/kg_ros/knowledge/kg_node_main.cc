@@ -4,6 +4,9 @@
 //               ~data_folder     where its files are looked up first
 //               ~state_folder    the durable store
 //               ~view_window     window rviz looks at; -1 = the current one
+//               ~http_port       SPARQL over HTTP on 127.0.0.1; 0 = off
+//               ~http_token_file holds the access token; "" = none is asked
+//               ~http_writable   may updates come that way? Needs a token
 
 #include <cstdlib>
 
@@ -18,24 +21,34 @@ namespace {
 constexpr double kRetry_s = 10.0;
 constexpr double kPoll_s = 0.1;
 
-kg_ros::MissionFolders ReadFolders(const ros::NodeHandle& own) {
-  kg_ros::ParameterReader read(own);
+struct Parameters {
   kg_ros::MissionFolders folders;
+  kg_ros::HttpDoorOptions http;
+};
+
+Parameters ReadParameters(const ros::NodeHandle& own) {
+  kg_ros::ParameterReader read(own);
+  Parameters parameters;
+  kg_ros::MissionFolders& folders = parameters.folders;
   folders.mission = read.Text("mission_folder");
   folders.data = read.Text("data_folder", "");
   folders.state = read.Text("state_folder");
   folders.ontology = ros::package::getPath("kg_core") + "/ontology";
   read.Integer("view_window", {-1, 100000}, -1);  // Polled while it runs.
+  parameters.http.port = read.Integer("http_port", {0, 65535}, 0);
+  parameters.http.token_file = read.Text("http_token_file", "");
+  parameters.http.writable = read.Boolean("http_writable", false);
   read.RefuseTheRest();
-  return folders;
+  return parameters;
 }
 
 // A mission that cannot be opened is said so, and tried again: its files may be
 // on their way.
-void Serve(const kg_ros::MissionFolders& folders, const ros::NodeHandle& own) {
+void Serve(const Parameters& parameters, const ros::NodeHandle& own) {
   while (ros::ok()) {
     try {
-      kg_ros::KgNode node(folders, ros::NodeHandle(), own);
+      kg_ros::KgNode node(parameters.folders, parameters.http,
+                          ros::NodeHandle(), own);
       node.Spin();
       return;
     } catch (const kg_core::InputError& error) {
@@ -55,7 +68,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "kg");
   const ros::NodeHandle own("~");  // Must outlive the last log line.
   try {
-    Serve(ReadFolders(own), own);
+    Serve(ReadParameters(own), own);
     return EXIT_SUCCESS;
   } catch (const kg_core::InputError& error) {
     ROS_FATAL_STREAM(error.what());

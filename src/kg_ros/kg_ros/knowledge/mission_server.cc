@@ -12,6 +12,7 @@
 #include "kg_core/mission/validator.h"
 #include "kg_core/mission/vocabulary.h"
 #include "kg_core/rdf/namespaces.h"
+#include "kg_core/watch/watch_facts.h"
 
 namespace kg_ros {
 namespace {
@@ -223,6 +224,13 @@ void MissionServer::Save() {
   state.poses = fleet().poses();
   Transaction transaction = store_->Begin();
   SaveState(state, mission_, transaction);
+  transaction.Commit(WorldChange::kNo);
+}
+
+void MissionServer::KeepWatches(
+    const std::vector<kg_core::WatchDefinition>& watches) {
+  Transaction transaction = store_->Begin();
+  kg_core::StageWatches(watches, transaction);
   transaction.Commit(WorldChange::kNo);
 }
 

@@ -16,6 +16,8 @@
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/mission.h"
 #include "kg_core/rdf/store.h"
+#include "kg_core/watch/watch_list.h"
+#include "kg_ros/knowledge/fleet_state.h"
 #include "kg_ros/knowledge/mission_state.h"
 #include "kg_ros/knowledge/plan_facts.h"
 #include "kg_ros/knowledge/start_state.h"
@@ -65,6 +67,10 @@ class MissionServer {
   std::shared_ptr<const kg_core::GraphView> Read() const {
     return store_->Read();
   }
+  // Keeps them for the next start. From any thread; waits for a transaction
+  // that is open.
+  void KeepWatches(const std::vector<kg_core::WatchDefinition>& watches);
+
   const kg_core::Mission& mission() const { return mission_; }
   std::uint64_t world_version() const { return store_->world_version(); }
   bool was_restored() const { return was_restored_; }

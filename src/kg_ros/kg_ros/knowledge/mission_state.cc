@@ -145,4 +145,10 @@ void SaveState(const MissionState& state, const kg_core::Mission& mission,
   }
 }
 
+kg_core::Dataset CurrentDataset(const GraphView& view) {
+  const std::uint64_t run = Count(view, "planRun");
+  return kg_core::DefaultDataset(run == 0 ? std::nullopt
+                                          : std::optional(PlanGraph(run).text));
+}
+
 }  // namespace kg_ros

@@ -11,6 +11,7 @@
 
 #include "kg_core/mission/mission.h"
 #include "kg_core/rdf/store.h"
+#include "kg_core/sparql/query_engine.h"
 #include "kg_ros/knowledge/fleet_state.h"
 
 namespace kg_ros {
@@ -30,6 +31,9 @@ MissionState LoadState(const kg_core::GraphView& view);
 // Replaces what was there.
 void SaveState(const MissionState& state, const kg_core::Mission& mission,
                kg_core::Transaction& transaction);
+
+// What queries see by default: with the plan that is current in `view`.
+kg_core::Dataset CurrentDataset(const kg_core::GraphView& view);
 
 }  // namespace kg_ros
 

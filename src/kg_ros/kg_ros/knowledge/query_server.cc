@@ -10,13 +10,13 @@
 #include "kg_ros/base/names.h"
 #include "kg_ros/knowledge/mission_server.h"
 #include "kg_ros/knowledge/mission_state.h"
-#include "kg_ros/knowledge/plan_facts.h"
 
 namespace kg_ros {
 namespace {
 
 using kg_core::QueryResult;
 
+constexpr unsigned kQueryThreads = 4;
 constexpr char kNotAvailable[] =
     "not available: this service is part of the interface but not served yet";
 
@@ -40,10 +40,15 @@ const kg_core::ResultFormat& FormatNamed(const std::string& name) {
 
 QueryServer::QueryServer(const ros::NodeHandle& node,
                          const MissionServer* server)
-    : node_(node), server_(server), spinner_(1, &queue_) {
+    : query_node_(node),
+      node_(node),
+      server_(server),
+      query_spinner_(kQueryThreads, &query_queue_),
+      spinner_(1, &queue_) {
+  query_node_.setCallbackQueue(&query_queue_);
   node_.setCallbackQueue(&queue_);
-  services_.push_back(
-      node_.advertiseService(kQueryService, &QueryServer::HandleQuery, this));
+  services_.push_back(query_node_.advertiseService(
+      kQueryService, &QueryServer::HandleQuery, this));
   const boost::function<bool(kg_msgs::Why::Request&, kg_msgs::Why::Response&)>
       why = [](kg_msgs::Why::Request&, kg_msgs::Why::Response& response) {
         response.error = kNotAvailable;
@@ -58,21 +63,22 @@ QueryServer::QueryServer(const ros::NodeHandle& node,
             return true;
           };
   services_.push_back(node_.advertiseService(kExportService, do_export));
+  query_spinner_.start();
   spinner_.start();
 }
 
-QueryServer::~QueryServer() { spinner_.stop(); }
+QueryServer::~QueryServer() {
+  query_spinner_.stop();
+  spinner_.stop();
+}
 
 bool QueryServer::HandleQuery(kg_msgs::Query::Request& request,
                               kg_msgs::Query::Response& response) {
   const std::shared_ptr<const kg_core::GraphView> view = server_->Read();
   response.world_version = view->world_version();
-  const std::uint64_t run = LoadState(*view).plan_run;
-  const std::optional<std::string> plan =
-      run == 0 ? std::nullopt : std::optional(PlanGraph(run).text);
   try {
-    const QueryResult result = kg_core::RunQuery(
-        *view, request.query, kg_core::DefaultDataset(plan), {});
+    const QueryResult result =
+        kg_core::RunQuery(*view, request.query, CurrentDataset(*view), {});
     response.text = kg_core::ToTextTable(result);
     if (IsGraph(result)) {
       response.rows = static_cast<unsigned>(result.triples.size());

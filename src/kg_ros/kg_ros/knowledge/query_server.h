@@ -1,6 +1,6 @@
-// Answers kg/query on a thread of its own, from snapshots of the store: queries
-// go on while facts are taken and cycles compiled. Also answers the services
-// that are not served yet, saying so.
+// Answers kg/query on threads of its own, from snapshots of the store: queries
+// go on while facts are taken and cycles compiled, and a slow one does not hold
+// up the others. Also answers the services that are not served yet, saying so.
 
 #ifndef KG_ROS_KNOWLEDGE_QUERY_SERVER_H_
 #define KG_ROS_KNOWLEDGE_QUERY_SERVER_H_
@@ -30,10 +30,13 @@ class QueryServer {
   bool HandleQuery(kg_msgs::Query::Request& request,
                    kg_msgs::Query::Response& response);
 
+  ros::CallbackQueue query_queue_;
   ros::CallbackQueue queue_;
+  ros::NodeHandle query_node_;
   ros::NodeHandle node_;
   const MissionServer* server_;
   std::vector<ros::ServiceServer> services_;
+  ros::AsyncSpinner query_spinner_;
   ros::AsyncSpinner spinner_;
 };
 

@@ -1,0 +1,32 @@
+// What answers can be written as, chosen by the Accept header.
+
+#ifndef KG_CORE_PROTOCOL_FORMATS_H_
+#define KG_CORE_PROTOCOL_FORMATS_H_
+
+#include <string>
+#include <vector>
+
+#include "kg_core/protocol/http.h"
+#include "kg_core/sparql/query_engine.h"
+
+namespace kg_core {
+
+// A media type and how it is written.
+struct AnswerFormat {
+  std::string media_type;
+  std::string (*write)(const QueryResult& result);
+};
+
+// Rows and answers of ASK: results JSON, XML, CSV, TSV, a table of plain text.
+// Triples: Turtle, N-Triples, RDF/XML.
+enum class AnswerKind { kRows, kTriples };
+const std::vector<AnswerFormat>& AnswerFormats(AnswerKind kind);
+
+// Throws HttpError 406.
+const AnswerFormat& ChooseFormat(const HttpRequest& request, AnswerKind kind);
+
+HttpResponse WriteAnswer(const QueryResult& result, const AnswerFormat& format);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_PROTOCOL_FORMATS_H_

@@ -1,0 +1,134 @@
+// https://www.w3.org/TR/sparql11-http-rdf-update/
+#include <string>
+#include <vector>
+
+#include "kg_core/base/limit_error.h"
+#include "kg_core/base/text.h"
+#include "kg_core/protocol/formats.h"
+#include "kg_core/protocol/operations.h"
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/rdf/turtle.h"
+
+namespace kg_core::protocol {
+namespace {
+
+constexpr char kFolder[] = "/graphs/";
+
+// https://www.w3.org/TR/sparql11-http-rdf-update/#graph-identification
+std::string GraphOf(const HttpRequest& request) {
+  const std::string folder = kFolder;
+  if (request.path.size() > folder.size()) {
+    return kGraph + request.path.substr(folder.size());
+  }
+  const std::vector<FormField> fields = ParseForm(request.query);
+  if (fields.size() == 1) {
+    if (fields[0].name == "default" && fields[0].value.empty()) {
+      return kFactsGraph;
+    }
+    if (fields[0].name == "graph" && !fields[0].value.empty()) {
+      return fields[0].value;
+    }
+  }
+  throw HttpError(kBadRequest,
+                  "expected one parameter: ?default or "
+                  "?graph=<IRI>");
+}
+
+std::vector<Triple> TriplesOf(const GraphView& view, const std::string& graph,
+                              const QueryLimits& limits) {
+  std::vector<Triple> triples;
+  const TermId id = view.Find(Iri(graph));
+  if (id == kNoTerm) return triples;
+  std::size_t bytes = 0;
+  view.Match({kNoTerm, kNoTerm, kNoTerm, id}, [&](const Quad& quad) {
+    triples.push_back({view.Get(quad.subject), view.Get(quad.predicate),
+                       view.Get(quad.object)});
+    const Triple& triple = triples.back();
+    bytes += triple.subject.text.size() + triple.predicate.text.size() +
+             triple.object.text.size();
+    if (triples.size() > limits.rows || bytes > limits.bytes) {
+      throw LimitError("the graph is larger than the limit of " +
+                       std::to_string(limits.rows) + " triples or " +
+                       std::to_string(limits.bytes) + " bytes");
+    }
+    return true;
+  });
+  return triples;
+}
+
+bool Exists(const GraphView& view, const std::string& graph) {
+  const TermId id = view.Find(Iri(graph));
+  bool found = false;
+  if (id == kNoTerm) return found;
+  view.Match({kNoTerm, kNoTerm, kNoTerm, id}, [&](const Quad&) {
+    found = true;
+    return false;
+  });
+  return found;
+}
+
+void CheckExists(const GraphView& view, const std::string& graph) {
+  if (Exists(view, graph)) return;
+  throw HttpError(kNotFound, "the store has no graph <" + graph + ">");
+}
+
+// https://www.w3.org/TR/sparql11-http-rdf-update/#http-get
+HttpResponse Get(const Context& context, const std::string& graph) {
+  const AnswerFormat& format =
+      ChooseFormat(context.request, AnswerKind::kTriples);
+  const auto view = context.store.read();
+  CheckExists(*view, graph);
+  QueryResult result;
+  result.form = QueryResult::Form::kConstruct;
+  result.triples = TriplesOf(*view, graph, context.options.limits);
+  return WriteAnswer(result, format);
+}
+
+// The payload as Turtle, of which N-Triples are a part.
+const std::string& Payload(const HttpRequest& request) {
+  const std::string type = MediaTypeOfBody(request);
+  if (type == "text/turtle" || type == "application/n-triples" ||
+      type == "application/x-turtle") {
+    return request.body;
+  }
+  throw HttpError(kUnsupportedMediaType,
+                  "expected Content-Type text/turtle or application/n-triples" +
+                      (type.empty() ? "" : ", not " + type));
+}
+
+// https://www.w3.org/TR/sparql11-http-rdf-update/#http-put, #http-post,
+// #http-delete
+HttpResponse Change(const Context& context, const std::string& graph) {
+  CheckWritable(context);
+  if (graph != kFactsGraph) {
+    throw HttpError(kForbidden, "graph <" + graph +
+                                    "> cannot be written here; only <" +
+                                    kFactsGraph + "> can");
+  }
+  const HttpRequest& request = context.request;
+  const auto view = context.store.read();
+  FactUpdate update;
+  update.replaces_facts = request.method != "POST";
+  if (request.method == "DELETE") {
+    CheckExists(*view, graph);
+  } else {
+    update.turtle = Payload(request);
+    ParseTurtle(update.turtle, "body", Iri(graph));  // 400 if it is malformed.
+  }
+  const int status = Exists(*view, graph) ? kOk : kCreated;
+  return Accepted(status, Write(context, std::move(update)));
+}
+
+}  // namespace
+
+HttpResponse AnswerGraphStore(const Context& context) {
+  const std::string& method = context.request.method;
+  const std::string graph = GraphOf(context.request);
+  if (method == "GET" || method == "HEAD") return Get(context, graph);
+  if (method == "PUT" || method == "POST" || method == "DELETE") {
+    return Change(context, graph);
+  }
+  return NotAllowed("GET, HEAD, PUT, POST, DELETE");
+}
+
+}  // namespace kg_core::protocol

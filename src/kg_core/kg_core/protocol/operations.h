@@ -1,0 +1,44 @@
+// The two protocols' operations, after access has been checked and before
+// errors become responses: they throw HttpError, InputError and LimitError.
+// For sparql_endpoint.cc only.
+
+#ifndef KG_CORE_PROTOCOL_OPERATIONS_H_
+#define KG_CORE_PROTOCOL_OPERATIONS_H_
+
+#include "kg_core/protocol/http.h"
+#include "kg_core/protocol/sparql_endpoint.h"
+
+namespace kg_core::protocol {
+
+struct Context {
+  const HttpRequest& request;
+  const EndpointStore& store;
+  const EndpointOptions& options;
+};
+
+// /sparql; throws HttpError for what is neither a query nor an update.
+// https://www.w3.org/TR/sparql11-protocol/#protocol
+HttpResponse AnswerSparql(const Context& context);
+
+// /graphs. https://www.w3.org/TR/sparql11-http-rdf-update/
+HttpResponse AnswerGraphStore(const Context& context);
+
+// https://www.w3.org/TR/sparql11-service-description/
+HttpResponse DescribeService(const Context& context);
+
+// Throws HttpError 403 if nothing may be written.
+void CheckWritable(const Context& context);
+
+// Hands an update to the sink: 422 with the reasons if it was refused; else the
+// verdict.
+UpdateVerdict Write(const Context& context, FactUpdate update);
+
+// What a client is told of a verdict.
+HttpResponse Accepted(int status, const UpdateVerdict& verdict);
+
+// 405 that names what is allowed ("GET, HEAD").
+HttpResponse NotAllowed(const std::string& allowed);
+
+}  // namespace kg_core::protocol
+
+#endif  // KG_CORE_PROTOCOL_OPERATIONS_H_

@@ -1,0 +1,25 @@
+// Watches as statements (graph ex:graph/watch), so that they outlive a process.
+
+#ifndef KG_CORE_WATCH_WATCH_FACTS_H_
+#define KG_CORE_WATCH_WATCH_FACTS_H_
+
+#include <vector>
+
+#include "kg_core/rdf/graph_view.h"
+#include "kg_core/rdf/store.h"
+#include "kg_core/watch/watch_list.h"
+
+namespace kg_core {
+
+inline constexpr char kWatchGraph[] = "http://example.org/mission/graph/watch";
+
+// Those that the graph holds, by id. What is none is left out.
+std::vector<WatchDefinition> ReadWatches(const GraphView& view);
+
+// Replaces what was there.
+void StageWatches(const std::vector<WatchDefinition>& watches,
+                  Transaction& transaction);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_WATCH_WATCH_FACTS_H_

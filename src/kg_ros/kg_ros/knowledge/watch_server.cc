@@ -1,0 +1,168 @@
+#include "kg_ros/knowledge/watch_server.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/rdf/same_state.h"
+#include "kg_core/sparql/results.h"
+#include "kg_core/watch/watch_facts.h"
+#include "kg_msgs/WatchedAnswer.h"
+#include "kg_ros/base/names.h"
+#include "kg_ros/knowledge/mission_server.h"
+#include "kg_ros/knowledge/mission_state.h"
+#include "ros/console.h"
+
+namespace kg_ros {
+namespace {
+
+constexpr double kRest_s = 0.1;  // At least, between two looks.
+constexpr unsigned kManyAnswers = 1000;
+
+double Steady_s() {
+  return std::chrono::duration<double>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+std::string RowsJson(const std::vector<std::string>& variables,
+                     const kg_core::Rows& rows) {
+  kg_core::QueryResult result;
+  result.variables = variables;
+  result.rows = rows;
+  return kg_core::ToJson(result);
+}
+
+kg_msgs::WatchedAnswer ToMessage(const kg_core::WatchedAnswer& answer) {
+  const std::vector<std::string>& variables = answer.answer.variables;
+  kg_msgs::WatchedAnswer message;
+  message.header.stamp = ros::Time::now();
+  message.id = answer.id;
+  message.world_version = answer.world_version;
+  message.first = static_cast<unsigned char>(answer.is_first);
+  message.error = answer.error;
+  message.result = kg_core::ToJson(answer.answer);
+  message.added = RowsJson(variables, answer.added);
+  message.removed = RowsJson(variables, answer.removed);
+  return message;
+}
+
+}  // namespace
+
+WatchServer::WatchServer(const ros::NodeHandle& node, MissionServer* server)
+    : server_(server), node_(node), spinner_(1, &queue_) {
+  node_.setCallbackQueue(&queue_);
+  for (kg_core::WatchDefinition& watch :
+       kg_core::ReadWatches(*server_->Read())) {
+    list_.Keep(std::move(watch));
+  }
+  watched_ =
+      node_.advertise<kg_msgs::WatchedAnswer>(kWatchedTopic, kManyAnswers);
+  service_ =
+      node_.advertiseService(kWatchService, &WatchServer::HandleWatch, this);
+  spinner_.start();
+  looker_ = std::thread([this] { Run(); });
+}
+
+WatchServer::~WatchServer() {
+  {
+    const std::lock_guard<std::mutex> lock(end_mutex_);
+    is_ending_ = true;
+  }
+  end_changed_.notify_all();
+  looker_.join();
+  spinner_.stop();
+}
+
+bool WatchServer::HandleWatch(kg_msgs::Watch::Request& request,
+                              kg_msgs::Watch::Response& response) {
+  try {
+    if (request.cancel) {
+      Cancel(request.id, &response);
+    } else {
+      Begin({request.id, request.query}, &response);
+    }
+  } catch (const std::runtime_error& error) {  // InputError, no disk space.
+    response.ok = 0;
+    response.error = error.what();
+  }
+  return true;
+}
+
+void WatchServer::Cancel(const std::string& id,
+                         kg_msgs::Watch::Response* response) {
+  const std::lock_guard<std::mutex> lock(list_mutex_);
+  response->id = id;
+  response->world_version = server_->world_version();
+  if (!list_.Cancel(id)) {
+    throw kg_core::InputError("there is no watch '" + id + "'");
+  }
+  server_->KeepWatches(list_.definitions());
+  response->ok = 1;
+}
+
+void WatchServer::Begin(const kg_core::WatchDefinition& definition,
+                        kg_msgs::Watch::Response* response) {
+  const std::lock_guard<std::mutex> lock(list_mutex_);
+  const auto view = server_->Read();
+  const kg_core::WatchedAnswer answer =
+      list_.Watch(definition, *view, CurrentDataset(*view));
+  server_->KeepWatches(list_.definitions());
+  response->id = answer.id;
+  response->world_version = answer.world_version;
+  response->result = kg_core::ToJson(answer.answer);
+  response->error = answer.error;
+  response->ok = static_cast<unsigned char>(answer.error.empty());
+}
+
+// Looks again if anything was committed since it looked last, and only while
+// somebody listens: what changed before is told to the first who does. It rests
+// as long as it took, so that watching takes half a core at most.
+void WatchServer::Run() {
+  std::shared_ptr<const kg_core::GraphView> seen;
+  double rest_s = 0.0;
+  while (RestFor(rest_s)) {
+    rest_s = kRest_s;
+    if (watched_.getNumSubscribers() == 0) continue;
+    if (seen != nullptr && kg_core::IsSameState(*seen, *server_->Read()))
+      continue;
+    seen = server_->Read();
+    const double begin_s = Steady_s();
+    LookAtAll();
+    rest_s = std::max(kRest_s, Steady_s() - begin_s);
+  }
+}
+
+void WatchServer::LookAtAll() {
+  std::vector<std::string> ids;
+  {
+    const std::lock_guard<std::mutex> lock(list_mutex_);
+    ids = list_.ids();
+  }
+  for (const std::string& id : ids) {
+    if (!RestFor(0.0)) return;
+    LookAt(id);
+  }
+}
+
+// Each from a snapshot of its own, taken under the lock: no answer is older
+// than the one before.
+void WatchServer::LookAt(const std::string& id) {
+  const std::lock_guard<std::mutex> lock(list_mutex_);
+  const auto view = server_->Read();
+  const auto answer = list_.Look(id, *view, CurrentDataset(*view));
+  if (!answer) return;
+  if (!answer->error.empty()) {
+    ROS_WARN_STREAM("[watch] " << id << ": " << answer->error);
+  }
+  watched_.publish(ToMessage(*answer));
+}
+
+bool WatchServer::RestFor(double seconds) {
+  std::unique_lock<std::mutex> lock(end_mutex_);
+  return !end_changed_.wait_for(lock, std::chrono::duration<double>(seconds),
+                                [this] { return is_ending_; });
+}
+
+}  // namespace kg_ros
