@@ -229,9 +229,15 @@ Explanation TensorExplainer::Collect(const std::vector<double>& values) const {
 Explanation TensorExplainer::ExplainSum(const std::vector<int>& cells) const {
   std::vector<double> values(parts_.size(), 0.0);
   double sum = 0.0;
+  const int size = static_cast<int>(made_.blend.open.size());
   for (const int cell : cells) {
+    if (cell < 0 || cell >= size) {
+      throw kg_core::InputError("cell " + std::to_string(cell) +
+                                " of a footprint is not one of the grid's " +
+                                std::to_string(size));
+    }
     Evaluate(static_cast<std::size_t>(cell), &values);
-    if (!made_.blend.open.at(cell)) continue;
+    if (!made_.blend.open[cell]) continue;
     sum += made_.after * made_.n.Apply(made_.blend.masked[cell]);
   }
   Explanation explanation = Collect(values);

@@ -52,7 +52,7 @@ class TensorExplainer {
   // U at the cell.
   Explanation ExplainCell(kg_core::Cell cell) const;
   // The contributions to the sum of U over cells (indices of the grid): a
-  // waypoint's score.
+  // waypoint's score. Throws kg_core::InputError for a cell off the grid.
   Explanation ExplainSum(const std::vector<int>& cells) const;
 
  private:

@@ -1,11 +1,48 @@
 #include "kg_selector/planned_world.h"
 
+#include <utility>
+
 #include "kg_core/base/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_selector {
 
 using kg_core::InputError;
+
+TeamRules TeamRulesOf(const kg_compiler::Compilation& compilation) {
+  const kg_core::CoordinationFacts& facts = compilation.coordination.facts;
+  TeamRules rules;
+  rules.event_capacity = compilation.coordination.event_capacity;
+  rules.separation_m = facts.separation_m;
+  rules.separation_is_hard = facts.separation_is_hard;
+  rules.separation_weight_per_m = facts.separation_weight;
+  rules.mode = facts.mode;
+  rules.max_rounds = facts.max_rounds;
+  for (const kg_core::TimeWindow& window : compilation.mission.windows)
+    if (window.index >= compilation.first_window)
+      rules.window_end_s[window.index] = window.end_s;
+  return rules;
+}
+
+void NameAgentsByIri(PlannedWorld* world) {
+  const auto rename = [&](std::string* agent) {
+    for (const kg_core::Agent& known : world->compilation->mission.agents)
+      if (*agent == known.id) *agent = known.iri;
+  };
+  for (TeamMember& member : world->members) rename(&member.rules.agent_iri);
+  for (Pathlet& pathlet : world->plan.committed) rename(&pathlet.agent);
+  for (Rejection& rejection : world->plan.rejections) {
+    rename(&rejection.pathlet.agent);
+    rename(&rejection.conflict.with_agent);
+  }
+  std::map<std::string, std::string> unassigned;
+  for (const auto& [agent, why] : world->plan.unassigned) {
+    std::string name = agent;
+    rename(&name);
+    unassigned[name] = why;
+  }
+  world->plan.unassigned = std::move(unassigned);
+}
 
 const kg_core::Agent& FindAgent(const PlannedWorld& world,
                                 const std::string& name) {
@@ -21,8 +58,14 @@ const kg_core::Agent& FindAgent(const PlannedWorld& world,
 
 const TeamMember& FindMember(const PlannedWorld& world,
                              const kg_core::Agent& agent) {
-  for (const TeamMember& member : world.members)
-    if (member.rules.agent_iri == agent.iri) return member;
+  for (const TeamMember& member : world.members) {
+    if (member.rules.agent_iri != agent.iri) continue;
+    if (member.graphs.size() == member.rules.windows.size()) return member;
+    throw InputError("of the waypoint graphs of " + agent.id + " only " +
+                     std::to_string(member.graphs.size()) + " of " +
+                     std::to_string(member.rules.windows.size()) +
+                     " have come yet");
+  }
   throw InputError("no waypoint graphs of " + agent.id + " are here");
 }
 

@@ -34,10 +34,16 @@ struct PlannedWorld {
   }
 };
 
+// The team's rules as a compilation states them.
+TeamRules TeamRulesOf(const kg_compiler::Compilation& compilation);
+// Planners and selectors may name agents by their ex:id: makes it their IRIs.
+void NameAgentsByIri(PlannedWorld* world);
+
 // By ex:id, "ex:alpha" or IRI. Throws kg_core::InputError naming those known.
 const kg_core::Agent& FindAgent(const PlannedWorld& world,
                                 const std::string& name);
-// Throws kg_core::InputError if nothing has come of the agent.
+// With a graph for each of its windows; throws kg_core::InputError if they have
+// not all come.
 const TeamMember& FindMember(const PlannedWorld& world,
                              const kg_core::Agent& agent);
 // Index of a window in the member's graphs; throws kg_core::InputError.

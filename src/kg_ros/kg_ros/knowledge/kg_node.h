@@ -26,6 +26,7 @@
 #include "kg_ros/knowledge/pending_reports.h"
 #include "kg_ros/knowledge/plan_progress.h"
 #include "kg_ros/knowledge/query_server.h"
+#include "kg_ros/knowledge/why_server.h"
 #include "ros/node_handle.h"
 #include "ros/timer.h"
 
@@ -76,6 +77,7 @@ class KgNode {
   ArtifactPublisher artifacts_;
   RvizPublisher rviz_;
   QueryServer queries_;
+  WhyServer why_;
   PlanProgress progress_;
   diagnostic_updater::Updater diagnostics_;
 

@@ -7,7 +7,6 @@
 #include "kg_core/sparql/results.h"
 #include "kg_msgs/Export.h"
 #include "kg_msgs/WhatIf.h"
-#include "kg_msgs/Why.h"
 #include "kg_ros/base/names.h"
 #include "kg_ros/knowledge/mission_server.h"
 #include "kg_ros/knowledge/mission_state.h"
@@ -45,12 +44,6 @@ QueryServer::QueryServer(const ros::NodeHandle& node,
   node_.setCallbackQueue(&queue_);
   services_.push_back(
       node_.advertiseService(kQueryService, &QueryServer::HandleQuery, this));
-  const boost::function<bool(kg_msgs::Why::Request&, kg_msgs::Why::Response&)>
-      why = [](kg_msgs::Why::Request&, kg_msgs::Why::Response& response) {
-        response.error = kNotAvailable;
-        return true;
-      };
-  services_.push_back(node_.advertiseService(kWhyService, why));
   const boost::function<bool(kg_msgs::WhatIf::Request&,
                              kg_msgs::WhatIf::Response&)>
       what_if =
