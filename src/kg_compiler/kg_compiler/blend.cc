@@ -5,6 +5,7 @@
 
 #include "kg_compiler/distance_transform.h"
 #include "kg_compiler/frontness.h"
+#include "kg_compiler/masks.h"
 #include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
@@ -100,28 +101,63 @@ double NearestRank(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<double> BlendPriors(const kg_core::Grid& grid,
-                                const ActiveFacts& active, double beta_poi) {
-  std::vector<double> sum(grid.size(), 0.0);
-  for (const ActivePrior& prior : active.priors) AddPrior(grid, prior, &sum);
-  for (const kg_core::Event* event : active.events) {
-    if (event->radius_m > 0.0) AddBump(grid, *event, beta_poi, &sum);
-  }
-  return sum;
-}
-
-std::vector<double> BlendValue(const kg_core::Grid& grid,
-                               const kg_core::Raster& value,
-                               const kg_core::Mask& open,
-                               const kg_core::Policy& policy) {
-  std::vector<double> sum(grid.size(), 0.0);
+std::vector<BlendTerm> BlendTerms(const ActiveFacts& active,
+                                  const kg_core::Policy& policy) {
+  using Kind = BlendTerm::Kind;
+  std::vector<BlendTerm> terms;
   if (policy.alpha_base != 0.0) {
-    AddInUnits(value, open, policy.alpha_base, &sum);
+    terms.push_back({Kind::kBase, policy.alpha_base, nullptr, nullptr});
   }
   if (policy.gamma_front != 0.0) {
-    AddInUnits(GradientPerKm(grid, value), open, policy.gamma_front, &sum);
+    terms.push_back({Kind::kFront, policy.gamma_front, nullptr, nullptr});
   }
-  return sum;
+  for (const ActivePrior& prior : active.priors) {
+    terms.push_back({Kind::kPrior, prior.beta, prior.fact, nullptr});
+  }
+  for (const kg_core::Event* event : active.events) {
+    if (!(event->radius_m > 0.0)) continue;
+    terms.push_back({Kind::kEvent, policy.beta_poi, nullptr, event});
+  }
+  return terms;
+}
+
+void AddTerm(const BlendInputs& inputs, const kg_core::Mask& open,
+             const BlendTerm& term, std::vector<double>* sum) {
+  switch (term.kind) {
+    case BlendTerm::Kind::kBase:
+      AddInUnits(inputs.value, open, term.weight, sum);
+      return;
+    case BlendTerm::Kind::kFront:
+      AddInUnits(GradientPerKm(inputs.grid, inputs.value), open, term.weight,
+                 sum);
+      return;
+    case BlendTerm::Kind::kPrior:
+      AddPrior(inputs.grid, {term.prior, term.weight}, sum);
+      return;
+    case BlendTerm::Kind::kEvent:
+      AddBump(inputs.grid, *term.event, term.weight, sum);
+      return;
+  }
+}
+
+Blend BlendLayers(const ActiveFacts& active, const kg_core::Policy& policy,
+                  const BlendInputs& inputs) {
+  Blend blend;
+  blend.open = OpenCells(inputs.grid, inputs.land, active.constraints);
+  blend.attenuation =
+      Attenuations(inputs.grid, inputs.land, active.constraints);
+  blend.priors.assign(inputs.grid.size(), 0.0);
+  blend.masked.assign(inputs.grid.size(), 0.0);
+  for (const BlendTerm& term : BlendTerms(active, policy)) {
+    const bool is_layer = term.kind == BlendTerm::Kind::kBase ||
+                          term.kind == BlendTerm::Kind::kFront;
+    AddTerm(inputs, blend.open, term, is_layer ? &blend.masked : &blend.priors);
+  }
+  for (std::size_t i = 0; i < blend.masked.size(); ++i) {
+    blend.masked[i] =
+        std::max(0.0, blend.masked[i] + blend.priors[i]) * blend.attenuation[i];
+  }
+  return blend;
 }
 
 double Normaliser::Apply(double x) const {

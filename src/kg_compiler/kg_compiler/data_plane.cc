@@ -7,7 +7,6 @@
 
 #include "kg_compiler/active_facts.h"
 #include "kg_compiler/blend.h"
-#include "kg_compiler/masks.h"
 #include "kg_core/base/sha256.h"
 
 namespace kg_compiler {
@@ -32,28 +31,8 @@ void CheckArguments(const Agent& agent, const WindowRasters& rasters,
   }
 }
 
-// What N is applied to, and what it is made of.
-struct Blend {
-  kg_core::Mask open;           // M_hard.
-  kg_core::Raster attenuation;  // M_soft.
-  std::vector<double> priors;   // sum beta P.
-  std::vector<double> masked;   // max(0, V) * M_soft.
-};
-
-Blend BlendLayers(const ActiveFacts& active, const Agent& agent,
-                  const WindowRasters& rasters) {
-  const kg_core::Policy& policy = agent.policy;
-  Blend blend;
-  blend.open = OpenCells(rasters.grid, rasters.land, active.constraints);
-  blend.attenuation =
-      Attenuations(rasters.grid, rasters.land, active.constraints);
-  blend.priors = BlendPriors(rasters.grid, active, policy.beta_poi);
-  blend.masked = BlendValue(rasters.grid, rasters.value, blend.open, policy);
-  for (std::size_t i = 0; i < blend.masked.size(); ++i) {
-    blend.masked[i] =
-        std::max(0.0, blend.masked[i] + blend.priors[i]) * blend.attenuation[i];
-  }
-  return blend;
+BlendInputs InputsOf(const WindowRasters& rasters) {
+  return {rasters.grid, rasters.land, rasters.value};
 }
 
 void Scale(double factor, std::vector<double>* values) {
@@ -97,7 +76,8 @@ void AddLayers(const Blend& blend, const kg_core::Mask& land,
       {Layer::kUncertainty, kg_core::Raster(size, doubt)},
       {Layer::kPolicy,
        kg_core::Raster(blend.priors.begin(), blend.priors.end())},
-      {Layer::kAttenuation, blend.attenuation},
+      {Layer::kAttenuation,
+       kg_core::Raster(blend.attenuation.begin(), blend.attenuation.end())},
       {Layer::kFeasibility, Feasibility(blend.open, land)},
       {Layer::kFused, std::move(fused)},
   };
@@ -141,7 +121,7 @@ HorizonScale MeasureHorizon(const Mission& mission, const Agent& agent,
   for (std::size_t i = 0; i < mission.windows.size(); ++i) {
     const TimeWindow& window = mission.windows[i];
     const ActiveFacts active = FindActiveFacts(mission, agent, window);
-    Blend blend = BlendLayers(active, agent, rasters.at(i));
+    Blend blend = BlendLayers(active, agent.policy, InputsOf(rasters.at(i)));
     Scale(window.confidence, &blend.masked);
     const Normaliser own =
         FitNormaliser(blend.masked, blend.open, agent.policy.normalisation);
@@ -154,25 +134,35 @@ HorizonScale MeasureHorizon(const Mission& mission, const Agent& agent,
   return {all.low, all.range, {sources.begin(), sources.end()}};
 }
 
+TensorBlend BlendTensor(const Agent& agent, const TimeWindow& window,
+                        const WindowRasters& rasters, const ActiveFacts& active,
+                        const HorizonScale* horizon) {
+  const kg_core::Policy& policy = agent.policy;
+  TensorBlend made;
+  made.blend = BlendLayers(active, policy, InputsOf(rasters));
+  const bool post = policy.confidence_mode == ConfidenceMode::kPost;
+  (post ? made.after : made.before) = window.confidence;
+  if (!post) Scale(window.confidence, &made.blend.masked);
+  made.n = horizon ? Normaliser{horizon->low, horizon->range}
+                   : FitNormaliser(made.blend.masked, made.blend.open,
+                                   policy.normalisation);
+  return made;
+}
+
 MissionTensor CompileTensor(const Mission& mission, const Agent& agent,
                             const TimeWindow& window,
                             const WindowRasters& rasters,
                             const HorizonScale* horizon) {
   CheckArguments(agent, rasters, horizon);
   const ActiveFacts active = FindActiveFacts(mission, agent, window);
-  Blend blend = BlendLayers(active, agent, rasters);
-  const bool after = agent.policy.confidence_mode == ConfidenceMode::kPost;
-  if (!after) Scale(window.confidence, &blend.masked);
-  const Normaliser n = horizon ? Normaliser{horizon->low, horizon->range}
-                               : FitNormaliser(blend.masked, blend.open,
-                                               agent.policy.normalisation);
+  const TensorBlend made = BlendTensor(agent, window, rasters, active, horizon);
   MissionTensor tensor;
   tensor.agent_iri = agent.iri;
   tensor.window = window.index;
   tensor.confidence = window.confidence;
   tensor.grid = rasters.grid;
-  AddLayers(blend, rasters.land, Reward(blend, n, rasters.land),
-            after ? window.confidence : 1.0, &tensor);
+  AddLayers(made.blend, rasters.land, Reward(made.blend, made.n, rasters.land),
+            made.after, &tensor);
   tensor.hash = TensorHash(mission, agent, window, rasters, horizon);
   tensor.derived_from = horizon
                             ? horizon->derived_from

@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "kg_compiler/blend.h"
 #include "kg_compiler/mission_tensor.h"
 #include "kg_core/mission/mission.h"
 #include "kg_core/raster/grid.h"
@@ -52,6 +53,20 @@ struct HorizonScale {
 HorizonScale MeasureHorizon(const kg_core::Mission& mission,
                             const kg_core::Agent& agent,
                             const std::vector<WindowRasters>& rasters);
+
+// A tensor on its way: what N is applied to, N, and what the confidence w_t is
+// multiplied into. U = after N(masked) (.) M_hard; w_t stands either in `after`
+// (A1, `post`) or, by `before`, in masked already.
+struct TensorBlend {
+  Blend blend;
+  Normaliser n;
+  double before = 1.0;
+  double after = 1.0;
+};
+TensorBlend BlendTensor(const kg_core::Agent& agent,
+                        const kg_core::TimeWindow& window,
+                        const WindowRasters& rasters, const ActiveFacts& active,
+                        const HorizonScale* horizon);
 
 // `horizon` if and only if the policy's confidence mode is kHorizon. Throws
 // std::logic_error if that or the rasters' sizes do not agree.

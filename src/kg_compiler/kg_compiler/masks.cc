@@ -3,11 +3,10 @@
 #include "kg_compiler/distance_transform.h"
 
 namespace kg_compiler {
-namespace {
 
-// The cells a constraint holds in, its buffer included.
-kg_core::Mask Extent(const kg_core::Grid& grid, const kg_core::Mask& land,
-                     const ActiveConstraint& constraint) {
+kg_core::Mask ConstraintExtent(const kg_core::Grid& grid,
+                               const kg_core::Mask& land,
+                               const ActiveConstraint& constraint) {
   const kg_core::Constraint& fact = *constraint.fact;
   if (fact.is_land) return GrowByCells(grid, land, fact.buffer_cells);
   if (!fact.area) return kg_core::Mask(grid.size(), 0);
@@ -17,15 +16,13 @@ kg_core::Mask Extent(const kg_core::Grid& grid, const kg_core::Mask& land,
   return GrowByCells(grid, inside, fact.buffer_cells);
 }
 
-}  // namespace
-
 kg_core::Mask OpenCells(const kg_core::Grid& grid, const kg_core::Mask& land,
                         const std::vector<ActiveConstraint>& constraints) {
   kg_core::Mask open(grid.size());
   for (std::size_t i = 0; i < open.size(); ++i) open[i] = land[i] ? 0 : 1;
   for (const ActiveConstraint& constraint : constraints) {
     if (!constraint.hard) continue;
-    const kg_core::Mask closed = Extent(grid, land, constraint);
+    const kg_core::Mask closed = ConstraintExtent(grid, land, constraint);
     for (std::size_t i = 0; i < open.size(); ++i) {
       if (closed[i]) open[i] = 0;
     }
@@ -33,18 +30,18 @@ kg_core::Mask OpenCells(const kg_core::Grid& grid, const kg_core::Mask& land,
   return open;
 }
 
-kg_core::Raster Attenuations(const kg_core::Grid& grid,
-                             const kg_core::Mask& land,
-                             const std::vector<ActiveConstraint>& constraints) {
+std::vector<double> Attenuations(
+    const kg_core::Grid& grid, const kg_core::Mask& land,
+    const std::vector<ActiveConstraint>& constraints) {
   std::vector<double> factor(grid.size(), 1.0);
   for (const ActiveConstraint& constraint : constraints) {
     if (constraint.hard || constraint.attenuation == 1.0) continue;
-    const kg_core::Mask inside = Extent(grid, land, constraint);
+    const kg_core::Mask inside = ConstraintExtent(grid, land, constraint);
     for (std::size_t i = 0; i < factor.size(); ++i) {
       if (inside[i]) factor[i] *= constraint.attenuation;
     }
   }
-  return kg_core::Raster(factor.begin(), factor.end());
+  return factor;
 }
 
 }  // namespace kg_compiler

@@ -4,6 +4,8 @@
 #ifndef KG_COMPILER_MASKS_H_
 #define KG_COMPILER_MASKS_H_
 
+#include <vector>
+
 #include "kg_compiler/active_facts.h"
 #include "kg_core/raster/grid.h"
 
@@ -16,9 +18,14 @@ kg_core::Mask OpenCells(const kg_core::Grid& grid, const kg_core::Mask& land,
 
 // M_soft: the product of the factors of the soft zones that a cell's centre is
 // in (A10), or in whose buffer it is. 1 elsewhere.
-kg_core::Raster Attenuations(const kg_core::Grid& grid,
-                             const kg_core::Mask& land,
-                             const std::vector<ActiveConstraint>& constraints);
+std::vector<double> Attenuations(
+    const kg_core::Grid& grid, const kg_core::Mask& land,
+    const std::vector<ActiveConstraint>& constraints);
+
+// 1 in the cells that one constraint holds in, its buffer included.
+kg_core::Mask ConstraintExtent(const kg_core::Grid& grid,
+                               const kg_core::Mask& land,
+                               const ActiveConstraint& constraint);
 
 }  // namespace kg_compiler
 

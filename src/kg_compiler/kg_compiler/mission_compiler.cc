@@ -121,8 +121,10 @@ class Run {
       clock_.End("read");
       now_->tensors.push_back(
           Tensor(agent, windows[i], *rasters, horizon ? &*horizon : nullptr));
+      now_->rasters.push_back(rasters);
       NoteTensor(*now_->tensors.back());
     }
+    if (horizon) now_->horizons[agent.iri] = *horizon;
     clock_.End("tensors");
   }
 

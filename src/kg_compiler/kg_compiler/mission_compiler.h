@@ -42,7 +42,10 @@ struct Compilation {
   int first_window = 0;
   std::vector<std::shared_ptr<const WorkField>> fields;       // By window.
   std::vector<std::shared_ptr<const MissionTensor>> tensors;  // Agent, window.
-  std::vector<SeamRules> rules;                               // By agent.
+  // What each tensor was made from; in their order.
+  std::vector<std::shared_ptr<const WindowRasters>> rasters;
+  std::map<std::string, HorizonScale> horizons;  // By agent IRI, of `horizon`.
+  std::vector<SeamRules> rules;                  // By agent.
   CoordinationRules coordination;
   std::vector<DirtyArtifact> dirty;
   // "fields" and "read" (value layers): from files, where not read before;

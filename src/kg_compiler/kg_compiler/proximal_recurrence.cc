@@ -45,7 +45,7 @@ class Recurrence {
       cell = {r, best_[r].col};
     }
     if (most == 0) return std::nullopt;
-    return Pick{cell, static_cast<double>(most) * unit_};
+    return Pick{cell, static_cast<double>(most) * unit_, Footprint(cell)};
   }
 
   // Blanks the disc around a pick and forbids it to later picks.
@@ -108,6 +108,22 @@ class Recurrence {
       ++rows.last;
     }
     return rows;
+  }
+  // The cells that AddRow sums for a cell, but for those worth nothing.
+  std::vector<int> Footprint(kg_core::Cell cell) const {
+    std::vector<int> footprint;
+    const Columns rows = RowsWithin(cell.row, radius_m_);
+    for (int r = rows.first; r < rows.last; ++r) {
+      const double north_m = North_m(cell.row, r);
+      const double left_m2 = radius_m_ * radius_m_ - north_m * north_m;
+      for (int c = 0; c < grid_.cols(); ++c) {
+        const double east_m = LonGap(cell.col, c) * m_per_lon_deg_[r];
+        const std::size_t i = grid_.Index({r, c});
+        if (utility_[i] == 0 || !(east_m * east_m <= left_m2)) continue;
+        footprint.push_back(static_cast<int>(i));
+      }
+    }
+    return footprint;
   }
   std::int64_t* Sums(int row) {
     return &sums_[static_cast<std::size_t>(row) * (grid_.cols() + 1)];
@@ -195,10 +211,10 @@ std::vector<Pick> ProximalRecurrence(const kg_core::Grid& grid,
   return picks;
 }
 
-double DiscSum(const kg_core::Grid& grid, const kg_core::Raster& utility,
-               kg_core::Cell cell, double radius_m) {
+Pick DiscSum(const kg_core::Grid& grid, const kg_core::Raster& utility,
+             kg_core::Cell cell, double radius_m) {
   const kg_core::LonLat centre = grid.Centre(cell);
-  double sum = 0.0;
+  Pick pick{cell, 0.0, {}};
   for (int r = 0; r < grid.rows(); ++r) {
     const double lat_deg = grid.lat_deg()[r];
     const double middle_deg = 0.5 * (lat_deg + centre.lat_deg);
@@ -207,12 +223,15 @@ double DiscSum(const kg_core::Grid& grid, const kg_core::Raster& utility,
     if (!(std::abs(north_m) <= radius_m)) continue;
     const double m_per_deg = 1.0 / kg_core::LocalScale(lat_deg).lon_deg;
     for (int c = 0; c < grid.cols(); ++c) {
+      const std::size_t i = grid.Index({r, c});
       const double east_m = (grid.lon_deg()[c] - centre.lon_deg) * m_per_deg;
       const double square_m2 = east_m * east_m + north_m * north_m;
-      if (square_m2 <= radius_m * radius_m) sum += utility[grid.Index({r, c})];
+      if (!(square_m2 <= radius_m * radius_m) || utility[i] == 0.0f) continue;
+      pick.score += utility[i];
+      pick.footprint.push_back(static_cast<int>(i));
     }
   }
-  return sum;
+  return pick;
 }
 
 }  // namespace kg_compiler

@@ -25,6 +25,9 @@ struct RecurrenceOptions {
 struct Pick {
   kg_core::Cell cell;
   double score = 0.0;  // R when it was picked: sum of U over the disc (A12).
+  // The cells that the score sums, ascending: those of the disc that are worth
+  // anything and that no earlier pick had blanked.
+  std::vector<int> footprint;
 };
 
 // `utility` >= 0 without NaN; only cells with allowed = 1 and score > 0 are
@@ -34,9 +37,9 @@ std::vector<Pick> ProximalRecurrence(const kg_core::Grid& grid,
                                      const kg_core::Mask& allowed,
                                      const RecurrenceOptions& options);
 
-// R at one cell: the sum of U over the disc around it.
-double DiscSum(const kg_core::Grid& grid, const kg_core::Raster& utility,
-               kg_core::Cell cell, double radius_m);
+// R at one cell with nothing blanked: the sum of U over the disc around it.
+Pick DiscSum(const kg_core::Grid& grid, const kg_core::Raster& utility,
+             kg_core::Cell cell, double radius_m);
 
 }  // namespace kg_compiler
 

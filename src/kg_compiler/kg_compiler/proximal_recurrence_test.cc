@@ -52,7 +52,10 @@ std::vector<Pick> Naive(const kg_core::Grid& grid, kg_core::Raster utility,
       if (sum > most) best = i, most = sum;
     }
     if (best < 0) break;
-    picks.push_back({{best / grid.cols(), best % grid.cols()}, most});
+    picks.push_back({{best / grid.cols(), best % grid.cols()}, most, {}});
+    for (const int j : footprints[best]) {
+      if (utility[j] > 0.0f) picks.back().footprint.push_back(j);
+    }
     for (const int j : spacings[best]) {
       utility[j] = 0.0f;
       allowed[j] = 0;
@@ -67,6 +70,7 @@ void ExpectSamePicks(const std::vector<Pick>& wanted,
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     EXPECT_TRUE(wanted[i].cell == got[i].cell) << "pick " << i;
     EXPECT_NEAR(wanted[i].score, got[i].score, 1e-6);
+    EXPECT_EQ(wanted[i].footprint, got[i].footprint) << "pick " << i;
   }
 }
 
@@ -125,10 +129,12 @@ TEST(ProximalRecurrence, RefusesRastersOfAnotherSize) {
 TEST(DiscSum, CountsTheCellsOfTheDisc) {
   const kg_core::Grid grid = EvenGrid(0, -0.2, 0.04, 11, 11);  // 4.45 km cells.
   const kg_core::Raster ones(121, 1.0f);
-  EXPECT_DOUBLE_EQ(1.0, DiscSum(grid, ones, {5, 5}, 0));
-  EXPECT_DOUBLE_EQ(5.0, DiscSum(grid, ones, {5, 5}, 5000));
-  EXPECT_DOUBLE_EQ(9.0, DiscSum(grid, ones, {5, 5}, 6500));
-  EXPECT_DOUBLE_EQ(4.0, DiscSum(grid, ones, {0, 0}, 6500));
+  EXPECT_DOUBLE_EQ(1.0, DiscSum(grid, ones, {5, 5}, 0).score);
+  EXPECT_DOUBLE_EQ(5.0, DiscSum(grid, ones, {5, 5}, 5000).score);
+  EXPECT_DOUBLE_EQ(9.0, DiscSum(grid, ones, {5, 5}, 6500).score);
+  EXPECT_DOUBLE_EQ(4.0, DiscSum(grid, ones, {0, 0}, 6500).score);
+  EXPECT_EQ((std::vector<int>{0, 1, 11, 12}),
+            DiscSum(grid, ones, {0, 0}, 6500).footprint);
 }
 
 }  // namespace

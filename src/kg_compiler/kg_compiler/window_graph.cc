@@ -121,6 +121,7 @@ class Builder {
       if (Full()) return;
       if (TakenCell(pick.cell) || !Add(grid_.Centre(pick.cell))) continue;
       drafts_.back().waypoint.score = pick.score;
+      drafts_.back().waypoint.footprint = pick.footprint;
     }
   }
 
@@ -135,8 +136,10 @@ class Builder {
     Waypoint& waypoint = draft->waypoint;
     waypoint.value = fused_[grid_.Index(draft->cell)];
     if (waypoint.score == 0.0) {
-      waypoint.score =
+      Pick pick =
           DiscSum(grid_, fused_, draft->cell, in_.rules->sensor_radius_m);
+      waypoint.score = pick.score;
+      waypoint.footprint = std::move(pick.footprint);
     }
     for (const EventRule& event : in_.window->events) {
       const double away_m =

@@ -17,8 +17,9 @@ import rosservice
 import rospy
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
-from kg_msgs.msg import AgentState, FactUpdate, UpdateReport, World
-from kg_msgs.srv import Export, WhatIf, Why
+from kg_msgs.msg import (AgentState, FactUpdate, MissionTensor, UpdateReport,
+                         World)
+from kg_msgs.srv import Export, WhatIf, Why, WhyRequest
 from mission_test import (CHANGE_S, ROOT, Heard, MissionTestCase, by_agent, main,
                           track_deg, wait_until)
 from nav_msgs.msg import OccupancyGrid, Path
@@ -129,7 +130,7 @@ class GulfTest(MissionTestCase):
         told.close()
 
     def test_3_says_what_is_not_available(self):
-        for name, kind in (('why', Why), ('export', Export)):
+        for name, kind in (('export', Export),):
             rospy.wait_for_service('kg/' + name, CHANGE_S)
             answer = rospy.ServiceProxy('kg/' + name, kind)()
             self.assertFalse(answer.ok, name)
@@ -314,6 +315,121 @@ class GulfTest(MissionTestCase):
             self.house.select("""
                 SELECT ?g ?s WHERE { GRAPH ?g { ?s a ex:PlanRun } }"""))
         ).encode()).hexdigest()
+
+    def _why(self, **request):
+        """The answer, whose contributions sum and whose facts are so."""
+        rospy.wait_for_service('kg/why', CHANGE_S)
+        answer = rospy.ServiceProxy('kg/why', Why)(**request)
+        self.assertTrue(answer.ok, answer.error)
+        self.assertAlmostEqual(answer.value, sum(answer.contributions),
+                               delta=1e-9, msg=answer.text)
+        self.assertEqual(len(answer.contributions), len(answer.facts))
+        for facts in answer.facts:
+            self.assertNotEqual('', facts, answer.text)
+            self.assertTrue(self.house.ask('ASK { %s }' % facts), facts)
+        told = json.loads(answer.json)
+        self.assertEqual(answer.value, told['value'])
+        self.assertEqual(list(answer.contributions),
+                         [part['value'] for part in told['contributions']])
+        return answer
+
+    def test_4_why_explains_every_step_of_every_path(self):
+        world, plan = self.house.wait_for_plan()
+        for agent, assignment in by_agent(plan).items():
+            pathlet = assignment.pathlet
+            for visit in (pathlet.visits[0], pathlet.visits[4]):
+                answer = self._why(what=WhyRequest.ASSIGNMENT, agent=agent,
+                                   window=visit.window)
+                self.assertEqual(world.plan_version, answer.world_version)
+                self.assertAlmostEqual(visit.reward - visit.cost.seam_cost,
+                                       answer.value, delta=1e-9)
+                self.assertIn('ex:%s ex:usesPolicy ex:' % agent, answer.text)
+                self.assertIn('sha256', answer.text)
+            answer = self._why(what=WhyRequest.ASSIGNMENT, agent=agent,
+                               window=-1)
+            self.assertAlmostEqual(pathlet.reward - pathlet.seam_cost,
+                                   answer.value, delta=1e-9)
+            edge = self._why(what=WhyRequest.EDGE, agent=agent, window=3,
+                             to=pathlet.visits[3].waypoint,
+                             **{'from_': pathlet.visits[2].waypoint})
+            self.assertAlmostEqual(pathlet.visits[3].cost.seam_cost,
+                                   edge.value, delta=1e-12)
+
+    def test_4_why_explains_tensor_cells_as_published(self):
+        tensors = Heard('kg/alpha/tensors', MissionTensor)
+        tensor = tensors.wait(lambda message: message.window == 2)
+        tensors.close()
+        fused = next(layer for layer in tensor.layers
+                     if layer.name == 'FUSED').values
+        cols = len(tensor.grid.lon_rad)
+        best = max(range(len(fused)), key=fused.__getitem__)
+        for cell in (best, 200 * cols + 100, 230 * cols + 111, 3 * cols + 3):
+            answer = self._why(what=WhyRequest.TENSOR_CELL, agent='ex:alpha',
+                               window=2, lat_rad=tensor.grid.lat_rad[
+                                   cell // cols],
+                               lon_rad=tensor.grid.lon_rad[cell % cols])
+            self.assertAlmostEqual(fused[cell], answer.value, delta=2e-7)
+            self.assertIn('ex:fast ex:alpha_base 1', answer.text)
+        sanctuary = self._why(what=WhyRequest.TENSOR_CELL, agent='alpha',
+                              window=0, lon_rad=math.radians(-93.6),
+                              lat_rad=math.radians(27.9))
+        self.assertIn('ex:sanctuary ex:attenuation 0.4', sanctuary.text)
+
+    def test_4_why_not_names_what_stands_in_the_way(self):
+        _, plan = self.house.wait_for_plan()
+        visit = by_agent(plan)['alpha'].pathlet.visits[2]
+        answer = self._why(what=WhyRequest.WAYPOINT, agent='alpha', window=2,
+                           to=visit.waypoint)
+        self.assertEqual('taken', answer.verdict)
+        other = 0 if visit.waypoint != 0 else 1
+        answer = self._why(what=WhyRequest.WAYPOINT, agent='alpha', window=2,
+                           to=other)
+        self.assertNotEqual('taken', answer.verdict)
+        self.assertGreater(answer.value, 0.0)
+        for lon, lat, verdict in ((-91.0, 30.5, 'forbidden'),
+                                  (-85.0, 24.0, 'unreachable')):
+            answer = self._why(what=WhyRequest.PLACE, agent='alpha', window=1,
+                               lon_rad=math.radians(lon),
+                               lat_rad=math.radians(lat))
+            self.assertEqual(verdict, answer.verdict, answer.text)
+            self.assertGreater(answer.value, 0.0)
+        for event in ('seep', 'tagged_whale', 'mooring', 'bloom', 'eddy_rim'):
+            for agent in AGENTS:
+                answer = self._why(what=WhyRequest.EVENT, agent=agent,
+                                   window=-1, id='ex:' + event)
+                taken = any('http://example.org/mission/' + event in v.events
+                            for v in by_agent(plan)[agent].pathlet.visits)
+                self.assertEqual(taken, answer.verdict == 'taken',
+                                 answer.text)
+        seep = 'http://example.org/mission/seep'
+        other = next(agent for agent in AGENTS if not any(
+            seep in v.events for v in by_agent(plan)[agent].pathlet.visits))
+        answer = self._why(what=WhyRequest.EVENT, agent=other, window=6,
+                           id=seep)
+        self.assertEqual('expired', answer.verdict)
+
+    def test_4_why_explains_rejections_by_number_and_by_name(self):
+        self.house.wait_for_plan()
+        rows = self.house.select(
+            'SELECT ?x ?margin WHERE { ?x a ex:Rejection ; ex:margin ?margin }')
+        self.assertGreater(len(rows), 0)
+        for row in rows:
+            for name in (row['x'], row['x'].split('/')[-1]):
+                answer = self._why(what=WhyRequest.REJECTION, id=name)
+                self.assertAlmostEqual(float(row['margin']), answer.value,
+                                       delta=1e-9)
+
+    def test_4_why_refuses_what_is_not_there(self):
+        rospy.wait_for_service('kg/why', CHANGE_S)
+        why = rospy.ServiceProxy('kg/why', Why)
+        for request in ({'what': 99}, {'agent': 'nobody'},
+                        {'agent': 'alpha', 'window': 77},
+                        {'what': WhyRequest.REJECTION, 'id': '999'},
+                        {'what': WhyRequest.EVENT, 'agent': 'alpha',
+                         'id': 'ex:nothing'}):
+            answer = why(**request)
+            self.assertFalse(answer.ok)
+            self.assertNotEqual('', answer.error, request)
 
     def test_5_a_policy_changes_its_agents_tensors_and_path_only(self):
         before, plan_before = self.house.wait_for_plan()

@@ -146,6 +146,70 @@ TEST(ConversionTest, RefusesATrackThatGoesBackInTime) {
   EXPECT_THROW(FromMessage(track), InputError);
 }
 
+kg_compiler::NavGraph SmallGraph() {
+  kg_compiler::NavGraph graph;
+  graph.agent_iri = "http://example.org/mission/alpha";
+  graph.window = 3;
+  graph.hash = "0af1";
+  graph.waypoints = {{0, {-90.0, 25.0}, 2.5, 0.5, {"e"}, 1.5, {3, 4, 9}},
+                     {1, {-89.0, 24.0}, 1.25, 0.25, {}, 0.0, {}}};
+  kg_compiler::TraverseEdge edge;
+  edge.from = 4;
+  edge.to = 1;
+  edge.flight.track = {{{-90.0, 25.0}, 1.8e9}, {{-89.0, 24.0}, 1.8e9 + 9.0}};
+  edge.flight.travel_s = 9.0;
+  edge.flight.energy_j = 7.5;
+  edge.flight.hazard_s = 0.125;
+  edge.flight.through_water_m = 6.0;
+  edge.seam_cost = 0.375;
+  graph.edges = {edge};
+  return graph;
+}
+
+TEST(ConversionTest, AWaypointGraphComesBackAsItWas) {
+  const kg_compiler::NavGraph graph = SmallGraph();
+  const kg_compiler::NavGraph back = FromMessage(ToMessage(graph, {}));
+  EXPECT_EQ(graph.agent_iri, back.agent_iri);
+  EXPECT_EQ(graph.window, back.window);
+  EXPECT_EQ(graph.hash, back.hash);
+  ASSERT_EQ(2u, back.waypoints.size());
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& a = graph.waypoints[i];
+    const auto& b = back.waypoints[i];
+    EXPECT_EQ(a.id, b.id);
+    EXPECT_NEAR(a.position.lon_deg, b.position.lon_deg, 1e-12);
+    EXPECT_EQ(a.score, b.score);
+    EXPECT_EQ(a.value, b.value);
+    EXPECT_EQ(a.events, b.events);
+    EXPECT_EQ(a.event_reward, b.event_reward);
+    EXPECT_EQ(a.footprint, b.footprint);
+  }
+  ASSERT_EQ(1u, back.edges.size());
+  const auto& a = graph.edges[0];
+  const auto& b = back.edges[0];
+  EXPECT_EQ(a.from, b.from);
+  EXPECT_EQ(a.to, b.to);
+  EXPECT_EQ(a.seam_cost, b.seam_cost);
+  EXPECT_EQ(a.flight.travel_s, b.flight.travel_s);
+  EXPECT_EQ(a.flight.energy_j, b.flight.energy_j);
+  EXPECT_EQ(a.flight.hazard_s, b.flight.hazard_s);
+  EXPECT_EQ(a.flight.through_water_m, b.flight.through_water_m);
+  EXPECT_EQ(2u, b.flight.track.size());
+}
+
+TEST(ConversionTest, RefusesAWaypointGraphThatMakesNoSense) {
+  const kg_msgs::NavGraph good = ToMessage(SmallGraph(), {});
+  kg_msgs::NavGraph message = good;
+  message.waypoints[1].id = 7;
+  EXPECT_THROW(FromMessage(message), InputError);
+  message = good;
+  message.edges[0].to = 2;
+  EXPECT_THROW(FromMessage(message), InputError);
+  message = good;
+  message.edges[0].cost.seam_cost = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(FromMessage(message), InputError);
+}
+
 TEST(ConversionTest, APositionLiesBetweenItsNeighboursInTime) {
   const std::vector<kg_compiler::TimedPoint> track = {{{-90.0, 25.0}, 100.0},
                                                       {{-89.0, 26.0}, 200.0}};

@@ -22,7 +22,34 @@ kg_msgs::Waypoint ToMessage(const kg_compiler::Waypoint& waypoint) {
   message.value = waypoint.value;
   message.event_reward = waypoint.event_reward;
   message.events = waypoint.events;
+  message.footprint.assign(waypoint.footprint.begin(),
+                           waypoint.footprint.end());
   return message;
+}
+
+kg_compiler::Waypoint FromMessage(const kg_msgs::Waypoint& message) {
+  kg_compiler::Waypoint waypoint;
+  waypoint.id = static_cast<int>(message.id);
+  waypoint.position = GetPosition(message);
+  waypoint.score = message.score;
+  waypoint.value = message.value;
+  waypoint.event_reward = message.event_reward;
+  waypoint.events = message.events;
+  waypoint.footprint.assign(message.footprint.begin(), message.footprint.end());
+  return waypoint;
+}
+
+TraverseEdge FromMessage(const kg_msgs::TraverseEdge& message) {
+  TraverseEdge edge;
+  edge.from = static_cast<int>(message.from);
+  edge.to = static_cast<int>(message.to);
+  edge.flight.track = kg_ros::FromMessage(message.track);
+  edge.flight.travel_s = message.cost.travel_s;
+  edge.flight.energy_j = message.cost.energy_j;
+  edge.flight.hazard_s = message.cost.hazard_s;
+  edge.flight.through_water_m = message.cost.through_water_m;
+  edge.seam_cost = message.cost.seam_cost;
+  return edge;
 }
 
 kg_msgs::TraverseEdge ToMessage(const TraverseEdge& edge) {
@@ -98,6 +125,34 @@ kg_msgs::NavGraph ToMessage(const NavGraph& graph,
     message.edges.push_back(ToMessage(edge));
   }
   return message;
+}
+
+NavGraph FromMessage(const kg_msgs::NavGraph& message) {
+  NavGraph graph;
+  graph.agent_iri = message.agent_iri;
+  graph.window = message.window;
+  graph.hash = message.hash;
+  for (const kg_msgs::Waypoint& waypoint : message.waypoints) {
+    if (waypoint.id != graph.waypoints.size() ||
+        !std::isfinite(waypoint.score)) {
+      throw kg_core::InputError("NavGraph of " + message.agent + ", window " +
+                                std::to_string(message.window) +
+                                ": waypoints must be numbered from 0 and "
+                                "scores finite");
+    }
+    graph.waypoints.push_back(FromMessage(waypoint));
+  }
+  for (const kg_msgs::TraverseEdge& edge : message.edges) {
+    if (edge.to >= message.waypoints.size() ||
+        !std::isfinite(edge.cost.seam_cost)) {
+      throw kg_core::InputError("NavGraph of " + message.agent + ", window " +
+                                std::to_string(message.window) +
+                                ": edges must lead to its waypoints and costs "
+                                "be finite");
+    }
+    graph.edges.push_back(FromMessage(edge));
+  }
+  return graph;
 }
 
 kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,

@@ -32,6 +32,10 @@ kg_msgs::EdgeCost CostMessage(const kg_compiler::TraverseEdge& edge);
 kg_msgs::NavGraph ToMessage(const kg_compiler::NavGraph& graph,
                             const kg_compiler::SeamRules& rules);
 
+// The inverse. Throws kg_core::InputError if ids are not those of the order, or
+// numbers are not finite.
+kg_compiler::NavGraph FromMessage(const kg_msgs::NavGraph& message);
+
 // With the cost of every seam, looked up in the graphs the path was made of.
 kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
                            const std::vector<kg_compiler::NavGraph>& graphs);

@@ -42,6 +42,7 @@ KgNode::KgNode(const MissionFolders& folders, const HttpDoorOptions& http,
       queries_(node_, &server_),
       what_ifs_(node_, &server_),
       watches_(node_, &server_),
+      why_(node_, &server_),
       main_thread_(ros::getGlobalCallbackQueue()) {
   updates_ = node_.advertise<UpdateReport>(kUpdatesTopic, 100, kLatched);
   world_ = node_.advertise<World>(kWorldTopic, 1, kLatched);
@@ -258,6 +259,7 @@ void KgNode::StartCycle() {
   }
   const double compiled_s = Now_s();
   progress_.Begin(server_.cycle());
+  why_.archive().Begin(server_.cycle(), compilation_, server_.Read());
   artifacts_.Publish(*compilation_, server_.cycle());
   if (plan_status_ == World::PLAN_FAILED) plan_status_ = World::PLAN_STALE;
   rviz_.Show(*compilation_, ViewWindow());
@@ -291,6 +293,7 @@ void KgNode::FailCycle(const std::string& why) {
 
 void KgNode::HandleNavGraph(const kg_msgs::NavGraph& message) {
   if (!progress_.Take(message)) return;
+  why_.archive().Take(message);
   rviz_.Keep(message);
   graphs_are_new_ = true;
 }
@@ -327,7 +330,9 @@ void KgNode::CommitFinishedPlan() {
   record.started_s = cycle_began_s_;
   record.ended_s = begin_s;
   try {
-    server_.RecordPlan(std::move(record));
+    record.executed = server_.executed();
+    server_.RecordPlan(record);
+    why_.archive().Commit(record, server_.Read());
   } catch (const std::runtime_error& error) {
     FailCycle(error.what());
     return;

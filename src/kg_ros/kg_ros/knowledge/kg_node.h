@@ -30,6 +30,7 @@
 #include "kg_ros/knowledge/what_if_server.h"
 #include "kg_ros/protocol/http_door.h"
 #include "kg_ros/protocol/main_thread.h"
+#include "kg_ros/knowledge/why_server.h"
 #include "ros/node_handle.h"
 #include "ros/timer.h"
 
@@ -92,6 +93,7 @@ class KgNode {
   QueryServer queries_;
   WhatIfServer what_ifs_;
   WatchServer watches_;
+  WhyServer why_;
   PlanProgress progress_;
   diagnostic_updater::Updater diagnostics_;
 

@@ -6,7 +6,6 @@
 #include "kg_core/sparql/query_engine.h"
 #include "kg_core/sparql/results.h"
 #include "kg_msgs/Export.h"
-#include "kg_msgs/Why.h"
 #include "kg_ros/base/names.h"
 #include "kg_ros/knowledge/mission_server.h"
 #include "kg_ros/knowledge/mission_state.h"
@@ -49,12 +48,6 @@ QueryServer::QueryServer(const ros::NodeHandle& node,
   node_.setCallbackQueue(&queue_);
   services_.push_back(query_node_.advertiseService(
       kQueryService, &QueryServer::HandleQuery, this));
-  const boost::function<bool(kg_msgs::Why::Request&, kg_msgs::Why::Response&)>
-      why = [](kg_msgs::Why::Request&, kg_msgs::Why::Response& response) {
-        response.error = kNotAvailable;
-        return true;
-      };
-  services_.push_back(node_.advertiseService(kWhyService, why));
   const boost::function<bool(kg_msgs::Export::Request&,
                              kg_msgs::Export::Response&)>
       do_export =

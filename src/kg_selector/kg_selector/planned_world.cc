@@ -1,0 +1,118 @@
+#include "kg_selector/planned_world.h"
+
+#include <utility>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/rdf/namespaces.h"
+
+namespace kg_selector {
+
+using kg_core::InputError;
+
+TeamRules TeamRulesOf(const kg_compiler::Compilation& compilation) {
+  const kg_core::CoordinationFacts& facts = compilation.coordination.facts;
+  TeamRules rules;
+  rules.event_capacity = compilation.coordination.event_capacity;
+  rules.separation_m = facts.separation_m;
+  rules.separation_is_hard = facts.separation_is_hard;
+  rules.separation_weight_per_m = facts.separation_weight;
+  rules.mode = facts.mode;
+  rules.max_rounds = facts.max_rounds;
+  for (const kg_core::TimeWindow& window : compilation.mission.windows)
+    if (window.index >= compilation.first_window)
+      rules.window_end_s[window.index] = window.end_s;
+  return rules;
+}
+
+void NameAgentsByIri(PlannedWorld* world) {
+  const auto rename = [&](std::string* agent) {
+    for (const kg_core::Agent& known : world->compilation->mission.agents)
+      if (*agent == known.id) *agent = known.iri;
+  };
+  for (TeamMember& member : world->members) rename(&member.rules.agent_iri);
+  for (Pathlet& pathlet : world->plan.committed) rename(&pathlet.agent);
+  for (Rejection& rejection : world->plan.rejections) {
+    rename(&rejection.pathlet.agent);
+    rename(&rejection.conflict.with_agent);
+  }
+  std::map<std::string, std::string> unassigned;
+  for (const auto& [agent, why] : world->plan.unassigned) {
+    std::string name = agent;
+    rename(&name);
+    unassigned[name] = why;
+  }
+  world->plan.unassigned = std::move(unassigned);
+}
+
+const kg_core::Agent& FindAgent(const PlannedWorld& world,
+                                const std::string& name) {
+  std::string known;
+  for (const kg_core::Agent& agent : world.compilation->mission.agents) {
+    if (name == agent.id || name == agent.iri ||
+        name == kg_core::AbbreviateIri(agent.iri))
+      return agent;
+    known += (known.empty() ? "" : ", ") + agent.id;
+  }
+  throw InputError("agent '" + name + "' is not known; there are " + known);
+}
+
+const TeamMember& FindMember(const PlannedWorld& world,
+                             const kg_core::Agent& agent) {
+  for (const TeamMember& member : world.members) {
+    if (member.rules.agent_iri != agent.iri) continue;
+    if (member.graphs.size() == member.rules.windows.size()) return member;
+    throw InputError("of the waypoint graphs of " + agent.id + " only " +
+                     std::to_string(member.graphs.size()) + " of " +
+                     std::to_string(member.rules.windows.size()) +
+                     " have come yet");
+  }
+  throw InputError("no waypoint graphs of " + agent.id + " are here");
+}
+
+std::size_t FindStage(const TeamMember& member, int window) {
+  for (std::size_t s = 0; s < member.graphs.size(); ++s)
+    if (member.graphs[s].window == window) return s;
+  const std::string who =
+      "window " + std::to_string(window) + " of " + member.rules.agent_id;
+  if (member.graphs.empty())
+    throw InputError(who + ": no waypoint graphs are here");
+  throw InputError(who + " is not planned: the windows are " +
+                   std::to_string(member.graphs.front().window) + " to " +
+                   std::to_string(member.graphs.back().window));
+}
+
+const Pathlet* FindPath(const PlannedWorld& world,
+                        const std::string& agent_iri) {
+  for (const Pathlet& pathlet : world.plan.committed)
+    if (pathlet.agent == agent_iri) return &pathlet;
+  return nullptr;
+}
+
+const Pathlet& NeedPath(const PlannedWorld& world,
+                        const kg_core::Agent& agent) {
+  const Pathlet* path = FindPath(world, agent.iri);
+  if (path != nullptr) return *path;
+  const auto why = world.plan.unassigned.find(agent.iri);
+  const bool has_reason = why != world.plan.unassigned.end();
+  throw InputError(agent.id + " has no path" +
+                   (has_reason ? ": " + why->second : std::string()));
+}
+
+std::vector<Pathlet> CommittedBefore(const PlannedWorld& world,
+                                     const std::string& agent_iri) {
+  std::vector<Pathlet> before;
+  for (const Pathlet& pathlet : world.plan.committed) {
+    if (pathlet.agent == agent_iri) break;
+    before.push_back(pathlet);
+  }
+  return before;
+}
+
+const kg_compiler::TraverseEdge* FindEdge(const kg_compiler::NavGraph& graph,
+                                          int from, int to) {
+  for (const auto& edge : graph.edges)
+    if (edge.from == from && edge.to == to) return &edge;
+  return nullptr;
+}
+
+}  // namespace kg_selector
