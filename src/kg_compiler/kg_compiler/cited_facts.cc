@@ -5,6 +5,7 @@
 
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/term.h"
+#include "kg_core/rules/reasons.h"
 
 namespace kg_compiler {
 namespace {
@@ -143,7 +144,25 @@ Facts CitedFacts::Constraint(const kg_core::Agent& agent,
           Entry(agent, "ex:hasSoftOverride",
                 {iri, {"ex:constraint", "ex:attenuation"}});
   if (!constraint.hard) return facts;
-  return std::move(facts) + Policy(agent, {"ex:escalateSoft"});
+  return std::move(facts) + MustAvoid(agent.iri, iri);
+}
+
+// Said by an operator, or concluded: then by which rule from which facts.
+Facts CitedFacts::MustAvoid(const std::string& agent_iri,
+                            const std::string& zone_iri) const {
+  Facts facts = QuoteTriple(agent_iri, "ex:mustAvoid", zone_iri);
+  const kg_core::Triple conclusion = {kg_core::Iri(agent_iri),
+                                      Property("ex:mustAvoid"),
+                                      kg_core::Iri(zone_iri)};
+  for (const auto& inference : WhyInferred(view_, conclusion)) {
+    facts = std::move(facts) +
+            QuoteTriple(inference.iri, "ex:byRule", inference.rule_iri);
+    for (const kg_core::Triple& premise : inference.premises) {
+      facts = std::move(facts) +
+              Facts{Triple(premise.subject, premise.predicate, premise.object)};
+    }
+  }
+  return facts;
 }
 
 Facts CitedFacts::Window(const kg_core::TimeWindow& window,

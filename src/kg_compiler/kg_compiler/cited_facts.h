@@ -47,6 +47,9 @@ class CitedFacts {
   Facts Term(const kg_core::Agent& agent, const BlendTerm& term) const;
   Facts Constraint(const kg_core::Agent& agent,
                    const ActiveConstraint& constraint) const;
+  // That the agent must keep out of a soft zone, and why.
+  Facts MustAvoid(const std::string& agent_iri,
+                  const std::string& zone_iri) const;
   Facts Window(const kg_core::TimeWindow& window,
                const std::vector<const char*>& properties) const;
   Facts Event(const std::string& iri) const;

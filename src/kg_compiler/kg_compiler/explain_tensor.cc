@@ -171,7 +171,8 @@ void TensorExplainer::DescribeHard() {
         zone.constraint.fact->kind == kg_core::ConstraintKind::kSoft;
     parts_.push_back(
         {"M_hard(" + iri + ")",
-         "forbidden by " + iri + (is_soft ? ", a soft zone made hard" : ""),
+         "forbidden by " + iri +
+             (is_soft ? ", a soft zone that the agent must avoid" : ""),
          facts_.Constraint(*in_.agent, zone.constraint)});
   }
 }

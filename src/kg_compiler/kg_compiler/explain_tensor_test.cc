@@ -39,7 +39,7 @@ class RandomMission {
     policy->beta = {{"ex:p0", Uniform(rng_, -1.5, 1.0)},
                     {"ex:p1", Uniform(rng_, -0.5, 1.0)}};
     if (Chance()) policy->soft_overrides["ex:c1"] = Uniform(rng_, 0, 0.9);
-    policy->escalate_soft = rng_() % 6 == 0;
+    if (rng_() % 6 == 0) mission.agents[0].must_avoid["ex:c1"] = {"ex:said"};
     policy->normalisation = static_cast<Normalisation>(rng_() % 3);
     policy->confidence_mode = static_cast<ConfidenceMode>(rng_() % 3);
   }
@@ -179,7 +179,7 @@ TEST_F(ExplainTensor, ASoftZoneTakenAwayChangesUByItsContribution) {
   int checked = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     RandomMission random(seed);
-    random.mission.agents[0].policy.escalate_soft = false;
+    random.mission.agents[0].must_avoid.clear();
     random.mission.agents[0].policy.normalisation = Normalisation::kMax;
     const TensorInputs in = random.Inputs(0);  // w = 1.
     const TensorExplainer with(in, facts_);
@@ -251,7 +251,7 @@ TEST_F(ExplainTensor, NamesEveryConstraintThatForbidsACell) {
   RandomMission random(3);
   Mission& mission = random.mission;
   kg_core::Policy& policy = mission.agents[0].policy;
-  policy.escalate_soft = true;
+  mission.agents[0].must_avoid["ex:soft"] = {"ex:said"};
   policy.soft_overrides.clear();
   const kg_core::Grid& grid = random.rasters[0].grid;
   const kg_core::Geometry all = Box(-93, 22, -90, 25);

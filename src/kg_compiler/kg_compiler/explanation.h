@@ -3,9 +3,9 @@
 //
 //   value = sum of parts' values, within 1e-9
 //
-// What an equation does beside summing (a clamp, a mask, the normalisation) is a
-// contribution of its own: the change it makes at its place in the equation. So
-// nothing is hidden in a remainder.
+// What an equation does beside summing (a clamp, a mask, the normalisation) is
+// a contribution of its own: the change it makes at its place in the equation.
+// So nothing is hidden in a remainder.
 
 #ifndef KG_COMPILER_EXPLANATION_H_
 #define KG_COMPILER_EXPLANATION_H_
