@@ -26,7 +26,7 @@ from rdflib.plugins.stores.sparqlstore import SPARQLStore, SPARQLUpdateStore
 from readme_test import blocks
 from small_mission_case import SmallMissionTestCase
 
-TOKEN = 'only for this test 0123456789'
+TOKEN = 'only-for-this-test-0123456789'
 README_PORT = '8484'
 EX = rdflib.Namespace('http://example.org/mission/')
 FACTS = rdflib.URIRef('http://example.org/mission/graph/facts')
@@ -158,7 +158,7 @@ class DoorTest(SmallMissionTestCase):
             lambda report: report.author == 'rdflib@ship')
         self.assertTrue(report.accepted)
         self.assertTrue(self.house.ask(
-            'ASK { GRAPH graph:log { ?s ?p "rdflib@ship" } }'))
+            'ASK { GRAPH graph:prov { ?s ex:author "rdflib@ship" } }'))
         store.update('DELETE { ?a ex:usesPolicy ?p } '
                      'INSERT { ?a ex:usesPolicy ex:fast } '
                      'WHERE { ?a ex:id "alpha" ; ex:usesPolicy ?p }',
