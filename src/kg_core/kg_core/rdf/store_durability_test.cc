@@ -131,8 +131,9 @@ int ExitCodeOf(pid_t child) {
 }
 
 // Commits for ever; each version goes down the pipe once it is acknowledged.
+// The dictionary is compacted as often as can be.
 int CommitAndAcknowledge(const std::string& path, int pipe_end) {
-  Store store(path);
+  Store store(path, {/*compact_after=*/1});
   while (true) {
     const std::uint64_t version = CommitNext(&store);
     if (write(pipe_end, &version, sizeof(version)) != sizeof(version)) return 1;
@@ -374,6 +375,38 @@ TEST(StoreDurability, ARefusedCommitMayBeTriedAgain) {
   });
   EXPECT_EQ(ExitCodeOf(child), 0);
   EXPECT_EQ(Store(path).quad_count(), 20000u);
+}
+
+// A refused commit has removed no rows of unused terms either: they leave with
+// the next one, and their ids are not given to others before.
+int FillTheDiskWithForgottenTerms(const std::string& path) {
+  signal(SIGXFSZ, SIG_IGN);
+  Store store(path, {/*compact_after=*/1});
+  for (int i = 0; i < 300; ++i) CommitNext(&store);
+  for (int round = 0; round < 5; ++round) {
+    const std::uint64_t version = store.world_version();
+    LimitFileSize(4096);
+    try {
+      CommitNext(&store);
+      return 1;
+    } catch (const std::runtime_error&) {
+    }
+    LimitFileSize(RLIM_INFINITY);
+    if (store.world_version() != version || !IsWhole(store)) return 2;
+    for (int i = 0; i < 30; ++i) CommitNext(&store);
+    if (!IsWhole(store)) return 3;
+  }
+  return 0;
+}
+
+TEST(StoreDurability, AFullDiskLosesNoRowsOfForgottenTerms) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "store.db";
+  const auto work = [&] { return FillTheDiskWithForgottenTerms(path); };
+  EXPECT_EQ(ExitCodeOf(Fork(work)), 0);
+  const Store store(path);  // Its digest is right, or it would be refused.
+  EXPECT_TRUE(IsWhole(store));
+  EXPECT_EQ(store.world_version(), 450u);
 }
 
 TEST(StoreDurability, ADiskTooFullForAStoreIsNamed) {

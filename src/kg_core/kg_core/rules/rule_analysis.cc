@@ -209,7 +209,7 @@ RuleReads AnalyseRule(const Query& query) {
         "FROM is not for rules: they read facts, vocabulary and what rules "
         "conclude");
   }
-  if (!query.unknown_function.empty()) throw InputError(query.unknown_function);
+  if (!query.unavailable.empty()) throw InputError(query.unavailable);
   return Analyst(query).Run();
 }
 

@@ -72,6 +72,7 @@ extern const Subcommand kImport;
 extern const Subcommand kDiff;
 extern const Subcommand kLog;
 extern const Subcommand kConformance;
+extern const Subcommand kServe;
 
 // The whole program: `line` is the command line without the program's name.
 int RunCommand(const std::vector<std::string>& line);
