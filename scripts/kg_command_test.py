@@ -12,6 +12,9 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import urllib.error
+import urllib.parse
+import urllib.request
 
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(REPOSITORY / "src/mission/test"))
@@ -23,7 +26,7 @@ MISSIONS = REPOSITORY / "config/missions"
 SUITES = pathlib.Path(os.environ.get(
     "KG_SHARED_DATA", REPOSITORY.parent / "shared/data")) / "w3c"
 SUBCOMMANDS = {"query", "update", "validate", "export", "import", "diff", "log",
-               "conformance"}
+               "conformance", "serve"}
 
 FACTS = """\
 ex:wind a ex:Policy ; ex:alpha_base 1.0 ; ex:name "wind \\"B\\"" .
@@ -305,6 +308,49 @@ class AStore(KgTestCase):
         self.assertFalse(self.store.exists())
         self.file("world.db", "no store")
         self.assert_refused(["log", self.store], "world.db")
+
+
+class Serving(KgTestCase):
+
+    def serve(self, *words):
+        process = subprocess.Popen(
+            [str(PROGRAM), "serve", *[str(word) for word in words]],
+            stdout=subprocess.PIPE, text=True, env={"PATH": "/usr/bin:/bin"})
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.terminate)
+        return process.stdout.readline().strip()
+
+    def post(self, endpoint, token, **form):
+        request = urllib.request.Request(
+            endpoint, urllib.parse.urlencode(form).encode(),
+            {"Authorization": f"Bearer {token}", "Accept": "text/csv"})
+        with urllib.request.urlopen(request, timeout=60) as answer:
+            return answer.read().decode()
+
+    def test_answers_and_changes_a_store_over_http(self):
+        token = "0123456789abcdef"
+        file = self.file("token", token)
+        file.chmod(0o600)
+        endpoint = self.serve(self.make_store(), "--port", "0",
+                              "--token-file", file, "--writable")
+        self.post(endpoint, token,
+                  update="INSERT DATA { ex:calm ex:gamma_front 0.25 }")
+        self.assertEqual("v\r\n0.25\r\n", self.post(
+            endpoint, token, query="SELECT ?v { ex:calm ex:gamma_front ?v }"))
+        with self.assertRaises(urllib.error.HTTPError) as refused:
+            self.post(endpoint, token, update="CLEAR ALL")
+        self.assertEqual(422, refused.exception.code)
+        refused.exception.close()
+        with self.assertRaises(urllib.error.HTTPError) as refused:
+            self.post(endpoint, "fedcba9876543210", query="ASK {}")
+        self.assertEqual(401, refused.exception.code)
+        refused.exception.close()
+
+    def test_of_a_mission_folder_is_read_only(self):
+        self.assert_refused(
+            ["serve", MISSIONS / "gulf", "--port", "0", "--writable"],
+            "a mission folder is not changed")
 
 
 class Conformance(KgTestCase):

@@ -35,11 +35,10 @@ std::vector<std::string> Stage(const kg_core::FactUpdate& update,
                                const std::string& data_folder,
                                const Target& target,
                                kg_core::Transaction* transaction) {
-  std::vector<std::string> reasons = kg_core::StageUpdate(update, *transaction);
-  if (reasons.empty() && kg_core::IngestIsDue(*transaction)) {
-    kg_core::FileCache files(target.mission_folder, data_folder);
-    reasons = kg_core::StageIngest(files, *transaction);
-  }
+  kg_core::FileCache files(target.mission_folder, data_folder);
+  std::vector<std::string> reasons =
+      kg_core::StageUpdateWithFiles(update, files, *transaction)
+          .judgement.reasons;
   if (reasons.empty() && !transaction->empty()) {
     kg_core::LogUpdate(update, Now_s(), *transaction);
     MarkPlanStale(transaction);
