@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "kg_core/mission/mission.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_core {
@@ -29,6 +30,8 @@ struct FactUpdate {
                              // everything about the subject.
   std::string turtle;        // Facts in bulk, added.
   std::string sparql{};      // SPARQL 1.1 Update on the facts graph.
+  // The files that its facts were read from, for the log: path and sha256.
+  std::vector<SourceFile> files{};
 };
 
 // Stages the update's changes in `transaction` (facts graph): first `remove`,
@@ -46,12 +49,19 @@ std::vector<std::string> StageUpdate(const FactUpdate& update,
                                      Transaction& transaction);
 
 // Adds the log entry of an accepted update (graph ex:graph/log): who, when,
-// each old and new value, and the provenance activity (ex:graph/prov). Adds
-// nothing if no fact changed. `time_s` is unix time.
+// each old and new value, and the provenance activity (ex:graph/prov), which
+// prov:used the update's files. Adds nothing if no fact changed. `time_s` is
+// unix time.
 void LogUpdate(const FactUpdate& update, double time_s,
                Transaction& transaction);
 
-// The same for a file of facts, whose name stands in the reasons, e.g. a
+// The activity (ex:LoadVocabulary in ex:graph/prov) of a vocabulary that was
+// read from `files`; its triples are not logged one by one. Adds nothing if
+// there are none.
+void LogVocabulary(const std::vector<SourceFile>& files, double time_s,
+                   Transaction& transaction);
+
+// StageUpdate for a file of facts, whose name stands in the reasons, e.g. a
 // mission's mission.ttl.
 std::vector<std::string> StageFactsFile(const std::string& path,
                                         Transaction& transaction);

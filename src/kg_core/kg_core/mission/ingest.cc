@@ -117,7 +117,8 @@ class SourceIngest {
   }
 
   void StateFile(const OceanFile& file) {
-    Generate(Part("file"), "SourceFile");
+    Say(Part("file"), RdfType(), Ex("SourceFile"));
+    Say(Part("file"), Ex("ingestedFrom"), source_);
     Say(Part("file"), Ex("path"), Literal(file.path));
     Say(Part("file"), Ex("sha256"), Literal(file.sha256));
   }
@@ -128,6 +129,7 @@ class SourceIngest {
     Say(subject, Ex("cols"), IntegerLiteral(grid.cols()));
     Say(subject, GeoTerm("asWKT"), WktLiteral(BoxWkt(grid)));
     Say(subject, Ex("pixelSizeKm"), DoubleLiteral(MeanRowKm(grid)));
+    Say(subject, Prov("wasDerivedFrom"), Part("file"));
   }
 
   void StateField(const OceanFile& file, const TimeWindow& window,
