@@ -15,14 +15,23 @@ bool InScope(const std::vector<T>& scope, const T& value) {
   return scope.empty() || Has(scope, value);
 }
 
+std::string WeightIri(const kg_core::Policy& policy, const std::string& key) {
+  const auto found = policy.weight_iris.find(key);
+  return found == policy.weight_iris.end() ? "" : found->second;
+}
+
 ActiveConstraint Activate(const kg_core::Constraint& fact,
                           const kg_core::Policy& policy) {
   ActiveConstraint active{&fact, fact.kind == kg_core::ConstraintKind::kNoGo,
-                          1.0};
+                          1.0, ""};
   if (active.hard) return active;
   const auto found = policy.soft_overrides.find(fact.iri);
-  active.attenuation =
-      found == policy.soft_overrides.end() ? fact.attenuation : found->second;
+  if (found == policy.soft_overrides.end()) {
+    active.attenuation = fact.attenuation;
+  } else {
+    active.attenuation = found->second;
+    active.override_iri = WeightIri(policy, fact.iri);
+  }
   active.hard = policy.escalate_soft && active.attenuation < 1.0;
   return active;
 }
@@ -34,7 +43,8 @@ void FindPriors(const kg_core::Mission& mission, const kg_core::Agent& agent,
     if (beta == agent.policy.beta.end() || beta->second == 0.0) continue;
     if (!InScope(prior.windows, window)) continue;
     if (!InScope(prior.agents, agent.iri)) continue;
-    active->priors.push_back({&prior, beta->second});
+    active->priors.push_back(
+        {&prior, beta->second, WeightIri(agent.policy, prior.iri)});
     active->names_agent |= !prior.agents.empty();
   }
 }

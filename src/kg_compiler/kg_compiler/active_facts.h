@@ -16,11 +16,13 @@ struct ActiveConstraint {
   const kg_core::Constraint* fact = nullptr;
   bool hard = false;         // no_go, or a soft zone escalated (A11).
   double attenuation = 1.0;  // Of a soft zone, the policy's override applied.
+  std::string override_iri;  // The ex:SoftOverride applied, if any.
 };
 
 struct ActivePrior {
   const kg_core::PriorLayer* fact = nullptr;
   double beta = 0.0;
+  std::string weight_iri;  // The ex:PriorWeight that says beta.
 };
 
 struct ActiveFacts {
