@@ -175,8 +175,9 @@ class SourceIngest {
   }
 
   void StateActivity() {
-    const std::string version =
-        std::to_string(transaction_.view().world_version() + 1);
+    const auto number =
+        static_cast<long long>(transaction_.view().world_version() + 1);
+    const std::string version = std::to_string(number);
     const std::string name =
         source_.text.substr(source_.text.find_last_of("/#") + 1);
     const Term activity =
@@ -185,6 +186,7 @@ class SourceIngest {
     SayProv(activity, RdfType(), Prov("Activity"));
     SayProv(activity, Prov("startedAtTime"), TimeLiteral(started_s_));
     SayProv(activity, Prov("endedAtTime"), TimeLiteral(Now_s()));
+    SayProv(activity, Ex("worldVersion"), IntegerLiteral(number));
     SayProv(activity, Prov("used"), source_);
     SayProv(activity, Prov("used"), Part("file"));
     for (const Term& entity : generated_) {

@@ -31,9 +31,8 @@ std::vector<TermId> IdsOf(const std::vector<std::string>& graphs,
 }  // namespace
 
 bool HasGraph(const GraphView& view, const std::string& iri) {
-  for (const char* ours :
-       {kFactsGraph, kVocabGraph, kInferredGraph, kProvGraph, kLogGraph,
-        kStateGraph}) {
+  for (const char* ours : {kFactsGraph, kVocabGraph, kInferredGraph, kProvGraph,
+                           kLogGraph, kStateGraph}) {
     if (iri == ours) return true;
   }
   const TermId id = view.Find(Iri(iri));
