@@ -14,6 +14,7 @@
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/mission.h"
 #include "kg_core/rdf/store.h"
+#include "kg_ros/knowledge/artifact_facts.h"
 #include "kg_ros/knowledge/fleet_state.h"
 #include "kg_ros/knowledge/mission_state.h"
 #include "kg_ros/knowledge/plan_facts.h"
@@ -61,6 +62,9 @@ class MissionServer {
     return current_window() == static_cast<int>(mission_.windows.size());
   }
 
+  // The plan is stale from an accepted change of facts, or the begin of a
+  // cycle, until the next one is recorded.
+
   // Compiles what is dirty for the windows still to be planned and starts the
   // next cycle: rules leave from where the agents are now. A current window
   // with less than a quarter left is not planned any more: agents leave for the
@@ -74,8 +78,6 @@ class MissionServer {
   // Adds a waypoint graph to the current plan's facts.
   void RecordNavGraph(const kg_msgs::NavGraph& graph,
                       const std::string& previous_hash);
-  // Facts have changed since: says so on the current run.
-  void MarkPlanStale();
 
   // The stops agents made in windows before the planned ones.
   const std::vector<ExecutedVisit>& executed() const { return executed_; }
@@ -89,13 +91,24 @@ class MissionServer {
   void LoadVocabulary();
   void LoadMission();
   void Restore(const MissionState& state);
+  void StageSave(std::uint64_t plan_run, kg_core::Transaction* transaction);
+  static void StageStatus(std::uint64_t run, const char* status,
+                          kg_core::Transaction* transaction);
+  void StageCycle(kg_core::Transaction* transaction);
+  void StageGraph(NavGraphOrigin origin,
+                  kg_core::Transaction* transaction) const;
+  void StageUse(const kg_msgs::NavGraph& graph,
+                kg_core::Transaction* transaction) const;
+  std::string AgentIri(const std::string& agent_id) const;
   std::vector<std::string> Stage(const kg_core::FactUpdate& update,
                                  kg_core::Transaction& transaction,
                                  Decision* decision);
   int FirstWindowToPlan() const;
   void StartFromPoses(kg_compiler::Compilation* compilation) const;
+  void CiteReports(kg_compiler::SeamRules* rules) const;
   void CloseVisitedEvents(kg_compiler::Compilation* compilation) const;
-  void DropOldPlans(kg_core::Transaction* transaction) const;
+  static void DropOldPlans(std::uint64_t run,
+                           kg_core::Transaction* transaction);
 
   MissionFolders folders_;
   kg_core::FileCache files_;
@@ -105,6 +118,7 @@ class MissionServer {
   FleetState fleet_;
   std::shared_ptr<const kg_compiler::Compilation> compilation_;
   std::vector<ExecutedVisit> executed_;
+  CompileTimes times_;  // Of the cycle.
   std::uint64_t cycle_ = 0;
   std::uint64_t plan_run_ = 0;
   bool was_restored_ = false;

@@ -9,6 +9,7 @@
 #include "kg_msgs/WhatIf.h"
 #include "kg_msgs/Why.h"
 #include "kg_ros/base/names.h"
+#include "kg_ros/export/export_server.h"
 #include "kg_ros/knowledge/mission_server.h"
 #include "kg_ros/knowledge/mission_state.h"
 #include "kg_ros/knowledge/plan_facts.h"
@@ -61,11 +62,11 @@ QueryServer::QueryServer(const ros::NodeHandle& node,
   services_.push_back(node_.advertiseService(kWhatIfService, what_if));
   const boost::function<bool(kg_msgs::Export::Request&,
                              kg_msgs::Export::Response&)>
-      do_export =
-          [](kg_msgs::Export::Request&, kg_msgs::Export::Response& response) {
-            response.error = kNotAvailable;
-            return true;
-          };
+      do_export = [server](kg_msgs::Export::Request& request,
+                           kg_msgs::Export::Response& response) {
+        response = ExportServer::Answer(*server->Read(), request);
+        return true;
+      };
   services_.push_back(node_.advertiseService(kExportService, do_export));
   spinner_.start();
 }
