@@ -113,14 +113,20 @@ class GulfTest(MissionTestCase):
         told.close()
 
     def test_3_says_what_is_not_available(self):
-        for name, kind in (('why', Why), ('what_if', WhatIf),
-                           ('export', Export)):
+        for name, kind in (('why', Why), ('what_if', WhatIf)):
             rospy.wait_for_service('kg/' + name, CHANGE_S)
             answer = rospy.ServiceProxy('kg/' + name, kind)()
             said = (' '.join(answer.errors) if name == 'what_if'
                     else answer.error)
             self.assertFalse(answer.ok, name)
             self.assertIn('not available', said, name)
+
+    def test_3_says_which_formats_it_exports(self):
+        rospy.wait_for_service('kg/export', CHANGE_S)
+        answer = rospy.ServiceProxy('kg/export', Export)()
+        self.assertFalse(answer.ok)
+        for name in ('turtle', 'trig', 'geojson', 'netcdf'):
+            self.assertIn(name, answer.error)
 
     def test_3_answers_construct_and_describe_in_turtle(self):
         answer = self.house.query.answer(
