@@ -15,6 +15,11 @@ bool InScope(const std::vector<T>& scope, const T& value) {
   return scope.empty() || Has(scope, value);
 }
 
+std::string WeightIri(const kg_core::Policy& policy, const std::string& key) {
+  const auto found = policy.weight_iris.find(key);
+  return found == policy.weight_iris.end() ? "" : found->second;
+}
+
 ActiveConstraint Activate(const kg_core::Constraint& fact,
                           const kg_core::Agent& agent) {
   ActiveConstraint active;
@@ -23,8 +28,12 @@ ActiveConstraint Activate(const kg_core::Constraint& fact,
   if (active.hard) return active;
   const auto& overrides = agent.policy.soft_overrides;
   const auto found = overrides.find(fact.iri);
-  active.attenuation =
-      found == overrides.end() ? fact.attenuation : found->second;
+  if (found == overrides.end()) {
+    active.attenuation = fact.attenuation;
+  } else {
+    active.attenuation = found->second;
+    active.override_iri = WeightIri(agent.policy, fact.iri);
+  }
   const auto avoided = agent.must_avoid.find(fact.iri);
   if (avoided == agent.must_avoid.end()) return active;
   active.hard = true;
@@ -39,7 +48,8 @@ void FindPriors(const kg_core::Mission& mission, const kg_core::Agent& agent,
     if (beta == agent.policy.beta.end() || beta->second == 0.0) continue;
     if (!InScope(prior.windows, window)) continue;
     if (!InScope(prior.agents, agent.iri)) continue;
-    active->priors.push_back({&prior, beta->second});
+    active->priors.push_back(
+        {&prior, beta->second, WeightIri(agent.policy, prior.iri)});
     active->names_agent |= !prior.agents.empty();
   }
 }

@@ -18,11 +18,13 @@ struct ActiveConstraint {
   double attenuation = 1.0;  // Of a soft zone, the policy's override applied.
   // Where it is said that the agent must avoid it (A11).
   std::vector<std::string> avoided_by;
+  std::string override_iri;  // The ex:SoftOverride applied, if any.
 };
 
 struct ActivePrior {
   const kg_core::PriorLayer* fact = nullptr;
   double beta = 0.0;
+  std::string weight_iri;  // The ex:PriorWeight that says beta.
 };
 
 struct ActiveFacts {

@@ -203,11 +203,11 @@ std::vector<std::string> TensorSources(const Mission& mission,
   }
   if (active.names_agent) sources.insert(agent.iri);
   for (const ActiveConstraint& constraint : active.constraints) {
-    sources.insert(constraint.fact->iri);
+    sources.insert({constraint.fact->iri, constraint.override_iri});
     sources.insert(constraint.avoided_by.begin(), constraint.avoided_by.end());
   }
   for (const ActivePrior& prior : active.priors) {
-    sources.insert(prior.fact->iri);
+    sources.insert({prior.fact->iri, prior.weight_iri});
   }
   for (const kg_core::Event* event : active.events) sources.insert(event->iri);
   sources.erase("");

@@ -87,9 +87,9 @@ std::string TensorHash(const kg_core::Mission& mission,
 // The IRIs of the facts and files that it reads, sorted: the policy, the window
 // and the field whose gaps are land always; the value layer and its file if
 // alpha or gamma is not 0; every constraint, weighted prior and bumping event
-// in force, and for each that the agent must avoid what says so (an inference,
-// or the agent); the agent itself only if one of them is in force for naming
-// it.
+// in force, with the policy's ex:SoftOverride or ex:PriorWeight of it, and for
+// each that the agent must avoid what says so (an inference, or the agent); the
+// agent itself only if one of them is in force for naming it.
 std::vector<std::string> TensorSources(const kg_core::Mission& mission,
                                        const kg_core::Agent& agent,
                                        const kg_core::TimeWindow& window,

@@ -1,14 +1,30 @@
 #include "kg_compiler/seam_rules.h"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
+#include "kg_core/base/sha256.h"
 #include "kg_core/base/units.h"
 
 namespace kg_compiler {
 namespace {
 
 constexpr int kMostWaypoints = 20;
+
+// Hands out facts and notes them down, so that what is cited is what was read.
+class Reading {
+ public:
+  template <typename Fact>
+  const Fact& operator()(const Fact& fact) {
+    iris_.insert(fact.iri);
+    return fact;
+  }
+  std::vector<std::string> Take() const { return {iris_.begin(), iris_.end()}; }
+
+ private:
+  std::set<std::string> iris_;
+};
 
 MotionModel Motion(const kg_core::Capabilities& capabilities) {
   MotionModel motion;
@@ -51,6 +67,24 @@ WindowRules CompileWindow(const kg_core::Mission& mission,
                             event.value * window.confidence, event.radius_m});
   }
   return rules;
+}
+
+void HashNumbers(std::initializer_list<double> values, kg_core::Hasher* hash) {
+  for (const double value : values) hash->Add(value);
+}
+
+void HashWindow(const WindowRules& window, kg_core::Hasher* hash) {
+  hash->Add(window.iri);
+  HashNumbers({static_cast<double>(window.window), window.begin_s, window.end_s,
+               window.confidence, window.base_travel_m,
+               static_cast<double>(window.events.size())},
+              hash);
+  for (const EventRule& event : window.events) {
+    hash->Add(event.iri);
+    HashNumbers({event.position.lon_deg, event.position.lat_deg, event.reward,
+                 event.radius_m},
+                hash);
+  }
 }
 
 auto Tie(const EventRule& e) {
@@ -100,24 +134,59 @@ bool SameButForWindows(const SeamRules& a, const SeamRules& b) {
 
 SeamRules CompileSeamRules(const kg_core::Mission& mission,
                            const kg_core::Agent& agent, int first_window) {
-  const kg_core::CoordinationFacts& team = mission.coordination;
+  Reading read;
+  const kg_core::CoordinationFacts& team = read(mission).coordination;
+  const kg_core::Capabilities& capabilities = read(agent.capabilities);
   SeamRules rules;
-  rules.agent_iri = agent.iri;
+  rules.agent_iri = read(agent).iri;
   rules.agent_id = agent.id;
-  rules.motion = Motion(agent.capabilities);
-  rules.weights = Weights(agent.policy);
-  rules.energy_budget_j = agent.capabilities.energy_budget_j;
-  rules.sensor_radius_m = agent.capabilities.sensor_radius_m;
+  rules.motion = Motion(capabilities);
+  rules.weights = Weights(read(agent.policy));
+  rules.energy_budget_j = capabilities.energy_budget_j;
+  rules.sensor_radius_m = capabilities.sensor_radius_m;
   rules.spacing_m = team.waypoint_spacing_m;
   rules.max_waypoints = std::min(team.waypoints_per_window, kMostWaypoints);
   rules.candidates = team.candidates_per_agent;
   rules.start = agent.start;
   rules.start_heading_rad = agent.start_heading_rad;
+  rules.start_iri = agent.start_iri;
   for (const kg_core::TimeWindow& window : mission.windows) {
     if (window.index < first_window) continue;
-    rules.windows.push_back(CompileWindow(mission, agent.capabilities, window));
+    rules.windows.push_back(CompileWindow(mission, capabilities, window));
   }
+  rules.read_facts = read.Take();
   return rules;
+}
+
+std::string SeamRulesHash(const SeamRules& rules) {
+  const MotionModel& motion = rules.motion;
+  const SeamWeights& weights = rules.weights;
+  kg_core::Hasher hash;
+  hash.Add(rules.agent_iri);
+  hash.Add(rules.agent_id);
+  HashNumbers(
+      {motion.cruise_mps, motion.max_mps, motion.boost_gain,
+       motion.energy_per_m_j, motion.hotel_load_w, weights.time_per_s,
+       weights.energy_per_j, weights.risk_per_s, weights.uncertainty,
+       rules.energy_budget_j, rules.sensor_radius_m, rules.spacing_m,
+       static_cast<double>(rules.max_waypoints),
+       static_cast<double>(rules.candidates), rules.hazard_range_m,
+       rules.start.lon_deg, rules.start.lat_deg, rules.start_heading_rad},
+      &hash);
+  for (const WindowRules& window : rules.windows) HashWindow(window, &hash);
+  return hash.Hex();
+}
+
+std::vector<std::string> SeamRulesSources(const SeamRules& rules) {
+  std::set<std::string> sources(rules.read_facts.begin(),
+                                rules.read_facts.end());
+  sources.insert(rules.start_iri);
+  for (const WindowRules& window : rules.windows) {
+    sources.insert(window.iri);
+    for (const EventRule& event : window.events) sources.insert(event.iri);
+  }
+  sources.erase("");
+  return {sources.begin(), sources.end()};
 }
 
 }  // namespace kg_compiler

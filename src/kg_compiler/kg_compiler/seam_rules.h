@@ -67,7 +67,10 @@ struct SeamRules {
   double hazard_range_m = 10e3;      // Hazard falls to 1/e at this distance.
   kg_core::LonLat start;             // Where the agent is at the first begin_s.
   double start_heading_rad = 0.0;    // Clockwise from north.
+  std::string start_iri;             // The ex:AgentState that says so.
   std::vector<WindowRules> windows;  // Those still to be planned, ascending.
+  // The facts that were read beside the start, the windows and their events.
+  std::vector<std::string> read_facts;
 };
 
 bool operator==(const EventRule& a, const EventRule& b);
@@ -79,6 +82,15 @@ bool SameButForWindows(const SeamRules& a, const SeamRules& b);
 // Rules for `agent` from the windows with index >= first_window.
 SeamRules CompileSeamRules(const kg_core::Mission& mission,
                            const kg_core::Agent& agent, int first_window);
+
+// Of all that the rules say: not of the rasters they go with, nor of the world
+// version.
+std::string SeamRulesHash(const SeamRules& rules);
+
+// The IRIs of the facts they were compiled from, sorted: agent, policy,
+// capabilities, mission, start, windows and the windows' events. Follows
+// changes of start, windows and events.
+std::vector<std::string> SeamRulesSources(const SeamRules& rules);
 
 }  // namespace kg_compiler
 

@@ -1,11 +1,20 @@
-"""SPARQL SELECT and ASK through the service kg/query, as plain Python values.
+#!/usr/bin/env python3
+"""SPARQL through the service kg/query, as plain Python values
 
     rows = KgQuery().select('SELECT ?id WHERE { ?a a ex:Agent ; ex:id ?id }')
     rows.world_version, rows[0]['id']
+
+or as a table, from a file or one of the queries in config/queries by its name,
+with values for its parameters (terms in Turtle's syntax):
+
+    rosrun mission kg_query.py who_said subject=ex:alpha
 """
 
 import json
+import os
+import sys
 
+import rospkg
 import rospy
 from kg_msgs.srv import Query
 
@@ -55,3 +64,38 @@ class KgQuery:
 
     def ask(self, query):
         return json.loads(self.answer(query).result)['boolean']
+
+
+def query_text(name):
+    """The text of a file, or of the shipped query of that name."""
+    shipped = os.path.join(rospkg.RosPack().get_path('mission'), 'config',
+                           'queries', name + '.rq')
+    path = shipped if os.path.isfile(shipped) else name
+    with open(path) as file:
+        return file.read()
+
+
+def values_clause(parameters):
+    """'name=term' each: a variable of the answer, and what it must be."""
+    if not parameters:
+        return ''
+    pairs = [parameter.split('=', 1) for parameter in parameters]
+    return '\nVALUES (%s) { (%s) }' % (
+        ' '.join('?' + name for name, _ in pairs),
+        ' '.join(term for _, term in pairs))
+
+
+def main(arguments):
+    if not arguments or any('=' not in one for one in arguments[1:]):
+        sys.exit('usage: kg_query.py FILE_OR_NAME [PARAMETER=TERM ...]')
+    rospy.init_node('kg_query', anonymous=True, disable_signals=True)
+    try:
+        answer = KgQuery().answer(query_text(arguments[0]) +
+                                  values_clause(arguments[1:]))
+    except (OSError, QueryError, rospy.ServiceException) as error:
+        sys.exit(str(error))
+    print(answer.text, end='')
+
+
+if __name__ == '__main__':
+    main(sys.argv[1:])

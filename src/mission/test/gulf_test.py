@@ -19,7 +19,7 @@ import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
 from kg_msgs.msg import (AgentState, FactUpdate, MissionTensor, UpdateReport,
                          World)
-from kg_msgs.srv import Export, WhatIf, Why, WhyRequest
+from kg_msgs.srv import WhatIf, Why, WhyRequest
 from mission_test import (CHANGE_S, ROOT, Heard, MissionTestCase, by_agent, main,
                           track_deg, wait_until)
 from nav_msgs.msg import OccupancyGrid, Path
@@ -129,12 +129,12 @@ class GulfTest(MissionTestCase):
         self.assertLessEqual({'world_version', 'plan_run', 'missing'}, keys)
         told.close()
 
-    def test_3_says_what_is_not_available(self):
-        for name, kind in (('export', Export),):
-            rospy.wait_for_service('kg/' + name, CHANGE_S)
-            answer = rospy.ServiceProxy('kg/' + name, kind)()
-            self.assertFalse(answer.ok, name)
-            self.assertIn('not available', answer.error, name)
+    def test_3_says_which_formats_it_exports(self):
+        rospy.wait_for_service('kg/export', CHANGE_S)
+        answer = rospy.ServiceProxy('kg/export', Export)()
+        self.assertFalse(answer.ok)
+        for name in ('turtle', 'trig', 'geojson', 'netcdf'):
+            self.assertIn(name, answer.error)
 
     def test_3_answers_construct_and_describe_in_turtle(self):
         answer = self.house.query.answer(

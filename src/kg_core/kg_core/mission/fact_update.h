@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "kg_core/mission/mission.h"
 #include "kg_core/rdf/store.h"
 #include "kg_core/shacl/violation.h"
 #include "kg_core/sparql/query_engine.h"
@@ -38,6 +39,8 @@ struct FactUpdate {
   std::optional<Dataset> sparql_reads{};
   // Take the place of all facts that an operator stated, before `remove`.
   bool replaces_facts = false;
+  // The files that its facts were read from, for the log: path and sha256.
+  std::vector<SourceFile> files{};
 };
 
 // Stages the update's changes in `transaction` (facts graph): `replaces_facts`
@@ -69,12 +72,19 @@ struct Judgement {
 Judgement JudgeUpdate(const FactUpdate& update, Transaction& transaction);
 
 // Adds the log entry of an accepted update (graph ex:graph/log): who, when,
-// each old and new value, and the provenance activity (ex:graph/prov). Adds
-// nothing if no fact changed. `time_s` is unix time.
+// each old and new value, and the provenance activity (ex:graph/prov), which
+// prov:used the update's files. Adds nothing if no fact changed. `time_s` is
+// unix time.
 void LogUpdate(const FactUpdate& update, double time_s,
                Transaction& transaction);
 
-// The same for a file of facts, whose name stands in the reasons, e.g. a
+// The activity (ex:LoadVocabulary in ex:graph/prov) of a vocabulary that was
+// read from `files`; its triples are not logged one by one. Adds nothing if
+// there are none.
+void LogVocabulary(const std::vector<SourceFile>& files, double time_s,
+                   Transaction& transaction);
+
+// StageUpdate for a file of facts, whose name stands in the reasons, e.g. a
 // mission's mission.ttl.
 std::vector<std::string> StageFactsFile(const std::string& path,
                                         Transaction& transaction);

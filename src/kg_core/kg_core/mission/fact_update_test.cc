@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "kg_core/base/sha256.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/terms.h"
 #include "kg_core/mission/test_world.h"
@@ -333,6 +334,57 @@ TEST(FactUpdateTest, ReadsTheVocabularyOnceOnly) {
   Transaction again = world.store.Begin();
   StageVocabulary("ontology", again);
   EXPECT_TRUE(again.empty());
+}
+
+TEST(FactUpdateTest, TheLogNamesAuthorTimeIdAndFiles) {
+  TestWorld world;
+  Transaction transaction = world.store.Begin();
+  FactUpdate update;
+  update.id = "u7";
+  update.author = "operator";
+  update.set = {{"ex:alpha", "ex:usesPolicy", "ex:fast"}};
+  update.files = {{"", "/missions/m.ttl", std::string(64, 'a')}};
+  ASSERT_EQ(Joined(StageUpdate(update, transaction)), "");
+  LogUpdate(update, 1.78e9, transaction);
+  const GraphView& view = transaction.view();
+  const std::vector<Term> activities =
+      Subjects(view, kProvGraph, Ex("updateId"), Literal("u7"));
+  ASSERT_EQ(activities.size(), 1u);
+  EXPECT_TRUE(
+      Has(view, kProvGraph, activities[0], Ex("author"), Literal("operator")));
+  EXPECT_EQ(
+      FirstObject(view, kProvGraph, activities[0], Prov("startedAtTime"))->text,
+      "2026-05-28T20:26:40Z");
+  const auto file = FirstObject(view, kProvGraph, activities[0], Prov("used"));
+  ASSERT_TRUE(file);
+  EXPECT_TRUE(
+      Has(view, kProvGraph, *file, Ex("path"), Literal("/missions/m.ttl")));
+  EXPECT_TRUE(Has(view, kProvGraph, *file, Ex("sha256"),
+                  Literal(std::string(64, 'a'))));
+}
+
+TEST(FactUpdateTest, AVocabularyIsLoggedByItsFilesNotByItsTriples) {
+  Store store("");
+  Transaction transaction = store.Begin();
+  const std::vector<SourceFile> files =
+      StageVocabulary("ontology", transaction);
+  LogVocabulary(files, 1.78e9, transaction);
+  const GraphView& view = transaction.view();
+  const std::vector<Term> loads =
+      Subjects(view, kProvGraph, RdfType(), Ex("LoadVocabulary"));
+  ASSERT_EQ(loads.size(), 1u);
+  const std::vector<Term> used =
+      Objects(view, kProvGraph, loads[0], Prov("used"));
+  EXPECT_EQ(used.size(), files.size());
+  for (const Term& file : used) {
+    const auto path = FirstObject(view, kProvGraph, file, Ex("path"));
+    ASSERT_TRUE(path);
+    EXPECT_TRUE(Has(view, kProvGraph, file, Ex("sha256"),
+                    Literal(Sha256HexOfFile(path->text))));
+  }
+  Quad logged;
+  logged.graph = view.Find(Iri(kLogGraph));
+  EXPECT_EQ(logged.graph, kNoTerm);
 }
 
 TEST(FactUpdateTest, IngestIsDueWhenSourcesOrWindowsChange) {

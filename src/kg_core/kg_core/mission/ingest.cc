@@ -121,7 +121,8 @@ class SourceIngest {
   }
 
   void StateFile(const OceanFile& file) {
-    Generate(Part("file"), "SourceFile");
+    Say(Part("file"), RdfType(), Ex("SourceFile"));
+    Say(Part("file"), Ex("ingestedFrom"), source_);
     Say(Part("file"), Ex("path"), Literal(file.path));
     Say(Part("file"), Ex("sha256"), Literal(file.sha256));
   }
@@ -132,6 +133,7 @@ class SourceIngest {
     Say(subject, Ex("cols"), IntegerLiteral(grid.cols()));
     Say(subject, GeoTerm("asWKT"), WktLiteral(BoxWkt(grid)));
     Say(subject, Ex("pixelSizeKm"), DoubleLiteral(MeanRowKm(grid)));
+    Say(subject, Prov("wasDerivedFrom"), Part("file"));
   }
 
   void StateField(const OceanFile& file, const TimeWindow& window,
@@ -177,8 +179,9 @@ class SourceIngest {
   }
 
   void StateActivity() {
-    const std::string version =
-        std::to_string(transaction_.view().world_version() + 1);
+    const auto number =
+        static_cast<long long>(transaction_.view().world_version() + 1);
+    const std::string version = std::to_string(number);
     const std::string name =
         source_.text.substr(source_.text.find_last_of("/#") + 1);
     const Term activity =
@@ -187,6 +190,7 @@ class SourceIngest {
     SayProv(activity, RdfType(), Prov("Activity"));
     SayProv(activity, Prov("startedAtTime"), TimeLiteral(started_s_));
     SayProv(activity, Prov("endedAtTime"), TimeLiteral(Now_s()));
+    SayProv(activity, Ex("worldVersion"), IntegerLiteral(number));
     SayProv(activity, Prov("used"), source_);
     SayProv(activity, Prov("used"), Part("file"));
     for (const Term& entity : generated_) {

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -110,6 +111,21 @@ ex:currents a ex:DataSource ; ex:file "ocean.nc" ; ex:provides "current" .
 ex:sst a ex:DataSource ; ex:file "sst.nc" ; ex:provides "temperature" .
 )ttl";
 
+// All that have the property.
+std::vector<Term> SubjectsWith(const GraphView& view, const char* graph,
+                               const Term& property) {
+  std::set<Term> subjects;
+  Quad pattern;
+  pattern.predicate = view.Find(property);
+  pattern.graph = view.Find(Iri(graph));
+  if (pattern.predicate == kNoTerm || pattern.graph == kNoTerm) return {};
+  view.Match(pattern, [&](const Quad& quad) {
+    subjects.insert(view.Get(quad.subject));
+    return true;
+  });
+  return {subjects.begin(), subjects.end()};
+}
+
 class IngestTest : public testing::Test {
  protected:
   IngestTest() {
@@ -176,6 +192,29 @@ TEST_F(IngestTest, LeavesProvenanceFromLayerToFileToActivity) {
   EXPECT_TRUE(Has(*view, kProvGraph, *activity, Prov("used"), file));
   EXPECT_TRUE(
       Has(*view, kProvGraph, *activity, Prov("generated"), Ex("sst/w1")));
+}
+
+TEST_F(IngestTest, LayersFieldsAndGridLeadToTheirFileAndIngest) {
+  ASSERT_EQ(Refusal(), "");
+  const auto view = world_.store.Read();
+  const std::vector<Term> stated =
+      SubjectsWith(*view, kFactsGraph, Ex("ingestedFrom"));
+  EXPECT_GE(stated.size(), 7u);  // Two windows' layers and fields, grid, files.
+  for (const Term& entity : stated) {
+    const bool is_file =
+        Has(*view, kFactsGraph, entity, RdfType(), Ex("SourceFile"));
+    const auto file =
+        FirstObject(*view, kFactsGraph, entity, Prov("wasDerivedFrom"));
+    const auto activity =
+        FirstObject(*view, kProvGraph, entity, Prov("wasGeneratedBy"));
+    EXPECT_EQ(file.has_value(), !is_file) << entity;
+    EXPECT_EQ(activity.has_value(), !is_file) << entity;
+    if (is_file) continue;
+    EXPECT_TRUE(FirstObject(*view, kFactsGraph, *file, Ex("sha256"))) << entity;
+    EXPECT_TRUE(Has(*view, kProvGraph, *activity, Prov("used"), *file))
+        << entity;
+    EXPECT_TRUE(Has(*view, kProvGraph, *activity, RdfType(), Ex("Ingest")));
+  }
 }
 
 TEST_F(IngestTest, LoadsWhatItStated) {

@@ -53,7 +53,10 @@ struct Policy {
   double lambda_energy_per_j = 0.0;    // ex:lambda_energy, per Wh.
   double lambda_risk = 0.0;            // Per hour at hazard 1, see SeamRules.
   double lambda_uncertainty = 0.0;     // Times (1 - w).
-  std::map<std::string, double> soft_overrides;       // By constraint IRI.
+  std::map<std::string, double> soft_overrides;  // By constraint IRI.
+  // The ex:PriorWeight or ex:SoftOverride behind an entry of beta or
+  // soft_overrides, by the same key.
+  std::map<std::string, std::string> weight_iris;
   std::string value_kind = "delta_sst";               // ex:valueKind (A29).
   Normalisation normalisation = Normalisation::kMax;  // A5.
   ConfidenceMode confidence_mode = ConfidenceMode::kPost;  // A1.

@@ -68,6 +68,10 @@ TEST(MissionReaderTest, AgentsCarryTheirPolicyByIri) {
   EXPECT_EQ(alpha.policy.name, "safe");
   EXPECT_EQ(alpha.policy.beta.at(Ex("corridor").text), 0.8);
   EXPECT_EQ(alpha.policy.soft_overrides.at(Ex("sanctuary").text), 0.1);
+  for (const char* name : {"corridor", "sanctuary"}) {
+    EXPECT_NE(alpha.policy.weight_iris.at(Ex(name).text).find(name),
+              std::string::npos);
+  }
   EXPECT_EQ(alpha.start, (LonLat{-93.5, 26.5}));
   EXPECT_EQ(alpha.start_iri, Ex("alpha_start").text);
   EXPECT_EQ(mission.FindAgent(Ex("bravo").text), &mission.agents[1]);

@@ -28,13 +28,14 @@ struct WeightNames {
   const char* target;
   const char* value;
 };
-std::map<std::string, double> Weights(const GraphView& view,
-                                      const Entity& policy,
-                                      const WeightNames& names) {
+std::map<std::string, double> Weights(
+    const GraphView& view, const Entity& policy, const WeightNames& names,
+    std::map<std::string, std::string>* iris) {
   std::map<std::string, double> weights;
   for (const Term& term : policy.All(Ex(names.link))) {
     const Entity node(view, term);
     const std::string target = node.Follow(Ex(names.target)).iri();
+    (*iris)[target] = node.iri();
     if (!weights.emplace(target, node.Number(Ex(names.value))).second) {
       policy.Refuse(Ex(names.link),
                     "one weight for " + ToTurtle(Iri(target)) + ", not two");
@@ -81,9 +82,11 @@ Policy ReadPolicy(const GraphView& view, const Entity& entity) {
                                 policy.normalisation);
   policy.confidence_mode = Choice(entity, Ex("confidenceMode"),
                                   kConfidenceModes, policy.confidence_mode);
-  policy.beta = Weights(view, entity, {"hasPriorWeight", "layer", "beta"});
+  policy.beta = Weights(view, entity, {"hasPriorWeight", "layer", "beta"},
+                        &policy.weight_iris);
   policy.soft_overrides =
-      Weights(view, entity, {"hasSoftOverride", "constraint", "attenuation"});
+      Weights(view, entity, {"hasSoftOverride", "constraint", "attenuation"},
+              &policy.weight_iris);
   return policy;
 }
 

@@ -1,6 +1,7 @@
 #include "kg_core/mission/vocabulary.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
 #include <set>
 #include <string_view>
@@ -78,12 +79,20 @@ std::string Unknown(const Terms& terms, const Term& term, const char* what) {
          Nearest(terms, name);
 }
 
-// States which version of the files the vocabulary graph holds.
-Statement VersionOf(const std::string& folder) {
-  Hasher hasher;
-  for (const char* file : kOntologyFiles) {
-    hasher.Add(Sha256HexOfFile(folder + "/" + file));
+std::vector<SourceFile> FilesOf(const std::string& folder) {
+  std::vector<SourceFile> files;
+  for (const char* name : kOntologyFiles) {
+    const std::string path =
+        std::filesystem::absolute(folder + "/" + name).lexically_normal();
+    files.push_back({"", path, Sha256HexOfFile(path)});
   }
+  return files;
+}
+
+// States which version of the files the vocabulary graph holds.
+Statement VersionOf(const std::vector<SourceFile>& files) {
+  Hasher hasher;
+  for (const SourceFile& file : files) hasher.Add(file.sha256);
   return {Ex("ontology"), Ex("sha256"), Literal(hasher.Hex()),
           Iri(kVocabGraph)};
 }
@@ -152,23 +161,25 @@ int EditDistance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-void StageVocabulary(const std::string& folder, Transaction& transaction) {
+std::vector<SourceFile> StageVocabulary(const std::string& folder,
+                                        Transaction& transaction) {
   const Term graph = Iri(kVocabGraph);
-  const Statement version = VersionOf(folder);
+  std::vector<SourceFile> files = FilesOf(folder);
+  const Statement version = VersionOf(files);
   if (Has(transaction.view(), kVocabGraph, version.subject, version.predicate,
           version.object)) {
-    return;
+    return {};
   }
   transaction.RemoveMatching(nullptr, nullptr, nullptr, graph);
-  for (const char* file : kOntologyFiles) {
-    for (const Statement& statement :
-         ParseTurtleFile(folder + "/" + file, graph)) {
+  for (const SourceFile& file : files) {
+    for (const Statement& statement : ParseTurtleFile(file.path, graph)) {
       transaction.Add(statement);
     }
   }
   transaction.Add(version);
   const std::vector<std::string> reasons = StageInferences(transaction);
   if (!reasons.empty()) throw InputError(folder + ": " + reasons.front());
+  return files;
 }
 
 }  // namespace kg_core

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "kg_core/mission/mission.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_core/rdf/store.h"
 #include "kg_core/rdf/term.h"
@@ -52,8 +53,10 @@ int EditDistance(const std::string& a, const std::string& b);
 
 // Stages ontology, shapes and rules of `folder` (mission.ttl, shapes.ttl,
 // rules.ttl) in the vocabulary graph, in place of what it holds, and what the
-// rules conclude; nothing if it holds these already. Throws InputError.
-void StageVocabulary(const std::string& folder, Transaction& transaction);
+// rules conclude; nothing if it holds these already. Returns the files it
+// staged, for the log (LogVocabulary). Throws InputError.
+std::vector<SourceFile> StageVocabulary(const std::string& folder,
+                                        Transaction& transaction);
 
 }  // namespace kg_core
 

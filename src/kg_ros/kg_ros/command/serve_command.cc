@@ -22,8 +22,7 @@ int ReadPort(const Arguments& arguments) {
   const std::string text = arguments.One("--port").value_or("");
   char* end = nullptr;
   const long port = std::strtol(text.c_str(), &end, 10);
-  const bool fits =
-      !text.empty() && *end == '\0' && port >= 0 && port <= 65535;
+  const bool fits = !text.empty() && *end == '\0' && port >= 0 && port <= 65535;
   if (fits) return static_cast<int>(port);
   throw UsageError("expected --port N, 0 to 65535");
 }
@@ -90,7 +89,8 @@ const Subcommand kServe = {
     "serve",
     "TARGET --port N [--token-file FILE] [--writable] [--data FOLDER]",
     "SPARQL over HTTP on 127.0.0.1, until it is interrupted",
-    "Queries, graphs and updates as docs/interface.md has them. The first line\n"
+    "Queries, graphs and updates as docs/interface.md has them. The first "
+    "line\n"
     "of the output is the endpoint.\n\n"
     "  --port N           0: one that is free\n"
     "  --token-file FILE  holds the token that every request must carry;\n"

@@ -9,7 +9,7 @@ namespace {
 AgentPose StartPose(const kg_core::Mission& mission,
                     const kg_core::Agent& agent) {
   return {agent.start, agent.start_heading_rad, mission.windows.front().begin_s,
-          agent.capabilities.energy_budget_j};
+          agent.capabilities.energy_budget_j, false};
 }
 
 bool IsUsable(const AgentPose& pose) {
@@ -40,6 +40,7 @@ bool FleetState::Observe(const std::string& agent_id, const AgentPose& pose) {
   if (pose.time_s < found->second.time_s) return true;
   const double energy_before_j = found->second.energy_left_j;
   found->second = pose;
+  found->second.observed = true;
   if (std::isnan(pose.energy_left_j)) {
     found->second.energy_left_j = energy_before_j;
   }
@@ -50,10 +51,18 @@ void FleetState::Follow(const kg_core::Mission& mission) {
   std::map<std::string, AgentPose> poses;
   for (const kg_core::Agent& agent : mission.agents) {
     const auto known = poses_.find(agent.id);
-    poses[agent.id] =
-        known == poses_.end() ? StartPose(mission, agent) : known->second;
+    poses[agent.id] = known == poses_.end() || !known->second.observed
+                          ? StartPose(mission, agent)
+                          : known->second;
   }
   poses_ = std::move(poses);
+}
+
+std::string FleetState::Clock() const {
+  for (const auto& [agent, pose] : poses_) {
+    if (pose.observed && pose.time_s >= time_s_) return agent;
+  }
+  return "";
 }
 
 bool FleetState::IsComplete() const {

@@ -21,6 +21,7 @@ struct AgentPose {
   double heading_rad = 0.0;  // Clockwise from north.
   double time_s = 0.0;       // Unix seconds, mission time.
   double energy_left_j = std::numeric_limits<double>::quiet_NaN();
+  bool observed = false;  // Reported by the agent; else what the facts say.
 };
 
 class FleetState {
@@ -33,8 +34,11 @@ class FleetState {
   // Late observations are accepted but never replace a newer one. False if the
   // agent is unknown or a number is not finite (energy may be NaN).
   bool Observe(const std::string& agent_id, const AgentPose& pose);
-  // Agents that have come or gone by a fact; others keep their pose.
+  // Agents that have come or gone by a fact; those that have reported keep
+  // their pose, others are where the facts say.
   void Follow(const kg_core::Mission& mission);
+  // The agent whose report mission time is; empty before anybody's.
+  std::string Clock() const;
 
   const std::map<std::string, AgentPose>& poses() const { return poses_; }
   double time_s() const { return time_s_; }

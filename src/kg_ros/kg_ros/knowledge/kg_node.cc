@@ -184,7 +184,6 @@ UpdateReport KgNode::Report(const kg_core::FactUpdate& update,
     cycle_is_due_ = true;
     plan_note_.clear();
     if (plan_status_ != World::PLAN_NONE) plan_status_ = World::PLAN_STALE;
-    server_.MarkPlanStale();
     TellGaps(&report);
     pending_.Add(report);
     PublishWorld();
@@ -324,8 +323,9 @@ void KgNode::CommitFinishedPlan() {
   PlanRecord record;
   record.assignments = *plan;
   record.rejections = progress_.rejections();
+  record.cooling = progress_.cooling();
   for (const auto& [key, graph] : progress_.nav_graphs()) {
-    record.nav_graph_hashes[key] = graph.hash;
+    record.nav_graphs[key] = StampOf(graph);
   }
   record.started_s = cycle_began_s_;
   record.ended_s = begin_s;

@@ -28,9 +28,9 @@
 #include "kg_ros/knowledge/query_server.h"
 #include "kg_ros/knowledge/watch_server.h"
 #include "kg_ros/knowledge/what_if_server.h"
+#include "kg_ros/knowledge/why_server.h"
 #include "kg_ros/protocol/http_door.h"
 #include "kg_ros/protocol/main_thread.h"
-#include "kg_ros/knowledge/why_server.h"
 #include "ros/node_handle.h"
 #include "ros/timer.h"
 

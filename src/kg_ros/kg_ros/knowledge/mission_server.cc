@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/sha256.h"
 #include "kg_core/mission/expiry.h"
 #include "kg_core/mission/mission_reader.h"
+#include "kg_core/mission/terms.h"
 #include "kg_core/mission/validator.h"
 #include "kg_core/mission/vocabulary.h"
 #include "kg_core/rdf/namespaces.h"
@@ -20,12 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 using kg_core::InputError;
 using kg_core::Iri;
-using kg_core::Literal;
-using kg_core::Term;
 using kg_core::Transaction;
 using kg_core::WorldChange;
 
-constexpr std::uint64_t kKeptPlans = 5;
 constexpr double kLongAgo_s = -std::numeric_limits<double>::infinity();
 
 double Now_s() {
@@ -111,20 +110,23 @@ MissionServer::MissionServer(MissionFolders folders)
 
 void MissionServer::LoadVocabulary() {
   Transaction transaction = store_->Begin();
-  kg_core::StageVocabulary(folders_.ontology, transaction);
+  kg_core::LogVocabulary(
+      kg_core::StageVocabulary(folders_.ontology, transaction), Now_s(),
+      transaction);
   if (!transaction.empty()) transaction.Commit(WorldChange::kYes);
 }
 
 void MissionServer::LoadMission() {
   const std::string path = folders_.mission + "/mission.ttl";
+  kg_core::FactUpdate origin;
+  origin.id = path;
+  origin.author = "mission.ttl";
+  origin.files = {{"", path, kg_core::Sha256HexOfFile(path)}};
   Transaction transaction = store_->Begin();
   std::vector<std::string> reasons = kg_core::StageFactsFile(path, transaction);
   if (reasons.empty()) reasons = kg_core::StageIngest(files_, transaction);
   if (!reasons.empty()) throw InputError(JoinLines(reasons));
   mission_ = kg_core::ReadMission(transaction.view());
-  kg_core::FactUpdate origin;
-  origin.id = path;
-  origin.author = "mission.ttl";
   kg_core::LogUpdate(origin, Now_s(), transaction);
   transaction.Commit(WorldChange::kYes);
   start_.fleet.Reset(mission_);
@@ -160,6 +162,7 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
       kg_core::Mission mission = kg_core::ReadMission(transaction.view());
       if (!transaction.empty()) {
         kg_core::LogUpdate(update, Now_s(), transaction);
+        if (plan_run_ > 0) StageStatus(plan_run_, "stale", &transaction);
         transaction.Commit(WorldChange::kYes);
       }
       mission_ = std::move(mission);
@@ -202,29 +205,54 @@ kg_core::Judgement MissionServer::Check(const kg_core::FactUpdate& update) {
 }
 
 std::shared_ptr<const kg_compiler::Compilation> MissionServer::BeginCycle() {
+  times_.began_s = Now_s();
   const auto compiled = compiler_.Compile(mission_, store_->world_version(),
                                           FirstWindowToPlan(start_, mission_));
-  compilation_ = StartFrom(start_, *compiled);
+  times_.tensors_s = times_.began_s;
+  for (const auto& [stage, seconds] : compiled->stage_seconds) {
+    if (stage != "rules") times_.tensors_s += seconds;
+  }
+  ++cycle_;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     shared_compiler_ = compiler_;
+    start_.cycle = cycle_;
   }
-  ++cycle_;
-  Save();
+  compilation_ = StartFrom(start_, *compiled);
+  times_.ended_s = std::max(Now_s(), times_.tensors_s);
+  Transaction transaction = store_->Begin();
+  StageCycle(&transaction);
+  if (plan_run_ > 0) StageStatus(plan_run_, "stale", &transaction);
+  StageSave(plan_run_, &transaction);
+  transaction.Commit(WorldChange::kNo);
   return compilation_;
 }
 
+void MissionServer::StageCycle(Transaction* transaction) {
+  for (const kg_core::Agent& agent : mission_.agents) {
+    const auto pose = fleet().poses().find(agent.id);
+    if (pose == fleet().poses().end() || !pose->second.observed) continue;
+    StageReportedState(agent, pose->second, cycle_, transaction);
+  }
+  StageArtifacts(*compilation_, cycle_, times_, transaction);
+}
+
 void MissionServer::Save() {
+  Transaction transaction = store_->Begin();
+  StageSave(plan_run_, &transaction);
+  transaction.Commit(WorldChange::kNo);
+}
+
+void MissionServer::StageSave(const std::uint64_t plan_run,
+                              Transaction* transaction) {
   MissionState state;
   state.mission_folder = folders_.mission;
   state.cycle = cycle_;
-  state.plan_run = plan_run_;
+  state.plan_run = plan_run;
   state.mission_time_s = fleet().time_s();
   state.ended = ended();
   state.poses = fleet().poses();
-  Transaction transaction = store_->Begin();
-  SaveState(state, mission_, transaction);
-  transaction.Commit(WorldChange::kNo);
+  SaveState(state, mission_, *transaction);
 }
 
 void MissionServer::KeepWatches(
@@ -232,78 +260,6 @@ void MissionServer::KeepWatches(
   Transaction transaction = store_->Begin();
   kg_core::StageWatches(watches, transaction);
   transaction.Commit(WorldChange::kNo);
-}
-
-void MissionServer::RecordPlan(PlanRecord record) {
-  record.executed = start_.executed;
-  plan_run_ = record.assignments.plan_run;
-  Transaction transaction = store_->Begin();
-  for (const kg_core::Statement& statement :
-       PlanStatements(record, *compilation_)) {
-    transaction.Add(statement);
-  }
-  DropOldPlans(&transaction);
-  transaction.Commit(WorldChange::kNo);
-  Save();
-}
-
-void MissionServer::DropOldPlans(Transaction* transaction) const {
-  if (plan_run_ <= kKeptPlans) return;
-  transaction->RemoveMatching(nullptr, nullptr, nullptr,
-                              PlanGraph(plan_run_ - kKeptPlans));
-}
-
-void MissionServer::RecordNavGraph(const kg_msgs::NavGraph& graph,
-                                   const std::string& previous_hash) {
-  NavGraphPlace place;
-  place.run = plan_run_;
-  place.previous_hash = previous_hash;
-  for (const kg_core::TimeWindow& window : mission_.windows) {
-    if (window.index == graph.window) place.window_iri = window.iri;
-  }
-  const kg_core::Agent* agent = mission_.FindAgent(graph.agent_iri);
-  if (agent == nullptr || place.window_iri.empty()) return;
-  place.start_iri = agent->start_iri;
-  Transaction transaction = store_->Begin();
-  for (const kg_core::Statement& statement : NavGraphStatements(graph, place)) {
-    transaction.Add(statement);
-  }
-  transaction.Commit(WorldChange::kNo);
-}
-
-void MissionServer::MarkPlanStale() {
-  if (plan_run_ == 0) return;
-  const Term run = PlanRunNode(plan_run_);
-  const Term status = Iri(std::string(kg_core::kEx) + "status");
-  const Term graph = PlanGraph(plan_run_);
-  Transaction transaction = store_->Begin();
-  transaction.RemoveMatching(&run, &status, nullptr, graph);
-  transaction.Add({run, status, Literal("stale"), graph});
-  transaction.Commit(WorldChange::kNo);
-}
-
-void MissionServer::RecordEnd() {
-  const Term planned = Literal("planned");
-  const Term status = Iri(std::string(kg_core::kEx) + "status");
-  const Term graph = PlanGraph(plan_run_);
-  Transaction transaction = store_->Begin();
-  for (const Term& stop :
-       kg_core::Subjects(*store_->Read(), graph.text, status, planned)) {
-    transaction.Remove({stop, status, planned, graph});
-    transaction.Add({stop, status, Literal("executed"), graph});
-  }
-  transaction.Commit(WorldChange::kNo);
-  Save();
-}
-
-void MissionServer::AddExecuted(ExecutedVisit visit) {
-  const auto same = [&visit](const ExecutedVisit& known) {
-    return known.agent == visit.agent &&
-           known.visit.window == visit.visit.window;
-  };
-  if (std::any_of(executed().begin(), executed().end(), same)) return;
-  const std::lock_guard<std::mutex> lock(mutex_);
-  start_.executed.push_back(std::move(visit));
 }
 
 bool MissionServer::Observe(const std::string& agent, const AgentPose& pose) {

@@ -17,6 +17,7 @@
 #include "kg_core/mission/mission.h"
 #include "kg_core/rdf/store.h"
 #include "kg_core/watch/watch_list.h"
+#include "kg_ros/knowledge/artifact_facts.h"
 #include "kg_ros/knowledge/fleet_state.h"
 #include "kg_ros/knowledge/mission_state.h"
 #include "kg_ros/knowledge/plan_facts.h"
@@ -91,7 +92,9 @@ class MissionServer {
 
   // Compiles what is dirty for the windows still to be planned and starts the
   // next cycle, from where the agents are now (start_state.h). Throws
-  // kg_core::InputError; then no cycle has begun.
+  // kg_core::InputError; then no cycle has begun. The plan's facts say that it
+  // is stale from an accepted change of facts, or the begin of a cycle, until
+  // the next one is recorded.
   std::shared_ptr<const kg_compiler::Compilation> BeginCycle();
   std::uint64_t cycle() const { return cycle_; }
 
@@ -101,8 +104,6 @@ class MissionServer {
   // Adds a waypoint graph to the current plan's facts.
   void RecordNavGraph(const kg_msgs::NavGraph& graph,
                       const std::string& previous_hash);
-  // Facts have changed since: says so on the current run.
-  void MarkPlanStale();
 
   const std::vector<ExecutedVisit>& executed() const { return start_.executed; }
   void AddExecuted(ExecutedVisit visit);
@@ -121,7 +122,17 @@ class MissionServer {
   void LoadVocabulary();
   void LoadMission();
   void Restore(const MissionState& state);
-  void DropOldPlans(kg_core::Transaction* transaction) const;
+  void StageSave(std::uint64_t plan_run, kg_core::Transaction* transaction);
+  static void StageStatus(std::uint64_t run, const char* status,
+                          kg_core::Transaction* transaction);
+  void StageCycle(kg_core::Transaction* transaction);
+  void StageGraph(NavGraphOrigin origin,
+                  kg_core::Transaction* transaction) const;
+  void StageUse(const kg_msgs::NavGraph& graph,
+                kg_core::Transaction* transaction) const;
+  std::string AgentIri(const std::string& agent_id) const;
+  static void DropOldPlans(std::uint64_t run,
+                           kg_core::Transaction* transaction);
 
   MissionFolders folders_;
   kg_core::FileCache files_;
@@ -133,6 +144,7 @@ class MissionServer {
   StartState start_;
   kg_compiler::MissionCompiler shared_compiler_;  // As of the last cycle.
   std::shared_ptr<const kg_compiler::Compilation> compilation_;
+  CompileTimes times_;  // Of the cycle.
   std::uint64_t cycle_ = 0;
   std::uint64_t plan_run_ = 0;
   bool was_restored_ = false;

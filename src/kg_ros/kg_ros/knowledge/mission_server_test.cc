@@ -78,7 +78,7 @@ class MissionServerTest : public testing::Test {
     PlanRecord record;
     record.assignments = plan;
     for (const kg_msgs::NavGraph& graph : answer.nav_graphs) {
-      record.nav_graph_hashes[{graph.agent, graph.window}] = graph.hash;
+      record.nav_graphs[{graph.agent, graph.window}] = StampOf(graph);
     }
     server->RecordPlan(record);
   }
@@ -199,8 +199,10 @@ TEST_F(MissionServerTest, PlansBecomeFactsThatLeadBackToFiles) {
   ASSERT_EQ(plan.assignments.size(), 1u);
   ASSERT_EQ(plan.assignments[0].pathlet.visits.size(), 2u);
   Record(plan, answer, &server);
+  std::string previous;
   for (const kg_msgs::NavGraph& graph : answer.nav_graphs) {
-    server.RecordNavGraph(graph, "");
+    server.RecordNavGraph(graph, previous);
+    previous = graph.hash;
   }
   EXPECT_EQ(Count(server,
                   "SELECT ?a { ?a a ex:Assignment ; "
@@ -455,8 +457,8 @@ TEST_F(MissionServerTest, OldPlansAreDroppedWhole) {
     ++plan.plan_run;
   }
   EXPECT_EQ(Count(server,
-                  "SELECT DISTINCT ?g { GRAPH ?g "
-                  "{ ?r a ex:PlanRun } }"),
+                  "SELECT DISTINCT ?g { GRAPH ?g { ?s ?p ?o } "
+                  "FILTER(CONTAINS(STR(?g), \"graph/plan/\")) }"),
             5u);
 }
 

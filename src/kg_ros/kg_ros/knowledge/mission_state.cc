@@ -5,18 +5,19 @@
 #include "kg_core/base/date_time.h"
 #include "kg_core/base/units.h"
 #include "kg_core/geo/wkt.h"
+#include "kg_core/mission/terms.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_ros/knowledge/plan_facts.h"
 
 namespace kg_ros {
 namespace {
 
+using kg_core::Ex;
 using kg_core::GraphView;
 using kg_core::Iri;
 using kg_core::Literal;
 using kg_core::Term;
 
-Term Ex(const std::string& name) { return Iri(kg_core::kEx + name); }
 Term StateNode() { return Ex("state"); }
 Term ResultTime() { return Iri(std::string(kg_core::kSosa) + "resultTime"); }
 
@@ -51,6 +52,7 @@ AgentPose ReadPose(const GraphView& view, const Term& node) {
   pose.time_s = Time(view, node, ResultTime());
   pose.energy_left_j =
       kg_core::WhToJoules(Number(view, node, "energyRemaining"));
+  pose.observed = !Read(view, node, kg_core::Prov("wasDerivedFrom"));
   return pose;
 }
 
@@ -98,6 +100,11 @@ void WritePose(const AgentPose& pose, const Term& window,
       .Add(ResultTime(), DateTime(pose.time_s))
       .Add(Ex("energyRemaining"),
            kg_core::DoubleLiteral(pose.energy_left_j / kg_core::kJoulesPerWh));
+  if (pose.observed) {
+    write.Add(kg_core::Prov("wasAttributedTo"), Iri(agent.iri));
+  } else {
+    write.Add(kg_core::Prov("wasDerivedFrom"), Iri(agent.start_iri));
+  }
 }
 
 }  // namespace

@@ -1,13 +1,17 @@
-// A plan as facts: what planners and selector answered, written into the run's
-// own graph (ex:graph/plan/<run>) with its provenance. Never read by the
-// compiler, so an assignment never triggers its own recompilation.
+// A plan as facts: what planners and selector answered. The run's own graph
+// (ex:graph/plan/<run>) holds what belongs to this run alone and goes with it;
+// the provenance graph keeps what later runs may refer to. The compiler reads
+// neither, so an assignment never triggers its own recompilation.
 //
 //   ex:plan\/7               a ex:PlanRun ; ex:worldVersion ; ex:status ; ...
+//   ex:plan\/7\/select       a ex:SelectRun ; prov:wasInformedBy the planners
 //   ex:plan\/7\/alpha\/w2    a ex:Assignment ; ex:forAgent ; ex:forWindow ;
-//       ex:waypointWKT ; ex:reward ; ex:costHours ; ... ; prov:wasGeneratedBy
-//   ex:plan\/7\/rejection\/0 a ex:Rejection ; ...
-//   ex:tensor\/<hash>        a ex:HeatmapArtifact ; prov:wasDerivedFrom ...
-//   ex:nav\/<hash>           a ex:NavGraph, with waypoints, edges, edge costs
+//       ex:waypointWKT ; ex:pathWKT ; ex:pathTimes ; ex:reward ; ex:costHours ;
+//       ... ; prov:wasGeneratedBy ; prov:wasDerivedFrom
+//   ex:plan\/7\/rejection\/0 a ex:Rejection ; ex:lostTo ; ex:cooling ...
+//   ex:plan\/7\/cooling\/0   a ex:CoolingConstraint ; ex:forAgent ; ex:cooledBy
+//   ;
+//       ex:expires ...
 
 #ifndef KG_ROS_KNOWLEDGE_PLAN_FACTS_H_
 #define KG_ROS_KNOWLEDGE_PLAN_FACTS_H_
@@ -18,63 +22,41 @@
 #include <vector>
 
 #include "kg_compiler/mission_compiler.h"
-#include "kg_core/mission/mission.h"
-#include "kg_core/rdf/graph_view.h"
 #include "kg_core/rdf/store.h"
 #include "kg_msgs/Assignments.h"
-#include "kg_msgs/NavGraph.h"
+#include "kg_msgs/Cooling.h"
+#include "kg_msgs/EdgeCost.h"
 #include "kg_msgs/Rejection.h"
+#include "kg_ros/knowledge/executed_stops.h"
+#include "kg_ros/knowledge/fact_writer.h"
+#include "kg_ros/knowledge/nav_graph_facts.h"
 
 namespace kg_ros {
-
-// A stop that has been made: frozen, copied from run to run.
-struct ExecutedVisit {
-  std::string agent;  // ex:id.
-  std::string agent_iri;
-  kg_msgs::Visit visit;
-};
 
 struct PlanRecord {
   kg_msgs::Assignments assignments;
   std::vector<kg_msgs::Rejection> rejections;
+  std::vector<kg_msgs::Cooling> cooling;  // Of all rounds, each pair once.
   std::vector<ExecutedVisit> executed;
-  std::map<std::pair<std::string, int>, std::string> nav_graph_hashes;
+  // By agent's ex:id and window.
+  std::map<std::pair<std::string, int>, NavGraphStamp> nav_graphs;
   double started_s = 0.0;  // Unix seconds.
   double ended_s = 0.0;
 };
 
 kg_core::Term PlanGraph(unsigned long long run);
 kg_core::Term PlanRunNode(unsigned long long run);
+kg_core::Term SelectRunNode(unsigned long long run);
+kg_core::Term AssignmentNode(unsigned long long run,
+                             const std::string& agent_id, int window);
 
-// An edge of the graph with this hash, from and to its waypoints.
-kg_core::Term EdgeNode(const std::string& graph_hash, unsigned from,
-                       unsigned to);
-
-// The run, its assignments and rejections, and the tensors it used.
+// The run, its assignments, rejections and what they cooled, for its own graph
+// and the provenance graph.
 std::vector<kg_core::Statement> PlanStatements(
     const PlanRecord& record, const kg_compiler::Compilation& compilation);
 
-// Where a graph stands among the facts.
-struct NavGraphPlace {
-  unsigned long long run = 0;
-  std::string window_iri;
-  std::string previous_hash;  // Of the window before; empty: edges leave from
-  std::string start_iri;      // this node.
-};
-
-// Waypoints, edges and edge costs of one graph.
-std::vector<kg_core::Statement> NavGraphStatements(
-    const kg_msgs::NavGraph& graph, const NavGraphPlace& place);
-
-// One ex:EdgeCost, in `graph`.
-std::vector<kg_core::Statement> EdgeCostStatements(
-    const kg_core::Term& graph, const kg_core::Term& edge,
-    const std::string& agent_iri, const kg_msgs::EdgeCost& cost);
-
-// The executed stops that the graph of `run` holds, by agent and window.
-std::vector<ExecutedVisit> ReadExecuted(const kg_core::GraphView& view,
-                                        unsigned long long run,
-                                        const kg_core::Mission& mission);
+// ex:costHours, ex:costEnergy, ex:costRisk, ex:seamCost.
+void WriteCost(const kg_msgs::EdgeCost& cost, FactWriter* write);
 
 }  // namespace kg_ros
 

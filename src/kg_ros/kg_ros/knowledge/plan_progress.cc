@@ -6,6 +6,7 @@ void PlanProgress::Begin(const std::uint64_t cycle) {
   cycle_ = cycle;
   assignments_.reset();
   rejections_ = {};
+  cooling_.clear();
   nav_graphs_.clear();
   unrecorded_.clear();
 }
@@ -27,7 +28,18 @@ bool PlanProgress::Take(const kg_msgs::Rejections& message) {
   if (!IsCurrent(message)) return false;
   const bool run_has_ended = message.round == 0;
   if (run_has_ended) rejections_ = message;
+  if (message.plan_run != cooling_run_) cooling_.clear();
+  cooling_run_ = message.plan_run;
+  for (const kg_msgs::Cooling& one : message.cooling) {
+    cooling_[{one.agent, one.by_agent}] = one;
+  }
   return true;
+}
+
+std::vector<kg_msgs::Cooling> PlanProgress::cooling() const {
+  std::vector<kg_msgs::Cooling> all;
+  for (const auto& [pair, one] : cooling_) all.push_back(one);
+  return all;
 }
 
 bool PlanProgress::Take(const kg_msgs::NavGraph& message) {

@@ -35,6 +35,8 @@ class PlanProgress {
   const std::vector<kg_msgs::Rejection>& rejections() const {
     return rejections_.rejections;
   }
+  // What agents were asked to plan around: of each pair of agents the last.
+  std::vector<kg_msgs::Cooling> cooling() const;
 
   // Graphs of this cycle, by agent and window.
   const std::map<Key, kg_msgs::NavGraph>& nav_graphs() const {
@@ -52,6 +54,9 @@ class PlanProgress {
   std::uint64_t dropped_ = 0;
   std::optional<kg_msgs::Assignments> assignments_;
   kg_msgs::Rejections rejections_;
+  std::uint64_t cooling_run_ = 0;
+  // By who is cooled, and by whom.
+  std::map<std::pair<std::string, std::string>, kg_msgs::Cooling> cooling_;
   std::map<Key, kg_msgs::NavGraph> nav_graphs_;
   std::vector<Key> unrecorded_;
 };

@@ -7,6 +7,7 @@
 #include "kg_core/sparql/results.h"
 #include "kg_msgs/Export.h"
 #include "kg_ros/base/names.h"
+#include "kg_ros/export/export_server.h"
 #include "kg_ros/knowledge/mission_server.h"
 #include "kg_ros/knowledge/mission_state.h"
 
@@ -16,9 +17,6 @@ namespace {
 using kg_core::QueryResult;
 
 constexpr unsigned kQueryThreads = 4;
-constexpr char kNotAvailable[] =
-    "not available: this service is part of the interface but not served yet";
-
 bool IsGraph(const QueryResult& result) {
   return result.form == QueryResult::Form::kConstruct ||
          result.form == QueryResult::Form::kDescribe;
@@ -50,11 +48,11 @@ QueryServer::QueryServer(const ros::NodeHandle& node,
       kQueryService, &QueryServer::HandleQuery, this));
   const boost::function<bool(kg_msgs::Export::Request&,
                              kg_msgs::Export::Response&)>
-      do_export =
-          [](kg_msgs::Export::Request&, kg_msgs::Export::Response& response) {
-            response.error = kNotAvailable;
-            return true;
-          };
+      do_export = [server](kg_msgs::Export::Request& request,
+                           kg_msgs::Export::Response& response) {
+        response = ExportServer::Answer(*server->Read(), request);
+        return true;
+      };
   services_.push_back(node_.advertiseService(kExportService, do_export));
   query_spinner_.start();
   spinner_.start();

@@ -1,6 +1,6 @@
-// Answers kg/query on threads of its own, from snapshots of the store: queries
-// go on while facts are taken and cycles compiled, and a slow one does not hold
-// up the others. Also answers the services that are not served yet, saying so.
+// Answers kg/query and kg/export on threads of their own, from snapshots of the
+// store: they go on while facts are taken and cycles compiled, and a slow query
+// does not hold up the others.
 
 #ifndef KG_ROS_KNOWLEDGE_QUERY_SERVER_H_
 #define KG_ROS_KNOWLEDGE_QUERY_SERVER_H_

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "kg_compiler/as_sent.h"
+#include "kg_ros/knowledge/artifact_facts.h"
 
 namespace kg_ros {
 namespace {
@@ -49,10 +50,20 @@ void LimitEnergy(const StartState& start, kg_compiler::SeamRules* rules) {
       std::min(rules->energy_budget_j, std::max(0.0, left_j));
 }
 
-void StartFromPoses(const FleetState& fleet, Compilation* compilation) {
+// Rules that leave from a reported state were made of it, and of the report
+// that mission time is.
+void CiteReports(const StartState& start, kg_compiler::SeamRules* rules) {
+  rules->start_iri = StateNodeOf(rules->agent_id, start.cycle).text;
+  rules->read_facts.push_back(
+      StateNodeOf(start.fleet.Clock(), start.cycle).text);
+}
+
+void StartFromPoses(const StartState& start, Compilation* compilation) {
+  const FleetState& fleet = start.fleet;
   for (kg_compiler::SeamRules& rules : compilation->rules) {
     const auto pose = fleet.poses().find(rules.agent_id);
     if (pose == fleet.poses().end() || rules.windows.empty()) continue;
+    if (pose->second.observed) CiteReports(start, &rules);
     rules.start = pose->second.position;
     rules.start_heading_rad = pose->second.heading_rad;
     kg_compiler::WindowRules& first = rules.windows.front();
@@ -110,7 +121,7 @@ std::shared_ptr<const Compilation> StartFrom(const StartState& start,
   for (kg_compiler::SeamRules& rules : started->rules) {
     LimitEnergy(start, &rules);
   }
-  StartFromPoses(start.fleet, started.get());
+  StartFromPoses(start, started.get());
   CloseVisitedEvents(start.executed, started.get());
   TakeAsSent(started.get());
   return started;

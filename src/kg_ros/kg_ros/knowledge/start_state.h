@@ -4,6 +4,7 @@
 #ifndef KG_ROS_KNOWLEDGE_START_STATE_H_
 #define KG_ROS_KNOWLEDGE_START_STATE_H_
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct StartState {
   FleetState fleet;
   // The stops agents made in windows before the planned ones.
   std::vector<ExecutedVisit> executed;
+  std::uint64_t cycle = 0;  // The one that begins here; names reported states.
 };
 
 // A current window with less than a quarter left is not planned any more:

@@ -5,6 +5,7 @@
 
 #include "kg_core/rdf/namespaces.h"
 #include "kg_ros/conversion/plan_conversion.h"
+#include "kg_ros/knowledge/nav_graph_facts.h"
 
 namespace kg_ros {
 namespace {
@@ -45,7 +46,7 @@ PlanRecord RecordOf(const PlannedWorld& world, const HypotheticalRun& run) {
   }
   for (const TeamMember& member : world.planned.members) {
     for (const kg_compiler::NavGraph& graph : member.graphs) {
-      record.nav_graph_hashes[{NameOf(member), graph.window}] = graph.hash;
+      record.nav_graphs[{NameOf(member), graph.window}].hash = graph.hash;
     }
   }
   record.started_s = record.ended_s = Now_s();
@@ -58,12 +59,13 @@ void RecordGraphs(const PlannedWorld& world, const TeamMember& member,
   NavGraphPlace place;
   place.run = run.number;
   const kg_core::Mission& mission = world.compilation->mission;
-  const kg_core::Agent* agent = mission.FindAgent(member.rules.agent_iri);
-  if (agent != nullptr) place.start_iri = agent->start_iri;
+  place.start_iri = member.rules.start_iri;
   for (const kg_compiler::NavGraph& graph : member.graphs) {
-    for (const kg_core::TimeWindow& window : mission.windows) {
-      if (window.index == graph.window) place.window_iri = window.iri;
-    }
+    NavGraphOrigin origin;
+    origin.agent_iri = member.rules.agent_iri;
+    origin.window = graph.window;
+    origin.stamp.hash = graph.hash;
+    AddAll(NavGraphDescription(origin, mission), run.graph, transaction);
     AddAll(NavGraphStatements(ToMessage(graph, member.rules), place), run.graph,
            transaction);
     place.previous_hash = graph.hash;

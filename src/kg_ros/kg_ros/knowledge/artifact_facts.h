@@ -1,0 +1,65 @@
+// What was compiled, as facts of the provenance graph: every artifact once,
+// under the activity that made it, with exactly what it was made of. A later
+// cycle that takes an artifact as it is finds it there.
+//
+//   ex:tensor\/alpha\/w2\/<id>  a ex:HeatmapArtifact ; ex:hash ;
+//       prov:wasDerivedFrom ... ; prov:wasGeneratedBy ex:compile\/phi2\/12
+//   ex:rules\/alpha\/<id>       a ex:SeamRules ; ex:hash ;
+//       prov:wasDerivedFrom ... ; prov:wasGeneratedBy ex:compile\/phi1\/12
+//   ex:state\/alpha\/12         a ex:AgentState, as reported when cycle 12
+//   began
+
+#ifndef KG_ROS_KNOWLEDGE_ARTIFACT_FACTS_H_
+#define KG_ROS_KNOWLEDGE_ARTIFACT_FACTS_H_
+
+#include <cstdint>
+#include <string>
+
+#include "kg_compiler/mission_compiler.h"
+#include "kg_core/mission/mission.h"
+#include "kg_core/rdf/graph_view.h"
+#include "kg_core/rdf/store.h"
+#include "kg_ros/knowledge/fleet_state.h"
+
+namespace kg_ros {
+
+// One of an artifact's hash and sources; the agent's ex:id and the window make
+// it readable.
+kg_core::Term TensorNode(const kg_compiler::MissionTensor& tensor,
+                         const kg_core::Mission& mission);
+kg_core::Term SeamRulesNode(const kg_compiler::SeamRules& rules);
+kg_core::Term StateNodeOf(const std::string& agent_id, std::uint64_t cycle);
+kg_core::Term CompileNode(const std::string& plane, std::uint64_t cycle);
+
+// The tensor of (agent, window), or null.
+const kg_compiler::MissionTensor* FindTensor(
+    const kg_compiler::Compilation& compilation, const std::string& agent_iri,
+    int window);
+const kg_compiler::SeamRules* FindRules(
+    const kg_compiler::Compilation& compilation, const std::string& agent_iri);
+// The window's IRI; one of its own for a window that is no more.
+kg_core::Term WindowTerm(const kg_core::Mission& mission, int window);
+
+// Is it described in the provenance graph?
+bool IsDescribed(const kg_core::GraphView& view, const kg_core::Term& node);
+
+// When the planes worked on a cycle. Unix seconds.
+struct CompileTimes {
+  double began_s = 0.0;
+  double tensors_s = 0.0;  // Phi 2 had ended.
+  double ended_s = 0.0;    // Phi 1 had.
+};
+
+// Stages what the provenance graph does not have yet of a cycle's tensors and
+// seam rules, with the activities that made it.
+void StageArtifacts(const kg_compiler::Compilation& compilation,
+                    std::uint64_t cycle, const CompileTimes& times,
+                    kg_core::Transaction* transaction);
+
+// Stages the state that an agent had reported when a cycle began.
+void StageReportedState(const kg_core::Agent& agent, const AgentPose& pose,
+                        std::uint64_t cycle, kg_core::Transaction* transaction);
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_KNOWLEDGE_ARTIFACT_FACTS_H_

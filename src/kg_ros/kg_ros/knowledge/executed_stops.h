@@ -1,0 +1,39 @@
+// The stops that agents have made: frozen, copied from run to run with the
+// provenance they were planned with.
+
+#ifndef KG_ROS_KNOWLEDGE_EXECUTED_STOPS_H_
+#define KG_ROS_KNOWLEDGE_EXECUTED_STOPS_H_
+
+#include <string>
+#include <vector>
+
+#include "kg_core/mission/mission.h"
+#include "kg_core/rdf/graph_view.h"
+#include "kg_msgs/Visit.h"
+#include "kg_ros/conversion/track_literal.h"
+
+namespace kg_ros {
+
+struct ExecutedVisit {
+  std::string agent;  // ex:id.
+  std::string agent_iri;
+  kg_msgs::Visit visit;
+  // As stated when it was planned.
+  TrackLiteral path{};
+  std::vector<std::string> derived_from{};  // IRIs.
+  std::vector<std::string> generated_by{};
+};
+
+// The executed stops that the graph of `run` holds, by agent and window.
+std::vector<ExecutedVisit> ReadExecuted(const kg_core::GraphView& view,
+                                        unsigned long long run,
+                                        const kg_core::Mission& mission);
+
+// Fills in path and provenance from the stop's assignment in the graph of
+// `run`, if there is one.
+void RecallPlan(const kg_core::GraphView& view, unsigned long long run,
+                ExecutedVisit* stop);
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_KNOWLEDGE_EXECUTED_STOPS_H_

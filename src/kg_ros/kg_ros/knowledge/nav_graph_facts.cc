@@ -1,0 +1,147 @@
+#include "kg_ros/knowledge/nav_graph_facts.h"
+
+#include "kg_core/base/units.h"
+#include "kg_core/mission/terms.h"
+#include "kg_ros/conversion/message_units.h"
+#include "kg_ros/knowledge/artifact_facts.h"
+#include "kg_ros/knowledge/fact_writer.h"
+#include "kg_ros/knowledge/plan_facts.h"
+
+namespace kg_ros {
+namespace {
+
+using kg_core::Ex;
+using kg_core::GeoTerm;
+using kg_core::Iri;
+using kg_core::Term;
+
+Term WaypointNode(const Term& graph, unsigned id) {
+  return Iri(graph.text + "/waypoint/" + std::to_string(id));
+}
+
+Term FieldNode(const kg_compiler::Compilation& compilation, int window) {
+  for (const auto& field : compilation.fields) {
+    if (field->window == window) return Iri(field->iri);
+  }
+  return {};
+}
+
+// Empty if the compilation does not have the agent and window.
+std::vector<Term> SourcesOf(const NavGraphOrigin& origin,
+                            const kg_compiler::Compilation& compilation) {
+  const kg_compiler::MissionTensor* tensor =
+      FindTensor(compilation, origin.agent_iri, origin.window);
+  const kg_compiler::SeamRules* rules =
+      FindRules(compilation, origin.agent_iri);
+  const Term field = FieldNode(compilation, origin.window);
+  if (tensor == nullptr || rules == nullptr || field.text.empty()) return {};
+  if (!IsJoined(origin, *rules)) return {};
+  const Term before = origin.previous_hash.empty()
+                          ? Iri(rules->start_iri)
+                          : NavGraphNode(origin.previous_hash);
+  return {TensorNode(*tensor, compilation.mission), SeamRulesNode(*rules),
+          field, before};
+}
+
+void Describe(const NavGraphOrigin& origin, const kg_core::Mission& mission,
+              FactWriter* write) {
+  write->About(NavGraphNode(origin.stamp.hash), "NavGraph")
+      .Link("forAgent", Iri(origin.agent_iri))
+      .Link("forWindow", WindowTerm(mission, origin.window))
+      .Text("movementMode", origin.stamp.movement_mode)
+      .Text("hash", origin.stamp.hash);
+}
+
+void WriteEdgeCost(const Term& edge, const std::string& agent_iri,
+                   const kg_msgs::EdgeCost& cost, FactWriter* write) {
+  write->About(Iri(edge.text + "/cost"), "EdgeCost")
+      .Link("forEdge", edge)
+      .Link("forAgent", Iri(agent_iri));
+  WriteCost(cost, write);
+}
+
+}  // namespace
+
+Term EdgeNode(const std::string& graph_hash, unsigned from, unsigned to) {
+  return Iri(NavGraphNode(graph_hash).text + "/edge/" + std::to_string(from) +
+             "-" + std::to_string(to));
+}
+
+std::vector<kg_core::Statement> EdgeCostStatements(
+    const Term& graph, const Term& edge, const std::string& agent_iri,
+    const kg_msgs::EdgeCost& cost) {
+  FactWriter write(graph);
+  WriteEdgeCost(edge, agent_iri, cost, &write);
+  return write.Take();
+}
+
+std::vector<kg_core::Statement> NavGraphDescription(
+    const NavGraphOrigin& origin, const kg_core::Mission& mission) {
+  FactWriter write(Iri(kg_core::kProvGraph));
+  Describe(origin, mission, &write);
+  return write.Take();
+}
+
+Term NavGraphNode(const std::string& hash) { return Ex("nav/" + hash); }
+
+NavGraphStamp StampOf(const kg_msgs::NavGraph& graph) {
+  return {graph.hash, graph.movement_mode, FromRosTime(graph.header.stamp)};
+}
+
+bool IsJoined(const NavGraphOrigin& origin,
+              const kg_compiler::SeamRules& rules) {
+  return !origin.previous_hash.empty() ||
+         (!rules.windows.empty() &&
+          rules.windows.front().window == origin.window);
+}
+
+void StageNavGraph(const NavGraphOrigin& origin,
+                   const kg_compiler::Compilation& compilation,
+                   kg_core::Transaction* transaction) {
+  const Term node = NavGraphNode(origin.stamp.hash);
+  const kg_compiler::SeamRules* rules =
+      FindRules(compilation, origin.agent_iri);
+  const std::vector<Term> sources = SourcesOf(origin, compilation);
+  if (sources.empty() || IsDescribed(transaction->view(), node)) return;
+  const Term activity =
+      Iri(CompileNode("phi1", origin.cycle).text + "/" + rules->agent_id);
+  FactWriter write(Iri(kg_core::kProvGraph));
+  Describe(origin, compilation.mission, &write);
+  write.GeneratedBy(activity);
+  for (const Term& source : sources) write.DerivedFrom(source);
+  if (!IsDescribed(transaction->view(), activity)) {
+    write.Activity(activity, "CompilePhi1", origin.began_s, origin.stamp.made_s)
+        .Integer("worldVersion",
+                 static_cast<long long>(compilation.world_version));
+  }
+  write.About(activity);
+  for (const Term& source : sources) write.Used(source);
+  AddAll(write.Take(), transaction);
+}
+
+std::vector<kg_core::Statement> NavGraphStatements(
+    const kg_msgs::NavGraph& graph, const NavGraphPlace& place) {
+  FactWriter write(PlanGraph(place.run));
+  const Term node = NavGraphNode(graph.hash);
+  for (const kg_msgs::Waypoint& waypoint : graph.waypoints) {
+    write.About(WaypointNode(node, waypoint.id), "Waypoint")
+        .Link("inGraph", node)
+        .Number("score", waypoint.score)
+        .Position(GeoTerm("asWKT"), GetPosition(waypoint));
+  }
+  for (const kg_msgs::TraverseEdge& edge : graph.edges) {
+    const Term edge_node = EdgeNode(graph.hash, edge.from, edge.to);
+    const Term from =
+        place.previous_hash.empty()
+            ? Iri(place.start_iri)
+            : WaypointNode(NavGraphNode(place.previous_hash), edge.from);
+    write.About(edge_node, "TraverseEdge")
+        .Link("inGraph", node)
+        .Link("from", from)
+        .Link("to", WaypointNode(node, edge.to));
+    WriteEdgeCost(edge_node, graph.agent_iri, edge.cost, &write);
+  }
+  return write.Take();
+}
+
+}  // namespace kg_ros
