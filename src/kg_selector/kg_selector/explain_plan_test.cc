@@ -185,7 +185,7 @@ TEST(ExplainPlan, EdgesSumToTheirSeamCosts) {
 
 TEST(ExplainPlan, RejectionsSumToTheirMargins) {
   int separations = 0, capacities = 0;
-  ForEachWorld(10, [&](const PlannedWorld& world) {
+  ForEachWorld(20, [&](const PlannedWorld& world) {
     for (std::size_t i = 0; i < world.plan.rejections.size(); ++i) {
       Question question = About(Why::kRejection, "", -1);
       question.id = std::to_string(i);

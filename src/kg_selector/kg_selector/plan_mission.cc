@@ -52,10 +52,13 @@ const T& Named(const std::vector<T>& members, const std::string& hash) {
   throw std::logic_error("the compilation has no raster " + hash);
 }
 
-// A planner that finds no path says so in its own words.
-void PutTroubleInPlan(const std::map<std::string, std::string>& unplannable,
-                      TeamPlan* plan) {
+// A planner that finds no path says so in its own words, which go before the
+// selector's.
+void TellWhy(const std::map<std::string, std::string>& unplannable,
+             TeamPlan* plan) {
   for (auto& [agent, why] : plan->unassigned) {
+    const auto note = plan->notes.find(agent);
+    if (note != plan->notes.end()) why = note->second;
     const auto trouble = unplannable.find(agent);
     if (trouble != unplannable.end()) why = trouble->second;
   }
@@ -113,7 +116,7 @@ PlannedMission PlanMission(const Compilation& compilation,
     }
   }
   planned.plan = PlanTeam(planned.rules, planned.members);
-  PutTroubleInPlan(planned.unplannable, &planned.plan);
+  TellWhy(planned.unplannable, &planned.plan);
   return planned;
 }
 

@@ -56,23 +56,20 @@ TeamPlan PlanTeam(TeamRules rules, const std::vector<TeamMember>& members) {
       rules.window_end_s.emplace(window.window, window.end_s);
   }
   TeamPlan plan;
-  std::map<std::string, std::string> notes;  // With the last offer.
   GreedyTeam team(rules, agents);
   while (!team.Advance()) {
     const std::set<std::string> waiting = team.waiting_for();
     for (const std::string& agent : waiting) {
       Candidates found = PlanAround(rules, *by_agent[agent], team.committed());
       plan.proven = plan.proven && found.proven;
-      notes[agent] = found.note;
+      plan.notes.erase(agent);
+      if (!found.note.empty()) plan.notes[agent] = found.note;
       team.Offer(agent, std::move(found.pathlets));
     }
   }
   plan.committed = team.committed();
   plan.rejections = team.rejections();
   plan.unassigned = team.unassigned();
-  for (auto& [agent, why] : plan.unassigned) {
-    if (!notes[agent].empty()) why = notes[agent];
-  }
   plan.rounds = team.rounds();
   return plan;
 }

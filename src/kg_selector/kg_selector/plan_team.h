@@ -45,6 +45,8 @@ struct TeamPlan {
   std::map<std::string, std::string> unassigned;  // Agent to reason.
   int rounds = 0;
   bool proven = true;  // Every path was proven best for its agent.
+  // What those without a path said with their last offer, if anything.
+  std::map<std::string, std::string> notes{};
   double score() const;
 };
 

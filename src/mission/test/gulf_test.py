@@ -19,7 +19,7 @@ import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
 from kg_msgs.msg import (AgentState, FactUpdate, MissionTensor, UpdateReport,
                          World)
-from kg_msgs.srv import WhatIf, Why, WhyRequest
+from kg_msgs.srv import Export, WhatIf, Why, WhyRequest
 from mission_test import (CHANGE_S, ROOT, Heard, MissionTestCase, by_agent, main,
                           track_deg, wait_until)
 from nav_msgs.msg import OccupancyGrid, Path
@@ -407,17 +407,6 @@ class GulfTest(MissionTestCase):
         answer = self._why(what=WhyRequest.EVENT, agent=other, window=6,
                            id=seep)
         self.assertEqual('expired', answer.verdict)
-
-    def test_4_why_explains_rejections_by_number_and_by_name(self):
-        self.house.wait_for_plan()
-        rows = self.house.select(
-            'SELECT ?x ?margin WHERE { ?x a ex:Rejection ; ex:margin ?margin }')
-        self.assertGreater(len(rows), 0)
-        for row in rows:
-            for name in (row['x'], row['x'].split('/')[-1]):
-                answer = self._why(what=WhyRequest.REJECTION, id=name)
-                self.assertAlmostEqual(float(row['margin']), answer.value,
-                                       delta=1e-9)
 
     def test_4_why_refuses_what_is_not_there(self):
         rospy.wait_for_service('kg/why', CHANGE_S)
