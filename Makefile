@@ -1,7 +1,8 @@
 # Two commands matter: `make bringup` and `make test`. Each installs what is
 # missing (apt), builds, and runs. What they do stands in scripts/.
 
-.PHONY: help install build bringup test bench figures lint clean
+.PHONY: help install build bringup test bench figures lint clean \
+        fuzz second_opinion kill_rounds sanitize
 
 help:
 	@echo 'make bringup   install, build and run the default mission; launch arguments'
@@ -11,6 +12,10 @@ help:
 	@echo 'make install   install the Debian packages of apt-packages.txt'
 	@echo 'make bench     run the benchmark programs'
 	@echo 'make figures   make the pictures of README and docs'
+	@echo 'make fuzz      fuzz Turtle, WKT, SPARQL and policies (SECONDS=600 each)'
+	@echo 'make second_opinion   random queries against rdflib and Oxigraph (CASES=10000)'
+	@echo 'make kill_rounds      SIGKILL the KG node at random moments (ROUNDS=500)'
+	@echo 'make sanitize  the C++ tests under AddressSanitizer and UBSan'
 	@echo 'make lint      clang-format, catkin_lint and clang-tidy'
 	@echo 'make clean     remove everything made here: build, devel, install, state'
 
@@ -35,6 +40,18 @@ figures:
 
 lint:
 	@scripts/lint.sh $(ARGS)
+
+fuzz:
+	@scripts/fuzz.sh $(or $(SECONDS),600)
+
+second_opinion:
+	@scripts/second_opinion.sh $(or $(CASES),10000)
+
+kill_rounds:
+	@scripts/kill_rounds.sh $(or $(ROUNDS),500)
+
+sanitize:
+	@scripts/sanitize.sh
 
 clean:
 	@scripts/clean.sh

@@ -24,6 +24,7 @@ results=$repository/build/test_results
 rm -rf "$results"
 step scripts/install_packages.sh base gui
 step scripts/build.sh all tests
+step scripts/fuzz.sh 0
 stage_began=$SECONDS
 
 mkdir -p "$results/scripts"

@@ -1,4 +1,4 @@
-// Random queries with an evaluator of their own, for tests: the definitions of
+// Queries as data with an evaluator of their own, for tests: the definitions of
 // https://www.w3.org/TR/sparql11-query/#sparqlAlgebra taken literally, on maps
 // from names to terms, with nothing shared with the engine.
 
@@ -62,7 +62,6 @@ inline constexpr const char* kPaths[] = {
     "ex:p*",        "ex:p+", "ex:q?",       "(ex:p|^ex:q)*",
     "(ex:p/ex:q)+", "!ex:p", "(ex:p|ex:q)", "!(ex:q|^ex:p)"};
 
-std::string ToSparql(const Group& group);
 Bag Evaluate(const Group& group, const World& world, const Triples& graph);
 
 }  // namespace kg_core::brute

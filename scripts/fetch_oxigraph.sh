@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Fetches Oxigraph from the npm registry into build/peers, once, and prints the
+# folder that require() starts from. Where npm is not there or finds nothing it
+# says so in one line and ends with 1.
+set -euo pipefail
+folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/build/peers
+if [ ! -e "$folder/node_modules/oxigraph" ]; then
+  if ! command -v npm >/dev/null ||
+    ! npm install --prefix "$folder" --no-audit --no-fund oxigraph@0.5 >/dev/null 2>&1
+  then
+    echo "oxigraph: not compared, npm cannot fetch it here"
+    exit 1
+  fi
+fi
+echo "$folder"

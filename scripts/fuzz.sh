@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Builds the fuzzers (libFuzzer, AddressSanitizer, UndefinedBehaviorSanitizer;
+# clang) and runs each from the files of the tree and what earlier runs found.
+#     scripts/fuzz.sh SECONDS [FUZZER...]         e.g. scripts/fuzz.sh 600 wkt
+# 0 seconds: builds only.
+# What breaks one is kept in build/fuzz/found/<fuzzer>/; exit status 1 then.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
+source "$repository/scripts/stage.sh"
+cd "$repository"
+
+seconds=${1:?"usage: scripts/fuzz.sh SECONDS [FUZZER...]"}
+shift
+fuzzers=("$@")
+[ $# -gt 0 ] || fuzzers=(turtle wkt query policy_json)
+targets=("${fuzzers[@]/#/kg_core_}")
+build=$repository/build/fuzz
+source "$repository/scripts/fuzz_seeds.sh"
+
+"$repository/scripts/install_packages.sh" base
+mkdir -p "$build"
+if ! { CC=clang CXX=clang++ cmake -S src/kg_core -B "$build" -DKG_FUZZ=ON \
+    -DKG_SANITIZE=address,undefined -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
+    -DCATKIN_ENABLE_TESTING=OFF -DPYTHON_EXECUTABLE=/usr/bin/python3 \
+    -DCATKIN_DEVEL_PREFIX="$build/devel" &&
+    make -C "$build" -j"${JOBS:-$(nproc)}" "${targets[@]/%/_fuzz}"
+  } </dev/null >"$build/build.log" 2>&1
+then
+  grep -nE 'error|\*\*\*' "$build/build.log" | head -n 20 >&2 || true
+  fail fuzz "did not build: $build/build.log"
+fi
+stage fuzz "${#fuzzers[@]} fuzzers built"
+[ "$seconds" -gt 0 ] || exit 0
+
+# Runs one fuzzer; its last lines say how many inputs it tried.
+fuzz() {
+  local name=$1 corpus=$build/corpus/$1 found=$build/found/$1
+  mkdir -p "$corpus" "$found"
+  "seeds_of_$name" "$corpus"
+  (cd "$repository/src/kg_core" && "$build/devel/lib/kg_core/${name}_fuzz" \
+    -max_total_time="$seconds" -timeout=20 -rss_limit_mb=3000 -max_len=4096 \
+    -print_final_stats=1 -dict="$repository/scripts/fuzz_words/$name.dict" \
+    -artifact_prefix="$found/" "$corpus") >"$build/$name.log" 2>&1
+}
+
+broken=()
+for name in "${fuzzers[@]}"; do
+  fuzz "$name" || broken+=("$name")
+  tried=$(sed -n 's/^stat::number_of_executed_units: *//p' "$build/$name.log")
+  stage fuzz "$name tried ${tried:-0} inputs"
+done
+[ ${#broken[@]} -eq 0 ] ||
+  fail fuzz "${broken[*]}: see build/fuzz/<name>.log and build/fuzz/found/"

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Builds the libraries without ROS and their tests with AddressSanitizer and
+# UndefinedBehaviorSanitizer, in build/sanitize, and runs every test.
+#     scripts/sanitize.sh [PACKAGE...]
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
+source "$repository/scripts/stage.sh"
+cd "$repository"
+
+packages=("$@")
+[ $# -gt 0 ] || packages=(kg_core kg_compiler kg_planner kg_selector)
+build=$repository/build/sanitize
+scripts/install_packages.sh base
+mkdir -p "$build/devel/lib/python3/dist-packages"
+rm -rf "$build/src" && mkdir "$build/src"
+ln -s /usr/share/catkin/cmake/toplevel.cmake "$build/src/CMakeLists.txt"
+for package in kg_core kg_compiler kg_planner kg_selector; do
+  ln -s "$repository/src/$package" "$build/src/$package"
+done
+
+if ! { cmake -S "$build/src" -B "$build" -DKG_SANITIZE=address,undefined \
+    -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
+    -DCATKIN_DEVEL_PREFIX="$build/devel" -DPYTHON_EXECUTABLE=/usr/bin/python3 &&
+    make -C "$build" -j"${JOBS:-$(nproc)}" all tests
+  } </dev/null >"$build/build.log" 2>&1
+then
+  grep -nE 'error|\*\*\*' "$build/build.log" | head -n 20 >&2 || true
+  fail sanitize "did not build: $build/build.log"
+fi
+stage sanitize "built"
+
+export ASAN_OPTIONS=detect_stack_use_after_return=1
+export UBSAN_OPTIONS=print_stacktrace=1
+shopt -s nullglob
+passed=0 broken=()
+for package in "${packages[@]}"; do
+  for test in "$build/devel/lib/$package"/*_test; do
+    name=$(basename "$test")
+    if (cd "src/$package" && "$test") >"$build/$name.log" 2>&1; then
+      passed=$((passed + 1))
+    else
+      broken+=("$name")
+    fi
+  done
+done
+stage sanitize "$passed test programs clean, ${#broken[@]} not"
+[ ${#broken[@]} -eq 0 ] || fail sanitize "${broken[*]}: see build/sanitize/*.log"

@@ -1,0 +1,37 @@
+// JSON of a policy from anybody, as ex:priors and ex:softOverrides of a
+// mission: refused with reasons, or expanded into weights that the mission
+// reader reads.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/mission/fact_update.h"
+#include "kg_core/mission/mission_reader.h"
+#include "kg_core/mission/test_world.h"
+
+namespace kg_core {
+namespace {
+
+void SetJson(const char* property, const std::string& json) {
+  static TestWorld world;
+  Transaction change = world.store.Begin();
+  FactUpdate update;
+  update.set = {{"ex:fast", property, ToTurtle(Literal(json))}};
+  if (!StageUpdate(update, change).empty()) return;
+  ReadMission(change.view());  // A staged update must be readable.
+}
+
+}  // namespace
+}  // namespace kg_core
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                      std::size_t size) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  kg_core::SetJson("ex:priors", text);
+  kg_core::SetJson("ex:softOverrides", text);
+  return 0;
+}
