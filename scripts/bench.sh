@@ -3,7 +3,7 @@
 #     scripts/bench.sh [--only=NAME] [ARGUMENT OF EVERY PROGRAM...]
 # NAME is part of a program's name: --only=store runs store_bench alone;
 # --triples=100000,1000000,3000000 gives it those sizes. It measures rdflib
-# beside, and Oxigraph if npm can get it into build/bench_peers.
+# beside, and Oxigraph if npm can fetch it.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 source "$repository/scripts/stage.sh"
@@ -25,7 +25,7 @@ programs=("$repository"/devel/lib/*/*"$only"*_bench)
 
 # find_peers: sets KG_STORE_BENCH_PEERS; says which store is not compared.
 find_peers() {
-  local peers="$repository/build/bench_peers"
+  local peers
   local rdflib="$repository/scripts/bench_store_rdflib.py"
   local oxigraph="$repository/scripts/bench_store_oxigraph.mjs"
   KG_STORE_BENCH_PEERS=
@@ -34,13 +34,10 @@ find_peers() {
   else
     echo "bench:   no rdflib (python3-rdflib), not compared"
   fi
-  mkdir -p "$peers"
-  if [[ -d $peers/node_modules/oxigraph ]] ||
-    npm install --prefix "$peers" --no-audit --no-fund oxigraph \
-      >"$peers/npm.log" 2>&1; then
+  if peers=$("$repository/scripts/fetch_oxigraph.sh"); then
     KG_STORE_BENCH_PEERS+=";oxigraph=10000000=cd '$peers' && node $oxigraph"
   else
-    echo "bench:   npm cannot get Oxigraph, not compared"
+    echo "bench:   $peers"
   fi
   export KG_STORE_BENCH_PEERS=${KG_STORE_BENCH_PEERS#;}
 }
