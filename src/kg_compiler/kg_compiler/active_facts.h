@@ -24,7 +24,7 @@ struct ActiveConstraint {
 struct ActivePrior {
   const kg_core::PriorLayer* fact = nullptr;
   double beta = 0.0;
-  std::string weight_iri;  // The ex:PriorWeight that says beta.
+  std::string weight_iri{};  // The ex:PriorWeight that says beta.
 };
 
 struct ActiveFacts {

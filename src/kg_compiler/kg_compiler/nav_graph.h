@@ -35,7 +35,7 @@ struct Waypoint {
   double value = 0.0;  // FUSED at the waypoint, in [0, 1].
   std::vector<std::string> events;  // IRIs of the events a visit here counts.
   double event_reward = 0.0;        // Their rewards' sum.
-  std::vector<int> footprint;       // Cells of the grid that the score sums.
+  std::vector<int> footprint = {};  // Cells of the grid that the score sums.
 };
 
 // A directed edge into this graph's window, with its cost (ex:EdgeCost).

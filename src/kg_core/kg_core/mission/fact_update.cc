@@ -127,6 +127,7 @@ class Stager {
     if (update.sparql_reads) graphs.read = *update.sparql_reads;
     try {
       RunUpdate(update.sparql, graphs, {}, &transaction_);
+      for (const Statement& statement : transaction_.added()) Rename(statement);
     } catch (const InputError& error) {
       reasons_.push_back(std::string("sparql: ") + error.what());
     }

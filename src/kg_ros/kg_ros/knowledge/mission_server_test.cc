@@ -326,10 +326,10 @@ TEST_F(MissionServerTest, AConstraintThatExpiresComesOffTheMap) {
   AgentPose pose;
   pose.position = {-90.6, 25.6};
   pose.time_s = server.mission().windows[0].begin_s + 6 * 3600.0;
-  server.fleet().Observe("alpha", pose);
+  server.Observe("alpha", pose);
   EXPECT_FALSE(server.ExpiryIsDue());
   pose.time_s += 6 * 3600.0;
-  server.fleet().Observe("alpha", pose);
+  server.Observe("alpha", pose);
   ASSERT_TRUE(server.ExpiryIsDue());
   const std::uint64_t before = server.world_version();
   const Expired expired = server.Expire();
@@ -388,7 +388,6 @@ TEST_F(MissionServerTest, AllThatItWritesConformsAndIsInTheOntology) {
     previous = graph.hash;
   }
   server.Apply(Set("ex:alpha", "ex:usesPolicy", "ex:safe"));
-  server.MarkPlanStale();
   const auto view = server.Read();
   const kg_core::Vocabulary vocabulary(*view);
   const kg_core::Term type = kg_core::Iri(std::string(kg_core::kRdf) + "type");

@@ -219,7 +219,7 @@ TEST_F(ProvenanceTest, ExecutedStopsKeepTheirProvenanceWhenTheirRunIsDropped) {
     pose.position = server_->fleet().poses().at(agent).position;
     pose.time_s = window.end_s;
     pose.energy_left_j = 4e6;
-    ASSERT_TRUE(server_->fleet().Observe(agent, pose));
+    ASSERT_TRUE(server_->Observe(agent, pose));
   }
   team_->Pass(0);
   team_->Plan();
@@ -344,7 +344,7 @@ TEST_F(ProvenanceTest, AFactThatSaysWhereAnAgentStartsCountsUntilItReports) {
   AgentPose pose;
   pose.position = {-90.7, 25.7};
   pose.time_s = server_->mission().windows[0].begin_s;
-  ASSERT_TRUE(server_->fleet().Observe("alpha", pose));
+  ASSERT_TRUE(server_->Observe("alpha", pose));
   ASSERT_TRUE(Set({"ex:alpha_start", "geo:asWKT", "\"POINT(-90.8 25.65)\""}));
   EXPECT_EQ(server_->BeginCycle()->rules.at(0).start.lon_deg, -90.7);
 }
