@@ -1,8 +1,7 @@
 # Two commands matter: `make bringup` and `make test`. Each installs what is
 # missing (apt), builds, and runs. What they do stands in scripts/.
 
-.PHONY: help install build bringup test bench figures lint clean \
-        fuzz second_opinion kill_rounds sanitize
+.PHONY: help install build bringup test bench figures lint clean fuzz second_opinion kill_rounds sanitize
 
 help:
 	@echo 'make bringup   install, build and run the default mission; launch arguments'
@@ -13,8 +12,8 @@ help:
 	@echo 'make bench     run the benchmark programs'
 	@echo 'make figures   make the pictures of README and docs'
 	@echo 'make fuzz      fuzz Turtle, WKT, SPARQL and policies (SECONDS=600 each)'
-	@echo 'make second_opinion   random queries against rdflib and Oxigraph (CASES=10000)'
-	@echo 'make kill_rounds      SIGKILL the KG node at random moments (ROUNDS=500)'
+	@echo 'make second_opinion  random queries against rdflib and Oxigraph (CASES=10000)'
+	@echo 'make kill_rounds  SIGKILL the KG node at random moments (ROUNDS=500)'
 	@echo 'make sanitize  the C++ tests under AddressSanitizer and UBSan'
 	@echo 'make lint      clang-format, catkin_lint and clang-tidy'
 	@echo 'make clean     remove everything made here: build, devel, install, state'

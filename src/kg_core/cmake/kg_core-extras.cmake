@@ -16,8 +16,9 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 add_compile_options(-Wall -Wextra -Werror -fno-math-errno)
 
-#catkin_lint: ignore_once env_var
+#catkin_lint: ignore_once global_var_collision
 option(KG_FUZZ "Build the fuzzers, and everything for them" OFF)
+#catkin_lint: ignore_once global_var_collision
 set(KG_SANITIZE "" CACHE STRING "Sanitizers to build with: address,undefined")
 if(KG_SANITIZE)
   add_compile_options(-fsanitize=${KG_SANITIZE} -fno-sanitize-recover=all

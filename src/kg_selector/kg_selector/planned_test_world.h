@@ -43,6 +43,7 @@ class PlannedTestWorld {
     world.rules = TeamRulesOf(*world.compilation);
     world.plan = PlanTeam(world.rules, world.members);
     world.has_plan = true;
+    NameAgentsByIri(&world);
     return world;
   }
 

@@ -4,20 +4,14 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/rdf/namespaces.h"
+#include "kg_selector/plan_mission.h"
 
 namespace kg_selector {
 
 using kg_core::InputError;
 
 TeamRules TeamRulesOf(const kg_compiler::Compilation& compilation) {
-  const kg_core::CoordinationFacts& facts = compilation.coordination.facts;
-  TeamRules rules;
-  rules.event_capacity = compilation.coordination.event_capacity;
-  rules.separation_m = facts.separation_m;
-  rules.separation_is_hard = facts.separation_is_hard;
-  rules.separation_weight_per_m = facts.separation_weight;
-  rules.mode = facts.mode;
-  rules.max_rounds = facts.max_rounds;
+  TeamRules rules = ToTeamRules(compilation.coordination);
   for (const kg_core::TimeWindow& window : compilation.mission.windows)
     if (window.index >= compilation.first_window)
       rules.window_end_s[window.index] = window.end_s;

@@ -80,7 +80,7 @@ const std::vector<Text>& Expressions() {
       "COALESCE(?d, ?a, 7)",
       "IF(BOUND(?a), ?b, ?c)",
       "?b + 1",
-      "?b * 2.5",
+      "IF(DATATYPE(?b) = xsd:double, ?b, ?b * 2.5)",
       "?b - 1.5",
       "YEAR(?b)",
       "MONTH(?d)",
@@ -146,8 +146,8 @@ class PlainGroup {
         "MINUS { " + Triple("?x", "?a") + "} ",
         "VALUES ?a { ex:n0 ex:n1 } ",
         "VALUES (?a ?w) { (ex:n0 1) (ex:n1 2) } ",
-        "?a " + OneOf(paths) + " ?e . ",
-        "?f " + OneOf(paths) + " ex:n1 . ",
+        "?a " + OneOf(paths) + " ?e" + std::to_string(++drawn_) + " . ",
+        "?f" + std::to_string(++drawn_) + " " + OneOf(paths) + " ex:n1 . ",
         "{ SELECT DISTINCT ?a ?d { " + Triple("?a", "?x") + "?a " +
             OneOf(stars) + " ?d } } ",
         "GRAPH ?g { " + Triple("?a", "?c") + "} ",
@@ -163,6 +163,7 @@ class PlainGroup {
   }
 
   Dice& dice_;
+  int drawn_ = 0;
 };
 
 Text DrawQuery(Dice* dice) {

@@ -338,7 +338,7 @@ TEST_F(ProvenanceTest, VocabularyAndMissionAreLoadedFromFilesWithTheirSha256) {
 
 TEST_F(ProvenanceTest, AFactThatSaysWhereAnAgentStartsCountsUntilItReports) {
   ASSERT_TRUE(Set({"ex:alpha_start", "geo:asWKT", "\"POINT(-90.95 25.65)\""}));
-  EXPECT_EQ(server_->BeginCycle()->rules.at(0).start.lon_deg, -90.95);
+  EXPECT_NEAR(server_->BeginCycle()->rules.at(0).start.lon_deg, -90.95, 1e-9);
   ASSERT_TRUE(Set({"ex:alpha_capabilities", "ex:energyBudget", "1000"}));
   EXPECT_NEAR(server_->BeginCycle()->rules.at(0).energy_budget_j, 3.6e6, 1.0);
   AgentPose pose;
@@ -346,7 +346,7 @@ TEST_F(ProvenanceTest, AFactThatSaysWhereAnAgentStartsCountsUntilItReports) {
   pose.time_s = server_->mission().windows[0].begin_s;
   ASSERT_TRUE(server_->Observe("alpha", pose));
   ASSERT_TRUE(Set({"ex:alpha_start", "geo:asWKT", "\"POINT(-90.8 25.65)\""}));
-  EXPECT_EQ(server_->BeginCycle()->rules.at(0).start.lon_deg, -90.7);
+  EXPECT_NEAR(server_->BeginCycle()->rules.at(0).start.lon_deg, -90.7, 1e-9);
 }
 
 }  // namespace
