@@ -26,7 +26,7 @@ MISSIONS = REPOSITORY / "config/missions"
 SUITES = pathlib.Path(os.environ.get(
     "KG_SHARED_DATA", REPOSITORY.parent / "shared/data")) / "w3c"
 SUBCOMMANDS = {"query", "update", "validate", "export", "import", "diff", "log",
-               "conformance", "serve"}
+               "conformance", "serve", "why"}
 
 FACTS = """\
 ex:wind a ex:Policy ; ex:alpha_base 1.0 ; ex:name "wind \\"B\\"" .
@@ -95,7 +95,7 @@ class Help(KgTestCase):
         for name in listed:
             text = self.kg(name, "--help")
             self.assertTrue(text.startswith(f"usage: kg {name} "), text)
-            options = set(re.findall(r"(--\w+)", text))
+            options = set(re.findall(r"(--[\w-]+)", text))
             for option in options:
                 ended = kg(name, option)
                 self.assertNotIn("unknown option", ended.stderr)
@@ -165,6 +165,26 @@ class AMissionWithItsFiles(KgTestCase):
         self.assertEqual("yes", self.ask(self.mission, (
             "ASK { ?field a ex:CurrentField ; ex:forWindow ex:w0 ; "
             "prov:wasDerivedFrom ?file . ?file ex:sha256 ?hash }")))
+
+    def test_says_why_in_numbers_that_sum_and_facts_that_hold(self):
+        why = json.loads(self.kg("why", self.mission, "--agent", "alpha",
+                                 "--window", "1", "--json"))
+        parts = why["contributions"]
+        self.assertAlmostEqual(why["value"],
+                               sum(part["value"] for part in parts), delta=1e-9)
+        self.assertIn("ex:alpha ex:usesPolicy ex:fast",
+                      [fact for part in parts for fact in part["facts"]])
+        facts = sorted({fact for part in parts for fact in part["facts"]
+                        if "plan/" not in fact})
+        self.assertEqual("yes", self.ask(
+            self.mission, "ASK { " + " . ".join(facts) + " }"))
+        text = self.kg("why", self.mission, "--agent", "alpha", "--cell",
+                       "-90.75,25.75", "--window", "0")
+        self.assertTrue(text.startswith("U of alpha in window 0 at POINT("))
+        self.assert_refused(["why", self.mission, "--agent", "nobody"],
+                            "agent 'nobody' is not known")
+        self.assert_refused(["why", self.mission, "--cell", "1"],
+                            "--cell: expected two numbers", 2)
 
     def test_becomes_a_state_folder_with_the_same_facts(self):
         state = self.folder / "state"

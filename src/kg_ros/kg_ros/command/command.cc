@@ -10,7 +10,7 @@ namespace {
 const std::vector<const Subcommand*>& Subcommands() {
   static const std::vector<const Subcommand*> subcommands = {
       &kQuery, &kUpdate, &kValidate,    &kExport, &kImport,
-      &kDiff,  &kLog,    &kConformance, &kServe,
+      &kDiff,  &kLog,    &kConformance, &kServe,  &kWhy,
   };
   return subcommands;
 }
