@@ -97,6 +97,14 @@ std::string_view StripAsciiSpace(std::string_view text) {
   return text;
 }
 
+std::string OneLine(const std::string_view text) {
+  std::string line(text);
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = ' ';
+  }
+  return line;
+}
+
 TextPosition PositionAt(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
   const std::size_t newlines = std::count(before.begin(), before.end(), '\n');

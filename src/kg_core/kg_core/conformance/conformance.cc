@@ -5,6 +5,7 @@
 #include <set>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/text.h"
 #include "kg_core/conformance/test_case.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/shacl/rdf_list.h"
@@ -49,13 +50,6 @@ const TestKind* FindKind(const Term& type) {
 
 std::string EndOf(const std::string& iri) {
   return iri.substr(iri.find_last_of("#/") + 1);
-}
-
-// One line, whatever the reason holds.
-std::string OneLine(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  std::replace(text.begin(), text.end(), '\r', ' ');
-  return text;
 }
 
 class Runner {
@@ -161,7 +155,7 @@ class Runner {
   }
 
   void Report(ConformanceTest test) {
-    test.message = OneLine(std::move(test.message));
+    test.message = OneLine(test.message);
     done_(test);
     tests_.push_back(std::move(test));
   }

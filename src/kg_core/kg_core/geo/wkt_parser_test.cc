@@ -25,6 +25,11 @@ struct Case {
   const char* error;
 };
 
+TEST(ParseWkt, RefusesAReferenceSystemInOneLineWhateverItsName) {
+  const std::string error = ErrorOf("<http://a\nb\x01> POINT(22 -97)");
+  EXPECT_NE(error.find("<http://a b >"), std::string::npos) << error;
+}
+
 TEST(ParseWkt, SaysWhereAndWhatWasExpected) {
   const Case cases[] = {
       {"", "character 1: expected a geometry"},

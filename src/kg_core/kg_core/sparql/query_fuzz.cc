@@ -20,9 +20,8 @@ namespace {
 constexpr char kWorld[] = R"ttl(
 ex:alpha a ex:Agent ; ex:id "alpha" ; ex:usesPolicy ex:fast ; ex:speed 0.9 .
 ex:bravo a ex:Agent ; ex:id "bravo"@en ; ex:usesPolicy ex:safe ; ex:speed 1e0 .
-ex:zone geo:asWKT "POLYGON((0 0, 1 0, 1 1, 0 1, 0 0))" ^
-                          ^geo : wktLiteral;
-ex : since "2026-06-02T00:00:00Z" ^ ^xsd : dateTime; ex:near ( ex:alpha 7 ) .
+ex:zone geo:asWKT "POLYGON((0 0, 1 0, 1 1, 0 1, 0 0))"^^geo:wktLiteral ;
+    ex:since "2026-06-02T00:00:00Z"^^xsd:dateTime ; ex:near ( ex:alpha 7 ) .
 ex:alpha ex:after ex:bravo . ex:bravo ex:after ex:zone .
 )ttl";
 
