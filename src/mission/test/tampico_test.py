@@ -33,7 +33,8 @@ class TampicoTest(MissionTestCase):
     def test_2_currents_come_from_the_file_of_the_data_argument(self):
         self.house.wait_for_plan()
         paths = {row['path'] for row in self.house.select(
-            'SELECT ?path WHERE { ?f a ex:SourceFile ; ex:path ?path }')}
+            'SELECT ?path WHERE { ?field a ex:CurrentField ; '
+            'prov:wasDerivedFrom ?f . ?f ex:path ?path }')}
         self.assertTrue(paths)
         for path in paths:
             self.assertEqual(os.path.realpath(self.arguments['data']),
