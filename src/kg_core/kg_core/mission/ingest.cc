@@ -1,11 +1,11 @@
 #include "kg_core/mission/ingest.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "kg_core/base/clock.h"
 #include "kg_core/base/date_time.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/geo/geodesy.h"
@@ -22,11 +22,6 @@
 
 namespace kg_core {
 namespace {
-
-double Now_s() {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count();
-}
 
 Term TimeLiteral(double time_s) {
   return Literal(FormatDateTime(time_s), std::string(kXsd) + "dateTime");

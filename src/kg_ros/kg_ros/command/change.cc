@@ -1,8 +1,8 @@
 #include "kg_ros/command/change.h"
 
-#include <chrono>
 #include <iostream>
 
+#include "kg_core/base/clock.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_ros/command/command.h"
@@ -11,12 +11,6 @@
 
 namespace kg_ros::command {
 namespace {
-
-double Now_s() {
-  return std::chrono::duration<double>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 void MarkPlanStale(kg_core::Transaction* transaction) {
   const std::uint64_t run = LoadState(transaction->view()).plan_run;
@@ -40,7 +34,7 @@ std::vector<std::string> Stage(const kg_core::FactUpdate& update,
       kg_core::StageUpdateWithFiles(update, files, *transaction)
           .judgement.reasons;
   if (reasons.empty() && !transaction->empty()) {
-    kg_core::LogUpdate(update, Now_s(), *transaction);
+    kg_core::LogUpdate(update, kg_core::Now_s(), *transaction);
     MarkPlanStale(transaction);
   }
   return reasons;

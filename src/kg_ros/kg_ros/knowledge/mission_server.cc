@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "kg_core/base/clock.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
 #include "kg_core/mission/expiry.h"
@@ -26,12 +27,6 @@ using kg_core::Transaction;
 using kg_core::WorldChange;
 
 constexpr double kLongAgo_s = -std::numeric_limits<double>::infinity();
-
-double Now_s() {
-  return std::chrono::duration<double>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 class Stopwatch {
  public:
@@ -111,8 +106,8 @@ MissionServer::MissionServer(MissionFolders folders)
 void MissionServer::LoadVocabulary() {
   Transaction transaction = store_->Begin();
   kg_core::LogVocabulary(
-      kg_core::StageVocabulary(folders_.ontology, transaction), Now_s(),
-      transaction);
+      kg_core::StageVocabulary(folders_.ontology, transaction),
+      kg_core::Now_s(), transaction);
   if (!transaction.empty()) transaction.Commit(WorldChange::kYes);
 }
 
@@ -127,7 +122,7 @@ void MissionServer::LoadMission() {
   if (reasons.empty()) reasons = kg_core::StageIngest(files_, transaction);
   if (!reasons.empty()) throw InputError(JoinLines(reasons));
   mission_ = kg_core::ReadMission(transaction.view());
-  kg_core::LogUpdate(origin, Now_s(), transaction);
+  kg_core::LogUpdate(origin, kg_core::Now_s(), transaction);
   transaction.Commit(WorldChange::kYes);
   start_.fleet.Reset(mission_);
   Save();
@@ -161,7 +156,7 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
     if (decision.reasons.empty()) {
       kg_core::Mission mission = kg_core::ReadMission(transaction.view());
       if (!transaction.empty()) {
-        kg_core::LogUpdate(update, Now_s(), transaction);
+        kg_core::LogUpdate(update, kg_core::Now_s(), transaction);
         if (plan_run_ > 0) StageStatus(plan_run_, "stale", &transaction);
         transaction.Commit(WorldChange::kYes);
       }
@@ -205,7 +200,7 @@ kg_core::Judgement MissionServer::Check(const kg_core::FactUpdate& update) {
 }
 
 std::shared_ptr<const kg_compiler::Compilation> MissionServer::BeginCycle() {
-  times_.began_s = Now_s();
+  times_.began_s = kg_core::Now_s();
   const auto compiled = compiler_.Compile(mission_, store_->world_version(),
                                           FirstWindowToPlan(start_, mission_));
   times_.tensors_s = times_.began_s;
@@ -219,7 +214,7 @@ std::shared_ptr<const kg_compiler::Compilation> MissionServer::BeginCycle() {
     start_.cycle = cycle_;
   }
   compilation_ = StartFrom(start_, *compiled);
-  times_.ended_s = std::max(Now_s(), times_.tensors_s);
+  times_.ended_s = std::max(kg_core::Now_s(), times_.tensors_s);
   Transaction transaction = store_->Begin();
   StageCycle(&transaction);
   if (plan_run_ > 0) StageStatus(plan_run_, "stale", &transaction);

@@ -1,8 +1,8 @@
 #include "kg_ros/knowledge/what_if_facts.h"
 
-#include <chrono>
 #include <utility>
 
+#include "kg_core/base/clock.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/knowledge/nav_graph_facts.h"
@@ -15,12 +15,6 @@ using kg_selector::TeamMember;
 
 kg_core::Term GraphNamed(const std::string& name) {
   return kg_core::Iri(kg_core::kPlanGraphPrefix + name);
-}
-
-double Now_s() {
-  return std::chrono::duration<double>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
 }
 
 void AddAll(std::vector<Statement> statements, const std::string& graph,
@@ -49,7 +43,7 @@ PlanRecord RecordOf(const PlannedWorld& world, const HypotheticalRun& run) {
       record.nav_graphs[{NameOf(member), graph.window}].hash = graph.hash;
     }
   }
-  record.started_s = record.ended_s = Now_s();
+  record.started_s = record.ended_s = kg_core::Now_s();
   return record;
 }
 
