@@ -4,26 +4,11 @@
 
 #include "kg_core/base/clock.h"
 #include "kg_core/mission/ingest.h"
-#include "kg_core/rdf/namespaces.h"
 #include "kg_ros/command/command.h"
 #include "kg_ros/knowledge/mission_state.h"
 #include "kg_ros/knowledge/plan_facts.h"
 
 namespace kg_ros::command {
-namespace {
-
-void MarkPlanStale(kg_core::Transaction* transaction) {
-  const std::uint64_t run = LoadState(transaction->view()).plan_run;
-  if (run == 0) return;
-  const kg_core::Term node = PlanRunNode(run);
-  const kg_core::Term graph = PlanGraph(run);
-  const kg_core::Term status =
-      kg_core::Iri(std::string(kg_core::kEx) + "status");
-  transaction->RemoveMatching(&node, &status, nullptr, graph);
-  transaction->Add({node, status, kg_core::Literal("stale"), graph});
-}
-
-}  // namespace
 
 std::vector<std::string> Stage(const kg_core::FactUpdate& update,
                                const std::string& data_folder,
@@ -35,7 +20,8 @@ std::vector<std::string> Stage(const kg_core::FactUpdate& update,
           .judgement.reasons;
   if (reasons.empty() && !transaction->empty()) {
     kg_core::LogUpdate(update, kg_core::Now_s(), *transaction);
-    MarkPlanStale(transaction);
+    const std::uint64_t run = LoadState(transaction->view()).plan_run;
+    if (run > 0) StagePlanStatus(run, "stale", transaction);
   }
   return reasons;
 }

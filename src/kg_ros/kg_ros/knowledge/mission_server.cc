@@ -157,7 +157,7 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
       kg_core::Mission mission = kg_core::ReadMission(transaction.view());
       if (!transaction.empty()) {
         kg_core::LogUpdate(update, kg_core::Now_s(), transaction);
-        if (plan_run_ > 0) StageStatus(plan_run_, "stale", &transaction);
+        if (plan_run_ > 0) StagePlanStatus(plan_run_, "stale", &transaction);
         transaction.Commit(WorldChange::kYes);
       }
       mission_ = std::move(mission);
@@ -217,7 +217,7 @@ std::shared_ptr<const kg_compiler::Compilation> MissionServer::BeginCycle() {
   times_.ended_s = std::max(kg_core::Now_s(), times_.tensors_s);
   Transaction transaction = store_->Begin();
   StageCycle(&transaction);
-  if (plan_run_ > 0) StageStatus(plan_run_, "stale", &transaction);
+  if (plan_run_ > 0) StagePlanStatus(plan_run_, "stale", &transaction);
   StageSave(plan_run_, &transaction);
   transaction.Commit(WorldChange::kNo);
   return compilation_;

@@ -123,8 +123,6 @@ class MissionServer {
   void LoadMission();
   void Restore(const MissionState& state);
   void StageSave(std::uint64_t plan_run, kg_core::Transaction* transaction);
-  static void StageStatus(std::uint64_t run, const char* status,
-                          kg_core::Transaction* transaction);
   void StageCycle(kg_core::Transaction* transaction);
   void StageGraph(NavGraphOrigin origin,
                   kg_core::Transaction* transaction) const;

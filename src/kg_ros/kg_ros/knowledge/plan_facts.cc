@@ -305,4 +305,15 @@ void WriteCost(const kg_msgs::EdgeCost& cost, FactWriter* write) {
       .Number("seamCost", cost.seam_cost);
 }
 
+void StagePlanStatus(const std::uint64_t run, const char* status,
+                     kg_core::Transaction* transaction) {
+  const Term node = PlanRunNode(run);
+  const Term property = kg_core::Ex("status");
+  const Term graph = PlanGraph(run);
+  const kg_core::GraphView& view = transaction->view();
+  if (!kg_core::FirstObject(view, graph.text, node, property)) return;
+  transaction->RemoveMatching(&node, &property, nullptr, graph);
+  transaction->Add({node, property, kg_core::Literal(status), graph});
+}
+
 }  // namespace kg_ros

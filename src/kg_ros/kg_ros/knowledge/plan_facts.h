@@ -55,6 +55,11 @@ kg_core::Term AssignmentNode(unsigned long long run,
 std::vector<kg_core::Statement> PlanStatements(
     const PlanRecord& record, const kg_compiler::Compilation& compilation);
 
+// What has become of a run ("stale", "superseded"), if its graph is still
+// there.
+void StagePlanStatus(std::uint64_t run, const char* status,
+                     kg_core::Transaction* transaction);
+
 // ex:costHours, ex:costEnergy, ex:costRisk, ex:seamCost.
 void WriteCost(const kg_msgs::EdgeCost& cost, FactWriter* write);
 

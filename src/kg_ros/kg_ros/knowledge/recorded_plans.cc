@@ -11,7 +11,6 @@
 namespace kg_ros {
 namespace {
 
-using kg_core::GraphView;
 using kg_core::Iri;
 using kg_core::Literal;
 using kg_core::Term;
@@ -40,7 +39,7 @@ void MissionServer::RecordPlan(PlanRecord record) {
   }
   AddAll(PlanStatements(record, *compilation_), &transaction);
   if (plan_run_ > 0 && plan_run_ != run) {
-    StageStatus(plan_run_, "superseded", &transaction);
+    StagePlanStatus(plan_run_, "superseded", &transaction);
   }
   DropOldPlans(run, &transaction);
   StageSave(run, &transaction);
@@ -106,18 +105,6 @@ void MissionServer::StageUse(const kg_msgs::NavGraph& graph,
                    Literal("planned"))) {
     transaction->Add({stop, kg_core::Prov("wasDerivedFrom"), node, plan});
   }
-}
-
-// Of a run whose graph is still there.
-void MissionServer::StageStatus(const std::uint64_t run, const char* status,
-                                Transaction* transaction) {
-  const Term node = PlanRunNode(run);
-  const Term property = kg_core::Ex("status");
-  const Term graph = PlanGraph(run);
-  const GraphView& view = transaction->view();
-  if (!kg_core::FirstObject(view, graph.text, node, property)) return;
-  transaction->RemoveMatching(&node, &property, nullptr, graph);
-  transaction->Add({node, property, Literal(status), graph});
 }
 
 void MissionServer::RecordEnd() {
