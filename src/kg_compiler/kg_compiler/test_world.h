@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/data_plane.h"
+#include "kg_compiler/data_plane/data_plane.h"
 #include "kg_core/base/units.h"
 #include "kg_core/mission/mission.h"
 #include "kg_core/raster/vector_field.h"

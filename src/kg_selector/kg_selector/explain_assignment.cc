@@ -1,7 +1,7 @@
 #include <utility>
 
-#include "kg_compiler/explain_seam.h"
-#include "kg_compiler/explain_tensor.h"
+#include "kg_compiler/explain/explain_seam.h"
+#include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_selector/explain_plan.h"

@@ -2,8 +2,8 @@
 
 #include <cstdlib>
 
-#include "kg_compiler/explain_seam.h"
-#include "kg_compiler/explain_tensor.h"
+#include "kg_compiler/explain/explain_seam.h"
+#include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/geo/wkt.h"
 #include "kg_selector/why_not.h"

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "gtest/gtest.h"
-#include "kg_compiler/explain_tensor.h"
+#include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/base/input_error.h"
 #include "kg_selector/masking.h"
 #include "kg_selector/planned_test_world.h"

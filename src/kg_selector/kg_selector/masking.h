@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/nav_graph.h"
-#include "kg_compiler/seam_rules.h"
+#include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_planner/k_best.h"
 #include "kg_planner/trellis.h"
 #include "kg_selector/conflict.h"

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "kg_compiler/explain_seam.h"
-#include "kg_compiler/explain_tensor.h"
+#include "kg_compiler/explain/explain_seam.h"
+#include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_planner/k_best.h"
 #include "kg_selector/masking.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/explanation.h"
+#include "kg_compiler/explain/explanation.h"
 #include "kg_planner/k_best.h"
 #include "kg_selector/planned_world.h"
 

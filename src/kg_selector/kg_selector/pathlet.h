@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/traversal.h"
+#include "kg_compiler/traversal/traversal.h"
 #include "kg_core/geo/lon_lat.h"
 
 namespace kg_selector {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/compile/mission_compiler.h"
 #include "kg_selector/plan_team.h"
 
 namespace kg_selector {

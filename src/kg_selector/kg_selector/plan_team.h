@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/nav_graph.h"
-#include "kg_compiler/seam_rules.h"
+#include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_selector/conflict.h"
 #include "kg_selector/greedy_team.h"
 #include "kg_selector/pathlet.h"

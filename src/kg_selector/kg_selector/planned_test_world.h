@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/nav_graph.h"
+#include "kg_compiler/control_plane/nav_graph.h"
 #include "kg_compiler/test_world.h"
 #include "kg_core/rdf/store.h"
 #include "kg_selector/planned_world.h"

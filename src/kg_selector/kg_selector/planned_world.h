@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/cited_facts.h"
-#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/compile/mission_compiler.h"
+#include "kg_compiler/explain/cited_facts.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_selector/plan_team.h"
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "kg_compiler/explanation.h"
+#include "kg_compiler/explain/explanation.h"
 #include "kg_selector/planned_world.h"
 
 namespace kg_selector {

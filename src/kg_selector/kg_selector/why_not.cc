@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "kg_compiler/explain_tensor.h"
+#include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/base/input_error.h"
 #include "kg_selector/way_round.h"
 #include "kg_selector/why_not_place.h"

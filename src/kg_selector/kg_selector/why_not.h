@@ -17,7 +17,7 @@
 
 #include <string>
 
-#include "kg_compiler/explanation.h"
+#include "kg_compiler/explain/explanation.h"
 #include "kg_core/geo/lon_lat.h"
 #include "kg_selector/planned_world.h"
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "kg_compiler/explain_place.h"
-#include "kg_compiler/proximal_recurrence.h"
+#include "kg_compiler/control_plane/proximal_recurrence.h"
+#include "kg_compiler/explain/explain_place.h"
 #include "kg_core/geo/geodesy.h"
 #include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"

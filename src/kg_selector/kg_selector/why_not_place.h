@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "kg_compiler/explanation.h"
+#include "kg_compiler/explain/explanation.h"
 #include "kg_core/geo/lon_lat.h"
 #include "kg_selector/planned_world.h"
 

@@ -40,6 +40,11 @@ struct Capabilities {
 
 enum class Normalisation { kMax, kMinMax, kPercentile };
 enum class ConfidenceMode { kPost, kPre, kHorizon };  // A1.
+enum class FrontOperator { kSobel, kCentral };        // A16.
+// What a value layer is divided by before its weight (A16): its largest open
+// value in the window, a range stated as a fact, or nothing.
+enum class LayerScale { kWindow, kFixed, kNone };
+enum class SoftOverlap { kProduct, kMin };  // A10.
 
 // ex:Policy. Weights are dimensionless; lambdas turn costs into reward units.
 struct Policy {
@@ -60,6 +65,14 @@ struct Policy {
   std::string value_kind = "delta_sst";               // ex:valueKind (A29).
   Normalisation normalisation = Normalisation::kMax;  // A5.
   ConfidenceMode confidence_mode = ConfidenceMode::kPost;  // A1.
+  FrontOperator front_operator = FrontOperator::kSobel;    // ex:frontOperator.
+  LayerScale layer_scale = LayerScale::kWindow;            // ex:layerScale.
+  SoftOverlap soft_overlap = SoftOverlap::kProduct;        // ex:softOverlap.
+  // ex:paperLiteral: the paper's steps to the letter. Layers as they are, V not
+  // clamped, w_t and both masks before N, N min-max over all water cells.
+  bool paper_literal = false;
+  double hazard_range_m = 10e3;    // ex:hazardRangeKm: hazard falls to 1/e.
+  double isolation_weight = 0.05;  // ex:isolationWeight (A20), of the hazard.
 };
 
 // ex:Agent with its policy and capabilities.
@@ -80,13 +93,26 @@ struct Agent {
 
 enum class ConstraintKind { kNoGo, kSoft };
 
-// ex:Constraint: an area, or the land of the work field (ex:gridRef "land").
+// ex:gridRef: a raster in a file. Values of a prior, or a mask (not 0 =
+// inside).
+struct RasterRef {
+  std::string file_iri;  // An ex:SourceFile of the mission.
+  std::string variable;
+  int time_index = 0;  // Of variables that have time.
+};
+
+enum class BufferMetric { kEuclidean, kChebyshev };  // A15.
+
+// ex:Constraint: an area, the land of the work field (ex:gridRef "land"), or a
+// mask read from a file.
 struct Constraint {
   std::string iri;
   ConstraintKind kind = ConstraintKind::kNoGo;
-  std::optional<Geometry> area;  // Exactly one of area and is_land.
+  std::optional<Geometry> area;  // Exactly one of area, is_land and mask.
   bool is_land = false;
-  double buffer_cells = 0.0;        // ex:bufferCells, Euclidean (A15).
+  std::optional<RasterRef> mask;
+  double buffer_cells = 0.0;  // ex:bufferCells (A15).
+  BufferMetric buffer_metric = BufferMetric::kEuclidean;  // ex:bufferMetric.
   double attenuation = 1.0;         // Soft: the factor inside (A10).
   std::vector<int> windows;         // ex:appliesIn; empty = all (A28).
   std::vector<std::string> agents;  // ex:appliesTo, IRIs; empty = all.
@@ -94,14 +120,15 @@ struct Constraint {
 };
 
 // ex:PriorLayer: a spatial preference, 1 inside its area, 0 outside, with an
-// optional soft edge.
+// optional soft edge; or a raster as it is (no data counts 0; may be negative).
 struct PriorLayer {
   std::string iri;
   std::string name;
-  Geometry area;
+  std::optional<Geometry> area;     // Exactly one of area and raster.
   double edge_m = 0.0;              // ex:edgeKm: Gaussian fall-off outside.
   std::vector<int> windows;         // Empty = all.
   std::vector<std::string> agents;  // Empty = all.
+  std::optional<RasterRef> raster = std::nullopt;  // ex:gridRef.
 };
 
 // ex:Event: a discrete point of interest in space and time.
@@ -122,6 +149,10 @@ struct ValueLayer {
   std::string file_iri;  // prov:wasDerivedFrom, an ex:SourceFile.
   int time_index = 0;    // In that file; delta_sst: |this - previous|.
   int previous_time_index = 0;
+  // ex:fullScale, ex:frontFullScale: what LayerScale::kFixed divides the layer
+  // [its unit] and its frontness [unit per km] by.
+  std::optional<double> full_scale;
+  std::optional<double> front_full_scale;
 };
 
 // ex:WorkField (ex:CurrentField) of a window.
@@ -150,6 +181,9 @@ struct CoordinationFacts {
   int waypoints_per_window = 20;    // ex:waypointsPerWindow, at most 20.
   double waypoint_spacing_m = 0.0;  // ex:waypointSpacingKm; PR's disc.
   int max_rounds = 8;               // ex:maxCoolingRounds.
+  // ex:movementMode (A22): "hops" is one waypoint a window, "edges" a path of
+  // several within a window.
+  std::string movement_mode = "hops";
 };
 
 struct Mission {

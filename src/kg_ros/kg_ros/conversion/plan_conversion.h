@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/nav_graph.h"
-#include "kg_compiler/seam_rules.h"
-#include "kg_compiler/traversal.h"
+#include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/seam_rules.h"
+#include "kg_compiler/traversal/traversal.h"
 #include "kg_msgs/Assignments.h"
 #include "kg_msgs/EdgeCost.h"
 #include "kg_msgs/NavGraph.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/mission_compiler.h"
-#include "kg_compiler/seam_rules.h"
+#include "kg_compiler/compile/mission_compiler.h"
+#include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_core/mission/mission.h"
 #include "kg_msgs/CoordinationRules.h"
 #include "kg_msgs/SeamRules.h"

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/traversal.h"
+#include "kg_compiler/traversal/traversal.h"
 
 namespace kg_ros {
 

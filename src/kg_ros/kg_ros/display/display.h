@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/mission_compiler.h"
-#include "kg_compiler/mission_tensor.h"
+#include "kg_compiler/compile/mission_compiler.h"
+#include "kg_compiler/data_plane/mission_tensor.h"
 #include "kg_core/geo/map_projection.h"
 #include "kg_core/mission/mission.h"
 #include "kg_msgs/Assignment.h"

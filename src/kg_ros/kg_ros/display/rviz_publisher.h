@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/compile/mission_compiler.h"
 #include "kg_core/geo/map_projection.h"
 #include "kg_msgs/Assignments.h"
 #include "kg_msgs/Candidates.h"

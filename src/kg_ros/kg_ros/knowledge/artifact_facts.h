@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <string>
 
-#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/compile/mission_compiler.h"
 #include "kg_core/mission/mission.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_core/rdf/store.h"

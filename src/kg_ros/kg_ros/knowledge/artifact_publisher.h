@@ -11,7 +11,7 @@
 #include <map>
 #include <string>
 
-#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/compile/mission_compiler.h"
 #include "kg_msgs/MissionTensor.h"
 #include "kg_msgs/WorkField.h"
 #include "ros/node_handle.h"

@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "kg_compiler/window_sea.h"
+#include "kg_compiler/control_plane/window_sea.h"
 #include "kg_core/base/parallel.h"
 
 namespace kg_ros {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/compile/mission_compiler.h"
 #include "kg_selector/plan_mission.h"
 
 namespace kg_ros {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/compile/mission_compiler.h"
 #include "kg_core/mission/fact_update.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/mission.h"

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/compile/mission_compiler.h"
 #include "kg_core/rdf/store.h"
 #include "kg_msgs/EdgeCost.h"
 #include "kg_msgs/NavGraph.h"

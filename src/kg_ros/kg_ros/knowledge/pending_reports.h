@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/compile/mission_compiler.h"
 #include "kg_msgs/Assignments.h"
 #include "kg_msgs/DirtyArtifact.h"
 #include "kg_msgs/StageTime.h"

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/compile/mission_compiler.h"
 #include "kg_core/rdf/store.h"
 #include "kg_msgs/Assignments.h"
 #include "kg_msgs/Cooling.h"

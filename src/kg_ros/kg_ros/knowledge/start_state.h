@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/compile/mission_compiler.h"
 #include "kg_core/mission/mission.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_ros/knowledge/fleet_state.h"

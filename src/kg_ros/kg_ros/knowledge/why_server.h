@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/compile/mission_compiler.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_msgs/NavGraph.h"
 #include "kg_msgs/Why.h"

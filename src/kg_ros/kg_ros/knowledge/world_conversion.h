@@ -3,7 +3,7 @@
 #ifndef KG_ROS_KNOWLEDGE_WORLD_CONVERSION_H_
 #define KG_ROS_KNOWLEDGE_WORLD_CONVERSION_H_
 
-#include "kg_compiler/mission_compiler.h"
+#include "kg_compiler/compile/mission_compiler.h"
 #include "kg_msgs/World.h"
 #include "kg_ros/knowledge/mission_server.h"
 

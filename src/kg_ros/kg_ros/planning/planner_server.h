@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/mission_compiler.h"
-#include "kg_compiler/mission_tensor.h"
-#include "kg_compiler/nav_graph.h"
-#include "kg_compiler/seam_rules.h"
+#include "kg_compiler/compile/mission_compiler.h"
+#include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/seam_rules.h"
+#include "kg_compiler/data_plane/mission_tensor.h"
 #include "kg_msgs/Candidates.h"
 #include "kg_msgs/MissionTensor.h"
 #include "kg_msgs/NavGraph.h"

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/traversal.h"
+#include "kg_compiler/traversal/traversal.h"
 #include "kg_msgs/AgentState.h"
 #include "kg_msgs/Assignments.h"
 #include "kg_msgs/SeamRules.h"

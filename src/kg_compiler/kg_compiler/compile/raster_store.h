@@ -1,0 +1,70 @@
+// The rasters a mission refers to, read when first wanted and kept while
+// wanted: work fields, and per window and kind of value layer what the data
+// plane reads.
+
+#ifndef KG_COMPILER_COMPILE_RASTER_STORE_H_
+#define KG_COMPILER_COMPILE_RASTER_STORE_H_
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "kg_compiler/data_plane/data_plane.h"
+#include "kg_core/mission/ingest.h"
+#include "kg_core/mission/mission.h"
+#include "kg_core/raster/vector_field.h"
+
+namespace kg_compiler {
+
+struct WorkField {
+  int window = 0;
+  std::string iri;
+  kg_core::VectorField field;
+  std::string hash;
+};
+
+// Where rasters come from: kg_core's files, or what a test makes up.
+struct RasterReaders {
+  std::function<kg_core::VectorField(const kg_core::Mission&,
+                                     const kg_core::WorkFieldRef&)>
+      field;
+  std::function<kg_core::Raster(const kg_core::Mission&,
+                                const kg_core::ValueLayer&,
+                                const kg_core::Grid&)>
+      value;
+};
+RasterReaders ReadersOf(kg_core::FileCache* files);
+
+class RasterStore {
+ public:
+  explicit RasterStore(RasterReaders readers);
+
+  // Throws InputError if the window has no work field or its file fails.
+  std::shared_ptr<const WorkField> Field(const kg_core::Mission& mission,
+                                         int window);
+  // The value layer is the policy's kind's; of several the one with the latest
+  // time (A29). Throws InputError if there is none, or two of one time. A
+  // policy that reads no value (alpha = gamma = 0) gets a raster without data.
+  std::shared_ptr<const WindowRasters> Rasters(const kg_core::Mission& mission,
+                                               const kg_core::Policy& policy,
+                                               const WorkField& field);
+  // Forgets what was not asked for since the last time.
+  void ForgetUnused();
+
+ private:
+  template <typename T>
+  struct Kept {
+    std::shared_ptr<const T> value;
+    bool used = true;
+  };
+
+  RasterReaders readers_;
+  // By all that they are made of: facts' IRIs, files' sha256, time indices.
+  std::map<std::string, Kept<WorkField>> fields_;
+  std::map<std::string, Kept<WindowRasters>> rasters_;
+};
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_COMPILE_RASTER_STORE_H_

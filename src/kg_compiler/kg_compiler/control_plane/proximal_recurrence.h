@@ -1,0 +1,46 @@
+// Proximal Recurrence: a few places from which a sensor's footprint sees most.
+//
+// R = U * disc_r (convolution with the sensor's disc in metres, an ellipse in
+// cells); take the best allowed cell of R, zero U inside its disc (radius
+// `spacing_m`), update R there, repeat. Ties by row, then column. This is
+// greedy weighted maximum coverage. Interpretation of Holmberg, Abdelguerfi and
+// Ioup, "STROOBnet Optimization via GPU-Accelerated Proximal Recurrence
+// Strategies", IEEE BigData 2023, 10.1109/BigData59044.2023.10386774 (A13).
+
+#ifndef KG_COMPILER_CONTROL_PLANE_PROXIMAL_RECURRENCE_H_
+#define KG_COMPILER_CONTROL_PLANE_PROXIMAL_RECURRENCE_H_
+
+#include <vector>
+
+#include "kg_core/raster/grid.h"
+
+namespace kg_compiler {
+
+struct RecurrenceOptions {
+  double radius_m = 0.0;   // Sensor footprint: kernel of the convolution.
+  double spacing_m = 0.0;  // Picked cells lie farther apart than this.
+  int count = 20;
+};
+
+struct Pick {
+  kg_core::Cell cell;
+  double score = 0.0;  // R when it was picked: sum of U over the disc (A12).
+  // The cells that the score sums, ascending: those of the disc that are worth
+  // anything and that no earlier pick had blanked.
+  std::vector<int> footprint;
+};
+
+// `utility` >= 0 without NaN; only cells with allowed = 1 and score > 0 are
+// picked. Best first.
+std::vector<Pick> ProximalRecurrence(const kg_core::Grid& grid,
+                                     const kg_core::Raster& utility,
+                                     const kg_core::Mask& allowed,
+                                     const RecurrenceOptions& options);
+
+// R at one cell with nothing blanked: the sum of U over the disc around it.
+Pick DiscSum(const kg_core::Grid& grid, const kg_core::Raster& utility,
+             kg_core::Cell cell, double radius_m);
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_CONTROL_PLANE_PROXIMAL_RECURRENCE_H_

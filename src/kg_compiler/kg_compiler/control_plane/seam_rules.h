@@ -1,0 +1,89 @@
+// The control plane's rules for one agent, compiled from facts: what it can do,
+// what that costs, and what a visit is worth. Plain numbers, SI; sent to the
+// agent's planner, which applies them with nav_graph.h.
+
+#ifndef KG_COMPILER_CONTROL_PLANE_SEAM_RULES_H_
+#define KG_COMPILER_CONTROL_PLANE_SEAM_RULES_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "kg_compiler/traversal/motion.h"
+#include "kg_core/geo/lon_lat.h"
+#include "kg_core/mission/mission.h"
+
+namespace kg_compiler {
+
+// S = lambda_time t + lambda_energy E + lambda_risk H + lambda_uncertainty
+// (1 - w), with t [s], E [J], H the hazard integrated over time [s], and w the
+// confidence of the window one arrives in (A55). In reward units, >= 0.
+struct SeamWeights {
+  double time_per_s = 0.0;
+  double energy_per_j = 0.0;
+  double risk_per_s = 0.0;
+  double uncertainty = 0.0;
+};
+
+// A discrete point of interest, for one window.
+struct EventRule {
+  std::string iri;
+  kg_core::LonLat position;
+  double reward = 0.0;    // Of one visit in this window (value times w_t).
+  double radius_m = 0.0;  // A waypoint within it visits the event.
+};
+
+struct WindowRules {
+  int window = 0;
+  std::string iri;
+  double begin_s = 0.0;  // Unix seconds.
+  double end_s = 0.0;
+  double confidence = 1.0;
+  double base_travel_m = 0.0;  // Through water in one window (A17).
+  std::vector<EventRule> events;
+  std::string tensor_hash;  // The inputs these rules go with.
+  std::string field_hash;
+};
+
+struct SeamRules {
+  std::string agent_iri;
+  std::string agent_id;
+  std::uint64_t world_version = 0;
+  MotionModel motion;
+  SeamWeights weights;
+  double energy_budget_j = 0.0;      // What is left for all windows below.
+  double sensor_radius_m = 0.0;      // Footprint of a visit: PR's disc.
+  double spacing_m = 0.0;            // Least distance between waypoints.
+  int max_waypoints = 20;            // Per window.
+  int candidates = 10;               // K.
+  double hazard_range_m = 10e3;      // Hazard falls to 1/e at this distance.
+  kg_core::LonLat start;             // Where the agent is at the first begin_s.
+  double start_heading_rad = 0.0;    // Clockwise from north.
+  std::string start_iri;             // The ex:AgentState that says so.
+  std::vector<WindowRules> windows;  // Those still to be planned, ascending.
+  // The facts that were read beside the start, the windows and their events.
+  std::vector<std::string> read_facts;
+};
+
+bool operator==(const EventRule& a, const EventRule& b);
+bool operator==(const WindowRules& a, const WindowRules& b);
+// Equal but for the world version and the windows' rules (the windows there are
+// count, what they say does not).
+bool SameButForWindows(const SeamRules& a, const SeamRules& b);
+
+// Rules for `agent` from the windows with index >= first_window.
+SeamRules CompileSeamRules(const kg_core::Mission& mission,
+                           const kg_core::Agent& agent, int first_window);
+
+// Of all that the rules say: not of the rasters they go with, nor of the world
+// version.
+std::string SeamRulesHash(const SeamRules& rules);
+
+// The IRIs of the facts they were compiled from, sorted: agent, policy,
+// capabilities, mission, start, windows and the windows' events. Follows
+// changes of start, windows and events.
+std::vector<std::string> SeamRulesSources(const SeamRules& rules);
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_CONTROL_PLANE_SEAM_RULES_H_

@@ -1,0 +1,145 @@
+#include "kg_compiler/control_plane/seam_rules.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "kg_compiler/test_world.h"
+
+namespace kg_compiler {
+namespace {
+
+kg_core::Mission TestMission() {
+  kg_core::Mission mission;
+  mission.windows = {TestWindow(0, 1.0), TestWindow(1, 0.8),
+                     TestWindow(2, 0.6)};
+  mission.agents = {TestAgent("alpha")};
+  mission.events = {{"ex:e", {-90, 25}, 5.0, 1, 9000.0, {1, 2}}};
+  mission.coordination.waypoints_per_window = 50;
+  mission.coordination.waypoint_spacing_m = 8000.0;
+  return mission;
+}
+
+TEST(SeamRules, SpeakSiPerSecondAndJoule) {
+  kg_core::Mission mission = TestMission();
+  mission.agents[0].policy.lambda_risk = 3.6;           // Per hour.
+  mission.agents[0].policy.lambda_time_per_s = 0.001;   // SI in the facts.
+  mission.agents[0].policy.lambda_energy_per_j = 1e-6;  // Likewise.
+  mission.agents[0].policy.lambda_uncertainty = 0.25;
+  const SeamRules rules = CompileSeamRules(mission, mission.agents[0], 0);
+  EXPECT_DOUBLE_EQ(0.001, rules.weights.risk_per_s);
+  EXPECT_DOUBLE_EQ(0.001, rules.weights.time_per_s);
+  EXPECT_DOUBLE_EQ(1e-6, rules.weights.energy_per_j);
+  EXPECT_DOUBLE_EQ(0.25, rules.weights.uncertainty);
+  EXPECT_DOUBLE_EQ(1e7, rules.energy_budget_j);
+  EXPECT_DOUBLE_EQ(12000.0, rules.sensor_radius_m);
+  EXPECT_DOUBLE_EQ(8000.0, rules.spacing_m);
+}
+
+TEST(SeamRules, TravelAWindowAtCruiseSpeedUnlessAFactSaysOtherwise) {
+  kg_core::Mission mission = TestMission();
+  kg_core::Agent& agent = mission.agents[0];
+  EXPECT_DOUBLE_EQ(
+      0.5 * 86400,
+      CompileSeamRules(mission, agent, 0).windows[0].base_travel_m);
+  agent.capabilities.base_travel_m = 1234.0;
+  EXPECT_DOUBLE_EQ(
+      1234.0, CompileSeamRules(mission, agent, 0).windows[0].base_travel_m);
+}
+
+TEST(SeamRules, KeepAnEventToItsWindowsAndWeighItByConfidenceOnce) {
+  const kg_core::Mission mission = TestMission();
+  const SeamRules rules = CompileSeamRules(mission, mission.agents[0], 0);
+  EXPECT_TRUE(rules.windows[0].events.empty());
+  ASSERT_EQ(1u, rules.windows[1].events.size());
+  EXPECT_DOUBLE_EQ(5.0 * 0.8, rules.windows[1].events[0].reward);
+  EXPECT_DOUBLE_EQ(5.0 * 0.6, rules.windows[2].events[0].reward);
+}
+
+TEST(SeamRules, LeaveOutWindowsThatHavePassed) {
+  const kg_core::Mission mission = TestMission();
+  const SeamRules rules = CompileSeamRules(mission, mission.agents[0], 2);
+  ASSERT_EQ(1u, rules.windows.size());
+  EXPECT_EQ(2, rules.windows[0].window);
+}
+
+TEST(SeamRules, AllowAtMostTwentyWaypointsAWindow) {
+  const kg_core::Mission mission = TestMission();
+  EXPECT_EQ(20, CompileSeamRules(mission, mission.agents[0], 0).max_waypoints);
+}
+
+// One change of a fact; does it reach the rules?
+struct Change {
+  const char* what;
+  void (*apply)(kg_core::Mission*);
+  const char* source;  // Whose fact; empty: rules must stay what they are.
+};
+
+const Change kChanges[] = {
+    {"cruise speed",
+     [](kg_core::Mission* m) { m->agents[0].capabilities.cruise_mps *= 2; },
+     "ex:alpha_capabilities"},
+    {"energy budget",
+     [](kg_core::Mission* m) {
+       m->agents[0].capabilities.energy_budget_j *= 2;
+     },
+     "ex:alpha_capabilities"},
+    {"price of risk",
+     [](kg_core::Mission* m) { m->agents[0].policy.lambda_risk += 1; },
+     "ex:fast"},
+    {"start", [](kg_core::Mission* m) { m->agents[0].start.lon_deg += 0.1; },
+     "ex:alpha_start"},
+    {"spacing",
+     [](kg_core::Mission* m) { m->coordination.waypoint_spacing_m *= 2; },
+     "ex:mission"},
+    {"K", [](kg_core::Mission* m) { ++m->coordination.candidates_per_agent; },
+     "ex:mission"},
+    {"confidence", [](kg_core::Mission* m) { m->windows[1].confidence = 0.7; },
+     "ex:w1"},
+    {"end of a window", [](kg_core::Mission* m) { m->windows[2].end_s -= 60; },
+     "ex:w2"},
+    {"event's value", [](kg_core::Mission* m) { m->events[0].value += 1; },
+     "ex:e"},
+    {"value of an event elsewhere",
+     [](kg_core::Mission* m) { m->events[1].value += 1; }, ""},
+    {"weight of the value layer",
+     [](kg_core::Mission* m) { m->agents[0].policy.alpha_base += 1; }, ""},
+    {"another agent's speed",
+     [](kg_core::Mission* m) { m->agents[1].capabilities.cruise_mps *= 2; },
+     ""},
+};
+
+TEST(SeamRules, AHashChangesWithTheFactsThatAreCitedAndWithNoOthers) {
+  kg_core::Mission mission = TestMission();
+  mission.iri = "ex:mission";
+  mission.agents.push_back(TestAgent("bravo"));
+  mission.events.push_back({"ex:none", {-90, 25}, 5.0, 1, 9000.0, {}});
+  for (int i = 0; i < 3; ++i) {
+    mission.windows[i].iri = "ex:w" + std::to_string(i);
+  }
+  kg_core::Agent& alpha = mission.agents[0];
+  alpha.iri = "ex:alpha";
+  alpha.policy.iri = "ex:fast";
+  alpha.capabilities.iri = "ex:alpha_capabilities";
+  alpha.start_iri = "ex:alpha_start";
+  const SeamRules before = CompileSeamRules(mission, alpha, 0);
+  const std::vector<std::string> sources = SeamRulesSources(before);
+  EXPECT_EQ(sources,
+            (std::vector<std::string>{
+                "ex:alpha", "ex:alpha_capabilities", "ex:alpha_start", "ex:e",
+                "ex:fast", "ex:mission", "ex:w0", "ex:w1", "ex:w2"}));
+  for (const Change& change : kChanges) {
+    kg_core::Mission other = mission;
+    change.apply(&other);
+    const SeamRules after = CompileSeamRules(other, other.agents[0], 0);
+    const bool cited = change.source[0] != '\0';
+    EXPECT_EQ(SeamRulesHash(before) != SeamRulesHash(after), cited)
+        << change.what;
+    EXPECT_EQ(std::count(sources.begin(), sources.end(), change.source),
+              cited ? 1 : 0)
+        << change.what;
+  }
+}
+
+}  // namespace
+}  // namespace kg_compiler

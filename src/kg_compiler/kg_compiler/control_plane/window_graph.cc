@@ -1,0 +1,243 @@
+#include "kg_compiler/control_plane/window_graph.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "kg_compiler/control_plane/proximal_recurrence.h"
+#include "kg_compiler/control_plane/window_sea.h"
+#include "kg_core/base/sha256.h"
+#include "kg_core/geo/geodesy.h"
+
+namespace kg_compiler {
+namespace {
+
+constexpr int kFewWaypoints = 3;      // Below it, staying put is a choice, too.
+constexpr int kPicksPerWaypoint = 2;  // Some picks cannot be flown to.
+
+// A waypoint to be, with the flights to it.
+struct Draft {
+  Waypoint waypoint;
+  kg_core::Cell cell;
+  std::vector<TraverseEdge> edges;  // `to` not set yet.
+};
+
+class Builder {
+ public:
+  explicit Builder(const WindowInputs& inputs)
+      : in_(inputs),
+        grid_(inputs.world.tensor->grid),
+        fused_(inputs.world.tensor->Get(Layer::kFused)),
+        sea_(*inputs.rules, *inputs.window, inputs.world) {
+    for (const kg_core::LonLat& source : in_.sources) {
+      reaches_.push_back(sea_.ReachFrom(source));
+    }
+  }
+
+  NavGraph Build() {
+    AddEvents();
+    AddPicks();
+    if (static_cast<int>(drafts_.size()) < kFewWaypoints) AddStays();
+    return Finish();
+  }
+
+ private:
+  // Keeps the place if it can be flown to from anywhere.
+  bool Add(kg_core::LonLat position) {
+    const std::optional<kg_core::Cell> cell = grid_.CellAt(position);
+    if (!cell || !sea_.IsOpen(*cell)) return false;
+    Draft draft;
+    draft.cell = *cell;
+    draft.waypoint.position = position;
+    for (std::size_t i = 0; i < in_.sources.size(); ++i) {
+      std::optional<TraverseEdge> edge =
+          sea_.Fly(in_.sources[i], reaches_[i], position);
+      if (!edge) continue;
+      edge->from = static_cast<int>(i);
+      draft.edges.push_back(std::move(*edge));
+    }
+    if (draft.edges.empty()) return false;
+    drafts_.push_back(std::move(draft));
+    return true;
+  }
+
+  bool Taken(kg_core::LonLat position) const {
+    return std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& draft) {
+      return draft.waypoint.position == position;
+    });
+  }
+  bool TakenCell(kg_core::Cell cell) const {
+    return std::any_of(drafts_.begin(), drafts_.end(),
+                       [&](const Draft& draft) { return draft.cell == cell; });
+  }
+  bool Full() const {
+    return static_cast<int>(drafts_.size()) >= in_.rules->max_waypoints;
+  }
+
+  // The most rewarding first, so that they stay if there are too many.
+  void AddEvents() {
+    std::vector<EventRule> events = in_.window->events;
+    std::stable_sort(events.begin(), events.end(),
+                     [](const EventRule& a, const EventRule& b) {
+                       return a.reward > b.reward;
+                     });
+    for (const EventRule& event : events) {
+      if (!Full() && !Taken(event.position)) Add(event.position);
+    }
+  }
+
+  // Cells reached from some source early enough to hold station from then on.
+  kg_core::Mask Allowed() const {
+    std::vector<ReachedCell> all;
+    for (const Reach& reach : reaches_) {
+      all.insert(all.end(), reach.cells.begin(), reach.cells.end());
+    }
+    std::sort(all.begin(), all.end(),
+              [](const ReachedCell& a, const ReachedCell& b) {
+                return std::tie(a.index, b.arrival_s) <
+                       std::tie(b.index, a.arrival_s);
+              });  // The latest arrival at a cell first.
+    kg_core::Mask allowed(grid_.size(), 0);
+    int last = -1;
+    for (const ReachedCell& cell : all) {
+      if (cell.index == last) continue;
+      last = cell.index;
+      const kg_core::LonLat centre =
+          grid_.Centre({cell.index / grid_.cols(), cell.index % grid_.cols()});
+      const double from_s = sea_.HoldableFrom_s(centre);
+      allowed[cell.index] = in_.window->begin_s + cell.arrival_s >= from_s;
+    }
+    return allowed;
+  }
+
+  void AddPicks() {
+    if (Full()) return;
+    RecurrenceOptions options;
+    options.radius_m = in_.rules->sensor_radius_m;
+    options.spacing_m = in_.rules->spacing_m > 0.0 ? in_.rules->spacing_m
+                                                   : in_.rules->sensor_radius_m;
+    options.count = kPicksPerWaypoint * in_.rules->max_waypoints;
+    for (const Pick& pick :
+         ProximalRecurrence(grid_, fused_, Allowed(), options)) {
+      if (Full()) return;
+      if (TakenCell(pick.cell) || !Add(grid_.Centre(pick.cell))) continue;
+      drafts_.back().waypoint.score = pick.score;
+      drafts_.back().waypoint.footprint = pick.footprint;
+    }
+  }
+
+  void AddStays() {
+    for (const kg_core::LonLat& source : in_.sources) {
+      if (Full()) return;
+      if (!Taken(source)) Add(source);
+    }
+  }
+
+  void Describe(Draft* draft) const {
+    Waypoint& waypoint = draft->waypoint;
+    waypoint.value = fused_[grid_.Index(draft->cell)];
+    if (waypoint.score == 0.0) {
+      Pick pick =
+          DiscSum(grid_, fused_, draft->cell, in_.rules->sensor_radius_m);
+      waypoint.score = pick.score;
+      waypoint.footprint = std::move(pick.footprint);
+    }
+    for (const EventRule& event : in_.window->events) {
+      const double away_m =
+          kg_core::Distance_m(event.position, waypoint.position);
+      if (!(away_m <= event.radius_m)) continue;
+      waypoint.events.push_back(event.iri);
+      waypoint.event_reward += event.reward;
+    }
+  }
+
+  NavGraph Finish() {
+    for (Draft& draft : drafts_) Describe(&draft);
+    std::stable_sort(
+        drafts_.begin(), drafts_.end(), [](const Draft& a, const Draft& b) {
+          return std::tie(b.waypoint.score, a.cell.row, a.cell.col) <
+                 std::tie(a.waypoint.score, b.cell.row, b.cell.col);
+        });
+    NavGraph graph;
+    graph.agent_iri = in_.rules->agent_iri;
+    graph.window = in_.window->window;
+    graph.hash = WindowGraphHash(in_);
+    for (Draft& draft : drafts_) {
+      draft.waypoint.id = static_cast<int>(graph.waypoints.size());
+      for (TraverseEdge& edge : draft.edges) {
+        edge.to = draft.waypoint.id;
+        graph.edges.push_back(std::move(edge));
+      }
+      graph.waypoints.push_back(std::move(draft.waypoint));
+    }
+    std::sort(graph.edges.begin(), graph.edges.end(),
+              [](const TraverseEdge& a, const TraverseEdge& b) {
+                return std::tie(a.from, a.to) < std::tie(b.from, b.to);
+              });
+    return graph;
+  }
+
+  const WindowInputs& in_;
+  const kg_core::Grid& grid_;
+  const kg_core::Raster& fused_;
+  WindowSea sea_;
+  std::vector<Reach> reaches_;  // By source.
+  std::vector<Draft> drafts_;
+};
+
+void HashRules(const SeamRules& rules, kg_core::Hasher* hash) {
+  const MotionModel& motion = rules.motion;
+  const SeamWeights& weights = rules.weights;
+  hash->Add(rules.agent_iri);
+  for (const double value :
+       {motion.cruise_mps, motion.max_mps, motion.boost_gain,
+        motion.energy_per_m_j, motion.hotel_load_w, weights.time_per_s,
+        weights.energy_per_j, weights.risk_per_s, weights.uncertainty,
+        rules.sensor_radius_m, rules.spacing_m, rules.hazard_range_m,
+        static_cast<double>(rules.max_waypoints)}) {
+    hash->Add(value);
+  }
+}
+
+void HashWindow(const WindowRules& window, kg_core::Hasher* hash) {
+  for (const double value :
+       {static_cast<double>(window.window), window.begin_s, window.end_s,
+        window.confidence, window.base_travel_m,
+        static_cast<double>(window.events.size())}) {
+    hash->Add(value);
+  }
+  for (const EventRule& event : window.events) {
+    hash->Add(event.iri);
+    hash->Add(event.position.lon_deg);
+    hash->Add(event.position.lat_deg);
+    hash->Add(event.reward);
+    hash->Add(event.radius_m);
+  }
+}
+
+}  // namespace
+
+std::string WindowGraphHash(const WindowInputs& inputs) {
+  kg_core::Hasher hash;
+  HashRules(*inputs.rules, &hash);
+  HashWindow(*inputs.window, &hash);
+  hash.Add(inputs.world.tensor->hash);
+  hash.Add(inputs.window->field_hash.empty() ? inputs.world.field->Hash()
+                                             : inputs.window->field_hash);
+  for (const kg_core::LonLat& source : inputs.sources) {
+    hash.Add(source.lon_deg);
+    hash.Add(source.lat_deg);
+  }
+  return hash.Hex();
+}
+
+NavGraph BuildWindowGraph(const WindowInputs& inputs) {
+  return Builder(inputs).Build();
+}
+
+bool IsOpenAt(const MissionTensor& tensor, kg_core::LonLat position) {
+  const std::optional<kg_core::Cell> cell = tensor.grid.CellAt(position);
+  if (!cell) return false;
+  return tensor.Get(Layer::kFeasibility)[tensor.grid.Index(*cell)] == 1.0f;
+}
+
+}  // namespace kg_compiler

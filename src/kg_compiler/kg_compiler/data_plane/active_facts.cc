@@ -1,0 +1,79 @@
+#include "kg_compiler/data_plane/active_facts.h"
+
+#include <algorithm>
+
+namespace kg_compiler {
+namespace {
+
+template <typename T>
+bool Has(const std::vector<T>& values, const T& value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+template <typename T>
+bool InScope(const std::vector<T>& scope, const T& value) {
+  return scope.empty() || Has(scope, value);
+}
+
+std::string WeightIri(const kg_core::Policy& policy, const std::string& key) {
+  const auto found = policy.weight_iris.find(key);
+  return found == policy.weight_iris.end() ? "" : found->second;
+}
+
+ActiveConstraint Activate(const kg_core::Constraint& fact,
+                          const kg_core::Agent& agent) {
+  ActiveConstraint active;
+  active.fact = &fact;
+  active.hard = fact.kind == kg_core::ConstraintKind::kNoGo;
+  if (active.hard) return active;
+  const auto& overrides = agent.policy.soft_overrides;
+  const auto found = overrides.find(fact.iri);
+  if (found == overrides.end()) {
+    active.attenuation = fact.attenuation;
+  } else {
+    active.attenuation = found->second;
+    active.override_iri = WeightIri(agent.policy, fact.iri);
+  }
+  const auto avoided = agent.must_avoid.find(fact.iri);
+  if (avoided == agent.must_avoid.end()) return active;
+  active.hard = true;
+  active.avoided_by = avoided->second;
+  return active;
+}
+
+void FindPriors(const kg_core::Mission& mission, const kg_core::Agent& agent,
+                int window, ActiveFacts* active) {
+  for (const kg_core::PriorLayer& prior : mission.priors) {
+    const auto beta = agent.policy.beta.find(prior.iri);
+    if (beta == agent.policy.beta.end() || beta->second == 0.0) continue;
+    if (!InScope(prior.windows, window)) continue;
+    if (!InScope(prior.agents, agent.iri)) continue;
+    active->priors.push_back(
+        {&prior, beta->second, WeightIri(agent.policy, prior.iri)});
+    active->names_agent |= !prior.agents.empty();
+  }
+}
+
+}  // namespace
+
+ActiveFacts FindActiveFacts(const kg_core::Mission& mission,
+                            const kg_core::Agent& agent,
+                            const kg_core::TimeWindow& window) {
+  ActiveFacts active;
+  const kg_core::Policy& policy = agent.policy;
+  active.reads_value = policy.alpha_base != 0.0 || policy.gamma_front != 0.0;
+  for (const kg_core::Constraint& constraint : mission.constraints) {
+    if (!InScope(constraint.windows, window.index)) continue;
+    if (!InScope(constraint.agents, agent.iri)) continue;
+    active.constraints.push_back(Activate(constraint, agent));
+    active.names_agent |= !constraint.agents.empty();
+  }
+  FindPriors(mission, agent, window.index, &active);
+  if (policy.beta_poi == 0.0) return active;
+  for (const kg_core::Event& event : mission.events) {
+    if (Has(event.windows, window.index)) active.events.push_back(&event);
+  }
+  return active;
+}
+
+}  // namespace kg_compiler

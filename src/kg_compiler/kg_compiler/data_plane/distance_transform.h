@@ -1,0 +1,27 @@
+// Distances of cells to a set of cells, in cells (land buffers, A15) and in
+// metres (hazard, soft edges of priors).
+
+#ifndef KG_COMPILER_DATA_PLANE_DISTANCE_TRANSFORM_H_
+#define KG_COMPILER_DATA_PLANE_DISTANCE_TRANSFORM_H_
+
+#include "kg_core/raster/grid.h"
+
+namespace kg_compiler {
+
+// Cells within `cells` of a cell of `set`: Euclidean distance between centres
+// in cell units <= `cells` (A15). The set itself included; grown by 0 it is
+// itself.
+kg_core::Mask GrowByCells(const kg_core::Grid& grid, const kg_core::Mask& set,
+                          double cells);
+
+// Metres from each cell's centre to the nearest centre of the set, 0 inside;
+// infinite if the set is empty. Eastward distances at the scale of the set's
+// row: d^2 = min over rows r' of (dx(r', col)^2 + dy(row, r')^2), exact along
+// rows and columns. Parabolas' lower envelope: Felzenszwalb and Huttenlocher,
+// "Distance Transforms of Sampled Functions", Theory of Computing 8, 2012.
+std::vector<double> DistanceTo_m(const kg_core::Grid& grid,
+                                 const kg_core::Mask& set);
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_DATA_PLANE_DISTANCE_TRANSFORM_H_

@@ -1,0 +1,70 @@
+// Facts as they stand in a world, quoted for explanations: which triples each
+// term of the equations goes back to. Only what the world holds is quoted; a
+// default that nobody stated has no triple.
+
+#ifndef KG_COMPILER_EXPLAIN_CITED_FACTS_H_
+#define KG_COMPILER_EXPLAIN_CITED_FACTS_H_
+
+#include <string>
+#include <vector>
+
+#include "kg_compiler/data_plane/active_facts.h"
+#include "kg_compiler/data_plane/blend.h"
+#include "kg_core/mission/mission.h"
+#include "kg_core/rdf/graph_view.h"
+
+namespace kg_compiler {
+
+using Facts = std::vector<std::string>;
+
+// One thing of the world and some of its properties, by prefixed names.
+struct Citation {
+  std::string subject;  // IRI.
+  std::vector<const char*> properties;
+};
+
+class CitedFacts {
+ public:
+  // Quotes facts, what is inferred, the state of the agents and, if named, one
+  // plan's graph. `view` must outlive this.
+  explicit CitedFacts(const kg_core::GraphView& view,
+                      const std::string& plan_graph = "");
+
+  // Every triple of the subject with one of the properties ("ex:gamma_front").
+  Facts Quote(const Citation& citation) const;
+  Facts Quote(const std::vector<Citation>& citations) const;
+  // The triple as given, if the world holds it.
+  Facts QuoteTriple(const std::string& subject, const char* property,
+                    const std::string& object_iri) const;
+
+  // The agent's policy, and what of it matters.
+  Facts Policy(const kg_core::Agent& agent,
+               const std::vector<const char*>& properties) const;
+  Facts Capabilities(const kg_core::Agent& agent,
+                     const std::vector<const char*>& properties) const;
+  // A layer or work field down to its file's hash.
+  Facts Layer(const std::string& iri) const;
+  Facts Term(const kg_core::Agent& agent, const BlendTerm& term) const;
+  Facts Constraint(const kg_core::Agent& agent,
+                   const ActiveConstraint& constraint) const;
+  // That the agent must keep out of a soft zone, and why.
+  Facts MustAvoid(const std::string& agent_iri,
+                  const std::string& zone_iri) const;
+  Facts Window(const kg_core::TimeWindow& window,
+               const std::vector<const char*>& properties) const;
+  Facts Event(const std::string& iri) const;
+
+ private:
+  // The node of the policy that names `target`, and its value.
+  Facts Entry(const kg_core::Agent& agent, const char* link,
+              const Citation& target) const;
+
+  const kg_core::GraphView& view_;
+  std::vector<std::string> graphs_;
+};
+
+Facts operator+(Facts a, const Facts& b);
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_EXPLAIN_CITED_FACTS_H_

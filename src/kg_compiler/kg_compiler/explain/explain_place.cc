@@ -1,0 +1,266 @@
+#include "kg_compiler/explain/explain_place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "kg_compiler/data_plane/distance_transform.h"
+#include "kg_compiler/data_plane/masks.h"
+#include "kg_compiler/traversal/traversal.h"
+#include "kg_core/base/units.h"
+#include "kg_core/geo/geodesy.h"
+#include "kg_core/geo/wkt.h"
+#include "kg_core/rdf/namespaces.h"
+
+namespace kg_compiler {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kMostDoublings = 5;  // Of the window's length, looking farther.
+
+std::string Hours(double seconds) {
+  return Short(seconds / kg_core::kSecondsPerHour) + " h";
+}
+
+class Place {
+ public:
+  Place(const PlaceQuestion& question, const CitedFacts& facts)
+      : in_(question),
+        facts_(facts),
+        rasters_(*question.tensor.rasters),
+        active_(FindActiveFacts(*in_.tensor.mission, *in_.tensor.agent,
+                                *in_.tensor.window)),
+        open_(OpenCells(rasters_.grid, rasters_.land, active_.constraints)),
+        hazard_(rasters_.grid.size(), 0.0f) {
+    for (const auto& field : in_.seam.compilation->fields) {
+      if (field->window == in_.seam.window->window) field_ = &field->field;
+    }
+  }
+
+  std::optional<Explanation> Explain() {
+    const std::optional<kg_core::Cell> cell = rasters_.grid.CellAt(in_.place);
+    if (!cell) return OffTheGrid();
+    cell_ = *cell;
+    if (!open_[rasters_.grid.Index(cell_)]) return Forbidden();
+    if (field_ == nullptr || CanBeFlownTo()) return std::nullopt;
+    if (std::optional<Explanation> far = TooFar()) return far;
+    return Unholdable();
+  }
+
+ private:
+  Explanation Named(const char* verdict, const char* unit,
+                    const std::string& why) const {
+    Explanation explanation;
+    explanation.verdict = verdict;
+    explanation.unit = unit;
+    explanation.text = in_.tensor.agent->id + " cannot be at " +
+                       kg_core::PointWkt(in_.place) + " in window " +
+                       std::to_string(in_.tensor.window->index) + ": " + why;
+    return explanation;
+  }
+
+  Explanation OffTheGrid() const {
+    Explanation explanation =
+        Named("forbidden", "m", "it lies outside of the work field's grid.");
+    explanation.parts.push_back({0.0, "grid", facts_.Layer(rasters_.field_iri),
+                                 "the grid ends before it"});
+    return explanation;
+  }
+
+  // Areas -------------------------------------------------------------------
+
+  double MetresToOpen(const kg_core::Mask& open) const {
+    const double d_m =
+        DistanceTo_m(rasters_.grid, open)[rasters_.grid.Index(cell_)];
+    return std::isfinite(d_m) ? d_m : 0.0;
+  }
+
+  Explanation Forbidden() const {
+    Explanation explanation = Named("forbidden", "m", "");
+    std::vector<ActiveConstraint> so_far;
+    double before_m = MetresToOpen(OpenCells(rasters_.grid, rasters_.land, {}));
+    std::string names;
+    if (rasters_.land[rasters_.grid.Index(cell_)]) {
+      explanation.parts.push_back({before_m, "M_hard(land)",
+                                   facts_.Layer(rasters_.field_iri),
+                                   "land: the currents have no data here"});
+      names = "land";
+    }
+    for (const ActiveConstraint& constraint : active_.constraints) {
+      if (!constraint.hard || !Holds(constraint)) continue;
+      so_far.push_back(constraint);
+      const double after_m =
+          MetresToOpen(OpenCells(rasters_.grid, rasters_.land, so_far));
+      const std::string iri = kg_core::AbbreviateIri(constraint.fact->iri);
+      explanation.parts.push_back(
+          {after_m - before_m, "M_hard(" + iri + ")",
+           facts_.Constraint(*in_.tensor.agent, constraint),
+           "forbidden by " + iri});
+      before_m = after_m;
+      names += (names.empty() ? "" : ", ") + iri;
+    }
+    explanation.value = before_m;
+    explanation.text += "it is forbidden by " + names + ", " +
+                        Short(before_m / kg_core::kMetresPerKm) +
+                        " km from the nearest open water.";
+    return explanation;
+  }
+
+  bool Holds(const ActiveConstraint& constraint) const {
+    return ConstraintExtent(rasters_.grid, rasters_.land,
+                            constraint)[rasters_.grid.Index(cell_)] != 0;
+  }
+
+  // Ways ----------------------------------------------------------------------
+
+  TraversalWorld World() const { return {field_, &open_, &hazard_}; }
+  double Window_s() const {
+    return in_.seam.window->end_s - in_.seam.window->begin_s;
+  }
+  double Allowed_s() const {
+    return std::min(Window_s(), in_.seam.window->base_travel_m /
+                                    in_.seam.rules->motion.cruise_mps);
+  }
+  Departure From(kg_core::LonLat source) const {
+    return {source, in_.seam.window->begin_s, in_.seam.window->end_s,
+            in_.seam.window->base_travel_m};
+  }
+
+  bool CanBeFlownTo() const {
+    const TraversalWorld world = World();
+    const MotionModel& motion = in_.seam.rules->motion;
+    return std::any_of(
+        in_.sources.begin(), in_.sources.end(), [&](kg_core::LonLat source) {
+          const Departure departure = From(source);
+          const Reach reach = ComputeReach(world, motion, departure);
+          return Traverse(world, motion, departure, reach, in_.place)
+              .has_value();
+        });
+  }
+
+  // The least time in which the place's cell is reached from a source, if less
+  // than `below_s`.
+  double Travel_s(kg_core::LonLat source, double below_s) const {
+    const TraversalWorld world = World();
+    Departure departure = From(source);
+    departure.base_travel_m = kInfinity;
+    for (int i = 0; i <= kMostDoublings; ++i) {
+      const double limit_s = std::min(below_s, std::ldexp(Window_s(), i));
+      departure.deadline_s = departure.time_s + limit_s;
+      const Reach reach =
+          ComputeReach(world, in_.seam.rules->motion, departure);
+      const ReachedCell* found =
+          reach.Find(static_cast<int>(rasters_.grid.Index(cell_)));
+      if (found) return found->arrival_s;
+      if (limit_s >= below_s) break;
+    }
+    return below_s;
+  }
+
+  // From the nearest source first: it bounds the search from the others.
+  double LeastTravel_s() const {
+    std::vector<std::pair<double, kg_core::LonLat>> sources;
+    for (const kg_core::LonLat& source : in_.sources) {
+      sources.emplace_back(kg_core::Distance_m(source, in_.place), source);
+    }
+    std::sort(sources.begin(), sources.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    const MotionModel& motion = in_.seam.rules->motion;
+    const double fastest_mps =
+        motion.cruise_mps + motion.boost_gain * field_->MaxSpeed_mps();
+    double least_s = kInfinity;
+    for (const auto& [distance_m, source] : sources) {
+      if (distance_m / fastest_mps >= least_s) break;
+      least_s = Travel_s(source, least_s);
+    }
+    return least_s;
+  }
+
+  std::optional<Explanation> TooFar() const {
+    const double least_s = LeastTravel_s();
+    const double allowed_s = Allowed_s();
+    if (least_s < allowed_s) return std::nullopt;
+    if (least_s == kInfinity) return NoWay();
+    const bool by_window = Window_s() <= allowed_s;
+    Explanation explanation = Named(
+        "unreachable", "s",
+        "the fastest way found takes " + Hours(least_s) + ", " +
+            Hours(least_s - allowed_s) + " more than " +
+            (by_window ? "the window has" : "the base travel allows") + ".");
+    explanation.value = least_s - allowed_s;
+    explanation.parts = {
+        {least_s, "least travel time", MotionFacts(in_.seam, facts_),
+         "the fastest way found: " + Hours(least_s)},
+        {-allowed_s, by_window ? "window" : "base travel / V",
+         MotionFacts(in_.seam, facts_),
+         (by_window ? "the window has " : "the base travel lasts ") +
+             Hours(allowed_s)}};
+    return explanation;
+  }
+
+  Explanation NoWay() const {
+    const double looked_s = std::ldexp(Window_s(), kMostDoublings);
+    Explanation explanation = Named(
+        "unreachable", "s", "no way was found within " + Hours(looked_s) + ".");
+    explanation.value = looked_s - Allowed_s();
+    explanation.parts = {
+        {looked_s, "searched", MotionFacts(in_.seam, facts_),
+         "no way takes less than " + Hours(looked_s)},
+        {-Allowed_s(), "allowed", MotionFacts(in_.seam, facts_),
+         "allowed are " + Hours(Allowed_s())}};
+    return explanation;
+  }
+
+  // It is reached in time; what is left is the current there until the end.
+  Explanation Unholdable() const {
+    const MotionModel& motion = in_.seam.rules->motion;
+    double speed_mps = 0.0;
+    if (const auto at = field_->grid.Locate(in_.place)) {
+      for (const kg_core::FieldSlice& slice : field_->slices) {
+        const auto c = field_->Sample(*at, slice.time_s);
+        if (!c) continue;
+        speed_mps =
+            std::max(speed_mps,
+                     motion.boost_gain * std::hypot(c->east_mps, c->north_mps));
+      }
+    }
+    const bool is_strong = speed_mps > motion.max_mps;
+    Explanation explanation =
+        Named(is_strong ? "unholdable" : "unflyable", "m/s",
+              is_strong ? "station cannot be held there until the window "
+                          "ends: the current reaches " +
+                              Short(speed_mps) + " m/s, the agent " +
+                              Short(motion.max_mps) + " m/s."
+                        : "the search reaches it, but no track to it can be "
+                          "flown in the current.");
+    explanation.value = speed_mps - motion.max_mps;
+    explanation.parts = {
+        {speed_mps, "largest |c|", facts_.Layer(rasters_.field_iri),
+         "the strongest current there in the window's data"},
+        {-motion.max_mps, "V_max",
+         facts_.Capabilities(*in_.tensor.agent,
+                             {"ex:maxSpeedKts", "ex:boostGain"}),
+         "the agent's greatest speed"}};
+    return explanation;
+  }
+
+  const PlaceQuestion& in_;
+  const CitedFacts& facts_;
+  const WindowRasters& rasters_;
+  ActiveFacts active_;
+  kg_core::Mask open_;
+  kg_core::Raster hazard_;
+  const kg_core::VectorField* field_ = nullptr;
+  kg_core::Cell cell_;
+};
+
+}  // namespace
+
+std::optional<Explanation> WhyUnreachable(const PlaceQuestion& question,
+                                          const CitedFacts& facts) {
+  return Place(question, facts).Explain();
+}
+
+}  // namespace kg_compiler

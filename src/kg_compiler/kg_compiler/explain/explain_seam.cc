@@ -1,0 +1,147 @@
+#include "kg_compiler/explain/explain_seam.h"
+
+#include <string>
+#include <utility>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/base/units.h"
+
+namespace kg_compiler {
+namespace {
+
+std::string Hours(double seconds) {
+  return Short(seconds / kg_core::kSecondsPerHour) + " h";
+}
+std::string WattHours(double joules) {
+  return Short(joules / kg_core::kJoulesPerWh) + " Wh";
+}
+
+const WorkField* FindField(const Compilation& compilation, int window) {
+  for (const auto& field : compilation.fields) {
+    if (field->window == window) return field.get();
+  }
+  return nullptr;
+}
+
+class SeamExplainer {
+ public:
+  SeamExplainer(const SeamContext& context, const TraverseEdge& edge,
+                const CitedFacts& facts)
+      : in_(context), flight_(edge.flight), facts_(facts) {
+    explanation_.value = edge.seam_cost;
+    explanation_.unit = "reward";
+  }
+
+  Explanation Explain() {
+    AddTime();
+    AddEnergy();
+    AddRisk();
+    AddUncertainty();
+    return std::move(explanation_);
+  }
+
+ private:
+  void Add(double value, std::string term, std::string text, Facts facts) {
+    explanation_.AddIfAny(
+        {value, std::move(term), std::move(facts), std::move(text)});
+  }
+
+  void AddTime() {
+    Add(in_.rules->weights.time_per_s * flight_.travel_s, "lambda_time * t",
+        "time: ex:lambda_time for " + Hours(flight_.travel_s) + " under way",
+        facts_.Policy(*in_.agent, {"ex:lambda_time"}) +
+            MotionFacts(in_, facts_));
+  }
+
+  void AddEnergy() {
+    const double weight = in_.rules->weights.energy_per_j;
+    const MotionModel& motion = in_.rules->motion;
+    const double swum_m = motion.cruise_mps * flight_.travel_s;
+    const double held_m = flight_.through_water_m - swum_m;
+    const double whole_s = in_.window->end_s - in_.window->begin_s;
+    const Facts policy = facts_.Policy(*in_.agent, {"ex:lambda_energy"});
+    const Facts swims = policy +
+                        facts_.Capabilities(*in_.agent, {"ex:energyPerKm"}) +
+                        MotionFacts(in_, facts_);
+    const double swum_j = motion.energy_per_m_j * swum_m;
+    const double held_j = motion.energy_per_m_j * held_m;
+    const double hotel_j = motion.hotel_load_w * whole_s;
+    Add(weight * swum_j, "lambda_energy * energy_per_m V t",
+        "energy under way: ex:lambda_energy for " + WattHours(swum_j), swims);
+    Add(weight * held_j, "lambda_energy * energy_per_m held",
+        "energy on station: ex:lambda_energy for " + WattHours(held_j), swims);
+    Add(weight * hotel_j, "lambda_energy * hotel_load",
+        "hotel load: ex:lambda_energy for " + WattHours(hotel_j) + " in " +
+            Hours(whole_s),
+        policy + facts_.Capabilities(*in_.agent, {"ex:hotelLoadW"}) +
+            WindowFacts());
+  }
+
+  void AddRisk() {
+    const double value = in_.rules->weights.risk_per_s * flight_.hazard_s;
+    if (value == 0.0) return;
+    Facts facts = facts_.Policy(*in_.agent, {"ex:lambda_risk"});
+    const ActiveFacts active =
+        FindActiveFacts(in_.compilation->mission, *in_.agent, TimeWindowOf());
+    for (const ActiveConstraint& constraint : active.constraints) {
+      facts = std::move(facts) + facts_.Constraint(*in_.agent, constraint);
+    }
+    Add(value, "lambda_risk * H",
+        "risk: ex:lambda_risk for " + Hours(flight_.hazard_s) +
+            " at hazard 1, near what is forbidden or in soft zones",
+        std::move(facts));
+  }
+
+  void AddUncertainty() {
+    const double doubt = 1.0 - in_.window->confidence;
+    Add(in_.rules->weights.uncertainty * doubt, "lambda_unc * (1 - w)",
+        "uncertainty: ex:lambda_unc for a confidence of " +
+            Short(in_.window->confidence),
+        facts_.Policy(*in_.agent, {"ex:lambda_unc"}) +
+            facts_.Window(TimeWindowOf(), {"ex:confidence"}));
+  }
+
+  const kg_core::TimeWindow& TimeWindowOf() const {
+    return in_.compilation->mission.windows.at(in_.window->window);
+  }
+  Facts WindowFacts() const {
+    return facts_.Window(TimeWindowOf(), {"time:hasBeginning", "time:hasEnd",
+                                          "ex:durationHours"});
+  }
+
+  const SeamContext& in_;
+  const Flight& flight_;
+  const CitedFacts& facts_;
+  Explanation explanation_;
+};
+
+}  // namespace
+
+SeamContext FindSeamContext(const Compilation& compilation,
+                            const kg_core::Agent& agent, const SeamRules& rules,
+                            int window) {
+  for (const WindowRules& one : rules.windows) {
+    if (one.window == window) return {&compilation, &agent, &rules, &one};
+  }
+  throw kg_core::InputError("window " + std::to_string(window) + " of " +
+                            agent.id + " is not planned");
+}
+
+Facts MotionFacts(const SeamContext& context, const CitedFacts& facts) {
+  const kg_core::TimeWindow& window =
+      context.compilation->mission.windows.at(context.window->window);
+  Facts quoted =
+      facts.Capabilities(*context.agent, {"ex:cruiseSpeedKts", "ex:maxSpeedKts",
+                                          "ex:boostGain", "ex:baseTravel"}) +
+      facts.Window(window,
+                   {"time:hasBeginning", "time:hasEnd", "ex:durationHours"});
+  const WorkField* field = FindField(*context.compilation, window.index);
+  return field ? std::move(quoted) + facts.Layer(field->iri) : quoted;
+}
+
+Explanation ExplainSeam(const SeamContext& context, const TraverseEdge& edge,
+                        const CitedFacts& facts) {
+  return SeamExplainer(context, edge, facts).Explain();
+}
+
+}  // namespace kg_compiler

@@ -1,0 +1,130 @@
+// FlyTrack and holding station.
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "kg_compiler/traversal/leg.h"
+#include "kg_compiler/traversal/traversal.h"
+
+namespace kg_compiler {
+namespace {
+
+constexpr double kHoldStep_s = 600.0;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double Speed(const kg_core::Velocity& c) {
+  return std::hypot(c.east_mps, c.north_mps);
+}
+
+// The slices' times between two times [s after the departure's], both ends
+// included: between them the current at a place is linear in time.
+std::vector<double> Knots(const kg_core::VectorField& field, double epoch_s,
+                          double begin_s, double end_s) {
+  std::vector<double> knots(1, begin_s);
+  for (const kg_core::FieldSlice& slice : field.slices) {
+    const double time_s = slice.time_s - epoch_s;
+    if (time_s > begin_s && time_s < end_s) knots.push_back(time_s);
+  }
+  knots.push_back(end_s);
+  return knots;
+}
+
+// Holding station: metres made through the water to stay.
+std::optional<double> Hold_m(const LegFlyer& flyer, double max_mps,
+                             kg_core::GridPoint at,
+                             const std::vector<double>& knots) {
+  double through_m = 0.0;
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+    const double span_s = knots[k + 1] - knots[k];
+    const int steps =
+        std::max(1, static_cast<int>(std::ceil(span_s / kHoldStep_s)));
+    double before_mps = kInfinity;
+    for (int i = 0; i <= steps; ++i) {
+      const auto c = flyer.Current(at, knots[k] + span_s * i / steps);
+      if (!c || !(Speed(*c) <= max_mps)) return std::nullopt;
+      if (i > 0) through_m += 0.5 * (before_mps + Speed(*c)) * span_s / steps;
+      before_mps = Speed(*c);
+    }
+  }
+  return through_m;
+}
+
+// Where on [0, 1] from c to d, |c| > limit >= |d|, the speed falls to the
+// limit.
+double Crossing(const kg_core::Velocity& c, const kg_core::Velocity& d,
+                double limit_mps) {
+  const double e = d.east_mps - c.east_mps, n = d.north_mps - c.north_mps;
+  const double square = e * e + n * n;
+  const double half = c.east_mps * e + c.north_mps * n;
+  const double rest = Speed(c) * Speed(c) - limit_mps * limit_mps;
+  const double root = std::sqrt(std::max(0.0, half * half - square * rest));
+  return std::clamp((-half - root) / square, 0.0, 1.0);
+}
+
+void CheckTrack(const Departure& departure,
+                const std::vector<kg_core::LonLat>& via) {
+  if (via.empty() || via.front() != departure.from) {
+    throw std::logic_error("a track begins at its departure");
+  }
+}
+
+}  // namespace
+
+double HoldableFrom_s(const TraversalWorld& world, const MotionModel& motion,
+                      const Departure& departure, kg_core::LonLat place) {
+  const LegFlyer flyer(world, motion, departure);
+  const std::optional<kg_core::GridPoint> at = flyer.grid().Locate(place);
+  if (!at) return kInfinity;
+  const std::vector<double> knots =
+      Knots(*world.field, departure.time_s, 0.0,
+            departure.deadline_s - departure.time_s);
+  std::optional<kg_core::Velocity> later;
+  for (std::size_t k = knots.size(); k-- > 0;) {
+    const auto c = flyer.Current(*at, knots[k]);
+    if (!c) return kInfinity;
+    if (!(Speed(*c) <= motion.max_mps)) {
+      if (!later) return kInfinity;
+      const double share = Crossing(*c, *later, motion.max_mps);
+      return departure.time_s + knots[k] + share * (knots[k + 1] - knots[k]);
+    }
+    later = c;
+  }
+  return departure.time_s;
+}
+
+std::optional<Flight> FlyTrack(const TraversalWorld& world,
+                               const MotionModel& motion,
+                               const Departure& departure,
+                               const std::vector<kg_core::LonLat>& via) {
+  CheckTrack(departure, via);
+  const LegFlyer flyer(world, motion, departure);
+  Flight flight;
+  flight.track.push_back({via.front(), departure.time_s});
+  for (std::size_t i = 0; i < via.size(); ++i) {
+    const Leg leg{via[i == 0 ? 0 : i - 1], via[i], flight.travel_s};
+    const std::optional<LegEnd> end = flyer.Fly(leg, kFlight);
+    if (!end) return std::nullopt;
+    flight.travel_s = end->arrive_s;
+    flight.hazard_s += end->hazard_s;
+    if (leg.from == leg.to) continue;
+    flight.track.push_back({via[i], departure.time_s + flight.travel_s});
+  }
+  const double whole_s = departure.deadline_s - departure.time_s;
+  const kg_core::GridPoint at = *flyer.grid().Locate(via.back());
+  const std::optional<double> held_m =
+      Hold_m(flyer, motion.max_mps, at,
+             Knots(*world.field, departure.time_s, flight.travel_s, whole_s));
+  if (!held_m) return std::nullopt;
+  const double rest_s = whole_s - flight.travel_s;
+  flight.hazard_s += rest_s * flyer.HazardAt(flyer.CellOf(at));
+  flight.through_water_m = motion.cruise_mps * flight.travel_s + *held_m;
+  flight.energy_j = motion.energy_per_m_j * flight.through_water_m +
+                    motion.hotel_load_w * whole_s;
+  if (rest_s > 0.0) {
+    flight.track.push_back({via.back(), departure.deadline_s});
+  }
+  return flight;
+}
+
+}  // namespace kg_compiler

@@ -1,0 +1,170 @@
+#include "kg_compiler/traversal/leg.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kg_core/geo/geodesy.h"
+
+namespace kg_compiler {
+namespace {
+
+constexpr double kLongestStep_s = 600.0;
+
+// Metres per degree along a leg, by a parabola through its ends and middle
+// (error below 1e-6 for legs within two degrees of latitude).
+class LegScale {
+ public:
+  LegScale(kg_core::LonLat from, kg_core::LonLat to)
+      : a_(At(from.lat_deg)),
+        m_(At(0.5 * (from.lat_deg + to.lat_deg))),
+        b_(At(to.lat_deg)) {}
+
+  struct Metres {
+    double east, north;  // Per degree of longitude and latitude.
+  };
+  Metres operator()(double s) const {
+    const double wa = (1.0 - s) * (1.0 - 2.0 * s);
+    const double wm = 4.0 * s * (1.0 - s);
+    const double wb = s * (2.0 * s - 1.0);
+    return {wa * a_.east + wm * m_.east + wb * b_.east,
+            wa * a_.north + wm * m_.north + wb * b_.north};
+  }
+
+ private:
+  static Metres At(double lat_deg) {
+    const kg_core::DegreesPerMetre scale = kg_core::LocalScale(lat_deg);
+    return {1.0 / scale.lon_deg, 1.0 / scale.lat_deg};
+  }
+  Metres a_, m_, b_;
+};
+
+// A leg under way: s in [0, 1] along it.
+class Progress {
+ public:
+  Progress(const LegFlyer& flyer, const Leg& leg, double speed_mps,
+           double slack)
+      : flyer_(flyer),
+        from_(leg.from),
+        lon_(leg.to.lon_deg - leg.from.lon_deg),
+        lat_(leg.to.lat_deg - leg.from.lat_deg),
+        scale_(leg.from, leg.to),
+        speed_mps_(speed_mps),
+        most_across_mps_((1.0 - slack) * speed_mps),
+        least_mps_(slack * speed_mps) {}
+
+  std::optional<kg_core::GridPoint> At(double s) const {
+    return flyer_.grid().Locate(
+        {from_.lon_deg + s * lon_, from_.lat_deg + s * lat_});
+  }
+
+  // ds/dt [1/s] at s and a time; nothing if the leg cannot be held there.
+  std::optional<double> Rate(kg_core::GridPoint at, double s,
+                             double time_s) const {
+    const std::optional<kg_core::Velocity> c = flyer_.Current(at, time_s);
+    if (!c) return std::nullopt;
+    const LegScale::Metres scale = scale_(s);
+    const double east_m = lon_ * scale.east;
+    const double north_m = lat_ * scale.north;
+    const double length_m = std::sqrt(east_m * east_m + north_m * north_m);
+    const double e = east_m / length_m, n = north_m / length_m;
+    const double along = c->east_mps * e + c->north_mps * n;
+    const double across = c->east_mps * n - c->north_mps * e;
+    if (!(std::abs(across) <= most_across_mps_)) return std::nullopt;
+    const double ground_mps =
+        along + std::sqrt(speed_mps_ * speed_mps_ - across * across);
+    if (!(ground_mps >= least_mps_)) return std::nullopt;
+    return ground_mps / length_m;
+  }
+
+ private:
+  const LegFlyer& flyer_;
+  kg_core::LonLat from_;
+  double lon_, lat_;  // Degrees from end to end.
+  LegScale scale_;
+  double speed_mps_, most_across_mps_, least_mps_;
+};
+
+// May one go straight from a cell to itself or one beside it? Past a corner
+// only if both cells beside the corner are open, too.
+bool MayCross(const LegFlyer& flyer, kg_core::Cell a, kg_core::Cell b) {
+  if (a == b) return true;
+  if (!flyer.IsOpen(b)) return false;
+  if (a.row == b.row || a.col == b.col) return true;
+  return flyer.IsOpen({a.row, b.col}) && flyer.IsOpen({b.row, a.col});
+}
+
+}  // namespace
+
+double LatestArrival_s(const MotionModel& motion, const Departure& departure) {
+  return std::min(departure.deadline_s - departure.time_s,
+                  departure.base_travel_m / motion.cruise_mps);
+}
+
+LegFlyer::LegFlyer(const TraversalWorld& world, const MotionModel& motion,
+                   const Departure& departure)
+    : world_(world),
+      motion_(motion),
+      epoch_s_(departure.time_s),
+      latest_s_(LatestArrival_s(motion, departure)) {}
+
+std::optional<kg_core::Velocity> LegFlyer::Current(kg_core::GridPoint at,
+                                                   double time_s) const {
+  std::optional<kg_core::Velocity> c =
+      world_.field->Sample(at, epoch_s_ + time_s);
+  if (!c) return c;
+  c->east_mps *= motion_.boost_gain;
+  c->north_mps *= motion_.boost_gain;
+  return c;
+}
+
+bool LegFlyer::IsOpen(kg_core::Cell cell) const {
+  return (*world_.open)[grid().Index(cell)] == 1;
+}
+
+double LegFlyer::HazardAt(kg_core::Cell cell) const {
+  return world_.hazard ? (*world_.hazard)[grid().Index(cell)] : 0.0;
+}
+
+kg_core::Cell LegFlyer::CellOf(kg_core::GridPoint at) const {
+  return {std::clamp(static_cast<int>(at.row + 0.5), 0, grid().rows() - 1),
+          std::clamp(static_cast<int>(at.col + 0.5), 0, grid().cols() - 1)};
+}
+
+// Second order: the rate in the middle of each step, at the time one gets there
+// by the rate at its begin.
+std::optional<LegEnd> LegFlyer::Fly(const Leg& leg, const LegCare& care) const {
+  const Progress progress(*this, leg, motion_.cruise_mps, care.slack);
+  std::optional<kg_core::GridPoint> at = progress.At(0.0);
+  const std::optional<kg_core::GridPoint> to = progress.At(1.0);
+  if (!at || !to || !IsOpen(CellOf(*at))) return std::nullopt;
+  LegEnd end{leg.depart_s, 0.0};
+  if (leg.from == leg.to) return end;
+  const double cells = std::hypot(to->row - at->row, to->col - at->col);
+  const double longest =
+      1.0 / std::max(1.0, std::ceil(cells / care.step_cells));
+  double s = 0.0;
+  while (s < 1.0) {
+    const std::optional<double> begin = progress.Rate(*at, s, end.arrive_s);
+    if (!begin) return std::nullopt;
+    double h = std::min(longest, 1.0 - s);
+    if (1.0 - s - h < 1e-9) h = 1.0 - s;
+    h = std::min(h, kLongestStep_s * *begin);
+    const auto middle = progress.At(s + 0.5 * h);
+    const auto next = progress.At(h == 1.0 - s ? 1.0 : s + h);
+    if (!middle || !next) return std::nullopt;
+    const std::optional<double> rate =
+        progress.Rate(*middle, s + 0.5 * h, end.arrive_s + 0.5 * h / *begin);
+    if (!rate || !MayCross(*this, CellOf(*at), CellOf(*next))) {
+      return std::nullopt;
+    }
+    const double dt_s = h / *rate;
+    end.arrive_s += dt_s;
+    end.hazard_s += dt_s * HazardAt(CellOf(*middle));
+    if (!(end.arrive_s <= latest_s_)) return std::nullopt;
+    s = h == 1.0 - s ? 1.0 : s + h;
+    at = next;
+  }
+  return end;
+}
+
+}  // namespace kg_compiler

@@ -1,0 +1,63 @@
+// One straight leg in a current: the integration that every search and every
+// flight of this package goes through (traversal.h has the equations).
+
+#ifndef KG_COMPILER_TRAVERSAL_LEG_H_
+#define KG_COMPILER_TRAVERSAL_LEG_H_
+
+#include <optional>
+
+#include "kg_compiler/traversal/traversal.h"
+
+namespace kg_compiler {
+
+// How carefully to fly. `slack`: the share of V that must be left, of the
+// heading and of the way made good, so that what lies between two samples of
+// the current cannot undo the leg.
+struct LegCare {
+  double step_cells;
+  double slack;
+};
+inline constexpr LegCare kFlight = {0.1, 0.02};
+inline constexpr LegCare kSearch = {1.0, 0.05};
+
+struct Leg {
+  kg_core::LonLat from;
+  kg_core::LonLat to;
+  double depart_s = 0.0;  // After the departure's time.
+};
+
+struct LegEnd {
+  double arrive_s = 0.0;  // After the departure's time.
+  double hazard_s = 0.0;
+};
+
+// When one must be there [s after the departure's time]: by the deadline, and
+// before the base travel is used up.
+double LatestArrival_s(const MotionModel& motion, const Departure& departure);
+
+// Flies legs of one departure.
+class LegFlyer {
+ public:
+  LegFlyer(const TraversalWorld& world, const MotionModel& motion,
+           const Departure& departure);
+
+  std::optional<LegEnd> Fly(const Leg& leg, const LegCare& care) const;
+
+  // c = boost_gain current; nothing where unknown. Time after the departure's.
+  std::optional<kg_core::Velocity> Current(kg_core::GridPoint at,
+                                           double time_s) const;
+  bool IsOpen(kg_core::Cell cell) const;
+  double HazardAt(kg_core::Cell cell) const;
+  kg_core::Cell CellOf(kg_core::GridPoint at) const;
+  const kg_core::Grid& grid() const { return world_.field->grid; }
+
+ private:
+  const TraversalWorld& world_;
+  const MotionModel& motion_;
+  double epoch_s_;
+  double latest_s_;  // After the departure's time.
+};
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_TRAVERSAL_LEG_H_

@@ -1,0 +1,120 @@
+// Getting from one place to others in time-varying currents within a deadline.
+//
+// Velocity over ground = water velocity (speed V, free heading) + boost_gain *
+// current(x, t): Zermelo's navigation problem [1]. The search behind Traverse()
+// is a bounded, time-dependent Dijkstra over many grid neighbours whose paths
+// are straightened and flown again through the field; what cannot be flown is
+// refused. A better search replaces it here and nowhere else.
+//
+// What counts is the flight: FlyTrack() integrates a track with sub-cell steps,
+// crabbing into the cross current, and every figure of a Flight comes from it.
+// Then station is held until the deadline (|current| <= max_mps, else refused):
+//
+//   c = boost_gain current, split along and across the leg
+//   ground speed  ds/dt = c_along + sqrt(V^2 - c_across^2)
+//   energy = energy_per_m (V travel_s + int |c| dt at rest) + hotel (whole
+//   time) hazard = int hazard(x(t)) dt
+//
+// [1] E. Zermelo, ZAMM 11(2), 1931, pp. 114-124.
+
+#ifndef KG_COMPILER_TRAVERSAL_TRAVERSAL_H_
+#define KG_COMPILER_TRAVERSAL_TRAVERSAL_H_
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "kg_compiler/traversal/motion.h"
+#include "kg_core/geo/lon_lat.h"
+#include "kg_core/raster/grid.h"
+#include "kg_core/raster/vector_field.h"
+
+namespace kg_compiler {
+
+struct TimedPoint {
+  kg_core::LonLat position;
+  double time_s = 0.0;  // Unix seconds.
+};
+
+// A flown path: from the departure through its turning points to the arrival,
+// then at rest there until the deadline. Points are at most 30 min apart while
+// moving, so that linear interpolation in time stays close to the flight:
+// separation between agents is judged on it.
+struct Flight {
+  std::vector<TimedPoint> track;  // Ends with arrival and, if later, deadline.
+  double travel_s = 0.0;          // Departure to arrival.
+  double energy_j = 0.0;          // Propulsion, hotel load and holding station.
+  double hazard_s = 0.0;  // Hazard in [0, 1] integrated until the deadline.
+  double through_water_m = 0.0;
+};
+
+// The world as one window's traversal sees it. All on one grid.
+struct TraversalWorld {
+  const kg_core::VectorField* field = nullptr;
+  const kg_core::Mask* open = nullptr;      // 1 = may be entered.
+  const kg_core::Raster* hazard = nullptr;  // In [0, 1].
+};
+
+struct Departure {
+  kg_core::LonLat from;
+  double time_s = 0.0;  // Unix seconds, as the deadline.
+  double deadline_s = 0.0;
+  // Most that may be travelled through water to get there (A17); holding
+  // station does not count.
+  double base_travel_m = std::numeric_limits<double>::infinity();
+};
+
+// A cell one can be at, with the earliest arrival found.
+struct ReachedCell {
+  int index = 0;           // Of the grid.
+  double arrival_s = 0.0;  // At its centre, seconds after departure.
+  int parent = -1;         // Index of the cell one comes from, -1 = departure.
+};
+
+struct Reach {
+  std::vector<ReachedCell> cells;  // By index.
+
+  const ReachedCell* Find(int index) const;  // Null = not reached.
+};
+
+// Where one can be before the deadline, by way of 16 or 32 neighbour moves.
+// Empty if the departure itself is not in an open cell.
+Reach ComputeReach(const TraversalWorld& world, const MotionModel& motion,
+                   const Departure& departure, int neighbours = 32);
+
+// Earliest time from which station can be held at a place until the deadline:
+// |boost_gain * current| <= max_mps all along. Infinite if not even then, or
+// where the current is unknown.
+double HoldableFrom_s(const TraversalWorld& world, const MotionModel& motion,
+                      const Departure& departure, kg_core::LonLat place);
+
+// Flies along `via` (first = departure, legs straight in longitude and
+// latitude), holding V through water on every leg. Nothing if a leg cannot be
+// held in the current, leaves the open cells (every cell the leg touches
+// counts, both beside a corner it passes), the deadline passes, or station
+// cannot be held then. A leg is held where 98 % of V make up for the cross
+// current and at least 2 % of V are left over ground.
+std::optional<Flight> FlyTrack(const TraversalWorld& world,
+                               const MotionModel& motion,
+                               const Departure& departure,
+                               const std::vector<kg_core::LonLat>& via);
+
+// The flight from `departure` to `to`, or nothing if none was found that can
+// be flown. `reach` is ComputeReach of the same departure. Never slower than
+// the straight track. A turning point is left out of the track where that
+// costs at most 0.02 % of the time.
+std::optional<Flight> Traverse(const TraversalWorld& world,
+                               const MotionModel& motion,
+                               const Departure& departure, const Reach& reach,
+                               kg_core::LonLat to);
+
+// Hazard in [0, 1]: exp(-d / range) of the distance d to the nearest cell that
+// is not open, and at least 1 - attenuation inside soft zones (A20).
+kg_core::Raster ComputeHazard(const kg_core::Grid& grid,
+                              const kg_core::Mask& open,
+                              const kg_core::Raster& attenuation,
+                              double range_m);
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_TRAVERSAL_TRAVERSAL_H_

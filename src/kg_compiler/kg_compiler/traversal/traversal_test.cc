@@ -1,0 +1,530 @@
+#include "kg_compiler/traversal/traversal.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "kg_compiler/test_world.h"
+#include "kg_core/geo/geodesy.h"
+
+namespace kg_compiler {
+namespace {
+
+using kg_core::LonLat;
+using kg_core::VectorField;
+
+constexpr double kDay_s = 86400.0;
+
+MotionModel Glider(double cruise_mps) {
+  MotionModel motion;
+  motion.cruise_mps = cruise_mps;
+  motion.max_mps = 10.0;
+  motion.energy_per_m_j = 2.0;
+  motion.hotel_load_w = 3.0;
+  return motion;
+}
+
+// A field with everything open and no hazard, unless changed.
+struct Sea {
+  explicit Sea(VectorField flow)
+      : field(std::move(flow)),
+        open(field.grid.size(), 1),
+        hazard(field.grid.size(), 0.0f) {}
+  TraversalWorld World() const { return {&field, &open, &hazard}; }
+  std::optional<Flight> Go(const MotionModel& motion, LonLat from, LonLat to,
+                           double deadline_s = kDay_s) const {
+    const Departure departure{from, 0.0, deadline_s};
+    return Traverse(World(), motion, departure,
+                    ComputeReach(World(), motion, departure), to);
+  }
+  VectorField field;
+  kg_core::Mask open;
+  kg_core::Raster hazard;
+};
+
+kg_core::Grid TestGrid() { return EvenGrid(-91, 24, 0.04, 50, 50); }
+
+// The straightforward integrator: c bilinear by its definition, RK4 in time
+// with 30 s steps along each leg. Seconds of travel; nothing if the track
+// leaves the open cells or cannot be held.
+class Refly {
+ public:
+  Refly(const Sea& sea, const MotionModel& motion) : sea_(sea), m_(motion) {}
+
+  std::optional<double> Fly(const Flight& flight) const {
+    double t = flight.track.front().time_s;
+    for (std::size_t i = 0; i + 1 < flight.track.size(); ++i) {
+      const LonLat a = flight.track[i].position;
+      const LonLat b = flight.track[i + 1].position;
+      if (a == b) continue;  // At rest.
+      const std::optional<double> end = Leg(a, b, t);
+      if (!end) return std::nullopt;
+      t = *end;
+    }
+    return t - flight.track.front().time_s;
+  }
+
+ private:
+  static LonLat On(LonLat a, LonLat b, double s) {
+    return {a.lon_deg + s * (b.lon_deg - a.lon_deg),
+            a.lat_deg + s * (b.lat_deg - a.lat_deg)};
+  }
+  std::optional<double> Leg(LonLat a, LonLat b, double t) const {
+    double s = 0.0;
+    while (s < 1.0) {
+      const double dt = 30.0;
+      const double k1 = Rate(a, b, s, t);
+      const double k2 = Rate(a, b, s + dt / 2 * k1, t + dt / 2);
+      const double k3 = Rate(a, b, s + dt / 2 * k2, t + dt / 2);
+      const double k4 = Rate(a, b, s + dt * k3, t + dt);
+      const double ds = dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      if (!(ds > 0.0)) return std::nullopt;
+      const double used = s + ds > 1.0 ? (1.0 - s) / ds * dt : dt;
+      s = std::min(1.0, s + ds);
+      t += used;
+      const auto cell = sea_.field.grid.CellAt(On(a, b, s));
+      if (!cell || !sea_.open[sea_.field.grid.Index(*cell)]) {
+        return std::nullopt;
+      }
+    }
+    return t;
+  }
+  double Rate(LonLat a, LonLat b, double s, double t) const {
+    const LonLat p = On(a, b, std::min(s, 1.0));
+    const kg_core::DegreesPerMetre scale = kg_core::LocalScale(p.lat_deg);
+    const double x = (b.lon_deg - a.lon_deg) / scale.lon_deg;
+    const double y = (b.lat_deg - a.lat_deg) / scale.lat_deg;
+    const double length = std::hypot(x, y);
+    double u = 0, v = 0;
+    Current(p, t, &u, &v);
+    const double along = (u * x + v * y) / length;
+    const double across = (u * y - v * x) / length;
+    const double own = m_.cruise_mps * m_.cruise_mps - across * across;
+    if (!(own > 0)) return -1.0;
+    return (along + std::sqrt(own)) / length;
+  }
+  void Current(LonLat p, double t, double* u, double* v) const {
+    const auto& slices = sea_.field.slices;
+    std::size_t k = 0;
+    while (k + 2 < slices.size() && slices[k + 1].time_s <= t) ++k;
+    const std::size_t l = std::min(k + 1, slices.size() - 1);
+    const double span = slices[l].time_s - slices[k].time_s;
+    const double f =
+        span > 0 ? std::clamp((t - slices[k].time_s) / span, 0.0, 1.0) : 0.0;
+    *u = m_.boost_gain *
+         ((1 - f) * At(slices[k].east_mps, p) + f * At(slices[l].east_mps, p));
+    *v = m_.boost_gain * ((1 - f) * At(slices[k].north_mps, p) +
+                          f * At(slices[l].north_mps, p));
+  }
+  double At(const kg_core::Raster& raster, LonLat p) const {
+    const kg_core::Grid& grid = sea_.field.grid;
+    const auto locate = [](const std::vector<double>& axis, double x, int* i) {
+      *i = 0;
+      while (*i + 2 < static_cast<int>(axis.size()) && axis[*i + 1] <= x) ++*i;
+      return std::clamp((x - axis[*i]) / (axis[*i + 1] - axis[*i]), 0.0, 1.0);
+    };
+    int r = 0, c = 0;
+    const double fr = locate(grid.lat_deg(), p.lat_deg, &r);
+    const double fc = locate(grid.lon_deg(), p.lon_deg, &c);
+    const auto value = [&](int i, int j) {
+      const float x = raster[grid.Index({i, j})];
+      return std::isnan(x) ? 0.0 : double(x);
+    };
+    return (1 - fr) * ((1 - fc) * value(r, c) + fc * value(r, c + 1)) +
+           fr * ((1 - fc) * value(r + 1, c) + fc * value(r + 1, c + 1));
+  }
+
+  const Sea& sea_;
+  const MotionModel& m_;
+};
+
+// Metres over ground per second towards a bearing in a uniform current.
+double ClosedFormSpeed(double v, double east, double north, double bearing) {
+  const double along = east * std::sin(bearing) + north * std::cos(bearing);
+  const double across = east * std::cos(bearing) - north * std::sin(bearing);
+  return along + std::sqrt(v * v - across * across);
+}
+
+TEST(Traverse, TakesTheClosedFormsTimeInAUniformCurrent) {
+  std::mt19937 rng(31);
+  int flown = 0;
+  for (int round = 0; round < 60; ++round) {
+    const double east = Uniform(rng, -0.4, 0.4),
+                 north = Uniform(rng, -0.4, 0.4);
+    const Sea sea(UniformFlow(TestGrid(), east, north));
+    const LonLat from{-90.0, 25.0};
+    const double bearing = Uniform(rng, 0, 2 * kg_core::kPi);
+    const LonLat to =
+        kg_core::Destination(from, bearing, Uniform(rng, 3e3, 40e3));
+    const double speed = ClosedFormSpeed(0.5, east, north, bearing);
+    const double wanted_s = kg_core::Distance_m(from, to) / speed;
+    if (!(speed > 0.05) || wanted_s > 0.95 * kDay_s) continue;
+    const auto flight = sea.Go(Glider(0.5), from, to);
+    ASSERT_TRUE(flight);
+    EXPECT_NEAR(1.0, flight->travel_s / wanted_s, 0.01);
+    ++flown;
+  }
+  EXPECT_GT(flown, 30);
+}
+
+TEST(Traverse, CannotGoAgainstACurrentStrongerThanItself) {
+  const Sea sea(UniformFlow(TestGrid(), 0.6, 0.0));
+  EXPECT_FALSE(sea.Go(Glider(0.5), {-90, 25}, {-90.2, 25}));
+  EXPECT_TRUE(sea.Go(Glider(0.5), {-90, 25}, {-89.8, 25}));
+  EXPECT_FALSE(sea.Go(Glider(0.5), {-90, 25}, {-90.0, 25.2}));
+}
+
+// d = V t + c0 t + k t^2 / 2 for a current that grows along the way.
+TEST(Traverse, FollowsACurrentThatGrowsWithTime) {
+  VectorField field = UniformFlow(TestGrid(), 0.1, 0.0);
+  field.slices.push_back(field.slices[0]);
+  field.slices[1].time_s = kDay_s;
+  for (float& u : field.slices[1].east_mps) u = 0.5f;
+  const Sea sea(field);
+  const LonLat from{-90.5, 25}, to{-90.0, 25};
+  const auto flight = sea.Go(Glider(0.5), from, to);
+  ASSERT_TRUE(flight);
+  const double k = 0.4 / kDay_s, t = flight->travel_s;
+  EXPECT_NEAR(kg_core::Distance_m(from, to), 0.6 * t + k * t * t / 2, 50.0);
+}
+
+// |x - int c| = V T is the earliest any vehicle can arrive in c(t).
+TEST(Traverse, NeverBeatsTheOptimumInARotatingTide) {
+  VectorField field;
+  field.grid = TestGrid();
+  for (double t = 0; t <= kDay_s; t += 1800) {
+    const double turn = 2 * kg_core::kPi * t / 43200;
+    field.slices.push_back(
+        UniformFlow(field.grid, 0.25 * std::cos(turn), 0.25 * std::sin(turn))
+            .slices[0]);
+    field.slices.back().time_s = t;
+  }
+  const Sea sea(field);
+  std::mt19937 rng(32);
+  for (int round = 0; round < 20; ++round) {
+    const LonLat from{-90.0, 25.0};
+    const double bearing = Uniform(rng, 0, 2 * kg_core::kPi);
+    const double d = Uniform(rng, 5e3, 25e3);
+    const auto flight =
+        sea.Go(Glider(0.5), from, kg_core::Destination(from, bearing, d));
+    ASSERT_TRUE(flight);
+    double x = 0, y = 0, t = 0;
+    while (std::hypot(d * std::sin(bearing) - x, d * std::cos(bearing) - y) >
+           0.5 * t) {
+      const double turn = 2 * kg_core::kPi * t / 43200;
+      x += 0.25 * std::cos(turn) * 10;
+      y += 0.25 * std::sin(turn) * 10;
+      t += 10;
+    }
+    EXPECT_GE(flight->travel_s, 0.995 * t);
+    EXPECT_LE(flight->travel_s, 1.15 * t);
+  }
+}
+
+TEST(Traverse, RoundsAVortexFasterWithItThanAgainstIt) {
+  VectorField field = UniformFlow(TestGrid(), 0, 0);
+  for (int r = 0; r < 50; ++r) {
+    for (int c = 0; c < 50; ++c) {
+      const double dy = (r - 25) / 10.0, dx = (c - 25) / 10.0;
+      const double swirl = 0.5 * std::exp(-(dx * dx + dy * dy) / 2);
+      field.slices[0].east_mps[r * 50 + c] = static_cast<float>(-swirl * dy);
+      field.slices[0].north_mps[r * 50 + c] = static_cast<float>(swirl * dx);
+    }
+  }
+  const Sea sea(field), still(UniformFlow(TestGrid(), 0, 0));
+  const LonLat west{-90.4, 25}, south{-90, 24.6};
+  const MotionModel motion = Glider(0.5);
+  const double with = sea.Go(motion, west, south, 4 * kDay_s)->travel_s;
+  const double against = sea.Go(motion, south, west, 4 * kDay_s)->travel_s;
+  const double calm = still.Go(motion, west, south, 4 * kDay_s)->travel_s;
+  EXPECT_LT(with, calm);
+  EXPECT_LT(calm, against);
+  EXPECT_GT(with + against, 2 * calm);
+}
+
+// Steps along the track of a thousandth of its legs: every cell must be open.
+void ExpectOpen(const Sea& sea, const Flight& flight) {
+  for (std::size_t i = 0; i + 1 < flight.track.size(); ++i) {
+    const LonLat a = flight.track[i].position, b = flight.track[i + 1].position;
+    for (int k = 0; k <= 1000; ++k) {
+      const auto cell = sea.field.grid.CellAt(
+          {a.lon_deg + (b.lon_deg - a.lon_deg) * k / 1000.0,
+           a.lat_deg + (b.lat_deg - a.lat_deg) * k / 1000.0});
+      ASSERT_TRUE(cell && sea.open[sea.field.grid.Index(*cell)]);
+    }
+  }
+}
+
+TEST(Traverse, GoesRoundAThinWallAndNeverThroughIt) {
+  Sea sea(UniformFlow(TestGrid(), 0, 0));
+  for (int r = 15; r < 50; ++r) sea.open[r * 50 + 25] = 0;
+  const LonLat from{-90.2, 25}, to{-89.8, 25};
+  const auto round = sea.Go(Glider(2.0), from, to);
+  ASSERT_TRUE(round);
+  EXPECT_GT(round->track.size(), 3u);
+  ExpectOpen(sea, *round);
+  for (int r = 0; r < 15; ++r) sea.open[r * 50 + 25] = 0;
+  EXPECT_FALSE(sea.Go(Glider(2.0), from, to));
+}
+
+TEST(Traverse, DoesNotSlipThroughTheCornersOfADiagonalWall) {
+  Sea sea(UniformFlow(TestGrid(), 0, 0));
+  for (int r = 0; r < 50; ++r) sea.open[r * 50 + r] = 0;
+  EXPECT_FALSE(sea.Go(Glider(1.0), {-90.2, 25.2}, {-89.8, 24.8}));
+}
+
+TEST(Traverse, FliesWhatAnIndependentIntegratorConfirms) {
+  std::mt19937 rng(33);
+  int flown = 0, bent = 0;
+  for (int round = 0; round < 40; ++round) {
+    const kg_core::Grid grid = round % 2 ? TestGrid() : UnevenGrid(rng, 50, 50);
+    Sea sea(RandomFlow(rng, grid, round % 3 ? 0.6 : 1.5, 3600, kDay_s));
+    sea.open = RandomMask(rng, grid.size(), 0.97);
+    const MotionModel motion = Glider(round % 2 ? 0.3 : 0.8);
+    const LonLat from =
+        grid.Position({Uniform(rng, 15, 35), Uniform(rng, 15, 35)});
+    const Departure departure{from, 0.0, kDay_s};
+    const Reach reach = ComputeReach(sea.World(), motion, departure);
+    for (int k = 0; k < 12; ++k) {
+      const LonLat to =
+          grid.Position({Uniform(rng, 8, 42), Uniform(rng, 8, 42)});
+      const auto flight = Traverse(sea.World(), motion, departure, reach, to);
+      if (!flight) continue;
+      ++flown;
+      bent += flight->track.size() > 3;
+      EXPECT_LE(flight->travel_s, kDay_s);
+      const auto again = Refly(sea, motion).Fly(*flight);
+      ASSERT_TRUE(again);
+      EXPECT_NEAR(1.0, flight->travel_s / *again, 0.005);
+    }
+  }
+  EXPECT_GT(flown, 100);
+  EXPECT_GT(bent, 20);
+}
+
+TEST(Traverse, ClaimsExactlyWhatItFliesAndIsNeverSlowerThanStraight) {
+  std::mt19937 rng(34);
+  int compared = 0;
+  for (int round = 0; round < 25; ++round) {
+    Sea sea(RandomFlow(rng, TestGrid(), 0.7, 10800, kDay_s));
+    const MotionModel motion = Glider(0.6);
+    const Departure departure{
+        sea.field.grid.Position({Uniform(rng, 15, 35), Uniform(rng, 15, 35)}),
+        0.0, kDay_s};
+    const Reach reach = ComputeReach(sea.World(), motion, departure);
+    for (int k = 0; k < 8; ++k) {
+      const LonLat to =
+          sea.field.grid.Position({Uniform(rng, 10, 40), Uniform(rng, 10, 40)});
+      const auto flight = Traverse(sea.World(), motion, departure, reach, to);
+      const auto straight =
+          FlyTrack(sea.World(), motion, departure, {departure.from, to});
+      if (straight) {
+        ASSERT_TRUE(flight);
+        EXPECT_LE(flight->travel_s, straight->travel_s);
+        ++compared;
+      }
+      if (!flight) continue;
+      std::vector<LonLat> via;
+      for (const TimedPoint& p : flight->track) via.push_back(p.position);
+      const auto again = FlyTrack(sea.World(), motion, departure, via);
+      ASSERT_TRUE(again);
+      EXPECT_NEAR(flight->travel_s / 3600, again->travel_s / 3600, 1e-9);
+      EXPECT_NEAR(flight->energy_j, again->energy_j, 1e-6);
+    }
+  }
+  EXPECT_GT(compared, 30);
+}
+
+TEST(ComputeReach, NeverShrinksWithALaterDeadlineNorArrivesLater) {
+  std::mt19937 rng(35);
+  const Sea sea(RandomFlow(rng, TestGrid(), 0.7, 10800, kDay_s));
+  std::size_t last = 0;
+  for (double deadline_s = 10800; deadline_s <= kDay_s; deadline_s += 10800) {
+    const Reach reach =
+        ComputeReach(sea.World(), Glider(0.5), {{-90, 25}, 0.0, deadline_s});
+    EXPECT_GE(reach.cells.size(), last);
+    last = reach.cells.size();
+    for (const ReachedCell& c : reach.cells) EXPECT_LE(c.arrival_s, deadline_s);
+  }
+}
+
+TEST(ComputeReach, ArrivesNoLaterAnywhereWithMoreNeighboursNorBeforeItsParent) {
+  std::mt19937 rng(36);
+  const Sea sea(RandomFlow(rng, TestGrid(), 0.4, 10800, kDay_s));
+  const Departure departure{{-90.013, 25.007}, 0.0, kDay_s};
+  const Reach few = ComputeReach(sea.World(), Glider(0.5), departure, 16);
+  const Reach many = ComputeReach(sea.World(), Glider(0.5), departure, 32);
+  ASSERT_GT(few.cells.size(), 50u);
+  for (const ReachedCell& cell : few.cells) {
+    const ReachedCell* same = many.Find(cell.index);
+    ASSERT_NE(nullptr, same);
+    EXPECT_LE(same->arrival_s, cell.arrival_s + 1e-9);
+  }
+  for (const ReachedCell& cell : many.cells) {
+    if (cell.parent < 0) continue;
+    EXPECT_LT(many.Find(cell.parent)->arrival_s, cell.arrival_s);
+  }
+  EXPECT_THROW(ComputeReach(sea.World(), Glider(0.5), departure, 8),
+               std::logic_error);
+}
+
+TEST(ComputeReach, IsEmptyFromAForbiddenCellAndFromOutsideTheGrid) {
+  Sea sea(UniformFlow(TestGrid(), 0, 0));
+  const auto count = [&](LonLat from) {
+    return ComputeReach(sea.World(), Glider(0.5), {from, 0, kDay_s})
+        .cells.size();
+  };
+  EXPECT_GT(count({-90, 25}), 0u);
+  EXPECT_EQ(0u, count({-80, 25}));
+  sea.open[25 * 50 + 25] = 0;
+  EXPECT_EQ(0u, count({-90, 25}));
+}
+
+// Setting out later along one track never brings one there earlier.
+TEST(FlyTrack, KeepsTheOrderOfDepartures) {
+  std::mt19937 rng(37);
+  int compared = 0;
+  for (int round = 0; round < 30; ++round) {
+    const Sea sea(RandomFlow(rng, TestGrid(), 0.5, 7200, 2 * kDay_s));
+    const LonLat from = sea.field.grid.Position({25, 25});
+    const LonLat to =
+        sea.field.grid.Position({Uniform(rng, 15, 35), Uniform(rng, 15, 35)});
+    double last_s = 0.0;
+    for (double start_s = 0; start_s < kDay_s; start_s += 3600) {
+      const auto flight = FlyTrack(sea.World(), Glider(0.6),
+                                   {from, start_s, 3 * kDay_s}, {from, to});
+      if (!flight) continue;
+      const double arrival_s = start_s + flight->travel_s;
+      EXPECT_GE(arrival_s, last_s - 1e-6);
+      last_s = arrival_s;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 100);
+}
+
+TEST(FlyTrack, AddsUpEnergyThroughWaterHotelLoadAndHolding) {
+  const Sea sea(UniformFlow(TestGrid(), 0.2, 0.0));
+  const auto flight = FlyTrack(sea.World(), Glider(0.5), {{-90, 25}, 0, kDay_s},
+                               {{-90, 25}, {-89.8, 25}});
+  ASSERT_TRUE(flight);
+  const double t = kg_core::Distance_m({-90, 25}, {-89.8, 25}) / 0.7;
+  const double through_m = 0.5 * t + 0.2 * (kDay_s - t);
+  EXPECT_NEAR(t, flight->travel_s, 1.0);
+  EXPECT_NEAR(through_m, flight->through_water_m, 1.0);
+  EXPECT_NEAR(2.0 * through_m + 3.0 * kDay_s, flight->energy_j, 2.0);
+  ASSERT_EQ(3u, flight->track.size());
+  EXPECT_EQ(kDay_s, flight->track.back().time_s);
+}
+
+TEST(FlyTrack, IntegratesHazardUntilTheDeadline) {
+  Sea sea(UniformFlow(TestGrid(), 0.0, 0.0));
+  for (int i = 0; i < 2500; ++i) sea.hazard[i] = i % 50 >= 27 ? 1.0f : 0.0f;
+  const LonLat from = sea.field.grid.Centre({25, 25});
+  const LonLat to = sea.field.grid.Centre({25, 29});
+  const auto flight =
+      FlyTrack(sea.World(), Glider(0.5), {from, 0, kDay_s}, {from, to});
+  ASSERT_TRUE(flight);
+  // 1.5 of 4 cells are without hazard.
+  const double calm_s = flight->travel_s * 1.5 / 4;
+  EXPECT_NEAR(kDay_s - calm_s, flight->hazard_s, 0.03 * flight->travel_s);
+}
+
+TEST(FlyTrack, RefusesWhereStationCannotBeHeldUntilTheDeadline) {
+  VectorField field = UniformFlow(TestGrid(), 0.2, 0.0);
+  field.slices.push_back(field.slices[0]);
+  field.slices[1].time_s = kDay_s;
+  for (float& u : field.slices[1].east_mps) u = 1.0f;
+  const Sea sea(field);
+  MotionModel motion = Glider(0.5);
+  motion.max_mps = 0.9;
+  const std::vector<LonLat> stay = {{-90, 25}};
+  EXPECT_FALSE(FlyTrack(sea.World(), motion, {{-90, 25}, 0, kDay_s}, stay));
+  EXPECT_TRUE(FlyTrack(sea.World(), motion, {{-90, 25}, 0, kDay_s / 2}, stay));
+  motion.boost_gain = 0.5;
+  EXPECT_TRUE(FlyTrack(sea.World(), motion, {{-90, 25}, 0, kDay_s}, stay));
+}
+
+TEST(FlyTrack, StopsWhereTheBaseTravelIsUsedUp) {
+  const Sea sea(UniformFlow(TestGrid(), 0, 0));
+  const LonLat from{-90, 25}, to{-89.9, 25};
+  const double d = kg_core::Distance_m(from, to);
+  EXPECT_TRUE(FlyTrack(sea.World(), Glider(0.5), {from, 0, kDay_s, 1.001 * d},
+                       {from, to}));
+  EXPECT_FALSE(FlyTrack(sea.World(), Glider(0.5), {from, 0, kDay_s, 0.99 * d},
+                        {from, to}));
+}
+
+TEST(FlyTrack, FeelsNoCurrentWithoutBoost) {
+  const Sea sea(UniformFlow(TestGrid(), 2.0, 0.0));
+  MotionModel motion = Glider(0.5);
+  motion.boost_gain = 0.0;
+  const auto flight = FlyTrack(sea.World(), motion, {{-90, 25}, 0, kDay_s},
+                               {{-90, 25}, {-90.1, 25}});
+  ASSERT_TRUE(flight);
+  EXPECT_NEAR(kg_core::Distance_m({-90, 25}, {-90.1, 25}) / 0.5,
+              flight->travel_s, 1.0);
+}
+
+TEST(FlyTrack, RefusesLandTheGridsOutsideAndATrackFromElsewhere) {
+  Sea sea(UniformFlow(TestGrid(), 0, 0));
+  sea.field.slices[0].east_mps[25 * 50 + 28] = kGap;
+  const Departure departure{sea.field.grid.Centre({25, 25}), 0, kDay_s};
+  const MotionModel motion = Glider(0.5);
+  EXPECT_FALSE(FlyTrack(sea.World(), motion, departure,
+                        {departure.from, sea.field.grid.Centre({25, 30})}));
+  EXPECT_FALSE(
+      FlyTrack(sea.World(), motion, departure, {departure.from, {-80, 25}}));
+  EXPECT_THROW(FlyTrack(sea.World(), motion, departure, {{-90.5, 25}}),
+               std::logic_error);
+  EXPECT_THROW(FlyTrack(sea.World(), motion, departure, {}), std::logic_error);
+}
+
+TEST(HoldableFrom, IsTheLastMomentTheCurrentIsTooStrong) {
+  std::mt19937 rng(38);
+  int inside = 0;
+  for (int round = 0; round < 60; ++round) {
+    const Sea sea(
+        RandomFlow(rng, EvenGrid(-91, 24, 0.04, 10, 10), 1.0, 7200, kDay_s));
+    MotionModel motion = Glider(0.5);
+    motion.max_mps = Uniform(rng, 0.2, 1.0);
+    const LonLat place =
+        sea.field.grid.Position({Uniform(rng, 0, 9), Uniform(rng, 0, 9)});
+    double wanted = 0.0;
+    for (double t = 0; t <= kDay_s; t += 30) {
+      const auto c = sea.field.Sample(*sea.field.grid.Locate(place), t);
+      if (std::hypot(c->east_mps, c->north_mps) > motion.max_mps)
+        wanted = t + 30;
+    }
+    const double got =
+        HoldableFrom_s(sea.World(), motion, {place, 0, kDay_s}, place);
+    if (wanted > kDay_s) {
+      EXPECT_TRUE(std::isinf(got));
+    } else {
+      EXPECT_NEAR(wanted, got, 31.0);
+      inside += wanted > 0;
+    }
+  }
+  EXPECT_GT(inside, 5);
+}
+
+TEST(ComputeHazard, RisesTowardsAWallAndInsideASoftZone) {
+  const kg_core::Grid grid = TestGrid();
+  kg_core::Mask open(grid.size(), 1);
+  for (int r = 0; r < 50; ++r) open[r * 50 + 40] = 0;
+  kg_core::Raster soft(grid.size(), 1.0f);
+  soft[25 * 50 + 5] = 0.3f;
+  const kg_core::Raster hazard = ComputeHazard(grid, open, soft, 10e3);
+  for (int c = 8; c < 40; ++c) {
+    EXPECT_LT(hazard[25 * 50 + c], hazard[25 * 50 + c + 1]);
+  }
+  EXPECT_EQ(1.0f, hazard[25 * 50 + 40]);
+  EXPECT_FLOAT_EQ(0.7f, hazard[25 * 50 + 5]);
+  const double d =
+      kg_core::Distance_m(grid.Centre({25, 35}), grid.Centre({25, 40}));
+  EXPECT_NEAR(std::exp(-d / 10e3), hazard[25 * 50 + 35], 1e-4);
+}
+
+}  // namespace
+}  // namespace kg_compiler
