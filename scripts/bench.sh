@@ -3,7 +3,8 @@
 #     scripts/bench.sh [--only=NAME] [ARGUMENT OF EVERY PROGRAM...]
 # NAME is part of a program's name: --only=store runs store_bench alone;
 # --triples=100000,1000000,3000000 gives it those sizes. It measures rdflib
-# beside, and Oxigraph if npm can fetch it.
+# beside, and Oxigraph if npm can fetch it. --quick is the short form: small
+# sizes and few rounds, to see that the programs work.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 source "$repository/scripts/stage.sh"

@@ -15,7 +15,7 @@
 namespace kg_compiler {
 
 struct BenchTarget {
-  int number = 0;    // Of docs/equations.md's table of targets.
+  int number = 0;    // Of the table in docs/performance.md.
   std::string what;  // What is measured, against what.
   double goal = 0.0;
   bool at_least = true;  // Else at most.

@@ -1,7 +1,7 @@
 // Benchmark: the store, its queries, updates and validation on a graph like
 // that of a mission, beside other stores in the same run.
 //
-//   store_bench [--triples=100000,1000000]
+//   store_bench [--quick] [--triples=100000,1000000]
 //
 // KG_STORE_BENCH_PEERS names the others: "name=largest size=command" each, with
 // ";" between; scripts/bench.sh sets it. A command gets the N-Triples file and
@@ -381,6 +381,7 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if (argument.rfind("--triples=", 0) == 0) sizes = argument.substr(10);
+    if (argument == "--quick") sizes = "20000";
   }
   bool same = true;
   std::istringstream list(sizes);
