@@ -100,12 +100,11 @@ double LatestArrival_s(const MotionModel& motion, const Departure& departure) {
                   departure.base_travel_m / motion.cruise_mps);
 }
 
-LegFlyer::LegFlyer(const TraversalWorld& world, const MotionModel& motion,
-                   const Departure& departure)
-    : world_(world),
-      motion_(motion),
-      epoch_s_(departure.time_s),
-      latest_s_(LatestArrival_s(motion, departure)) {}
+LegFlyer::LegFlyer(const Voyage& voyage)
+    : world_(voyage.world),
+      motion_(voyage.motion),
+      epoch_s_(voyage.departure.time_s),
+      latest_s_(LatestArrival_s(voyage.motion, voyage.departure)) {}
 
 std::optional<kg_core::Velocity> LegFlyer::Current(kg_core::GridPoint at,
                                                    double time_s) const {
@@ -122,7 +121,7 @@ bool LegFlyer::IsOpen(kg_core::Cell cell) const {
 }
 
 double LegFlyer::HazardAt(kg_core::Cell cell) const {
-  return world_.hazard ? (*world_.hazard)[grid().Index(cell)] : 0.0;
+  return world_.hazard ? world_.hazard->At(cell) : 0.0;
 }
 
 kg_core::Cell LegFlyer::CellOf(kg_core::GridPoint at) const {

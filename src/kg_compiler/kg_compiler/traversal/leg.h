@@ -38,8 +38,7 @@ double LatestArrival_s(const MotionModel& motion, const Departure& departure);
 // Flies legs of one departure.
 class LegFlyer {
  public:
-  LegFlyer(const TraversalWorld& world, const MotionModel& motion,
-           const Departure& departure);
+  explicit LegFlyer(const Voyage& voyage);  // Must outlive it.
 
   std::optional<LegEnd> Fly(const Leg& leg, const LegCare& care) const;
 

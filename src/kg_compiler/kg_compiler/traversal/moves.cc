@@ -67,15 +67,14 @@ std::vector<Move> NeighbourMoves(int neighbours) {
   return moves;
 }
 
-Mover::Mover(const TraversalWorld& world, const MotionModel& motion,
-             const Departure& departure)
-    : field_(*world.field),
-      open_(*world.open),
-      speed_mps_(motion.cruise_mps),
-      boost_gain_(motion.boost_gain),
-      latest_s_(LatestArrival_s(motion, departure)) {
+Mover::Mover(const Voyage& voyage)
+    : field_(*voyage.world.field),
+      open_(*voyage.world.open),
+      speed_mps_(voyage.motion.cruise_mps),
+      boost_gain_(voyage.motion.boost_gain),
+      latest_s_(LatestArrival_s(voyage.motion, voyage.departure)) {
   for (const kg_core::FieldSlice& slice : field_.slices) {
-    slice_s_.push_back(slice.time_s - departure.time_s);
+    slice_s_.push_back(slice.time_s - voyage.departure.time_s);
   }
   for (const double lat_deg : field_.grid.lat_deg()) {
     scale_.push_back(kg_core::LocalScale(lat_deg));

@@ -36,8 +36,7 @@ std::vector<Move> NeighbourMoves(int neighbours);
 
 class Mover {
  public:
-  Mover(const TraversalWorld& world, const MotionModel& motion,
-        const Departure& departure);
+  explicit Mover(const Voyage& voyage);
 
   // Arrival of a move from `from` [s after the departure's time], as
   // `depart_s`; nothing if it cannot be made (kSearch's slack) in time.

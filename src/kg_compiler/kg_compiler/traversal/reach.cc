@@ -47,14 +47,13 @@ class Nodes {
 
 class Search {
  public:
-  Search(const TraversalWorld& world, const MotionModel& motion,
-         const Departure& departure, int neighbours)
-      : flyer_(world, motion, departure),
-        mover_(world, motion, departure),
+  Search(const Voyage& voyage, int neighbours)
+      : flyer_(voyage),
+        mover_(voyage),
         grid_(flyer_.grid()),
         nodes_(grid_),
         moves_(NeighbourMoves(neighbours)),
-        from_(departure.from) {}
+        from_(voyage.departure.from) {}
 
   Reach Run() {
     Start();
@@ -128,9 +127,11 @@ const ReachedCell* Reach::Find(int index) const {
   return at != cells.end() && at->index == index ? &*at : nullptr;
 }
 
-Reach ComputeReach(const TraversalWorld& world, const MotionModel& motion,
-                   const Departure& departure, int neighbours) {
-  return Search(world, motion, departure, neighbours).Run();
+Reach ComputeReach(const Voyage& voyage) {
+  Reach reach = Search(voyage, 32).Run();
+  const kg_core::Grid& grid = voyage.world.field->grid;
+  reach.read = {0, grid.rows(), 0, grid.cols()};
+  return reach;
 }
 
 }  // namespace kg_compiler

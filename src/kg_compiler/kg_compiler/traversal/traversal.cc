@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kg_compiler/data_plane/distance_transform.h"
 #include "kg_compiler/traversal/leg.h"
 
 namespace kg_compiler {
@@ -87,13 +86,12 @@ std::optional<Flight> Faster(std::optional<Flight> a, std::optional<Flight> b) {
 
 }  // namespace
 
-std::optional<Flight> Traverse(const TraversalWorld& world,
-                               const MotionModel& motion,
-                               const Departure& departure, const Reach& reach,
+std::optional<Flight> Traverse(const Voyage& voyage, const Reach& reach,
                                kg_core::LonLat to) {
+  const Departure& departure = voyage.departure;
   const Track straight = {departure.from, to};
-  std::optional<Flight> best = FlyTrack(world, motion, departure, straight);
-  const LegFlyer flyer(world, motion, departure);
+  std::optional<Flight> best = FlyTrack(voyage, straight);
+  const LegFlyer flyer(voyage);
   const ReachedCell* last = LastCell(flyer, reach, to);
   if (!last || departure.from == to) return best;
   const Track cells = CellTrack(flyer.grid(), reach, last, departure.from, to);
@@ -101,28 +99,11 @@ std::optional<Flight> Traverse(const TraversalWorld& world,
   for (int i = 0; i < kMostPasses && LeaveOut(flyer, &pulled); ++i) {
   }
   if (pulled != straight) {
-    std::optional<Flight> bent = FlyTrack(world, motion, departure, pulled);
-    if (!bent && !best) bent = FlyTrack(world, motion, departure, cells);
+    std::optional<Flight> bent = FlyTrack(voyage, pulled);
+    if (!bent && !best) bent = FlyTrack(voyage, cells);
     best = Faster(std::move(best), std::move(bent));
   }
   return best;
-}
-
-kg_core::Raster ComputeHazard(const kg_core::Grid& grid,
-                              const kg_core::Mask& open,
-                              const kg_core::Raster& attenuation,
-                              double range_m) {
-  kg_core::Mask closed(open.size());
-  for (std::size_t i = 0; i < open.size(); ++i) closed[i] = open[i] ? 0 : 1;
-  const std::vector<double> distance_m = DistanceTo_m(grid, closed);
-  kg_core::Raster hazard(open.size());
-  for (std::size_t i = 0; i < hazard.size(); ++i) {
-    const double near = range_m > 0.0 ? std::exp(-distance_m[i] / range_m)
-                                      : (closed[i] ? 1.0 : 0.0);
-    const double soft = std::clamp(1.0 - attenuation[i], 0.0, 1.0);
-    hazard[i] = static_cast<float>(std::max(near, soft));
-  }
-  return hazard;
 }
 
 }  // namespace kg_compiler
