@@ -96,10 +96,16 @@ double HoldableFrom_s(const Voyage& voyage, kg_core::LonLat place) {
 
 std::optional<Flight> FlyTrack(const Voyage& voyage,
                                const std::vector<kg_core::LonLat>& via) {
+  return FlyTrackWithin(voyage, via, nullptr);
+}
+
+std::optional<Flight> FlyTrackWithin(const Voyage& voyage,
+                                     const std::vector<kg_core::LonLat>& via,
+                                     const CellBox* box) {
   const MotionModel& motion = voyage.motion;
   const Departure& departure = voyage.departure;
   CheckTrack(departure, via);
-  const LegFlyer flyer(voyage);
+  const LegFlyer flyer(voyage, box);
   Flight flight;
   flight.speed_mps = motion.cruise_mps;
   flight.track.push_back({via.front(), departure.time_s});

@@ -1,4 +1,4 @@
-#include "kg_compiler/traversal/moves.h"
+#include "kg_compiler/traversal/grid_search.h"
 
 #include <gtest/gtest.h>
 
