@@ -80,9 +80,13 @@ TEST(NavGraph, HoldsOnlyWaypointsAndEdgesThatCanBeFlownAgain) {
         for (const TimedPoint& p : edge.flight.track) via.push_back(p.position);
         EXPECT_EQ(sources[edge.from], via.front());
         EXPECT_EQ(graph.waypoints[edge.to].position, via.back());
+        MotionModel motion = sea.rules.motion;
+        motion.cruise_mps = edge.flight.speed_mps;
         const auto again = FlyTrack(
-            {&sea.fields[t], &open, nullptr}, sea.rules.motion,
-            {via.front(), window.begin_s, window.end_s, window.base_travel_m},
+            {{&sea.fields[t], &open, nullptr},
+             motion,
+             {via.front(), window.begin_s, window.end_s, window.base_travel_m},
+             {}},
             via);
         ASSERT_TRUE(again);
         EXPECT_EQ(edge.flight.travel_s, again->travel_s);

@@ -21,33 +21,34 @@ WindowSea::WindowSea(const SeamRules& rules, const WindowRules& window,
       window_(window),
       grid_(world.tensor->grid),
       open_(OpenCells(*world.tensor)),
-      hazard_(ComputeHazard(grid_, open_,
-                            world.tensor->Get(Layer::kAttenuation),
-                            rules.hazard_range_m)),
-      sea_{world.field, &open_, &hazard_} {}
+      hazard_(grid_, open_, world.tensor->Get(Layer::kAttenuation),
+              rules.hazard_range_m),
+      field_(*world.field) {}
 
 bool WindowSea::IsOpen(kg_core::Cell cell) const {
   return open_[grid_.Index(cell)];
 }
 
-Departure WindowSea::DepartureFrom(kg_core::LonLat source) const {
-  return {source, window_.begin_s, window_.end_s, window_.base_travel_m};
+Voyage WindowSea::VoyageFrom(kg_core::LonLat source) const {
+  const SeamWeights& weights = rules_.weights;
+  return {{&field_, &open_, &hazard_},
+          rules_.motion,
+          {source, window_.begin_s, window_.end_s, window_.base_travel_m},
+          {weights.time_per_s, weights.energy_per_j, weights.risk_per_s}};
 }
 
 double WindowSea::HoldableFrom_s(kg_core::LonLat place) const {
-  return kg_compiler::HoldableFrom_s(sea_, rules_.motion, DepartureFrom(place),
-                                     place);
+  return kg_compiler::HoldableFrom_s(VoyageFrom(place), place);
 }
 
 Reach WindowSea::ReachFrom(kg_core::LonLat source) const {
-  return ComputeReach(sea_, rules_.motion, DepartureFrom(source));
+  return ComputeReach(VoyageFrom(source));
 }
 
 std::optional<TraverseEdge> WindowSea::Fly(kg_core::LonLat source,
                                            const Reach& reach,
                                            kg_core::LonLat to) const {
-  std::optional<Flight> flight =
-      Traverse(sea_, rules_.motion, DepartureFrom(source), reach, to);
+  std::optional<Flight> flight = Traverse(VoyageFrom(source), reach, to);
   if (!flight) return std::nullopt;
   const double cost = SeamCost(rules_.weights, *flight, window_.confidence);
   return TraverseEdge{0, 0, std::move(*flight), cost};

@@ -29,14 +29,14 @@ class WindowSea {
                                   kg_core::LonLat to) const;
 
  private:
-  Departure DepartureFrom(kg_core::LonLat source) const;
+  Voyage VoyageFrom(kg_core::LonLat source) const;
 
   const SeamRules& rules_;
   const WindowRules& window_;
   const kg_core::Grid& grid_;
   kg_core::Mask open_;
-  kg_core::Raster hazard_;
-  TraversalWorld sea_;
+  HazardMap hazard_;
+  const kg_core::VectorField& field_;
 };
 
 // A way between two places in one window.

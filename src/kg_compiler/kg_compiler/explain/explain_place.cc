@@ -32,8 +32,7 @@ class Place {
         rasters_(*question.tensor.rasters),
         active_(FindActiveFacts(*in_.tensor.mission, *in_.tensor.agent,
                                 *in_.tensor.window)),
-        open_(OpenCells(rasters_.grid, rasters_.land, active_.constraints)),
-        hazard_(rasters_.grid.size(), 0.0f) {
+        open_(OpenCells(rasters_.grid, rasters_.land, active_.constraints)) {
     for (const auto& field : in_.seam.compilation->fields) {
       if (field->window == in_.seam.window->window) field_ = &field->field;
     }
@@ -115,7 +114,6 @@ class Place {
 
   // Ways ----------------------------------------------------------------------
 
-  TraversalWorld World() const { return {field_, &open_, &hazard_}; }
   double Window_s() const {
     return in_.seam.window->end_s - in_.seam.window->begin_s;
   }
@@ -123,34 +121,31 @@ class Place {
     return std::min(Window_s(), in_.seam.window->base_travel_m /
                                     in_.seam.rules->motion.cruise_mps);
   }
-  Departure From(kg_core::LonLat source) const {
-    return {source, in_.seam.window->begin_s, in_.seam.window->end_s,
-            in_.seam.window->base_travel_m};
+  Voyage From(kg_core::LonLat source) const {
+    return {{field_, &open_, nullptr},
+            in_.seam.rules->motion,
+            {source, in_.seam.window->begin_s, in_.seam.window->end_s,
+             in_.seam.window->base_travel_m},
+            {}};
   }
 
   bool CanBeFlownTo() const {
-    const TraversalWorld world = World();
-    const MotionModel& motion = in_.seam.rules->motion;
     return std::any_of(
         in_.sources.begin(), in_.sources.end(), [&](kg_core::LonLat source) {
-          const Departure departure = From(source);
-          const Reach reach = ComputeReach(world, motion, departure);
-          return Traverse(world, motion, departure, reach, in_.place)
-              .has_value();
+          const Voyage voyage = From(source);
+          return Traverse(voyage, ComputeReach(voyage), in_.place).has_value();
         });
   }
 
   // The least time in which the place's cell is reached from a source, if less
   // than `below_s`.
   double Travel_s(kg_core::LonLat source, double below_s) const {
-    const TraversalWorld world = World();
-    Departure departure = From(source);
-    departure.base_travel_m = kInfinity;
+    Voyage voyage = From(source);
+    voyage.departure.base_travel_m = kInfinity;
     for (int i = 0; i <= kMostDoublings; ++i) {
       const double limit_s = std::min(below_s, std::ldexp(Window_s(), i));
-      departure.deadline_s = departure.time_s + limit_s;
-      const Reach reach =
-          ComputeReach(world, in_.seam.rules->motion, departure);
+      voyage.departure.deadline_s = voyage.departure.time_s + limit_s;
+      const Reach reach = ComputeReach(voyage);
       const ReachedCell* found =
           reach.Find(static_cast<int>(rasters_.grid.Index(cell_)));
       if (found) return found->arrival_s;
@@ -251,7 +246,6 @@ class Place {
   const WindowRasters& rasters_;
   ActiveFacts active_;
   kg_core::Mask open_;
-  kg_core::Raster hazard_;
   const kg_core::VectorField* field_ = nullptr;
   kg_core::Cell cell_;
 };

@@ -71,13 +71,14 @@ void CheckTrack(const Departure& departure,
 
 }  // namespace
 
-double HoldableFrom_s(const TraversalWorld& world, const MotionModel& motion,
-                      const Departure& departure, kg_core::LonLat place) {
-  const LegFlyer flyer(world, motion, departure);
+double HoldableFrom_s(const Voyage& voyage, kg_core::LonLat place) {
+  const MotionModel& motion = voyage.motion;
+  const Departure& departure = voyage.departure;
+  const LegFlyer flyer(voyage);
   const std::optional<kg_core::GridPoint> at = flyer.grid().Locate(place);
   if (!at) return kInfinity;
   const std::vector<double> knots =
-      Knots(*world.field, departure.time_s, 0.0,
+      Knots(*voyage.world.field, departure.time_s, 0.0,
             departure.deadline_s - departure.time_s);
   std::optional<kg_core::Velocity> later;
   for (std::size_t k = knots.size(); k-- > 0;) {
@@ -93,13 +94,20 @@ double HoldableFrom_s(const TraversalWorld& world, const MotionModel& motion,
   return departure.time_s;
 }
 
-std::optional<Flight> FlyTrack(const TraversalWorld& world,
-                               const MotionModel& motion,
-                               const Departure& departure,
+std::optional<Flight> FlyTrack(const Voyage& voyage,
                                const std::vector<kg_core::LonLat>& via) {
+  return FlyTrackWithin(voyage, via, nullptr);
+}
+
+std::optional<Flight> FlyTrackWithin(const Voyage& voyage,
+                                     const std::vector<kg_core::LonLat>& via,
+                                     const CellBox* box) {
+  const MotionModel& motion = voyage.motion;
+  const Departure& departure = voyage.departure;
   CheckTrack(departure, via);
-  const LegFlyer flyer(world, motion, departure);
+  const LegFlyer flyer(voyage, box);
   Flight flight;
+  flight.speed_mps = motion.cruise_mps;
   flight.track.push_back({via.front(), departure.time_s});
   for (std::size_t i = 0; i < via.size(); ++i) {
     const Leg leg{via[i == 0 ? 0 : i - 1], via[i], flight.travel_s};
@@ -112,9 +120,9 @@ std::optional<Flight> FlyTrack(const TraversalWorld& world,
   }
   const double whole_s = departure.deadline_s - departure.time_s;
   const kg_core::GridPoint at = *flyer.grid().Locate(via.back());
-  const std::optional<double> held_m =
-      Hold_m(flyer, motion.max_mps, at,
-             Knots(*world.field, departure.time_s, flight.travel_s, whole_s));
+  const std::optional<double> held_m = Hold_m(
+      flyer, motion.max_mps, at,
+      Knots(*voyage.world.field, departure.time_s, flight.travel_s, whole_s));
   if (!held_m) return std::nullopt;
   const double rest_s = whole_s - flight.travel_s;
   flight.hazard_s += rest_s * flyer.HazardAt(flyer.CellOf(at));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kg_compiler/traversal/sight.h"
 #include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
@@ -100,12 +101,12 @@ double LatestArrival_s(const MotionModel& motion, const Departure& departure) {
                   departure.base_travel_m / motion.cruise_mps);
 }
 
-LegFlyer::LegFlyer(const TraversalWorld& world, const MotionModel& motion,
-                   const Departure& departure)
-    : world_(world),
-      motion_(motion),
-      epoch_s_(departure.time_s),
-      latest_s_(LatestArrival_s(motion, departure)) {}
+LegFlyer::LegFlyer(const Voyage& voyage, const CellBox* box)
+    : world_(voyage.world),
+      motion_(voyage.motion),
+      box_(box ? *box : CellBox{0, grid().rows(), 0, grid().cols()}),
+      epoch_s_(voyage.departure.time_s),
+      latest_s_(LatestArrival_s(voyage.motion, voyage.departure)) {}
 
 std::optional<kg_core::Velocity> LegFlyer::Current(kg_core::GridPoint at,
                                                    double time_s) const {
@@ -118,16 +119,15 @@ std::optional<kg_core::Velocity> LegFlyer::Current(kg_core::GridPoint at,
 }
 
 bool LegFlyer::IsOpen(kg_core::Cell cell) const {
-  return (*world_.open)[grid().Index(cell)] == 1;
+  return Holds(box_, cell) && (*world_.open)[grid().Index(cell)] == 1;
 }
 
 double LegFlyer::HazardAt(kg_core::Cell cell) const {
-  return world_.hazard ? (*world_.hazard)[grid().Index(cell)] : 0.0;
+  return world_.hazard ? world_.hazard->At(cell) : 0.0;
 }
 
 kg_core::Cell LegFlyer::CellOf(kg_core::GridPoint at) const {
-  return {std::clamp(static_cast<int>(at.row + 0.5), 0, grid().rows() - 1),
-          std::clamp(static_cast<int>(at.col + 0.5), 0, grid().cols() - 1)};
+  return kg_compiler::CellOf(grid(), at);
 }
 
 // Second order: the rate in the middle of each step, at the time one gets there
@@ -164,6 +164,7 @@ std::optional<LegEnd> LegFlyer::Fly(const Leg& leg, const LegCare& care) const {
     s = h == 1.0 - s ? 1.0 : s + h;
     at = next;
   }
+  if (!progress.Rate(*at, 1.0, end.arrive_s)) return std::nullopt;
   return end;
 }
 

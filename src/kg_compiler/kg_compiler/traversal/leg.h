@@ -17,8 +17,7 @@ struct LegCare {
   double step_cells;
   double slack;
 };
-inline constexpr LegCare kFlight = {0.1, 0.02};
-inline constexpr LegCare kSearch = {1.0, 0.05};
+inline constexpr LegCare kFlight = {0.1, 0.002};
 
 struct Leg {
   kg_core::LonLat from;
@@ -38,8 +37,9 @@ double LatestArrival_s(const MotionModel& motion, const Departure& departure);
 // Flies legs of one departure.
 class LegFlyer {
  public:
-  LegFlyer(const TraversalWorld& world, const MotionModel& motion,
-           const Departure& departure);
+  // The voyage must outlive it. What lies outside of `box`, if any is given,
+  // counts as closed.
+  explicit LegFlyer(const Voyage& voyage, const CellBox* box = nullptr);
 
   std::optional<LegEnd> Fly(const Leg& leg, const LegCare& care) const;
 
@@ -54,9 +54,15 @@ class LegFlyer {
  private:
   const TraversalWorld& world_;
   const MotionModel& motion_;
+  CellBox box_;
   double epoch_s_;
   double latest_s_;  // After the departure's time.
 };
+
+// FlyTrack, within a box.
+std::optional<Flight> FlyTrackWithin(const Voyage& voyage,
+                                     const std::vector<kg_core::LonLat>& via,
+                                     const CellBox* box);
 
 }  // namespace kg_compiler
 

@@ -3,126 +3,142 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kg_compiler/data_plane/distance_transform.h"
 #include "kg_compiler/traversal/leg.h"
+#include "kg_compiler/traversal/shooting.h"
+#include "kg_compiler/traversal/sight.h"
 
 namespace kg_compiler {
 namespace {
 
-constexpr int kTargetRadius_cells = 2;
-constexpr double kLeaveOutLoss = 2e-4;  // Of the time so far.
-constexpr int kMostPasses = 4;
+constexpr int kSeedRadius_cells = 2;
+constexpr int kMostSeeds = 6;
+constexpr double kStep_cells = 0.5;
+constexpr double kFineStep_cells = 0.08;
+constexpr double kTolerance_cells = 0.05;
+constexpr double kSame = 1e-3;  // Of two courses' times.
+// Shares of the speed kept back from a course, for the flight along its legs:
+// where the current is the stronger, the very edge of what can be reached
+// leaves nothing to correct with.
+constexpr double kReserves[] = {0.0, 0.005, 0.02, 0.05};
 
-using Track = std::vector<kg_core::LonLat>;
+// The cells of a box whose flights read nothing outside of it.
+CellBox Inside(const CellBox& box, const kg_core::Grid& grid) {
+  return {box.row > 0 ? box.row + 1 : 0,
+          box.row_end < grid.rows() ? box.row_end - 1 : box.row_end,
+          box.col > 0 ? box.col + 1 : 0,
+          box.col_end < grid.cols() ? box.col_end - 1 : box.col_end};
+}
 
-// The cell of the search from which the target is reached first.
-const ReachedCell* LastCell(const LegFlyer& flyer, const Reach& reach,
-                            kg_core::LonLat to) {
-  const kg_core::Grid& grid = flyer.grid();
-  const std::optional<kg_core::GridPoint> at = grid.Locate(to);
-  if (!at) return nullptr;
-  const kg_core::Cell target = flyer.CellOf(*at);
-  const ReachedCell* best = nullptr;
-  double earliest_s = std::numeric_limits<double>::infinity();
-  for (int dr = -kTargetRadius_cells; dr <= kTargetRadius_cells; ++dr) {
-    for (int dc = -kTargetRadius_cells; dc <= kTargetRadius_cells; ++dc) {
-      const kg_core::Cell cell{target.row + dr, target.col + dc};
-      if (!grid.Contains(cell)) continue;
-      const ReachedCell* last = reach.Find(static_cast<int>(grid.Index(cell)));
-      if (!last || !(last->arrival_s < earliest_s)) continue;
-      const std::optional<LegEnd> end =
-          flyer.Fly({grid.Centre(cell), to, last->arrival_s}, kSearch);
-      if (!end || !(end->arrive_s < earliest_s)) continue;
-      earliest_s = end->arrive_s;
-      best = last;
+// Flights of one voyage to one place.
+class Crossing {
+ public:
+  Crossing(const Voyage& voyage, const Reach& reach, kg_core::LonLat to,
+           kg_core::GridPoint at)
+      : voyage_(voyage),
+        reach_(reach),
+        grid_(voyage.world.field->grid),
+        inside_(Inside(reach.read, grid_)),
+        to_(to),
+        at_(at) {}
+
+  std::optional<Flight> Fastest() const {
+    std::optional<Flight> best = Fly({voyage_.departure.from, to_});
+    const std::vector<Shooter::Guess> guesses = Guesses();
+    for (const double reserve : kReserves) {
+      const Shooter shooter(voyage_, reach_,
+                            (1.0 - reserve) * voyage_.motion.cruise_mps);
+      std::vector<double> refused_s;
+      for (const Shooter::Guess& guess : guesses) {
+        std::optional<Flight> flight = Shoot(shooter, guess, &refused_s);
+        if (!flight) continue;
+        if (best && best->travel_s <= flight->travel_s) return best;
+        return flight;
+      }
     }
+    return best;
   }
-  return best;
-}
 
-Track CellTrack(const kg_core::Grid& grid, const Reach& reach,
-                const ReachedCell* last, kg_core::LonLat from,
-                kg_core::LonLat to) {
-  Track track(1, to);
-  for (const ReachedCell* cell = last; cell != nullptr;
-       cell = cell->parent < 0 ? nullptr : reach.Find(cell->parent)) {
-    const kg_core::LonLat centre =
-        grid.Centre({cell->index / grid.cols(), cell->index % grid.cols()});
-    if (centre != track.back()) track.push_back(centre);
+ private:
+  std::optional<Flight> Fly(const std::vector<kg_core::LonLat>& via) const {
+    return FlyTrackWithin(voyage_, via, &inside_);
   }
-  if (track.back() != from) track.push_back(from);
-  std::reverse(track.begin(), track.end());
-  return track;
-}
-
-// One pass over the turning points: leaves out each without which the next is
-// reached no later (but for the loss allowed). True if any was left out.
-bool LeaveOut(const LegFlyer& flyer, Track* track) {
-  Track kept(1, track->front());
-  double time_s = 0.0;  // At the last point kept.
-  for (std::size_t i = 1; i + 1 < track->size(); ++i) {
-    const kg_core::LonLat here = (*track)[i], next = (*track)[i + 1];
-    const auto by = flyer.Fly({kept.back(), here, time_s}, kSearch);
-    if (!by) return false;
-    const auto bent = flyer.Fly({here, next, by->arrive_s}, kSearch);
-    const auto straight = flyer.Fly({kept.back(), next, time_s}, kSearch);
-    const bool keep =
-        !straight || (bent && !(straight->arrive_s <=
-                                bent->arrive_s * (1.0 + kLeaveOutLoss)));
-    if (!keep) continue;
-    kept.push_back(here);
-    time_s = by->arrive_s;
+  std::optional<Flight> Fly(const Course& course) const {
+    std::vector<kg_core::LonLat> via(1, voyage_.departure.from);
+    for (std::size_t i = 1; i + 1 < course.size(); ++i) {
+      const kg_core::LonLat at = grid_.Position(course[i].place);
+      if (at != via.back()) via.push_back(at);
+    }
+    if (to_ != via.back()) via.push_back(to_);
+    return Fly(via);
   }
-  kept.push_back(track->back());
-  const bool changed = kept.size() < track->size();
-  *track = std::move(kept);
-  return changed;
-}
 
-std::optional<Flight> Faster(std::optional<Flight> a, std::optional<Flight> b) {
-  if (!a) return b;
-  if (!b) return a;
-  return b->travel_s < a->travel_s ? b : a;
-}
+  // Extremals through the cells around, the earliest first, the place's own
+  // cell before all others.
+  std::vector<Shooter::Guess> Guesses() const {
+    const kg_core::Cell target = CellOf(grid_, at_);
+    struct Seed {
+      double rank_s;
+      const ReachedCell* cell;
+    };
+    std::vector<Seed> seeds;
+    for (int dr = -kSeedRadius_cells; dr <= kSeedRadius_cells; ++dr) {
+      for (int dc = -kSeedRadius_cells; dc <= kSeedRadius_cells; ++dc) {
+        const kg_core::Cell cell{target.row + dr, target.col + dc};
+        if (!grid_.Contains(cell)) continue;
+        const ReachedCell* found =
+            reach_.Find(static_cast<int>(grid_.Index(cell)));
+        if (!found) continue;
+        const double away = std::hypot(cell.row - at_.row, cell.col - at_.col);
+        seeds.push_back({away, found});
+      }
+    }
+    std::stable_sort(
+        seeds.begin(), seeds.end(),
+        [](const Seed& a, const Seed& b) { return a.rank_s < b.rank_s; });
+    std::vector<Shooter::Guess> guesses;
+    for (const Seed& seed : seeds) {
+      if (guesses.size() == kMostSeeds) break;
+      guesses.push_back({seed.cell->root, seed.cell->heading_rad,
+                         seed.cell->spread_rad, seed.cell->arrival_s});
+    }
+    return guesses;
+  }
+
+  // Not again the course that was refused.
+  std::optional<Flight> Shoot(const Shooter& shooter,
+                              const Shooter::Guess& guess,
+                              std::vector<double>* refused_s) const {
+    const auto course = shooter.To(at_, guess, kStep_cells);
+    if (!course) return std::nullopt;
+    const double time_s = course->back().time_s;
+    for (const double known_s : *refused_s) {
+      if (std::abs(time_s - known_s) < kSame * time_s) return std::nullopt;
+    }
+    refused_s->push_back(time_s);
+    if (auto flight = Fly(Simplify(*course, kTolerance_cells))) return flight;
+    if (auto flight = Fly(*course)) return flight;
+    const auto fine = shooter.To(at_, guess, kFineStep_cells);
+    return fine ? Fly(*fine) : std::nullopt;
+  }
+
+  const Voyage& voyage_;
+  const Reach& reach_;
+  const kg_core::Grid& grid_;
+  CellBox inside_;
+  kg_core::LonLat to_;
+  kg_core::GridPoint at_;
+};
 
 }  // namespace
 
-std::optional<Flight> Traverse(const TraversalWorld& world,
-                               const MotionModel& motion,
-                               const Departure& departure, const Reach& reach,
+std::optional<Flight> Traverse(const Voyage& voyage, const Reach& reach,
                                kg_core::LonLat to) {
-  const Track straight = {departure.from, to};
-  std::optional<Flight> best = FlyTrack(world, motion, departure, straight);
-  const LegFlyer flyer(world, motion, departure);
-  const ReachedCell* last = LastCell(flyer, reach, to);
-  if (!last || departure.from == to) return best;
-  const Track cells = CellTrack(flyer.grid(), reach, last, departure.from, to);
-  Track pulled = cells;
-  for (int i = 0; i < kMostPasses && LeaveOut(flyer, &pulled); ++i) {
+  const kg_core::Grid& grid = voyage.world.field->grid;
+  const auto at = grid.Locate(to);
+  if (!at || !Holds(Inside(reach.read, grid), CellOf(grid, *at))) {
+    return std::nullopt;
   }
-  if (pulled != straight) {
-    std::optional<Flight> bent = FlyTrack(world, motion, departure, pulled);
-    if (!bent && !best) bent = FlyTrack(world, motion, departure, cells);
-    best = Faster(std::move(best), std::move(bent));
-  }
-  return best;
-}
-
-kg_core::Raster ComputeHazard(const kg_core::Grid& grid,
-                              const kg_core::Mask& open,
-                              const kg_core::Raster& attenuation,
-                              double range_m) {
-  kg_core::Mask closed(open.size());
-  for (std::size_t i = 0; i < open.size(); ++i) closed[i] = open[i] ? 0 : 1;
-  const std::vector<double> distance_m = DistanceTo_m(grid, closed);
-  kg_core::Raster hazard(open.size());
-  for (std::size_t i = 0; i < hazard.size(); ++i) {
-    const double near = range_m > 0.0 ? std::exp(-distance_m[i] / range_m)
-                                      : (closed[i] ? 1.0 : 0.0);
-    const double soft = std::clamp(1.0 - attenuation[i], 0.0, 1.0);
-    hazard[i] = static_cast<float>(std::max(near, soft));
-  }
-  return hazard;
+  return Crossing(voyage, reach, to, *at).Fastest();
 }
 
 }  // namespace kg_compiler

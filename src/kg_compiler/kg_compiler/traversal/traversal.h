@@ -24,6 +24,7 @@
 #include <optional>
 #include <vector>
 
+#include "kg_compiler/traversal/hazard_map.h"
 #include "kg_compiler/traversal/motion.h"
 #include "kg_core/geo/lon_lat.h"
 #include "kg_core/raster/grid.h"
@@ -46,13 +47,14 @@ struct Flight {
   double energy_j = 0.0;          // Propulsion, hotel load and holding station.
   double hazard_s = 0.0;  // Hazard in [0, 1] integrated until the deadline.
   double through_water_m = 0.0;
+  double speed_mps = 0.0;  // Through water until the arrival.
 };
 
 // The world as one window's traversal sees it. All on one grid.
 struct TraversalWorld {
   const kg_core::VectorField* field = nullptr;
-  const kg_core::Mask* open = nullptr;      // 1 = may be entered.
-  const kg_core::Raster* hazard = nullptr;  // In [0, 1].
+  const kg_core::Mask* open = nullptr;  // 1 = may be entered.
+  const HazardMap* hazard = nullptr;    // Null = no hazard.
 };
 
 struct Departure {
@@ -64,56 +66,83 @@ struct Departure {
   double base_travel_m = std::numeric_limits<double>::infinity();
 };
 
+// What a flight is chosen by: the price of a second under way, of a joule, and
+// of a second at hazard 1. All 0 or only per_s set: the fastest.
+struct FlightPrice {
+  double per_s = 0.0;
+  double per_j = 0.0;
+  double per_hazard_s = 0.0;
+};
+
+// Who sets out from where, into what world.
+struct Voyage {
+  TraversalWorld world;
+  MotionModel motion;
+  Departure departure;
+  FlightPrice price;
+};
+
+// Rows and columns of a grid, half open.
+struct CellBox {
+  int row = 0;
+  int row_end = 0;
+  int col = 0;
+  int col_end = 0;
+};
+
 // A cell one can be at, with the earliest arrival found.
 struct ReachedCell {
-  int index = 0;           // Of the grid.
-  double arrival_s = 0.0;  // At its centre, seconds after departure.
-  int parent = -1;         // Index of the cell one comes from, -1 = departure.
+  double arrival_s = 0.0;    // At its centre, seconds after departure.
+  int index = 0;             // Of the grid.
+  int root = 0;              // Where the extremal that comes first set out.
+  float heading_rad = 0.0f;  // Through water then, counter-clockwise from east,
+  float spread_rad = 0.0f;   // between extremals so far apart.
+};
+
+// Where extremals set out: the departure, and the corners of what is closed,
+// which tracks go round.
+struct ReachRoot {
+  kg_core::GridPoint place;
+  double time_s = 0.0;  // After the departure.
+  int parent = -1;      // The root from which it is reached; -1 = departure.
+  double heading_rad = 0.0;  // With which one leaves the parent to get there,
+  double spread_rad = 0.0;   // between extremals so far apart.
 };
 
 struct Reach {
   std::vector<ReachedCell> cells;  // By index.
+  std::vector<ReachRoot> roots;    // The departure first.
+  double cells_per_s = 0.0;        // The fastest met.
+  // Neither this reach nor any flight that Traverse finds by it reads the
+  // world's `open` or field outside of it. (Hazard at a cell in it depends on
+  // what is open within HazardMap::kRanges ranges.)
+  CellBox read;
 
   const ReachedCell* Find(int index) const;  // Null = not reached.
 };
 
-// Where one can be before the deadline, by way of 16 or 32 neighbour moves.
-// Empty if the departure itself is not in an open cell.
-Reach ComputeReach(const TraversalWorld& world, const MotionModel& motion,
-                   const Departure& departure, int neighbours = 32);
+// Where one can be before the deadline at full speed. Empty if the departure
+// itself is not in an open cell.
+Reach ComputeReach(const Voyage& voyage);
 
 // Earliest time from which station can be held at a place until the deadline:
 // |boost_gain * current| <= max_mps all along. Infinite if not even then, or
 // where the current is unknown.
-double HoldableFrom_s(const TraversalWorld& world, const MotionModel& motion,
-                      const Departure& departure, kg_core::LonLat place);
+double HoldableFrom_s(const Voyage& voyage, kg_core::LonLat place);
 
 // Flies along `via` (first = departure, legs straight in longitude and
-// latitude), holding V through water on every leg. Nothing if a leg cannot be
-// held in the current, leaves the open cells (every cell the leg touches
-// counts, both beside a corner it passes), the deadline passes, or station
-// cannot be held then. A leg is held where 98 % of V make up for the cross
-// current and at least 2 % of V are left over ground.
-std::optional<Flight> FlyTrack(const TraversalWorld& world,
-                               const MotionModel& motion,
-                               const Departure& departure,
+// latitude), holding V = cruise_mps through water on every leg. Nothing if a
+// leg cannot be held in the current, leaves the open cells (every cell the leg
+// touches counts, both beside a corner it passes), the deadline passes, or
+// station cannot be held then. A leg is held where 98 % of V make up for the
+// cross current and at least 2 % of V are left over ground.
+std::optional<Flight> FlyTrack(const Voyage& voyage,
                                const std::vector<kg_core::LonLat>& via);
 
-// The flight from `departure` to `to`, or nothing if none was found that can
-// be flown. `reach` is ComputeReach of the same departure. Never slower than
-// the straight track. A turning point is left out of the track where that
-// costs at most 0.02 % of the time.
-std::optional<Flight> Traverse(const TraversalWorld& world,
-                               const MotionModel& motion,
-                               const Departure& departure, const Reach& reach,
+// The flight from the departure to `to`, or nothing if none was found that can
+// be flown. `reach` is ComputeReach of the same voyage.
+std::optional<Flight> Traverse(const Voyage& voyage, const Reach& reach,
                                kg_core::LonLat to);
-
-// Hazard in [0, 1]: exp(-d / range) of the distance d to the nearest cell that
-// is not open, and at least 1 - attenuation inside soft zones (A20).
-kg_core::Raster ComputeHazard(const kg_core::Grid& grid,
-                              const kg_core::Mask& open,
-                              const kg_core::Raster& attenuation,
-                              double range_m);
 
 }  // namespace kg_compiler
 

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 
 #include "kg_compiler/test_world.h"
+#include "kg_compiler/traversal/test_sea.h"
 #include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
@@ -14,130 +16,7 @@ namespace {
 using kg_core::LonLat;
 using kg_core::VectorField;
 
-constexpr double kDay_s = 86400.0;
-
-MotionModel Glider(double cruise_mps) {
-  MotionModel motion;
-  motion.cruise_mps = cruise_mps;
-  motion.max_mps = 10.0;
-  motion.energy_per_m_j = 2.0;
-  motion.hotel_load_w = 3.0;
-  return motion;
-}
-
-// A field with everything open and no hazard, unless changed.
-struct Sea {
-  explicit Sea(VectorField flow)
-      : field(std::move(flow)),
-        open(field.grid.size(), 1),
-        hazard(field.grid.size(), 0.0f) {}
-  TraversalWorld World() const { return {&field, &open, &hazard}; }
-  std::optional<Flight> Go(const MotionModel& motion, LonLat from, LonLat to,
-                           double deadline_s = kDay_s) const {
-    const Departure departure{from, 0.0, deadline_s};
-    return Traverse(World(), motion, departure,
-                    ComputeReach(World(), motion, departure), to);
-  }
-  VectorField field;
-  kg_core::Mask open;
-  kg_core::Raster hazard;
-};
-
 kg_core::Grid TestGrid() { return EvenGrid(-91, 24, 0.04, 50, 50); }
-
-// The straightforward integrator: c bilinear by its definition, RK4 in time
-// with 30 s steps along each leg. Seconds of travel; nothing if the track
-// leaves the open cells or cannot be held.
-class Refly {
- public:
-  Refly(const Sea& sea, const MotionModel& motion) : sea_(sea), m_(motion) {}
-
-  std::optional<double> Fly(const Flight& flight) const {
-    double t = flight.track.front().time_s;
-    for (std::size_t i = 0; i + 1 < flight.track.size(); ++i) {
-      const LonLat a = flight.track[i].position;
-      const LonLat b = flight.track[i + 1].position;
-      if (a == b) continue;  // At rest.
-      const std::optional<double> end = Leg(a, b, t);
-      if (!end) return std::nullopt;
-      t = *end;
-    }
-    return t - flight.track.front().time_s;
-  }
-
- private:
-  static LonLat On(LonLat a, LonLat b, double s) {
-    return {a.lon_deg + s * (b.lon_deg - a.lon_deg),
-            a.lat_deg + s * (b.lat_deg - a.lat_deg)};
-  }
-  std::optional<double> Leg(LonLat a, LonLat b, double t) const {
-    double s = 0.0;
-    while (s < 1.0) {
-      const double dt = 30.0;
-      const double k1 = Rate(a, b, s, t);
-      const double k2 = Rate(a, b, s + dt / 2 * k1, t + dt / 2);
-      const double k3 = Rate(a, b, s + dt / 2 * k2, t + dt / 2);
-      const double k4 = Rate(a, b, s + dt * k3, t + dt);
-      const double ds = dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-      if (!(ds > 0.0)) return std::nullopt;
-      const double used = s + ds > 1.0 ? (1.0 - s) / ds * dt : dt;
-      s = std::min(1.0, s + ds);
-      t += used;
-      const auto cell = sea_.field.grid.CellAt(On(a, b, s));
-      if (!cell || !sea_.open[sea_.field.grid.Index(*cell)]) {
-        return std::nullopt;
-      }
-    }
-    return t;
-  }
-  double Rate(LonLat a, LonLat b, double s, double t) const {
-    const LonLat p = On(a, b, std::min(s, 1.0));
-    const kg_core::DegreesPerMetre scale = kg_core::LocalScale(p.lat_deg);
-    const double x = (b.lon_deg - a.lon_deg) / scale.lon_deg;
-    const double y = (b.lat_deg - a.lat_deg) / scale.lat_deg;
-    const double length = std::hypot(x, y);
-    double u = 0, v = 0;
-    Current(p, t, &u, &v);
-    const double along = (u * x + v * y) / length;
-    const double across = (u * y - v * x) / length;
-    const double own = m_.cruise_mps * m_.cruise_mps - across * across;
-    if (!(own > 0)) return -1.0;
-    return (along + std::sqrt(own)) / length;
-  }
-  void Current(LonLat p, double t, double* u, double* v) const {
-    const auto& slices = sea_.field.slices;
-    std::size_t k = 0;
-    while (k + 2 < slices.size() && slices[k + 1].time_s <= t) ++k;
-    const std::size_t l = std::min(k + 1, slices.size() - 1);
-    const double span = slices[l].time_s - slices[k].time_s;
-    const double f =
-        span > 0 ? std::clamp((t - slices[k].time_s) / span, 0.0, 1.0) : 0.0;
-    *u = m_.boost_gain *
-         ((1 - f) * At(slices[k].east_mps, p) + f * At(slices[l].east_mps, p));
-    *v = m_.boost_gain * ((1 - f) * At(slices[k].north_mps, p) +
-                          f * At(slices[l].north_mps, p));
-  }
-  double At(const kg_core::Raster& raster, LonLat p) const {
-    const kg_core::Grid& grid = sea_.field.grid;
-    const auto locate = [](const std::vector<double>& axis, double x, int* i) {
-      *i = 0;
-      while (*i + 2 < static_cast<int>(axis.size()) && axis[*i + 1] <= x) ++*i;
-      return std::clamp((x - axis[*i]) / (axis[*i + 1] - axis[*i]), 0.0, 1.0);
-    };
-    int r = 0, c = 0;
-    const double fr = locate(grid.lat_deg(), p.lat_deg, &r);
-    const double fc = locate(grid.lon_deg(), p.lon_deg, &c);
-    const auto value = [&](int i, int j) {
-      const float x = raster[grid.Index({i, j})];
-      return std::isnan(x) ? 0.0 : double(x);
-    };
-    return (1 - fr) * ((1 - fc) * value(r, c) + fc * value(r, c + 1)) +
-           fr * ((1 - fc) * value(r + 1, c) + fc * value(r + 1, c + 1));
-  }
-
-  const Sea& sea_;
-  const MotionModel& m_;
-};
 
 // Metres over ground per second towards a bearing in a uniform current.
 double ClosedFormSpeed(double v, double east, double north, double bearing) {
@@ -285,11 +164,11 @@ TEST(Traverse, FliesWhatAnIndependentIntegratorConfirms) {
     const LonLat from =
         grid.Position({Uniform(rng, 15, 35), Uniform(rng, 15, 35)});
     const Departure departure{from, 0.0, kDay_s};
-    const Reach reach = ComputeReach(sea.World(), motion, departure);
+    const Reach reach = ComputeReach(sea.From(motion, departure));
     for (int k = 0; k < 12; ++k) {
       const LonLat to =
           grid.Position({Uniform(rng, 8, 42), Uniform(rng, 8, 42)});
-      const auto flight = Traverse(sea.World(), motion, departure, reach, to);
+      const auto flight = Traverse(sea.From(motion, departure), reach, to);
       if (!flight) continue;
       ++flown;
       bent += flight->track.size() > 3;
@@ -312,13 +191,13 @@ TEST(Traverse, ClaimsExactlyWhatItFliesAndIsNeverSlowerThanStraight) {
     const Departure departure{
         sea.field.grid.Position({Uniform(rng, 15, 35), Uniform(rng, 15, 35)}),
         0.0, kDay_s};
-    const Reach reach = ComputeReach(sea.World(), motion, departure);
+    const Reach reach = ComputeReach(sea.From(motion, departure));
     for (int k = 0; k < 8; ++k) {
       const LonLat to =
           sea.field.grid.Position({Uniform(rng, 10, 40), Uniform(rng, 10, 40)});
-      const auto flight = Traverse(sea.World(), motion, departure, reach, to);
+      const auto flight = Traverse(sea.From(motion, departure), reach, to);
       const auto straight =
-          FlyTrack(sea.World(), motion, departure, {departure.from, to});
+          FlyTrack(sea.From(motion, departure), {departure.from, to});
       if (straight) {
         ASSERT_TRUE(flight);
         EXPECT_LE(flight->travel_s, straight->travel_s);
@@ -327,7 +206,7 @@ TEST(Traverse, ClaimsExactlyWhatItFliesAndIsNeverSlowerThanStraight) {
       if (!flight) continue;
       std::vector<LonLat> via;
       for (const TimedPoint& p : flight->track) via.push_back(p.position);
-      const auto again = FlyTrack(sea.World(), motion, departure, via);
+      const auto again = FlyTrack(sea.From(motion, departure), via);
       ASSERT_TRUE(again);
       EXPECT_NEAR(flight->travel_s / 3600, again->travel_s / 3600, 1e-9);
       EXPECT_NEAR(flight->energy_j, again->energy_j, 1e-6);
@@ -342,38 +221,17 @@ TEST(ComputeReach, NeverShrinksWithALaterDeadlineNorArrivesLater) {
   std::size_t last = 0;
   for (double deadline_s = 10800; deadline_s <= kDay_s; deadline_s += 10800) {
     const Reach reach =
-        ComputeReach(sea.World(), Glider(0.5), {{-90, 25}, 0.0, deadline_s});
+        ComputeReach(sea.From(Glider(0.5), {{-90, 25}, 0.0, deadline_s}));
     EXPECT_GE(reach.cells.size(), last);
     last = reach.cells.size();
     for (const ReachedCell& c : reach.cells) EXPECT_LE(c.arrival_s, deadline_s);
   }
 }
 
-TEST(ComputeReach, ArrivesNoLaterAnywhereWithMoreNeighboursNorBeforeItsParent) {
-  std::mt19937 rng(36);
-  const Sea sea(RandomFlow(rng, TestGrid(), 0.4, 10800, kDay_s));
-  const Departure departure{{-90.013, 25.007}, 0.0, kDay_s};
-  const Reach few = ComputeReach(sea.World(), Glider(0.5), departure, 16);
-  const Reach many = ComputeReach(sea.World(), Glider(0.5), departure, 32);
-  ASSERT_GT(few.cells.size(), 50u);
-  for (const ReachedCell& cell : few.cells) {
-    const ReachedCell* same = many.Find(cell.index);
-    ASSERT_NE(nullptr, same);
-    EXPECT_LE(same->arrival_s, cell.arrival_s + 1e-9);
-  }
-  for (const ReachedCell& cell : many.cells) {
-    if (cell.parent < 0) continue;
-    EXPECT_LT(many.Find(cell.parent)->arrival_s, cell.arrival_s);
-  }
-  EXPECT_THROW(ComputeReach(sea.World(), Glider(0.5), departure, 8),
-               std::logic_error);
-}
-
 TEST(ComputeReach, IsEmptyFromAForbiddenCellAndFromOutsideTheGrid) {
   Sea sea(UniformFlow(TestGrid(), 0, 0));
   const auto count = [&](LonLat from) {
-    return ComputeReach(sea.World(), Glider(0.5), {from, 0, kDay_s})
-        .cells.size();
+    return ComputeReach(sea.From(Glider(0.5), {from, 0, kDay_s})).cells.size();
   };
   EXPECT_GT(count({-90, 25}), 0u);
   EXPECT_EQ(0u, count({-80, 25}));
@@ -392,8 +250,8 @@ TEST(FlyTrack, KeepsTheOrderOfDepartures) {
         sea.field.grid.Position({Uniform(rng, 15, 35), Uniform(rng, 15, 35)});
     double last_s = 0.0;
     for (double start_s = 0; start_s < kDay_s; start_s += 3600) {
-      const auto flight = FlyTrack(sea.World(), Glider(0.6),
-                                   {from, start_s, 3 * kDay_s}, {from, to});
+      const auto flight = FlyTrack(
+          sea.From(Glider(0.6), {from, start_s, 3 * kDay_s}), {from, to});
       if (!flight) continue;
       const double arrival_s = start_s + flight->travel_s;
       EXPECT_GE(arrival_s, last_s - 1e-6);
@@ -406,7 +264,7 @@ TEST(FlyTrack, KeepsTheOrderOfDepartures) {
 
 TEST(FlyTrack, AddsUpEnergyThroughWaterHotelLoadAndHolding) {
   const Sea sea(UniformFlow(TestGrid(), 0.2, 0.0));
-  const auto flight = FlyTrack(sea.World(), Glider(0.5), {{-90, 25}, 0, kDay_s},
+  const auto flight = FlyTrack(sea.From(Glider(0.5), {{-90, 25}, 0, kDay_s}),
                                {{-90, 25}, {-89.8, 25}});
   ASSERT_TRUE(flight);
   const double t = kg_core::Distance_m({-90, 25}, {-89.8, 25}) / 0.7;
@@ -420,11 +278,14 @@ TEST(FlyTrack, AddsUpEnergyThroughWaterHotelLoadAndHolding) {
 
 TEST(FlyTrack, IntegratesHazardUntilTheDeadline) {
   Sea sea(UniformFlow(TestGrid(), 0.0, 0.0));
-  for (int i = 0; i < 2500; ++i) sea.hazard[i] = i % 50 >= 27 ? 1.0f : 0.0f;
+  kg_core::Raster attenuation(2500, 1.0f);
+  for (int i = 0; i < 2500; ++i) attenuation[i] = i % 50 >= 27 ? 0.0f : 1.0f;
+  sea.hazard =
+      std::make_unique<HazardMap>(sea.field.grid, sea.open, attenuation, 10e3);
   const LonLat from = sea.field.grid.Centre({25, 25});
   const LonLat to = sea.field.grid.Centre({25, 29});
   const auto flight =
-      FlyTrack(sea.World(), Glider(0.5), {from, 0, kDay_s}, {from, to});
+      FlyTrack(sea.From(Glider(0.5), {from, 0, kDay_s}), {from, to});
   ASSERT_TRUE(flight);
   // 1.5 of 4 cells are without hazard.
   const double calm_s = flight->travel_s * 1.5 / 4;
@@ -440,27 +301,27 @@ TEST(FlyTrack, RefusesWhereStationCannotBeHeldUntilTheDeadline) {
   MotionModel motion = Glider(0.5);
   motion.max_mps = 0.9;
   const std::vector<LonLat> stay = {{-90, 25}};
-  EXPECT_FALSE(FlyTrack(sea.World(), motion, {{-90, 25}, 0, kDay_s}, stay));
-  EXPECT_TRUE(FlyTrack(sea.World(), motion, {{-90, 25}, 0, kDay_s / 2}, stay));
+  EXPECT_FALSE(FlyTrack(sea.From(motion, {{-90, 25}, 0, kDay_s}), stay));
+  EXPECT_TRUE(FlyTrack(sea.From(motion, {{-90, 25}, 0, kDay_s / 2}), stay));
   motion.boost_gain = 0.5;
-  EXPECT_TRUE(FlyTrack(sea.World(), motion, {{-90, 25}, 0, kDay_s}, stay));
+  EXPECT_TRUE(FlyTrack(sea.From(motion, {{-90, 25}, 0, kDay_s}), stay));
 }
 
 TEST(FlyTrack, StopsWhereTheBaseTravelIsUsedUp) {
   const Sea sea(UniformFlow(TestGrid(), 0, 0));
   const LonLat from{-90, 25}, to{-89.9, 25};
   const double d = kg_core::Distance_m(from, to);
-  EXPECT_TRUE(FlyTrack(sea.World(), Glider(0.5), {from, 0, kDay_s, 1.001 * d},
+  EXPECT_TRUE(FlyTrack(sea.From(Glider(0.5), {from, 0, kDay_s, 1.001 * d}),
                        {from, to}));
-  EXPECT_FALSE(FlyTrack(sea.World(), Glider(0.5), {from, 0, kDay_s, 0.99 * d},
-                        {from, to}));
+  EXPECT_FALSE(
+      FlyTrack(sea.From(Glider(0.5), {from, 0, kDay_s, 0.99 * d}), {from, to}));
 }
 
 TEST(FlyTrack, FeelsNoCurrentWithoutBoost) {
   const Sea sea(UniformFlow(TestGrid(), 2.0, 0.0));
   MotionModel motion = Glider(0.5);
   motion.boost_gain = 0.0;
-  const auto flight = FlyTrack(sea.World(), motion, {{-90, 25}, 0, kDay_s},
+  const auto flight = FlyTrack(sea.From(motion, {{-90, 25}, 0, kDay_s}),
                                {{-90, 25}, {-90.1, 25}});
   ASSERT_TRUE(flight);
   EXPECT_NEAR(kg_core::Distance_m({-90, 25}, {-90.1, 25}) / 0.5,
@@ -472,13 +333,13 @@ TEST(FlyTrack, RefusesLandTheGridsOutsideAndATrackFromElsewhere) {
   sea.field.slices[0].east_mps[25 * 50 + 28] = kGap;
   const Departure departure{sea.field.grid.Centre({25, 25}), 0, kDay_s};
   const MotionModel motion = Glider(0.5);
-  EXPECT_FALSE(FlyTrack(sea.World(), motion, departure,
+  EXPECT_FALSE(FlyTrack(sea.From(motion, departure),
                         {departure.from, sea.field.grid.Centre({25, 30})}));
   EXPECT_FALSE(
-      FlyTrack(sea.World(), motion, departure, {departure.from, {-80, 25}}));
-  EXPECT_THROW(FlyTrack(sea.World(), motion, departure, {{-90.5, 25}}),
+      FlyTrack(sea.From(motion, departure), {departure.from, {-80, 25}}));
+  EXPECT_THROW(FlyTrack(sea.From(motion, departure), {{-90.5, 25}}),
                std::logic_error);
-  EXPECT_THROW(FlyTrack(sea.World(), motion, departure, {}), std::logic_error);
+  EXPECT_THROW(FlyTrack(sea.From(motion, departure), {}), std::logic_error);
 }
 
 TEST(HoldableFrom, IsTheLastMomentTheCurrentIsTooStrong) {
@@ -498,7 +359,7 @@ TEST(HoldableFrom, IsTheLastMomentTheCurrentIsTooStrong) {
         wanted = t + 30;
     }
     const double got =
-        HoldableFrom_s(sea.World(), motion, {place, 0, kDay_s}, place);
+        HoldableFrom_s(sea.From(motion, {place, 0, kDay_s}), place);
     if (wanted > kDay_s) {
       EXPECT_TRUE(std::isinf(got));
     } else {
@@ -507,23 +368,6 @@ TEST(HoldableFrom, IsTheLastMomentTheCurrentIsTooStrong) {
     }
   }
   EXPECT_GT(inside, 5);
-}
-
-TEST(ComputeHazard, RisesTowardsAWallAndInsideASoftZone) {
-  const kg_core::Grid grid = TestGrid();
-  kg_core::Mask open(grid.size(), 1);
-  for (int r = 0; r < 50; ++r) open[r * 50 + 40] = 0;
-  kg_core::Raster soft(grid.size(), 1.0f);
-  soft[25 * 50 + 5] = 0.3f;
-  const kg_core::Raster hazard = ComputeHazard(grid, open, soft, 10e3);
-  for (int c = 8; c < 40; ++c) {
-    EXPECT_LT(hazard[25 * 50 + c], hazard[25 * 50 + c + 1]);
-  }
-  EXPECT_EQ(1.0f, hazard[25 * 50 + 40]);
-  EXPECT_FLOAT_EQ(0.7f, hazard[25 * 50 + 5]);
-  const double d =
-      kg_core::Distance_m(grid.Centre({25, 35}), grid.Centre({25, 40}));
-  EXPECT_NEAR(std::exp(-d / 10e3), hazard[25 * 50 + 35], 1e-4);
 }
 
 }  // namespace

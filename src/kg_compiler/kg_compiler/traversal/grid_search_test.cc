@@ -1,4 +1,4 @@
-#include "kg_compiler/traversal/moves.h"
+#include "kg_compiler/traversal/grid_search.h"
 
 #include <gtest/gtest.h>
 
@@ -51,13 +51,15 @@ TEST(Mover, AgreesWithTheLegFlown) {
     const kg_core::Grid grid = UnevenGrid(rng, 30, 30);
     const kg_core::VectorField field = RandomFlow(rng, grid, 0.15, 7200, 86400);
     const kg_core::Mask open = RandomMask(rng, grid.size(), 0.95);
-    const TraversalWorld world{&field, &open, nullptr};
     MotionModel motion;
     motion.cruise_mps = 0.6;
     motion.boost_gain = 0.9;
-    const Departure departure{grid.Centre({15, 15}), 3000.0, 86400.0};
-    const Mover mover(world, motion, departure);
-    const LegFlyer flyer(world, motion, departure);
+    const Voyage voyage{{&field, &open, nullptr},
+                        motion,
+                        {grid.Centre({15, 15}), 3000.0, 86400.0},
+                        {}};
+    const Mover mover(voyage);
+    const LegFlyer flyer(voyage);
     for (const Move& move : NeighbourMoves(32)) {
       const kg_core::Cell from{15, 15}, to{15 + move.rows, 15 + move.cols};
       if (!mover.MayEnter(from)) continue;

@@ -1,0 +1,53 @@
+// Earliest arrivals at cell centres, in tiles made when first touched: a fan
+// that stays near its source costs nothing for the rest of the grid.
+
+#ifndef KG_COMPILER_TRAVERSAL_ARRIVALS_H_
+#define KG_COMPILER_TRAVERSAL_ARRIVALS_H_
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "kg_compiler/traversal/traversal.h"
+
+namespace kg_compiler {
+
+class Arrivals {
+ public:
+  struct Node {
+    double arrival_s = std::numeric_limits<double>::infinity();
+    int root = 0;
+    float heading_rad = 0.0f;
+    float spread_rad = 0.0f;
+  };
+
+  explicit Arrivals(const kg_core::Grid& grid);
+
+  Node& At(kg_core::Cell cell) {
+    auto& tile = tiles_[TileOf(cell)];
+    if (!tile) tile = std::make_unique<Node[]>(kTile * kTile);
+    return tile[(cell.row % kTile) * kTile + cell.col % kTile];
+  }
+  double Arrival_s(kg_core::Cell cell) const {
+    const auto& tile = tiles_[TileOf(cell)];
+    return tile ? tile[(cell.row % kTile) * kTile + cell.col % kTile].arrival_s
+                : std::numeric_limits<double>::infinity();
+  }
+  // Cells reached, by index.
+  std::vector<ReachedCell> Reached() const;
+
+ private:
+  static constexpr int kTile = 16;
+  std::size_t TileOf(kg_core::Cell cell) const {
+    return static_cast<std::size_t>(cell.row / kTile) * tile_cols_ +
+           cell.col / kTile;
+  }
+
+  const kg_core::Grid& grid_;
+  int tile_cols_;
+  std::vector<std::unique_ptr<Node[]>> tiles_;
+};
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_TRAVERSAL_ARRIVALS_H_

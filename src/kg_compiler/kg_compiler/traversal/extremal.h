@@ -1,0 +1,65 @@
+// Extremals of Zermelo's problem: the tracks on which one arrives first.
+//
+// With x = (lon, lat) [deg], scale s(lat) = (s_lon, s_lat) [deg/m], current c
+// [m/s], speed V through water and p the covector normal to the front [1/deg],
+// Hamilton's equations are
+//
+//   dx_i/dt =  s_i (c_i + V h_i),            h = s p / |s p|  (heading)
+//   dp_j/dt = -sum_i p_i s_i dc_i/dx_j  -  [j = lat] sum_i p_i ds_i/dlat
+//             (c_i + V h_i)
+//
+// the same as Zermelo's heading equation, without its angles. Positions are
+// kept in cell units; p crosses centre lines, where the spacing and the
+// gradients of a bilinear field jump, without a jump.
+//
+// E. Zermelo, ZAMM 11(2), 1931, pp. 114-124; A. E. Bryson and Y.-C. Ho,
+// "Applied Optimal Control", 1975, section 2.7.
+
+#ifndef KG_COMPILER_TRAVERSAL_EXTREMAL_H_
+#define KG_COMPILER_TRAVERSAL_EXTREMAL_H_
+
+#include <cmath>
+
+#include "kg_compiler/traversal/flow.h"
+
+namespace kg_compiler {
+
+struct Extremal {
+  double col = 0.0, row = 0.0;      // Position in cell units.
+  double p_lon = 0.0, p_lat = 0.0;  // Normal of the front [1/deg].
+};
+
+// Setting out from a place; heading counter-clockwise from east.
+Extremal SetOut(const Flow& flow, kg_core::GridPoint from, double heading_rad);
+
+// Heading of an extremal, counter-clockwise from east.
+double HeadingOf(const Flow& flow, const Extremal& at);
+
+// Steers extremals of one speed through one flow.
+class Helm {
+ public:
+  Helm(const Flow& flow, double speed_mps)
+      : flow_(flow), speed_mps_(speed_mps) {}
+
+  // Times at which one step of Runge and Kutta's method (RK4) looks.
+  struct Step {
+    Step(const Flow& flow, double begin_s, double length_s);
+    double length_s;
+    Flow::Moment begin, middle, end;
+  };
+  Extremal Advance(const Extremal& from, const Step& step) const;
+
+  // Over ground, in cells per second.
+  kg_core::GridPoint Velocity(const Extremal& at,
+                              const Flow::Moment& moment) const;
+
+ private:
+  Extremal Rate(const Extremal& at, const Flow::Moment& moment) const;
+
+  const Flow& flow_;
+  double speed_mps_;
+};
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_TRAVERSAL_EXTREMAL_H_

@@ -1,0 +1,430 @@
+#include "kg_compiler/traversal/fan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kg_compiler/traversal/leg.h"
+#include "kg_core/base/units.h"
+
+namespace kg_compiler {
+namespace {
+
+constexpr int kFirstRays = 32;
+constexpr int kCornerRays = 10;
+constexpr double kCornerBegin_rad = -0.15;  // Across the arriving heading.
+constexpr double kCornerEnd_rad = 0.9 * kg_core::kPi;  // Into the shadow.
+constexpr int kDeepest = 7;  // Halvings between two neighbours in one step.
+constexpr std::size_t kMostRays = 20000;
+
+// Lengths in cells.
+constexpr double kFirstStep = 0.75;
+constexpr double kLongestStep = 3.0;
+constexpr double kStepGrowth = 0.025;  // A step: 1 cell at the 40th.
+constexpr double kWidest = 3.0;        // Between neighbours.
+constexpr double kWidestBent = 1.0;    // ... where the front bends by
+constexpr double kBent = 0.15;         // this slope,
+constexpr double kWidestAtCoast = 0.7;
+constexpr double kWidestAtDead = 0.1;
+constexpr double kFillIn = 0.4;            // Gaps that the front's shape fills.
+constexpr std::size_t kMostReplayed = 50;  // Steps; beyond, it fills them all.
+constexpr double kGrazeAhead = 1.5;        // Clear for so long: past the wall.
+constexpr double kGrazeAside = 0.8;
+constexpr double kWidestSharp = 0.4;  // ... where by this one,
+constexpr double kSharp = 0.3;
+constexpr double kThinner = 0.5;   // One is left out between two so close
+constexpr double kThinBend = 0.2;  // whose front bends by less than this.
+
+bool Finite(const Extremal& at) {
+  return std::isfinite(at.col + at.row + at.p_lon + at.p_lat);
+}
+
+}  // namespace
+
+Fan::Fan(const Voyage& voyage)
+    : voyage_(voyage),
+      flow_(voyage),
+      helm_(flow_, voyage.motion.cruise_mps),
+      grid_(flow_.grid()),
+      sight_(voyage.world, {0, grid_.rows(), 0, grid_.cols()}),
+      arrivals_(grid_),
+      latest_s_(LatestArrival_s(voyage.motion, voyage.departure)) {}
+
+bool Fan::Begin() {
+  const auto from = grid_.Locate(voyage_.departure.from);
+  if (!from || !(latest_s_ > 0.0) || !(voyage_.motion.cruise_mps > 0.0)) {
+    return false;
+  }
+  const kg_core::Cell cell = CellOf(grid_, *from);
+  low_ = high_ = {from->col, from->row};
+  if (!sight_.IsOpen(cell)) return false;
+  reach_.roots.push_back({*from, 0.0, -1, 0.0});
+  for (int i = 0; i <= kFirstRays; ++i) {
+    const double heading_rad = 2.0 * kg_core::kPi * i / kFirstRays;
+    rays_.push_back({SetOut(flow_, *from, heading_rad), heading_rad, 0, true});
+  }
+  rays_.back().linked = false;
+  return true;
+}
+
+double Fan::StepLength_s() const {
+  const double cells =
+      std::clamp(kStepGrowth * static_cast<double>(steps_.size()), kFirstStep,
+                 kLongestStep);
+  const double length_s = cells / fastest_;
+  const double slice_s = flow_.NextSlice_s(now_s_) - now_s_;
+  const double rest_s = latest_s_ - now_s_;
+  const double wanted_s =
+      slice_s > 0.3 * length_s && slice_s < length_s ? slice_s : length_s;
+  return wanted_s > 0.999 * rest_s ? rest_s : wanted_s;
+}
+
+Reach Fan::Run() {
+  if (Begin()) {
+    while (!rays_.empty() && now_s_ < latest_s_) {
+      const Flow::Moment now = flow_.At(now_s_);
+      fastest_ = 1e-9;
+      for (const Ray& ray : rays_) {
+        const kg_core::GridPoint v = helm_.Velocity(ray.at, now);
+        fastest_ = std::max(fastest_, std::sqrt(v.row * v.row + v.col * v.col));
+      }
+      reach_.cells_per_s = std::max(reach_.cells_per_s, fastest_);
+      Advance(StepLength_s());
+    }
+  }
+  reach_.cells = arrivals_.Reached();
+  reach_.read = ReadBox();
+  return std::move(reach_);
+}
+
+void Fan::Advance(double length_s) {
+  const double end_s =
+      length_s >= latest_s_ - now_s_ ? latest_s_ : now_s_ + length_s;
+  const Helm::Step step(flow_, now_s_, end_s - now_s_);
+  margin_s_ = length_s;
+  next_.clear();
+  restarts_.clear();
+  grazes_.clear();
+  for (std::size_t i = 0; i < rays_.size(); ++i) {
+    if (i > 0 && rays_[i - 1].linked) continue;
+    AdvanceChain({&step, now_s_, rays_[i].root}, rays_, i);
+  }
+  Restarts(end_s);
+  now_s_ = end_s;
+  steps_.push_back(step);
+  Thin();
+}
+
+void Fan::AdvanceChain(const Stride& stride, const std::vector<Ray>& rays,
+                       std::size_t first) {
+  Strand last = Advance(stride, rays[first].at, rays[first].heading_rad);
+  Keep(stride, last);
+  for (std::size_t i = first; rays[i].linked; ++i) {
+    const Strand strand =
+        Advance(stride, rays[i + 1].at, rays[i + 1].heading_rad);
+    Between(stride, last, strand, 0);
+    Keep(stride, strand);
+    last = strand;
+  }
+}
+
+Strand Fan::Advance(const Stride& stride, const Extremal& from,
+                    double heading_rad) {
+  Strand strand{from, helm_.Advance(from, *stride.step), heading_rad, false};
+  if (!Finite(strand.end)) strand.end = from;
+  // Outside it would leave the field for good.
+  strand.end.col = std::clamp(strand.end.col, -1.0, grid_.cols() + 0.0);
+  strand.end.row = std::clamp(strand.end.row, -1.0, grid_.rows() + 0.0);
+  Touch(PlaceOf(from));
+  Touch(PlaceOf(strand.end));
+  const kg_core::GridPoint end{strand.end.row, strand.end.col};
+  strand.dead =
+      !sight_.Contains(end) || !sight_.IsClear({from.row, from.col}, end);
+  return strand;
+}
+
+// Neighbours stay linked while both live.
+void Fan::Keep(const Stride& stride, const Strand& strand) {
+  if (strand.dead) return;
+  next_.push_back({strand.end, strand.heading_rad, stride.root, false});
+}
+
+bool Fan::IsWide(const Strand& a, const Strand& b, const Sweep& sweep) {
+  if (next_.size() >= kMostRays) return false;
+  const double begin = Length(PlaceOf(b.begin) - PlaceOf(a.begin));
+  const double end = Length(PlaceOf(b.end) - PlaceOf(a.end));
+  if (a.dead != b.dead) return std::max(begin, end) > kWidestAtDead;
+  const bool coast =
+      sight_.NearCoast(CellOf(grid_, {a.begin.row, a.begin.col})) ||
+      sight_.NearCoast(CellOf(grid_, {b.begin.row, b.begin.col}));
+  if (a.dead) return std::max(begin, end) > kWidestBent;
+  if (coast) return end > kWidestAtCoast;
+  const double slope = sweep.Slope();
+  return end > kWidest || (end > kWidestBent && slope > kBent) ||
+         (end > kWidestSharp && slope > kSharp);
+}
+
+Extremal Fan::Replay(int root, double heading_rad) const {
+  Extremal at = SetOut(flow_, reach_.roots[root].place, heading_rad);
+  std::size_t next = 0;
+  if (root > 0) {
+    const FirstStep& first = first_steps_[root - 1];
+    if (first.next <= steps_.size()) {
+      at = helm_.Advance(at, first.step);
+      next = first.next;
+    }
+  }
+  for (std::size_t i = next; i < steps_.size(); ++i) {
+    at = helm_.Advance(at, steps_[i]);
+  }
+  return at;
+}
+
+// Neighbours far apart get the true extremal between them, whose heading at
+// the root is known; close ones the front's middle.
+std::optional<Extremal> Fan::Insert(const Stride& stride, const Strand& a,
+                                    const Strand& b) const {
+  const double gap = Length(PlaceOf(b.begin) - PlaceOf(a.begin));
+  if (gap > kFillIn && steps_.size() <= kMostReplayed) {
+    const Extremal at =
+        Replay(stride.root, 0.5 * (a.heading_rad + b.heading_rad));
+    if (Length(PlaceOf(at) - PlaceOf(a.begin)) < 1.5 * gap &&
+        Length(PlaceOf(at) - PlaceOf(b.begin)) < 1.5 * gap) {
+      return at;
+    }
+  }
+  return Halfway(flow_, a.begin, b.begin);
+}
+
+void Fan::Between(const Stride& stride, const Strand& a, const Strand& b,
+                  int depth) {
+  const Sweep sweep(flow_, a, b, stride.step->length_s);
+  if (depth < kDeepest && IsWide(a, b, sweep)) {
+    const auto half = Insert(stride, a, b);
+    if (half && sight_.IsOpen(CellOf(grid_, {half->row, half->col}))) {
+      const Strand middle =
+          Advance(stride, *half, 0.5 * (a.heading_rad + b.heading_rad));
+      Between(stride, a, middle, depth + 1);
+      Keep(stride, middle);
+      Between(stride, middle, b, depth + 1);
+      return;
+    }
+  }
+  Paint(stride, a, b, sweep);
+  if (!a.dead && !b.dead && !next_.empty()) next_.back().linked = true;
+  if (a.dead && !b.dead) FindGraze(stride, b, a);
+  if (b.dead && !a.dead) FindGraze(stride, a, b);
+}
+
+void Fan::Touch(Offset at) {
+  low_ = {std::min(low_.col, at.col), std::min(low_.row, at.row)};
+  high_ = {std::max(high_.col, at.col), std::max(high_.row, at.row)};
+}
+
+void Fan::Paint(const Stride& stride, const Strand& a, const Strand& b,
+                const Sweep& sweep) {
+  const Offset low = sweep.low(), high = sweep.high();
+  const int row0 = std::max(static_cast<int>(std::ceil(low.row - 0.5)), 0);
+  const int col0 = std::max(static_cast<int>(std::ceil(low.col - 0.5)), 0);
+  const int row1 =
+      std::min(static_cast<int>(std::floor(high.row + 0.5)), grid_.rows() - 1);
+  const int col1 =
+      std::min(static_cast<int>(std::floor(high.col + 0.5)), grid_.cols() - 1);
+  for (int row = row0; row <= row1; ++row) {
+    for (int col = col0; col <= col1; ++col) {
+      const kg_core::Cell cell{row, col};
+      if (!sight_.IsOpen(cell)) continue;
+      const bool coast = a.dead || b.dead || sight_.NearCoast(cell);
+      PaintCell(stride, a, b, sweep, cell, coast);
+      if (coast) FindCorners(stride, a, b, sweep, cell);
+    }
+  }
+}
+
+void Fan::PaintCell(const Stride& stride, const Strand& a, const Strand& b,
+                    const Sweep& sweep, kg_core::Cell cell, bool coast) {
+  const Offset place{static_cast<double>(cell.col),
+                     static_cast<double>(cell.row)};
+  const auto share = sweep.Find(place);
+  if (!share) return;
+  const double time_s = stride.begin_s + sweep.Time_s(*share);
+  if (!(time_s <= latest_s_)) return;
+  Arrivals::Node& node = arrivals_.At(cell);
+  if (!(time_s < node.arrival_s)) return;
+  if (coast) {
+    const Offset from = sweep.BeginAt(share->across);
+    if (!sight_.IsClear({from.row, from.col}, {place.row, place.col})) return;
+  }
+  node.arrival_s = time_s;
+  node.root = stride.root;
+  node.heading_rad = static_cast<float>(
+      a.heading_rad + share->across * (b.heading_rad - a.heading_rad));
+  node.spread_rad = static_cast<float>(std::abs(b.heading_rad - a.heading_rad));
+}
+
+void Fan::FindCorners(const Stride& stride, const Strand& a, const Strand& b,
+                      const Sweep& sweep, kg_core::Cell cell) {
+  const unsigned corners = sight_.Corners(cell);
+  for (int k = 0; k < 4; ++k) {
+    const int key = 4 * static_cast<int>(grid_.Index(cell)) + k;
+    if (!(corners & (1u << k)) || rounded_.count(key)) continue;
+    const kg_core::GridPoint at = Sight::CornerAt(cell, k);
+    const auto share = sweep.Find({at.col, at.row});
+    if (!share) continue;
+    const double time_s = stride.begin_s + sweep.Time_s(*share);
+    const Offset from = sweep.BeginAt(share->across);
+    if (!(time_s < latest_s_) || !sight_.IsClear({from.row, from.col}, at)) {
+      continue;
+    }
+    // Going by it, neither towards the corner nor away from it.
+    const Offset go =
+        PlaceOf(a.end) - PlaceOf(a.begin) + (PlaceOf(b.end) - PlaceOf(b.begin));
+    const kg_core::Cell d = Sight::kDiagonals[static_cast<std::size_t>(k)];
+    const double slack = 0.25 * Length(go);
+    const double east = d.col * go.col, north = d.row * go.row;
+    if ((east > slack && north > slack) || (east < -slack && north < -slack)) {
+      continue;
+    }
+    const Extremal& nearer = share->across < 0.5 ? a.end : b.end;
+    const int side =
+        Cross(go, {static_cast<double>(d.col), static_cast<double>(d.row)}) > 0
+            ? 1
+            : -1;
+    restarts_.push_back(
+        {time_s, at, stride.root,
+         a.heading_rad + share->across * (b.heading_rad - a.heading_rad),
+         std::abs(b.heading_rad - a.heading_rad), HeadingOf(flow_, nearer),
+         side, key});
+  }
+}
+
+// The last that passes a wall beside one that hits it: unless it is about to
+// hit the wall itself, what lies behind is in its shadow.
+void Fan::FindGraze(const Stride& stride, const Strand& alive,
+                    const Strand& dead) {
+  const Offset end = PlaceOf(alive.end);
+  if (!sight_.Contains({dead.end.row, dead.end.col})) return;
+  const Offset go = end - PlaceOf(alive.begin);
+  const double length = Length(go);
+  if (!(length > 0.0)) return;
+  const Offset ahead = end + (kGrazeAhead / length) * go;
+  if (!sight_.Contains({ahead.row, ahead.col}) ||
+      !sight_.IsClear({end.row, end.col}, {ahead.row, ahead.col})) {
+    return;
+  }
+  const int side = Cross(go, PlaceOf(dead.end) - end) > 0.0 ? 1 : -1;
+  const Offset aside =
+      end + (side * kGrazeAside / length) * Offset{-go.row, go.col};
+  const kg_core::Cell shadow = CellOf(grid_, {aside.row, aside.col});
+  if (!sight_.IsOpen(shadow)) return;
+  grazes_.push_back({{stride.begin_s + stride.step->length_s,
+                      {end.row, end.col},
+                      stride.root,
+                      alive.heading_rad,
+                      std::abs(dead.heading_rad - alive.heading_rad),
+                      HeadingOf(flow_, alive.end),
+                      side,
+                      -1},
+                     shadow});
+}
+
+std::vector<Fan::Ray> Fan::ShadowRays(const Restart& restart) {
+  const int root = static_cast<int>(reach_.roots.size());
+  reach_.roots.push_back({restart.place, restart.time_s, restart.root,
+                          restart.heading_rad, restart.spread_rad});
+  std::vector<Ray> rays;
+  for (int i = 0; i < kCornerRays; ++i) {
+    const double turn_rad =
+        kCornerBegin_rad +
+        (kCornerEnd_rad - kCornerBegin_rad) * i / (kCornerRays - 1);
+    const double heading_rad = restart.arriving_rad + restart.side * turn_rad;
+    rays.push_back(
+        {SetOut(flow_, restart.place, heading_rad), heading_rad, root, true});
+  }
+  rays.back().linked = false;
+  return rays;
+}
+
+// Earliest first: a corner behind another is reached in the same step.
+void Fan::Restarts(double end_s) {
+  const auto later = [](const Restart& a, const Restart& b) {
+    return a.time_s > b.time_s || (a.time_s == b.time_s && a.key > b.key);
+  };
+  while (!restarts_.empty()) {
+    const auto first =
+        std::max_element(restarts_.begin(), restarts_.end(), later);
+    const Restart restart = *first;
+    restarts_.erase(first);
+    if (!rounded_.insert(restart.key).second || !(restart.time_s < end_s)) {
+      continue;
+    }
+    const std::vector<Ray> rays = ShadowRays(restart);
+    const Helm::Step step(flow_, restart.time_s, end_s - restart.time_s);
+    first_steps_.push_back({step, steps_.size() + 1});
+    AdvanceChain({&step, restart.time_s, rays[0].root}, rays, 0);
+  }
+  for (const Graze& graze : grazes_) {
+    if (std::isfinite(arrivals_.Arrival_s(graze.shadow))) continue;
+    const std::vector<Ray> rays = ShadowRays(graze.restart);
+    first_steps_.push_back({Helm::Step(flow_, end_s, 0.0), steps_.size() + 1});
+    next_.insert(next_.end(), rays.begin(), rays.end());
+  }
+}
+
+// Earlier at all four centres around, by more than a step: what sets out from
+// here comes later everywhere than what set out before.
+bool Fan::IsLate(const Extremal& at) const {
+  const int row = std::clamp(static_cast<int>(at.row), 0, grid_.rows() - 2);
+  const int col = std::clamp(static_cast<int>(at.col), 0, grid_.cols() - 2);
+  const double late_s = now_s_ - margin_s_;
+  return arrivals_.Arrival_s({row, col}) < late_s &&
+         arrivals_.Arrival_s({row, col + 1}) < late_s &&
+         arrivals_.Arrival_s({row + 1, col}) < late_s &&
+         arrivals_.Arrival_s({row + 1, col + 1}) < late_s;
+}
+
+// Can what lies between two do without one more?
+bool Fan::IsThin(const Extremal& a, const Extremal& b) const {
+  const Offset na = NormalOf(flow_, a), nb = NormalOf(flow_, b);
+  return Length(PlaceOf(b) - PlaceOf(a)) < kThinner && Dot(na, nb) > 0.0 &&
+         std::abs(Cross(na, nb)) < kThinBend * Dot(na, nb);
+}
+
+// Leaves out rays that come late, and those between close neighbours.
+void Fan::Thin() {
+  rays_.clear();
+  bool linked = false;  // Is the next a neighbour of the last one kept?
+  for (std::size_t i = 0; i < next_.size(); ++i) {
+    const Ray& ray = next_[i];
+    if (IsLate(ray.at)) {
+      if (linked) rays_.back().linked = false;
+      linked = false;
+      continue;
+    }
+    const bool between =
+        linked && ray.linked && !IsLate(next_[i + 1].at) && next_[i + 1].linked;
+    if (between && !sight_.NearCoast(CellOf(grid_, {ray.at.row, ray.at.col}))) {
+      if (IsThin(rays_.back().at, next_[i + 1].at)) continue;
+    }
+    rays_.push_back(ray);
+    linked = ray.linked;
+  }
+}
+
+// What the extremals felt, and what was looked at around their tracks.
+CellBox Fan::ReadBox() const {
+  const auto down = [](double at, int felt) {
+    const int cell = static_cast<int>(std::floor(at)) - 2;
+    const int seen = std::max(cell, 0) / Sight::kBlock * Sight::kBlock - 1;
+    return std::max(std::min(seen, felt), 0);
+  };
+  const auto up = [](double at, int felt, int size) {
+    const int cell = static_cast<int>(std::ceil(at)) + 2;
+    const int seen = (cell / Sight::kBlock + 1) * Sight::kBlock + 1;
+    return std::min(std::max(seen, felt), size);
+  };
+  const CellBox& felt = flow_.felt();
+  return {down(low_.row, felt.row), up(high_.row, felt.row_end, grid_.rows()),
+          down(low_.col, felt.col), up(high_.col, felt.col_end, grid_.cols())};
+}
+
+}  // namespace kg_compiler

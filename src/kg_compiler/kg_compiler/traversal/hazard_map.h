@@ -1,0 +1,50 @@
+// Hazard in [0, 1] near what is not open, made where it is asked for (A20):
+//
+//   h(x) = max( exp(-d(x) / range), 1 - attenuation(x) )
+//
+// d [m] from the cell's centre to the nearest centre that is not open
+// (distance_transform.h); the first term is 0 beyond kRanges ranges (there it
+// would be less than 0.0025), so that no cell depends on what lies farther.
+// Threads may ask at the same time.
+
+#ifndef KG_COMPILER_TRAVERSAL_HAZARD_MAP_H_
+#define KG_COMPILER_TRAVERSAL_HAZARD_MAP_H_
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "kg_core/raster/grid.h"
+
+namespace kg_compiler {
+
+class HazardMap {
+ public:
+  static constexpr double kRanges = 6.0;
+
+  // `grid` and `open` must outlive it.
+  HazardMap(const kg_core::Grid& grid, const kg_core::Mask& open,
+            kg_core::Raster attenuation, double range_m);
+
+  double At(kg_core::Cell cell) const;
+
+ private:
+  static constexpr int kTile = 32;
+  struct Tile {
+    std::once_flag made;
+    std::vector<float> near;  // Empty = nothing closed within reach.
+  };
+
+  void Make(int tile_row, int tile_col, Tile* tile) const;
+
+  const kg_core::Grid& grid_;
+  const kg_core::Mask& open_;
+  kg_core::Raster attenuation_;
+  double range_m_;
+  int tile_cols_;
+  std::unique_ptr<Tile[]> tiles_;
+};
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_TRAVERSAL_HAZARD_MAP_H_

@@ -1,0 +1,250 @@
+#include "kg_compiler/traversal/shooting.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kg_compiler/traversal/leg.h"
+#include "kg_compiler/traversal/sweep.h"
+
+namespace kg_compiler {
+namespace {
+
+constexpr double kHit_cells = 3e-3;  // Near enough.
+constexpr double kBent_cells = 0.5;  // A course is bent by that, if need be.
+constexpr int kMostTimings = 10;     // Corrections of the time.
+constexpr double kTimed_cells = 1e-4;
+constexpr double kMostShift_cells = 1.5;  // Of the front, in a correction.
+constexpr double kFarthest_cells = 8.0;   // A shot that misses by more is void.
+constexpr int kWidenings = 4;             // Of the spread, each by three.
+constexpr double kLeastSpread_rad = 1e-6;
+constexpr int kMostHalvings = 30;
+constexpr double kSolveStep_cells = 0.33;
+constexpr int kFewestSteps = 6;
+
+bool Within(const CellBox& a, const CellBox& b) {
+  return a.row >= b.row && a.row_end <= b.row_end && a.col >= b.col &&
+         a.col_end <= b.col_end;
+}
+
+// The point farthest from the chord in time between two kept points.
+struct Farthest {
+  std::size_t index = 0;
+  double cells = 0.0;
+};
+Farthest FarthestBetween(const Course& course, std::size_t a, std::size_t b) {
+  Farthest farthest;
+  const CoursePoint &p = course[a], &q = course[b];
+  for (std::size_t i = a + 1; i < b; ++i) {
+    const double span_s = q.time_s - p.time_s;
+    const double share =
+        span_s > 0.0 ? (course[i].time_s - p.time_s) / span_s : 0.0;
+    const double row =
+        p.place.row + share * (q.place.row - p.place.row) - course[i].place.row;
+    const double col =
+        p.place.col + share * (q.place.col - p.place.col) - course[i].place.col;
+    const double cells = std::sqrt(row * row + col * col);
+    if (cells > farthest.cells) farthest = {i, cells};
+  }
+  return farthest;
+}
+
+}  // namespace
+
+Course Simplify(const Course& course, double tolerance_cells) {
+  if (course.size() < 3) return course;
+  std::vector<bool> kept(course.size(), false);
+  kept.front() = kept.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> open = {
+      {0, course.size() - 1}};
+  while (!open.empty()) {
+    const auto [a, b] = open.back();
+    open.pop_back();
+    const Farthest farthest = FarthestBetween(course, a, b);
+    if (!(farthest.cells > tolerance_cells)) continue;
+    kept[farthest.index] = true;
+    open.emplace_back(a, farthest.index);
+    open.emplace_back(farthest.index, b);
+  }
+  Course simple;
+  for (std::size_t i = 0; i < course.size(); ++i) {
+    if (kept[i]) simple.push_back(course[i]);
+  }
+  return simple;
+}
+
+Shooter::Shooter(const Voyage& voyage, const Reach& reach, double speed_mps)
+    : voyage_(voyage),
+      reach_(reach),
+      speed_mps_(speed_mps),
+      latest_s_(LatestArrival_s(voyage.motion, voyage.departure)) {}
+
+// To the guessed time, then on or back until the front is at the target.
+std::optional<ShotAt> Shooter::Fire(const Leg& leg, double heading_rad) const {
+  const Flow flow(voyage_);
+  const Helm helm(flow, speed_mps_);
+  Extremal at = SetOut(flow, leg.from, heading_rad);
+  const int steps = static_cast<int>(std::ceil(leg.duration_s / leg.step_s));
+  const double step_s = leg.duration_s / steps;
+  double time_s = leg.begin_s;
+  for (int i = 0; i < steps; ++i) {
+    at = helm.Advance(at, Helm::Step(flow, time_s, step_s));
+    time_s += step_s;
+    if (!Within(flow.felt(), reach_.read)) return std::nullopt;
+  }
+  const Offset target{leg.to.col, leg.to.row};
+  for (int i = 0; i < kMostTimings; ++i) {
+    const Offset normal = NormalOf(flow, at);
+    const Offset miss = PlaceOf(at) - target;
+    const double ahead = Dot(normal, miss) / Length(normal);
+    const double left = Cross(normal, miss) / Length(normal);
+    if (!(Length(miss) < kFarthest_cells)) return std::nullopt;
+    if (std::abs(ahead) < kTimed_cells) {
+      return ShotAt{heading_rad, time_s - leg.begin_s, left};
+    }
+    const kg_core::GridPoint v = helm.Velocity(at, flow.At(time_s));
+    const double front = Dot(normal, {v.col, v.row}) / Length(normal);
+    const double most_s = kMostShift_cells / std::max(std::abs(front), 1e-12);
+    const double shift_s = std::min(std::max(-ahead / front, -most_s), most_s);
+    if (!(time_s + shift_s > leg.begin_s)) return std::nullopt;
+    at = helm.Advance(at, Helm::Step(flow, time_s, shift_s));
+    time_s += shift_s;
+    if (!Within(flow.felt(), reach_.read)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+void KeepBetter(const std::optional<ShotAt>& shot,
+                std::optional<ShotAt>* best) {
+  if (shot && (!*best || std::abs(shot->left) < std::abs((*best)->left))) {
+    *best = shot;
+  }
+}
+
+bool OnBothSides(const std::optional<ShotAt>& a,
+                 const std::optional<ShotAt>& b) {
+  return a && b && (a->left > 0.0) != (b->left > 0.0);
+}
+
+}  // namespace
+
+// Illinois: regula falsi that halves the weight of an end kept twice. The best
+// shot, if it is none that hits: where extremals cross and cross again a line
+// of centres along which the current is strongest, none may.
+std::optional<ShotAt> Shooter::Between(const Leg& leg, ShotAt a,
+                                       ShotAt b) const {
+  double weight_a = a.left, weight_b = b.left;
+  int kept = 0;
+  std::optional<ShotAt> best = a;
+  KeepBetter(b, &best);
+  for (int i = 0; i < kMostHalvings && std::abs(best->left) > kHit_cells; ++i) {
+    const bool halve = i % 4 == 3;
+    const double share = halve ? 0.5 : weight_a / (weight_a - weight_b);
+    const auto shot =
+        Fire(leg, a.heading_rad + share * (b.heading_rad - a.heading_rad));
+    if (!shot) break;
+    KeepBetter(shot, &best);
+    if ((shot->left > 0.0) == (a.left > 0.0)) {
+      a = *shot;
+      weight_a = a.left;
+      weight_b = kept == 1 ? 0.5 * weight_b : b.left;
+      kept = 1;
+    } else {
+      b = *shot;
+      weight_b = b.left;
+      weight_a = kept == -1 ? 0.5 * weight_a : a.left;
+      kept = -1;
+    }
+  }
+  return best;
+}
+
+std::optional<ShotAt> Shooter::Search(const Leg& leg) const {
+  std::optional<ShotAt> low = Fire(leg, leg.heading_rad), high = low;
+  std::optional<ShotAt> best = low;
+  if (best && std::abs(best->left) < kHit_cells) return best;
+  double spread_rad = std::max(leg.spread_rad, kLeastSpread_rad);
+  for (int i = 0; i < kWidenings; ++i, spread_rad *= 3.0) {
+    const auto lower = Fire(leg, leg.heading_rad - spread_rad);
+    if (OnBothSides(lower, low)) return Between(leg, *lower, *low);
+    const auto higher = Fire(leg, leg.heading_rad + spread_rad);
+    if (OnBothSides(high, higher)) return Between(leg, *high, *higher);
+    KeepBetter(lower, &best);
+    KeepBetter(higher, &best);
+    low = lower;
+    high = higher;
+    if (!low && !high) break;
+  }
+  return best;
+}
+
+std::optional<ShotAt> Shooter::Solve(const Leg& leg) const {
+  if (!(leg.duration_s > 0.0)) return std::nullopt;
+  const std::optional<ShotAt> best = Search(leg);
+  if (!best || !(std::abs(best->left) < kBent_cells)) return std::nullopt;
+  return best;
+}
+
+bool Shooter::Trace(const Leg& leg, const ShotAt& shot, Course* course) const {
+  const Flow flow(voyage_);
+  const Helm helm(flow, speed_mps_);
+  Extremal at = SetOut(flow, leg.from, shot.heading_rad);
+  const int steps = static_cast<int>(std::ceil(shot.duration_s / leg.step_s));
+  const double step_s = shot.duration_s / steps;
+  const std::size_t first = course->size();
+  for (int i = 0; i < steps; ++i) {
+    const double time_s = leg.begin_s + i * step_s;
+    course->push_back({{at.row, at.col}, time_s});
+    at = helm.Advance(at, Helm::Step(flow, time_s, step_s));
+    if (!Within(flow.felt(), reach_.read)) return false;
+  }
+  // What it misses by is made good evenly all along.
+  const Offset miss = PlaceOf(at) - Offset{leg.to.col, leg.to.row};
+  if (!(Length(miss) < 2.0 * kBent_cells)) return false;
+  for (int i = 0; i < steps; ++i) {
+    kg_core::GridPoint& place = (*course)[first + i].place;
+    place.col -= miss.col * i / steps;
+    place.row -= miss.row * i / steps;
+  }
+  return true;
+}
+
+std::optional<Course> Shooter::To(kg_core::GridPoint place, const Guess& guess,
+                                  double step_cells) const {
+  std::vector<int> roots;  // From the last back to the departure.
+  for (int root = guess.root; root >= 0; root = reach_.roots[root].parent) {
+    roots.push_back(root);
+  }
+  Course course;
+  double begin_s = 0.0;
+  for (std::size_t i = roots.size(); i-- > 0;) {
+    const ReachRoot& root = reach_.roots[roots[i]];
+    Leg leg{root.place,
+            place,
+            begin_s,
+            guess.heading_rad,
+            guess.spread_rad,
+            guess.arrival_s - root.time_s,
+            0.0};
+    if (i > 0) {
+      const ReachRoot& next = reach_.roots[roots[i - 1]];
+      leg.to = next.place;
+      leg.heading_rad = next.heading_rad;
+      leg.spread_rad = next.spread_rad;
+      leg.duration_s = next.time_s - root.time_s;
+    }
+    leg.step_s = std::min(kSolveStep_cells / reach_.cells_per_s,
+                          leg.duration_s / kFewestSteps);
+    const auto shot = Solve(leg);
+    if (!shot) return std::nullopt;
+    leg.step_s = std::min(leg.step_s, step_cells / reach_.cells_per_s);
+    if (!Trace(leg, *shot, &course)) return std::nullopt;
+    begin_s += shot->duration_s;
+    if (!(begin_s <= latest_s_)) return std::nullopt;
+  }
+  course.push_back({place, begin_s});
+  return course;
+}
+
+}  // namespace kg_compiler

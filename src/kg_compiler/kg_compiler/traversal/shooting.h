@@ -1,0 +1,84 @@
+// Shooting: the extremal that goes through a place. Where its front passes the
+// place, the place lies to the left of it or to the right,
+//
+//   m(theta) = n x (x(theta, T) - target) / |n|,  T: n . (x - target) = 0
+//
+// with the front's normal n; the root of m between two headings of the fan
+// that have the place between them is found by regula falsi (Illinois). m is
+// continuous, though not smooth where extremals cross the lines between cell
+// centres, so that Newton's method would get lost. Leg by leg through the
+// corners that the fan went round.
+//
+// M. Dowell and P. Jarratt, BIT 11(2), 1971, pp. 168-174.
+
+#ifndef KG_COMPILER_TRAVERSAL_SHOOTING_H_
+#define KG_COMPILER_TRAVERSAL_SHOOTING_H_
+
+#include <optional>
+#include <vector>
+
+#include "kg_compiler/traversal/extremal.h"
+#include "kg_compiler/traversal/traversal.h"
+
+namespace kg_compiler {
+
+// A place on a course, in cell units and seconds after the departure.
+struct CoursePoint {
+  kg_core::GridPoint place;
+  double time_s = 0.0;
+};
+using Course = std::vector<CoursePoint>;
+
+// The points without which linear interpolation in time stays within
+// `tolerance_cells` of all that are given.
+Course Simplify(const Course& course, double tolerance_cells);
+
+// How one heading does.
+struct ShotAt {
+  double heading_rad = 0.0;
+  double duration_s = 0.0;
+  double left = 0.0;  // m [cells].
+};
+
+class Shooter {
+ public:
+  // Both must outlive it. Extremals go at `speed_mps` through water.
+  Shooter(const Voyage& voyage, const Reach& reach, double speed_mps);
+
+  // What an extremal is guessed to be: from a root, at a heading (give or take
+  // a spread), arriving then.
+  struct Guess {
+    int root = 0;
+    double heading_rad = 0.0;
+    double spread_rad = 0.0;
+    double arrival_s = 0.0;
+  };
+  // A course from the departure to a place in steps of at most
+  // `step_cells`; nothing if none is found close to the guess.
+  std::optional<Course> To(kg_core::GridPoint place, const Guess& guess,
+                           double step_cells) const;
+
+ private:
+  struct Leg {
+    kg_core::GridPoint from, to;
+    double begin_s;
+    double heading_rad, spread_rad, duration_s;  // Guessed.
+    double step_s;
+  };
+  std::optional<ShotAt> Fire(const Leg& leg, double heading_rad) const;
+  std::optional<ShotAt> Solve(const Leg& leg) const;
+  std::optional<ShotAt> Search(const Leg& leg) const;
+  std::optional<ShotAt> Between(const Leg& leg, ShotAt a, ShotAt b) const;
+  // The leg's extremal at a heading for so long; nothing if it leaves what the
+  // reach read.
+  bool Trace(const Leg& leg, const ShotAt& shot, Course* course) const;
+
+  const Voyage& voyage_;
+  const Reach& reach_;
+  double speed_mps_;
+  double latest_s_;
+};
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_TRAVERSAL_SHOOTING_H_

@@ -1,0 +1,155 @@
+#include "kg_compiler/traversal/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kg_compiler {
+namespace {
+
+constexpr double kTouch = 1e-9;      // Shared edges belong to both sides.
+constexpr double kSteepest = 0.6;    // Of a front that a cubic follows.
+constexpr double kSlantest = 0.2;    // Share of the motion across the front.
+constexpr double kNoLength = 1e-12;  // [cells]
+
+double Clamp01(double x) { return std::min(std::max(x, 0.0), 1.0); }
+
+Offset Normalised(Offset a) { return (1.0 / Length(a)) * a; }
+
+}  // namespace
+
+Offset NormalOf(const Flow& flow, const Extremal& at) {
+  return {at.p_lon * flow.DegPerCol(at.col), at.p_lat * flow.DegPerRow(at.row)};
+}
+
+std::optional<Extremal> Halfway(const Flow& flow, const Extremal& a,
+                                const Extremal& b) {
+  const Offset na = Normalised(NormalOf(flow, a));
+  const Offset nb = Normalised(NormalOf(flow, b));
+  const Offset chord = PlaceOf(b) - PlaceOf(a);
+  const double length = Length(chord);
+  Offset middle = PlaceOf(a) + 0.5 * chord;
+  Offset normal = na + nb;
+  if (length > kNoLength) {
+    // Tangents along the chord, at right angles to the normals.
+    Offset ta{-na.row, na.col}, tb{-nb.row, nb.col};
+    if (Dot(ta, chord) < 0.0) ta = -1.0 * ta;
+    if (Dot(tb, chord) < 0.0) tb = -1.0 * tb;
+    if (!(Dot(ta, chord) > 0.5 * length && Dot(tb, chord) > 0.5 * length)) {
+      return std::nullopt;
+    }
+    middle = middle + (0.125 * length) * (ta - tb);
+    const Offset tangent = (1.5 / length) * chord - 0.25 * (ta + tb);
+    const Offset across{-tangent.row, tangent.col};
+    normal = Dot(across, normal) < 0.0 ? -1.0 * across : across;
+  }
+  if (!(Length(normal) > 1e-3)) return std::nullopt;
+  Extremal half{middle.col, middle.row, 0.0, 0.0};
+  half.p_lon = normal.col / flow.DegPerCol(half.col);
+  half.p_lat = normal.row / flow.DegPerRow(half.row);
+  return half;
+}
+
+double Sweep::Bow::Ahead(double s) const {
+  const double r = 1.0 - s;
+  return length * s * r * (slope_a * r - slope_b * s);
+}
+
+Sweep::Bow Sweep::BowOf(Offset chord, Offset normal_a, Offset normal_b) const {
+  Bow bow;
+  bow.length = Length(chord);
+  if (!(bow.length > kNoLength)) return {};
+  Offset ahead{-chord.row, chord.col};
+  if (Dot(ahead, motion_) < 0.0) ahead = -1.0 * ahead;
+  const double a = Dot(normal_a, ahead), b = Dot(normal_b, ahead);
+  if (!(a > 0.0 && b > 0.0)) return {bow.length, HUGE_VAL, HUGE_VAL};
+  bow.slope_a = -Dot(normal_a, chord) / a;
+  bow.slope_b = -Dot(normal_b, chord) / b;
+  return bow;
+}
+
+Sweep::Sweep(const Flow& flow, const Strand& a, const Strand& b,
+             double length_s)
+    : a0_(PlaceOf(a.begin)),
+      a1_(PlaceOf(a.end)),
+      b0_(PlaceOf(b.begin)),
+      b1_(PlaceOf(b.end)),
+      begin_edge_(b0_ - a0_),
+      motion_(a1_ - a0_),
+      twist_((b1_ - a1_) - begin_edge_),
+      diagonal_det_a_(Cross(begin_edge_, b1_ - a0_)),
+      diagonal_det_b_(Cross(b1_ - a0_, motion_)),
+      length_s_(length_s) {
+  const Offset end_edge = b1_ - a1_;
+  motion_ = 0.5 * (motion_ + (b1_ - b0_));
+  begin_bow_ =
+      BowOf(begin_edge_, NormalOf(flow, a.begin), NormalOf(flow, b.begin));
+  end_bow_ = BowOf(end_edge, NormalOf(flow, a.end), NormalOf(flow, b.end));
+  const double across =
+      end_bow_.length > kNoLength
+          ? std::abs(Cross(end_edge, motion_)) / end_bow_.length
+          : 0.0;
+  if (across > kSlantest * Length(motion_) && Slope() < kSteepest) {
+    s_per_cell_ = length_s_ / across;
+  }
+  motion_ = a1_ - a0_;
+}
+
+double Sweep::Slope() const {
+  return std::max(
+      std::max(std::abs(begin_bow_.slope_a), std::abs(begin_bow_.slope_b)),
+      std::max(std::abs(end_bow_.slope_a), std::abs(end_bow_.slope_b)));
+}
+
+Offset Sweep::low() const {
+  return {std::min(std::min(a0_.col, a1_.col), std::min(b0_.col, b1_.col)),
+          std::min(std::min(a0_.row, a1_.row), std::min(b0_.row, b1_.row))};
+}
+
+Offset Sweep::high() const {
+  return {std::max(std::max(a0_.col, a1_.col), std::max(b0_.col, b1_.col)),
+          std::max(std::max(a0_.row, a1_.row), std::max(b0_.row, b1_.row))};
+}
+
+// Two triangles, on either side of the diagonal from a0 to b1.
+std::optional<Sweep::Share> Sweep::Find(Offset place) const {
+  const Offset d = place - a0_, diagonal = b1_ - a0_;
+  if (std::abs(diagonal_det_a_) > kNoLength) {
+    const double b0 = Cross(d, diagonal) / diagonal_det_a_;
+    const double b1 = Cross(begin_edge_, d) / diagonal_det_a_;
+    if (b0 >= -kTouch && b1 >= -kTouch && b0 + b1 <= 1.0 + kTouch) {
+      return Refine(place, {b0 + b1, b1});
+    }
+  }
+  if (std::abs(diagonal_det_b_) > kNoLength) {
+    const double b1 = Cross(d, motion_) / diagonal_det_b_;
+    const double a1 = Cross(diagonal, d) / diagonal_det_b_;
+    if (b1 >= -kTouch && a1 >= -kTouch && b1 + a1 <= 1.0 + kTouch) {
+      return Refine(place, {b1, b1 + a1});
+    }
+  }
+  return std::nullopt;
+}
+
+// Newton's method for X(s, w) = place.
+Sweep::Share Sweep::Refine(Offset place, Share share) const {
+  for (int i = 0; i < 2; ++i) {
+    const Offset by_s = begin_edge_ + share.along * twist_;
+    const Offset by_w = motion_ + share.across * twist_;
+    const double det = Cross(by_s, by_w);
+    if (!(std::abs(det) > kNoLength)) break;
+    const Offset miss =
+        place - (a0_ + share.across * begin_edge_ + share.along * by_w);
+    share.across = Clamp01(share.across + Cross(miss, by_w) / det);
+    share.along = Clamp01(share.along + Cross(by_s, miss) / det);
+  }
+  return share;
+}
+
+double Sweep::Time_s(Share share) const {
+  const double ahead = (1.0 - share.along) * begin_bow_.Ahead(share.across) +
+                       share.along * end_bow_.Ahead(share.across);
+  return share.along * length_s_ -
+         (s_per_cell_ > 0.0 ? ahead * s_per_cell_ : 0.0);
+}
+
+}  // namespace kg_compiler

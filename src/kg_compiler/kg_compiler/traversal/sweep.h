@@ -1,0 +1,88 @@
+// What lies between two neighbouring extremals during one step, and when the
+// front comes over it.
+//
+//   X(s, w) = (1-w) [(1-s) a0 + s b0] + w [(1-s) a1 + s b1]
+//   t = begin + w length - y(s, w) / v
+//
+// in cell units; s from one extremal to the other, w from the step's begin to
+// its end. The front is not the chord between the two: normals at its ends
+// make it a cubic (Hermite), y ahead of the chord; v is its speed.
+
+#ifndef KG_COMPILER_TRAVERSAL_SWEEP_H_
+#define KG_COMPILER_TRAVERSAL_SWEEP_H_
+
+#include <optional>
+
+#include "kg_compiler/traversal/extremal.h"
+
+namespace kg_compiler {
+
+// An extremal during one step.
+struct Strand {
+  Extremal begin, end;
+  double heading_rad = 0.0;  // When it left its root.
+  bool dead = false;         // Ended in this step.
+};
+
+// A vector in cell units.
+struct Offset {
+  double col = 0.0, row = 0.0;
+};
+inline double Dot(Offset a, Offset b) { return a.col * b.col + a.row * b.row; }
+inline double Cross(Offset a, Offset b) {
+  return a.col * b.row - a.row * b.col;
+}
+inline Offset operator-(Offset a, Offset b) {
+  return {a.col - b.col, a.row - b.row};
+}
+inline Offset operator+(Offset a, Offset b) {
+  return {a.col + b.col, a.row + b.row};
+}
+inline Offset operator*(double f, Offset a) { return {f * a.col, f * a.row}; }
+inline double Length(Offset a) { return std::sqrt(Dot(a, a)); }
+inline Offset PlaceOf(const Extremal& at) { return {at.col, at.row}; }
+// The front's normal in cell units.
+Offset NormalOf(const Flow& flow, const Extremal& at);
+
+// Half way along the front between two extremals, by a cubic through both with
+// their normals; nothing where the front is not smooth enough between them.
+std::optional<Extremal> Halfway(const Flow& flow, const Extremal& a,
+                                const Extremal& b);
+
+class Sweep {
+ public:
+  Sweep(const Flow& flow, const Strand& a, const Strand& b, double length_s);
+
+  struct Share {
+    double across = 0.0;  // s
+    double along = 0.0;   // w
+  };
+  // Where a place is, if between the two.
+  std::optional<Share> Find(Offset place) const;
+  double Time_s(Share share) const;  // After the step's begin.
+  Offset BeginAt(double across) const { return a0_ + across * begin_edge_; }
+
+  Offset low() const;  // The box around it.
+  Offset high() const;
+  // The largest slope of the front against its chords; how smooth it is.
+  double Slope() const;
+
+ private:
+  struct Bow {  // The front against one chord.
+    double length = 0.0, slope_a = 0.0, slope_b = 0.0;
+    double Ahead(double s) const;
+  };
+  Bow BowOf(Offset chord, Offset normal_a, Offset normal_b) const;
+  Share Refine(Offset place, Share share) const;
+
+  Offset a0_, a1_, b0_, b1_;
+  Offset begin_edge_, motion_, twist_;
+  double diagonal_det_a_, diagonal_det_b_;
+  double length_s_;
+  Bow begin_bow_, end_bow_;
+  double s_per_cell_ = 0.0;  // 1 / v; 0 = no bow.
+};
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_TRAVERSAL_SWEEP_H_
