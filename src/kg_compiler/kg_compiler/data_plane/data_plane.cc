@@ -71,7 +71,7 @@ void AddLayers(const Blend& blend, const kg_core::Mask& land,
   const std::size_t size = land.size();
   const float doubt = static_cast<float>(1.0 - tensor->confidence);
   kg_core::Raster fused = Fused(reward, blend.open, weight);
-  tensor->layers = {
+  tensor->content = HoldLayers({
       {Layer::kReward, std::move(reward)},
       {Layer::kUncertainty, kg_core::Raster(size, doubt)},
       {Layer::kPolicy,
@@ -80,7 +80,7 @@ void AddLayers(const Blend& blend, const kg_core::Mask& land,
        kg_core::Raster(blend.attenuation.begin(), blend.attenuation.end())},
       {Layer::kFeasibility, Feasibility(blend.open, land)},
       {Layer::kFused, std::move(fused)},
-  };
+  });
 }
 
 void HashConstraints(const ActiveFacts& active, kg_core::Hasher* hash) {
@@ -153,20 +153,35 @@ MissionTensor CompileTensor(const Mission& mission, const Agent& agent,
                             const TimeWindow& window,
                             const WindowRasters& rasters,
                             const HorizonScale* horizon) {
+  return CompileTensor({&mission, &agent, &window, &rasters, horizon}, nullptr);
+}
+
+MissionTensor CompileTensor(const TensorInputs& inputs,
+                            const MissionTensor* previous) {
+  const Mission& mission = *inputs.mission;
+  const Agent& agent = *inputs.agent;
+  const TimeWindow& window = *inputs.window;
+  const WindowRasters& rasters = *inputs.rasters;
+  const HorizonScale* horizon = inputs.horizon;
   CheckArguments(agent, rasters, horizon);
   const ActiveFacts active = FindActiveFacts(mission, agent, window);
-  const TensorBlend made = BlendTensor(agent, window, rasters, active, horizon);
   MissionTensor tensor;
   tensor.agent_iri = agent.iri;
   tensor.window = window.index;
   tensor.confidence = window.confidence;
   tensor.grid = rasters.grid;
-  AddLayers(made.blend, rasters.land, Reward(made.blend, made.n, rasters.land),
-            made.after, &tensor);
   tensor.hash = TensorHash(mission, agent, window, rasters, horizon);
   tensor.derived_from = horizon
                             ? horizon->derived_from
                             : TensorSources(mission, agent, window, rasters);
+  if (previous && previous->hash == tensor.hash) {
+    tensor.content = previous->content;
+    return tensor;
+  }
+  const TensorBlend made = BlendTensor(agent, window, rasters, active, horizon);
+  AddLayers(made.blend, rasters.land, Reward(made.blend, made.n, rasters.land),
+            made.after, &tensor);
+  tensor.cells_computed = rasters.grid.size();
   return tensor;
 }
 

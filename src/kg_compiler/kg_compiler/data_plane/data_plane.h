@@ -20,6 +20,9 @@
 #ifndef KG_COMPILER_DATA_PLANE_DATA_PLANE_H_
 #define KG_COMPILER_DATA_PLANE_DATA_PLANE_H_
 
+#include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +43,14 @@ struct WindowRasters {
   std::string field_iri;     // The ex:CurrentField whose gaps are land.
   std::string content_hash;  // Of grid, land and value.
   std::string land_hash;     // Of grid and land.
+  // ex:fullScale and ex:frontFullScale of the value layer, if it has them.
+  std::optional<double> full_scale;
+  std::optional<double> front_full_scale;
+  // Those that are read from files, on this grid: priors' values (NaN = no
+  // data) by the prior's IRI, constraints' masks (1 = inside) by theirs. What a
+  // file says is known by its sha256: these need no hash of their own.
+  std::map<std::string, std::shared_ptr<const kg_core::Raster>> prior_rasters;
+  std::map<std::string, std::shared_ptr<const kg_core::Mask>> constraint_masks;
 };
 
 // One N for all windows of an agent (A1, `horizon`).
@@ -53,6 +64,17 @@ struct HorizonScale {
 HorizonScale MeasureHorizon(const kg_core::Mission& mission,
                             const kg_core::Agent& agent,
                             const std::vector<WindowRasters>& rasters);
+
+// What one tensor is compiled from. All but `horizon` must be there and outlive
+// what is made with it.
+struct TensorInputs {
+  const kg_core::Mission* mission = nullptr;
+  const kg_core::Agent* agent = nullptr;
+  const kg_core::TimeWindow* window = nullptr;
+  const WindowRasters* rasters = nullptr;
+  // If and only if the policy's confidence mode is kHorizon.
+  const HorizonScale* horizon = nullptr;
+};
 
 // A tensor on its way: what N is applied to, N, and what the confidence w_t is
 // multiplied into. U = after N(masked) (.) M_hard; w_t stands either in `after`
@@ -68,8 +90,15 @@ TensorBlend BlendTensor(const kg_core::Agent& agent,
                         const WindowRasters& rasters, const ActiveFacts& active,
                         const HorizonScale* horizon);
 
-// `horizon` if and only if the policy's confidence mode is kHorizon. Throws
-// std::logic_error if that or the rasters' sizes do not agree.
+// Makes again only what differs from `previous`, if that is given and was
+// compiled: any tensor will do, best is that of the same agent and window
+// before the facts changed. The result is the same, bit by bit, whatever
+// `previous` is; `cells_computed` says what it took. Throws std::logic_error if
+// the rasters' sizes or the horizon do not agree with the rest.
+MissionTensor CompileTensor(const TensorInputs& inputs,
+                            const MissionTensor* previous);
+
+// From nothing.
 MissionTensor CompileTensor(const kg_core::Mission& mission,
                             const kg_core::Agent& agent,
                             const kg_core::TimeWindow& window,

@@ -28,15 +28,6 @@
 
 namespace kg_compiler {
 
-// What one tensor was compiled from.
-struct TensorInputs {
-  const kg_core::Mission* mission = nullptr;
-  const kg_core::Agent* agent = nullptr;
-  const kg_core::TimeWindow* window = nullptr;
-  const WindowRasters* rasters = nullptr;
-  const HorizonScale* horizon = nullptr;  // Of `horizon` only.
-};
-
 // Of a compilation. Throws kg_core::InputError if it has no such tensor, saying
 // which windows there are.
 TensorInputs FindTensorInputs(const Compilation& compilation,

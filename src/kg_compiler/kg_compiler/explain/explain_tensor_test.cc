@@ -132,7 +132,7 @@ TEST_F(ExplainTensor, PartsSumToTheCompiledTensorAtEveryCell) {
     RandomMission random(seed);
     const TensorInputs in = random.Inputs(static_cast<int>(seed % 3));
     const MissionTensor tensor = random.Compile(in);
-    const kg_core::Raster& fused = tensor.Get(Layer::kFused);
+    const kg_core::Raster fused = tensor.Get(Layer::kFused);
     const TensorExplainer explainer(in, facts_);
     for (int r = 0; r < tensor.grid.rows(); ++r) {
       for (int c = 0; c < tensor.grid.cols(); ++c) {
