@@ -214,7 +214,7 @@ TEST(ExplainPlan, TensorCellsAreTheCompiledOnes) {
         question.place = tensor->grid.Centre({i / cols, i % cols});
         const Explanation explanation = Explain(world, question);
         ExpectSums(explanation);
-        const double compiled = tensor->Get(kg_compiler::Layer::kFused)[i];
+        const double compiled = tensor->At(kg_compiler::Layer::kFused, i);
         EXPECT_NEAR(compiled, explanation.value, 2e-7);
       }
   });
@@ -375,10 +375,8 @@ TEST(ExplainPlan, PlacesAreForbiddenFarOrNotSampledAndAlwaysSaySo) {
       const auto& tensor = kg_compiler::FindTensor(
           *world.compilation, FindAgent(world, "bravo"), i % 3);
       const auto cell = tensor.grid.CellAt(question.place);
-      const bool is_open =
-          tensor.Get(
-              kg_compiler::Layer::kFeasibility)[tensor.grid.Index(*cell)] ==
-          1.0f;
+      const bool is_open = tensor.At(kg_compiler::Layer::kFeasibility,
+                                     tensor.grid.Index(*cell)) == 1.0f;
       EXPECT_EQ(is_open, explanation.verdict != "forbidden");
       if (explanation.verdict == "unreachable") {
         EXPECT_GT(explanation.value, 0);

@@ -178,7 +178,7 @@ class Builder {
 
   const WindowInputs& in_;
   const kg_core::Grid& grid_;
-  const kg_core::Raster& fused_;
+  const kg_core::Raster fused_;
   WindowSea sea_;
   std::vector<Reach> reaches_;  // By source.
   std::vector<Draft> drafts_;
@@ -237,7 +237,7 @@ NavGraph BuildWindowGraph(const WindowInputs& inputs) {
 bool IsOpenAt(const MissionTensor& tensor, kg_core::LonLat position) {
   const std::optional<kg_core::Cell> cell = tensor.grid.CellAt(position);
   if (!cell) return false;
-  return tensor.Get(Layer::kFeasibility)[tensor.grid.Index(*cell)] == 1.0f;
+  return tensor.At(Layer::kFeasibility, tensor.grid.Index(*cell)) == 1.0f;
 }
 
 }  // namespace kg_compiler

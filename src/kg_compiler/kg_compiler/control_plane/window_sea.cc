@@ -7,7 +7,7 @@ namespace kg_compiler {
 namespace {
 
 kg_core::Mask OpenCells(const MissionTensor& tensor) {
-  const kg_core::Raster& feasibility = tensor.Get(Layer::kFeasibility);
+  const kg_core::Raster feasibility = tensor.Get(Layer::kFeasibility);
   kg_core::Mask open(feasibility.size());
   for (std::size_t i = 0; i < open.size(); ++i) open[i] = feasibility[i] == 1.f;
   return open;

@@ -15,9 +15,10 @@ MissionTensor RandomTensor(std::mt19937& rng, const kg_core::Grid& grid) {
   MissionTensor tensor;
   tensor.grid = grid;
   tensor.hash = "t";
-  tensor.layers = {{Layer::kFused, RandomRaster(rng, grid.size(), 0, 1)},
-                   {Layer::kFeasibility, open},
-                   {Layer::kAttenuation, attenuation}};
+  tensor.content =
+      HoldLayers({{Layer::kFused, RandomRaster(rng, grid.size(), 0, 1)},
+                  {Layer::kFeasibility, open},
+                  {Layer::kAttenuation, attenuation}});
   return tensor;
 }
 

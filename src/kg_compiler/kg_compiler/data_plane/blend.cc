@@ -2,25 +2,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "kg_compiler/data_plane/bump.h"
 #include "kg_compiler/data_plane/distance_transform.h"
 #include "kg_compiler/data_plane/frontness.h"
 #include "kg_compiler/data_plane/masks.h"
-#include "kg_core/geo/geodesy.h"
+#include "kg_core/base/input_error.h"
 
 namespace kg_compiler {
 namespace {
 
 constexpr double kPercentile = 0.98;
-constexpr double kBumpReach_sigmas = 7.0;  // exp(-24.5) = 2e-11 beyond.
 
-double Gaussian(double distance_m, double sigma_m) {
-  const double z = distance_m / sigma_m;
-  return std::exp(-0.5 * z * z);
+void AddRaster(const kg_core::Raster& values, double weight,
+               std::vector<double>* sum) {
+  for (std::size_t i = 0; i < sum->size(); ++i) {
+    if (std::isfinite(values[i])) (*sum)[i] += weight * values[i];
+  }
 }
 
-void AddPrior(const kg_core::Grid& grid, const ActivePrior& prior,
+void AddPrior(const WindowRasters& rasters, const ActivePrior& prior,
               std::vector<double>* sum) {
+  const kg_core::Grid& grid = rasters.grid;
+  if (prior.fact->raster) {
+    AddRaster(*rasters.prior_rasters.at(prior.fact->iri), prior.beta, sum);
+    return;
+  }
+  if (!prior.fact->area) return;
   const kg_core::Mask inside =
       kg_core::RasteriseCentres(*prior.fact->area, grid);
   const double edge_m = prior.fact->edge_m;
@@ -36,57 +45,29 @@ void AddPrior(const kg_core::Grid& grid, const ActivePrior& prior,
   }
 }
 
-// Cells [first, last) of an axis whose centres lie within `half` of `middle`.
-struct Span {
-  int first, last;
-};
-
-Span SpanAround(const std::vector<double>& centres, double middle,
-                double half) {
-  const auto low =
-      std::lower_bound(centres.begin(), centres.end(), middle - half);
-  const auto high = std::upper_bound(low, centres.end(), middle + half);
-  return {static_cast<int>(low - centres.begin()),
-          static_cast<int>(high - centres.begin())};
-}
-
-// Distances by the scale at the middle latitude: within 1e-6 of the geodesic at
-// a bump's width.
 void AddBump(const kg_core::Grid& grid, const kg_core::Event& event,
              double beta_poi, std::vector<double>* sum) {
-  const kg_core::LonLat at = event.position;
-  const double reach_m = kBumpReach_sigmas * event.radius_m;
-  const double reach_deg = reach_m * kg_core::LocalScale(at.lat_deg).lat_deg;
-  const Span rows = SpanAround(grid.lat_deg(), at.lat_deg, reach_deg);
-  for (int r = rows.first; r < rows.last; ++r) {
-    const double lat_deg = grid.lat_deg()[r];
-    const kg_core::DegreesPerMetre scale =
-        kg_core::LocalScale(0.5 * (lat_deg + at.lat_deg));
-    const double north_m = (lat_deg - at.lat_deg) / scale.lat_deg;
-    const Span cols =
-        SpanAround(grid.lon_deg(), at.lon_deg, reach_m * scale.lon_deg);
-    for (int c = cols.first; c < cols.last; ++c) {
-      const double east_m = (grid.lon_deg()[c] - at.lon_deg) / scale.lon_deg;
-      const double d_m = std::sqrt(east_m * east_m + north_m * north_m);
-      (*sum)[grid.Index({r, c})] +=
-          beta_poi * event.value * Gaussian(d_m, event.radius_m);
-    }
-  }
+  ForEachBumpCell(grid, event, [&](kg_core::Cell cell, double bump) {
+    (*sum)[grid.Index(cell)] += beta_poi * event.value * bump;
+  });
 }
 
-// Adds weight * max(0, x) / (the largest x of an open cell).
-void AddInUnits(const kg_core::Raster& values, const kg_core::Mask& open,
-                double weight, std::vector<double>* sum) {
+double MostOpen(const kg_core::Raster& values, const kg_core::Mask& open) {
   double most = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (open[i] && std::isfinite(values[i])) {
       most = std::max<double>(most, values[i]);
     }
   }
-  if (!(most > 0.0)) return;
+  return most;
+}
+
+// Adds weight * max(0, x) / divisor.
+void AddLayer(const kg_core::Raster& values, double weight, double divisor,
+              std::vector<double>* sum) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i]) && values[i] > 0.0f) {
-      (*sum)[i] += weight * (values[i] / most);
+      (*sum)[i] += weight * (values[i] / divisor);
     }
   }
 }
@@ -121,41 +102,78 @@ std::vector<BlendTerm> BlendTerms(const ActiveFacts& active,
   return terms;
 }
 
-void AddTerm(const BlendInputs& inputs, const kg_core::Mask& open,
-             const BlendTerm& term, std::vector<double>* sum) {
+double LayerDivisor(const kg_core::Policy& policy,
+                    const std::optional<double>& stated, double most) {
+  switch (policy.layer_scale) {
+    case kg_core::LayerScale::kWindow:
+      return most > 0.0 ? most : std::numeric_limits<double>::infinity();
+    case kg_core::LayerScale::kFixed:
+      if (stated && *stated > 0.0) return *stated;
+      throw kg_core::InputError(
+          policy.iri + " ex:layerScale \"fixed\": the value layer of kind \"" +
+          policy.value_kind +
+          "\" has no ex:fullScale (of itself) or ex:frontFullScale (of its "
+          "gradient)");
+    case kg_core::LayerScale::kNone:
+      return 1.0;
+  }
+  return 1.0;
+}
+
+void AddTerm(const WindowRasters& rasters, const kg_core::Policy& policy,
+             const kg_core::Mask& open, const BlendTerm& term,
+             std::vector<double>* sum) {
+  const auto add_layer = [&](const kg_core::Raster& values,
+                             const std::optional<double>& stated) {
+    if (policy.paper_literal) {
+      AddRaster(values, term.weight, sum);
+      return;
+    }
+    AddLayer(values, term.weight,
+             LayerDivisor(policy, stated, MostOpen(values, open)), sum);
+  };
   switch (term.kind) {
     case BlendTerm::Kind::kBase:
-      AddInUnits(inputs.value, open, term.weight, sum);
+      add_layer(rasters.value, rasters.full_scale);
       return;
     case BlendTerm::Kind::kFront:
-      AddInUnits(GradientPerKm(inputs.grid, inputs.value), open, term.weight,
-                 sum);
+      add_layer(
+          GradientPerKm(rasters.grid, rasters.value, policy.front_operator),
+          rasters.front_full_scale);
       return;
     case BlendTerm::Kind::kPrior:
-      AddPrior(inputs.grid, {term.prior, term.weight}, sum);
+      AddPrior(rasters, {term.prior, term.weight, ""}, sum);
       return;
     case BlendTerm::Kind::kEvent:
-      AddBump(inputs.grid, *term.event, term.weight, sum);
+      AddBump(rasters.grid, *term.event, term.weight, sum);
       return;
   }
 }
 
 Blend BlendLayers(const ActiveFacts& active, const kg_core::Policy& policy,
-                  const BlendInputs& inputs) {
+                  const WindowRasters& rasters) {
   Blend blend;
-  blend.open = OpenCells(inputs.grid, inputs.land, active.constraints);
+  blend.open = OpenCells(rasters, active.constraints);
   blend.attenuation =
-      Attenuations(inputs.grid, inputs.land, active.constraints);
-  blend.priors.assign(inputs.grid.size(), 0.0);
-  blend.masked.assign(inputs.grid.size(), 0.0);
+      Attenuations(rasters, active.constraints, policy.soft_overlap);
+  blend.priors.assign(rasters.grid.size(), 0.0);
+  blend.masked.assign(rasters.grid.size(), 0.0);
   for (const BlendTerm& term : BlendTerms(active, policy)) {
     const bool is_layer = term.kind == BlendTerm::Kind::kBase ||
                           term.kind == BlendTerm::Kind::kFront;
-    AddTerm(inputs, blend.open, term, is_layer ? &blend.masked : &blend.priors);
+    AddTerm(rasters, policy, blend.open, term,
+            is_layer ? &blend.masked : &blend.priors);
   }
+  blend.counted = blend.open;
   for (std::size_t i = 0; i < blend.masked.size(); ++i) {
-    blend.masked[i] =
-        std::max(0.0, blend.masked[i] + blend.priors[i]) * blend.attenuation[i];
+    double& v = blend.masked[i];
+    v += blend.priors[i];
+    if (policy.paper_literal) {
+      v *= blend.open[i] ? blend.attenuation[i] : 0.0;
+      blend.counted[i] = rasters.land[i] ? 0 : 1;
+    } else {
+      v = std::max(0.0, v) * blend.attenuation[i];
+    }
   }
   return blend;
 }
@@ -166,12 +184,12 @@ double Normaliser::Apply(double x) const {
 }
 
 Normaliser FitNormaliser(const std::vector<double>& values,
-                         const kg_core::Mask& open,
+                         const kg_core::Mask& counted,
                          kg_core::Normalisation kind) {
   std::vector<double> inside;
   inside.reserve(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (open[i]) inside.push_back(values[i]);
+    if (counted[i]) inside.push_back(values[i]);
   }
   if (inside.empty()) return {};
   const auto [least, most] = std::minmax_element(inside.begin(), inside.end());

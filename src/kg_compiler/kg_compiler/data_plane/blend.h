@@ -1,30 +1,30 @@
-// The blend of Eq. 1 before its masks, and the normalisation N.
+// The blend of Eq. 1 before its masks, and the normalisation N, in double
+// precision, cell by cell: the reference. Tensors are made in float32
+// (compile_blend.h) and agree with it to 1e-6; explanations are made of this.
 //
 //   V = alpha B + sum_k beta_k P_k + beta_poi P_events + gamma F(B)
 
 #ifndef KG_COMPILER_DATA_PLANE_BLEND_H_
 #define KG_COMPILER_DATA_PLANE_BLEND_H_
 
+#include <optional>
 #include <vector>
 
 #include "kg_compiler/data_plane/active_facts.h"
+#include "kg_compiler/data_plane/window_rasters.h"
+#include "kg_core/mission/mission.h"
 #include "kg_core/raster/grid.h"
 
 namespace kg_compiler {
 
-// What the blend reads of one window, all on one grid.
-struct BlendInputs {
-  const kg_core::Grid& grid;
-  const kg_core::Mask& land;
-  const kg_core::Raster& value;  // B_t in its own unit; NaN = no data.
-};
-
 // One summand of V.
-//   kBase   alpha B, B divided by its maximum over open cells, hence in [0, 1]
-//           there; negative values and no data count 0.
+//   kBase   alpha B, B divided by the layer's scale: its maximum over open
+//           cells, or what is stated, or 1; negative values and no data count 0
+//           (paper_literal: B as it is).
 //   kFront  gamma F(B), F likewise.
 //   kPrior  beta_k P_k: 1 in cells whose centre is inside its area,
-//           exp(-d^2 / (2 edge^2)) at distance d from the nearest of them.
+//           exp(-d^2 / (2 edge^2)) at distance d from the nearest of them; or
+//           its raster as it is, where no data counts 0.
 //   kEvent  beta_poi value exp(-d^2 / (2 radius^2)); an event of no radius has
 //           no bump (A42).
 struct BlendTerm {
@@ -39,20 +39,30 @@ struct BlendTerm {
 std::vector<BlendTerm> BlendTerms(const ActiveFacts& active,
                                   const kg_core::Policy& policy);
 
-// Adds a term to `sum`, cell by cell: the one implementation behind tensors and
-// their explanations.
-void AddTerm(const BlendInputs& inputs, const kg_core::Mask& open,
-             const BlendTerm& term, std::vector<double>* sum);
+// What a layer is divided by. `most` is its largest open value, `stated` its
+// ex:fullScale or ex:frontFullScale: throws kg_core::InputError if that is
+// wanted and not there. Infinite where the layer is 0 everywhere.
+double LayerDivisor(const kg_core::Policy& policy,
+                    const std::optional<double>& stated, double most);
+
+// Adds a term to `sum`, cell by cell.
+void AddTerm(const WindowRasters& rasters, const kg_core::Policy& policy,
+             const kg_core::Mask& open, const BlendTerm& term,
+             std::vector<double>* sum);
 
 // What N is applied to, and what it is made of.
 struct Blend {
   kg_core::Mask open;               // M_hard.
   std::vector<double> attenuation;  // M_soft.
   std::vector<double> priors;       // sum beta P, events included.
-  std::vector<double> masked;       // max(0, V) * M_soft.
+  // max(0, V) M_soft; paper_literal: V M_soft M_hard.
+  std::vector<double> masked;
+  // The cells that N is fitted on and U may be other than 0 on: open ones;
+  // paper_literal: all water.
+  kg_core::Mask counted;
 };
 Blend BlendLayers(const ActiveFacts& active, const kg_core::Policy& policy,
-                  const BlendInputs& inputs);
+                  const WindowRasters& rasters);
 
 // N(x) = (x - low) / range, held in [0, 1]; 0 everywhere if range is 0.
 struct Normaliser {
@@ -61,11 +71,11 @@ struct Normaliser {
   double Apply(double x) const;
 };
 
-// From the open cells' values alone (A4). kMax: low 0, range max. kMinMax: the
-// two extremes; a constant field as kMax. kPercentile: low 0, range the 98th
-// percentile (nearest rank), or the maximum where that is 0.
+// From the counted cells' values alone (A4). kMax: low 0, range max. kMinMax:
+// the two extremes; a constant field as kMax. kPercentile: low 0, range the
+// 98th percentile (nearest rank), or the maximum where that is 0.
 Normaliser FitNormaliser(const std::vector<double>& values,
-                         const kg_core::Mask& open,
+                         const kg_core::Mask& counted,
                          kg_core::Normalisation kind);
 
 // The one that covers both (A1, `horizon`): lowest low to highest top.

@@ -1,18 +1,17 @@
 #include "kg_compiler/data_plane/data_plane.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <stdexcept>
 
 #include "kg_compiler/data_plane/active_facts.h"
 #include "kg_compiler/data_plane/blend.h"
+#include "kg_compiler/data_plane/compile_blend.h"
+#include "kg_compiler/data_plane/compiled_tensor.h"
 #include "kg_core/base/sha256.h"
 
 namespace kg_compiler {
 namespace {
-
-constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
 
 using kg_core::Agent;
 using kg_core::ConfidenceMode;
@@ -31,75 +30,54 @@ void CheckArguments(const Agent& agent, const WindowRasters& rasters,
   }
 }
 
-BlendInputs InputsOf(const WindowRasters& rasters) {
-  return {rasters.grid, rasters.land, rasters.value};
-}
-
 void Scale(double factor, std::vector<double>* values) {
   for (double& value : *values) value *= factor;
 }
 
-kg_core::Raster Reward(const Blend& blend, const Normaliser& n,
-                       const kg_core::Mask& land) {
-  kg_core::Raster reward(blend.masked.size(), 0.0f);
-  for (std::size_t i = 0; i < reward.size(); ++i) {
-    if (!land[i]) reward[i] = static_cast<float>(n.Apply(blend.masked[i]));
-  }
-  return reward;
+bool IsPost(const kg_core::Policy& policy) {
+  return policy.confidence_mode == ConfidenceMode::kPost &&
+         !policy.paper_literal;
 }
 
-kg_core::Raster Feasibility(const kg_core::Mask& open,
-                            const kg_core::Mask& land) {
-  kg_core::Raster feasibility(open.begin(), open.end());
-  for (std::size_t i = 0; i < feasibility.size(); ++i) {
-    if (land[i]) feasibility[i] = kNoData;
-  }
-  return feasibility;
+// What stands for a raster that is read from a file.
+void HashRaster(const Mission& mission, const kg_core::RasterRef& ref,
+                kg_core::Hasher* hash) {
+  const auto file = mission.files.find(ref.file_iri);
+  hash->Add("raster");
+  hash->Add(file == mission.files.end() ? ref.file_iri : file->second.sha256);
+  hash->Add(ref.variable);
+  hash->Add(static_cast<double>(ref.time_index));
 }
 
-kg_core::Raster Fused(const kg_core::Raster& reward, const kg_core::Mask& open,
-                      double weight) {
-  kg_core::Raster fused(reward.size(), 0.0f);
-  for (std::size_t i = 0; i < fused.size(); ++i) {
-    if (open[i]) fused[i] = static_cast<float>(weight * reward[i]);
-  }
-  return fused;
-}
-
-void AddLayers(const Blend& blend, const kg_core::Mask& land,
-               kg_core::Raster reward, double weight, MissionTensor* tensor) {
-  const std::size_t size = land.size();
-  const float doubt = static_cast<float>(1.0 - tensor->confidence);
-  kg_core::Raster fused = Fused(reward, blend.open, weight);
-  tensor->layers = {
-      {Layer::kReward, std::move(reward)},
-      {Layer::kUncertainty, kg_core::Raster(size, doubt)},
-      {Layer::kPolicy,
-       kg_core::Raster(blend.priors.begin(), blend.priors.end())},
-      {Layer::kAttenuation,
-       kg_core::Raster(blend.attenuation.begin(), blend.attenuation.end())},
-      {Layer::kFeasibility, Feasibility(blend.open, land)},
-      {Layer::kFused, std::move(fused)},
-  };
-}
-
-void HashConstraints(const ActiveFacts& active, kg_core::Hasher* hash) {
+void HashConstraints(const Mission& mission, const ActiveFacts& active,
+                     kg_core::Hasher* hash) {
   hash->Add(static_cast<double>(active.constraints.size()));
   for (const ActiveConstraint& constraint : active.constraints) {
     const kg_core::Constraint& fact = *constraint.fact;
     hash->Add(constraint.hard ? 1.0 : 0.0);
     if (!constraint.hard) hash->Add(constraint.attenuation);
-    hash->Add(fact.area ? fact.area->Wkt() : "land");
+    if (fact.mask) {
+      HashRaster(mission, *fact.mask, hash);
+    } else {
+      hash->Add(fact.area ? fact.area->Wkt() : "land");
+    }
     hash->Add(fact.buffer_cells);
+    const bool is_square =
+        fact.buffer_metric == kg_core::BufferMetric::kChebyshev;
+    if (fact.buffer_cells > 0.0 && is_square) hash->Add("chebyshev");
   }
 }
 
-void HashPriors(const ActiveFacts& active, double beta_poi,
-                kg_core::Hasher* hash) {
+void HashPriors(const Mission& mission, const ActiveFacts& active,
+                double beta_poi, kg_core::Hasher* hash) {
   hash->Add(static_cast<double>(active.priors.size()));
   for (const ActivePrior& prior : active.priors) {
     hash->Add(prior.beta);
-    hash->Add(prior.fact->area->Wkt());
+    if (prior.fact->raster) {
+      HashRaster(mission, *prior.fact->raster, hash);
+      continue;
+    }
+    hash->Add(prior.fact->area ? prior.fact->area->Wkt() : "nothing");
     hash->Add(prior.fact->edge_m);
   }
   hash->Add(static_cast<double>(active.events.size()));
@@ -112,26 +90,67 @@ void HashPriors(const ActiveFacts& active, double beta_poi,
   }
 }
 
+// Each where it makes a difference.
+void HashOptions(const kg_core::Policy& policy, const ActiveFacts& active,
+                 const WindowRasters& rasters, kg_core::Hasher* hash) {
+  if (policy.paper_literal) {
+    hash->Add("literal");
+  } else {
+    hash->Add(static_cast<double>(policy.normalisation));
+  }
+  hash->Add(static_cast<double>(policy.confidence_mode));
+  if (policy.gamma_front != 0.0) {
+    hash->Add(static_cast<double>(policy.front_operator));
+  }
+  if (active.reads_value && !policy.paper_literal) {
+    hash->Add(static_cast<double>(policy.layer_scale));
+    if (policy.layer_scale == kg_core::LayerScale::kFixed) {
+      if (policy.alpha_base != 0.0) hash->Add(rasters.full_scale.value_or(0));
+      if (policy.gamma_front != 0.0) {
+        hash->Add(rasters.front_full_scale.value_or(0));
+      }
+    }
+  }
+  const auto is_soft = [](const ActiveConstraint& constraint) {
+    return !constraint.hard && constraint.attenuation != 1.0;
+  };
+  const bool can_overlap = std::count_if(active.constraints.begin(),
+                                         active.constraints.end(), is_soft) > 1;
+  if (can_overlap) hash->Add(static_cast<double>(policy.soft_overlap));
+}
+
 }  // namespace
 
-HorizonScale MeasureHorizon(const Mission& mission, const Agent& agent,
-                            const std::vector<WindowRasters>& rasters) {
+HorizonScale MeasureHorizon(
+    const Mission& mission, const Agent& agent,
+    const std::vector<std::shared_ptr<const WindowRasters>>& rasters,
+    DataPlaneCache* cache) {
   Normaliser all;
   std::set<std::string> sources;
   for (std::size_t i = 0; i < mission.windows.size(); ++i) {
     const TimeWindow& window = mission.windows[i];
+    const WindowRasters& here = *rasters.at(i);
     const ActiveFacts active = FindActiveFacts(mission, agent, window);
-    Blend blend = BlendLayers(active, agent.policy, InputsOf(rasters.at(i)));
-    Scale(window.confidence, &blend.masked);
-    const Normaliser own =
-        FitNormaliser(blend.masked, blend.open, agent.policy.normalisation);
+    const TensorInputs inputs{&mission, &agent, &window, &here, nullptr, cache};
+    const MadeBlend made = CompileBlend(inputs, active, nullptr);
+    const RowScale n = FitScale(*made.field, agent.policy,
+                                static_cast<float>(window.confidence), nullptr);
+    const Normaliser own{n.low * made.field->unit, n.range * made.field->unit};
     if (own.range > 0.0) all = all.range > 0.0 ? Merge(all, own) : own;
-    for (std::string& iri :
-         TensorSources(mission, agent, window, rasters.at(i))) {
+    for (std::string& iri : TensorSources(mission, agent, window, here)) {
       sources.insert(std::move(iri));
     }
   }
   return {all.low, all.range, {sources.begin(), sources.end()}};
+}
+
+HorizonScale MeasureHorizon(const Mission& mission, const Agent& agent,
+                            const std::vector<WindowRasters>& rasters) {
+  std::vector<std::shared_ptr<const WindowRasters>> pointers;
+  for (const WindowRasters& window : rasters) {
+    pointers.emplace_back(std::shared_ptr<const void>(), &window);
+  }
+  return MeasureHorizon(mission, agent, pointers, nullptr);
 }
 
 TensorBlend BlendTensor(const Agent& agent, const TimeWindow& window,
@@ -139,13 +158,15 @@ TensorBlend BlendTensor(const Agent& agent, const TimeWindow& window,
                         const HorizonScale* horizon) {
   const kg_core::Policy& policy = agent.policy;
   TensorBlend made;
-  made.blend = BlendLayers(active, policy, InputsOf(rasters));
-  const bool post = policy.confidence_mode == ConfidenceMode::kPost;
+  made.blend = BlendLayers(active, policy, rasters);
+  const bool post = IsPost(policy);
   (post ? made.after : made.before) = window.confidence;
   if (!post) Scale(window.confidence, &made.blend.masked);
+  const kg_core::Normalisation kind = policy.paper_literal
+                                          ? kg_core::Normalisation::kMinMax
+                                          : policy.normalisation;
   made.n = horizon ? Normaliser{horizon->low, horizon->range}
-                   : FitNormaliser(made.blend.masked, made.blend.open,
-                                   policy.normalisation);
+                   : FitNormaliser(made.blend.masked, made.blend.counted, kind);
   return made;
 }
 
@@ -153,20 +174,44 @@ MissionTensor CompileTensor(const Mission& mission, const Agent& agent,
                             const TimeWindow& window,
                             const WindowRasters& rasters,
                             const HorizonScale* horizon) {
+  return CompileTensor({&mission, &agent, &window, &rasters, horizon}, nullptr);
+}
+
+MissionTensor CompileTensor(const TensorInputs& inputs,
+                            const MissionTensor* previous) {
+  const Mission& mission = *inputs.mission;
+  const Agent& agent = *inputs.agent;
+  const TimeWindow& window = *inputs.window;
+  const WindowRasters& rasters = *inputs.rasters;
+  const HorizonScale* horizon = inputs.horizon;
   CheckArguments(agent, rasters, horizon);
   const ActiveFacts active = FindActiveFacts(mission, agent, window);
-  const TensorBlend made = BlendTensor(agent, window, rasters, active, horizon);
   MissionTensor tensor;
   tensor.agent_iri = agent.iri;
   tensor.window = window.index;
   tensor.confidence = window.confidence;
   tensor.grid = rasters.grid;
-  AddLayers(made.blend, rasters.land, Reward(made.blend, made.n, rasters.land),
-            made.after, &tensor);
   tensor.hash = TensorHash(mission, agent, window, rasters, horizon);
   tensor.derived_from = horizon
                             ? horizon->derived_from
                             : TensorSources(mission, agent, window, rasters);
+  if (previous && previous->hash == tensor.hash) {
+    tensor.content = previous->content;
+    return tensor;
+  }
+  const auto* before =
+      previous ? dynamic_cast<const CompiledTensor*>(previous->content.get())
+               : nullptr;
+  const MadeBlend made =
+      CompileBlend(inputs, active, before ? before->field() : nullptr);
+  const float w = static_cast<float>(window.confidence);
+  const bool post = IsPost(agent.policy);
+  RowScale scale =
+      FitScale(*made.field, agent.policy, post ? 1.0f : w, horizon);
+  scale.after = post ? w : 1.0f;
+  tensor.content =
+      std::make_shared<CompiledTensor>(made.field, scale, window.confidence);
+  tensor.cells_computed = made.cells;
   return tensor;
 }
 
@@ -180,10 +225,9 @@ std::string TensorHash(const Mission& mission, const Agent& agent,
   hash.Add(window.confidence);
   hash.Add(policy.alpha_base);
   hash.Add(policy.gamma_front);
-  hash.Add(static_cast<double>(policy.normalisation));
-  hash.Add(static_cast<double>(policy.confidence_mode));
-  HashConstraints(active, &hash);
-  HashPriors(active, policy.beta_poi, &hash);
+  HashOptions(policy, active, rasters, &hash);
+  HashConstraints(mission, active, &hash);
+  HashPriors(mission, active, policy.beta_poi, &hash);
   if (horizon) {
     hash.Add(horizon->low);
     hash.Add(horizon->range);
@@ -204,10 +248,12 @@ std::vector<std::string> TensorSources(const Mission& mission,
   if (active.names_agent) sources.insert(agent.iri);
   for (const ActiveConstraint& constraint : active.constraints) {
     sources.insert({constraint.fact->iri, constraint.override_iri});
+    if (constraint.fact->mask) sources.insert(constraint.fact->mask->file_iri);
     sources.insert(constraint.avoided_by.begin(), constraint.avoided_by.end());
   }
   for (const ActivePrior& prior : active.priors) {
     sources.insert({prior.fact->iri, prior.weight_iri});
+    if (prior.fact->raster) sources.insert(prior.fact->raster->file_iri);
   }
   for (const kg_core::Event* event : active.events) sources.insert(event->iri);
   sources.erase("");

@@ -6,57 +6,53 @@
 //   N       divides by the maximum over feasible cells (A5; minmax and
 //           percentile by policy); an all-zero field stays zero.
 //   w_t     after N, else it would cancel (A1; `pre` and `horizon` by policy).
-//   M_soft  product of the attenuations of the soft zones a cell's centre is in
-//           (A10), the policy's softOverrides in place of their own factor;
-//           those that the agent must avoid are in M_hard instead (A11).
-//   M_hard  0 where a no_go area touches the cell (supercover), within the land
-//           buffer (Euclidean distance to land <= bufferCells), and on land;
-//           applied last, so forbidden cells are exactly 0 (A4).
-//   F       gradient magnitude per km (Sobel, NaN-aware), scaled to [0, 1] by
-//           its maximum over the window's feasible cells (A16); skipped for
-//           gamma = 0. B enters in [0, 1] likewise.
+//   M_soft  product (or least) of the attenuations of the soft zones a cell's
+//           centre is in (A10), the policy's softOverrides in place of their
+//           own factor; those that the agent must avoid are in M_hard (A11).
+//   M_hard  0 where a no_go area touches the cell (supercover) or a mask has
+//           it, within its buffer (Euclidean or Chebyshev, in cells), and on
+//           land; applied last, so forbidden cells are exactly 0 (A4).
+//   F       gradient magnitude per km (Sobel or central, NaN-aware), divided by
+//           its maximum over the window's feasible cells (A16), or by what is
+//           stated; skipped for gamma = 0. B likewise.
+//   P       areas, 1 inside, with soft edges; rasters as they are.
 //   Events  value-weighted Gaussian bumps in the windows they are active (A42).
+//
+//   paper_literal: U = N( w_t V M_soft M_hard ), layers as they are, N min-max
+//           over all water; 0 on land.
+//
+// In float32, one pass over the rows; see compile_blend.h and
+// compiled_tensor.h.
 
 #ifndef KG_COMPILER_DATA_PLANE_DATA_PLANE_H_
 #define KG_COMPILER_DATA_PLANE_DATA_PLANE_H_
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "kg_compiler/data_plane/blend.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
+#include "kg_compiler/data_plane/tensor_inputs.h"
+#include "kg_compiler/data_plane/window_rasters.h"
 #include "kg_core/mission/mission.h"
 #include "kg_core/raster/grid.h"
 
 namespace kg_compiler {
 
-// What does not depend on the agent, for one window.
-struct WindowRasters {
-  kg_core::Grid grid;
-  kg_core::Mask land;     // 1 = land (no current data).
-  kg_core::Raster value;  // B_t in its own unit; NaN = no data.
-  std::string value_iri;  // The ex:ValueLayer.
-  std::string value_file_iri;
-  std::string field_iri;     // The ex:CurrentField whose gaps are land.
-  std::string content_hash;  // Of grid, land and value.
-  std::string land_hash;     // Of grid and land.
-};
-
-// One N for all windows of an agent (A1, `horizon`).
-struct HorizonScale {
-  double low = 0.0;
-  double range = 0.0;
-  std::vector<std::string> derived_from;  // What every window's blend read.
-};
-
 // `rasters` of every window of the mission, by index.
+HorizonScale MeasureHorizon(
+    const kg_core::Mission& mission, const kg_core::Agent& agent,
+    const std::vector<std::shared_ptr<const WindowRasters>>& rasters,
+    DataPlaneCache* cache);
 HorizonScale MeasureHorizon(const kg_core::Mission& mission,
                             const kg_core::Agent& agent,
                             const std::vector<WindowRasters>& rasters);
 
-// A tensor on its way: what N is applied to, N, and what the confidence w_t is
-// multiplied into. U = after N(masked) (.) M_hard; w_t stands either in `after`
-// (A1, `post`) or, by `before`, in masked already.
+// The reference: a tensor on its way in double precision, what N is applied to,
+// N, and what the confidence w_t is multiplied into. U = after N(masked) on the
+// cells that count, 0 elsewhere; w_t stands either in `after` (A1, `post`) or,
+// by `before`, in masked already.
 struct TensorBlend {
   Blend blend;
   Normaliser n;
@@ -68,8 +64,15 @@ TensorBlend BlendTensor(const kg_core::Agent& agent,
                         const WindowRasters& rasters, const ActiveFacts& active,
                         const HorizonScale* horizon);
 
-// `horizon` if and only if the policy's confidence mode is kHorizon. Throws
-// std::logic_error if that or the rasters' sizes do not agree.
+// Makes again only what differs from `previous`, if that is given and was
+// compiled: any tensor will do, best is that of the same agent and window
+// before the facts changed. The result is the same, bit by bit, whatever
+// `previous` is; `cells_computed` says what it took. Throws std::logic_error if
+// the rasters' sizes or the horizon do not agree with the rest.
+MissionTensor CompileTensor(const TensorInputs& inputs,
+                            const MissionTensor* previous);
+
+// From nothing.
 MissionTensor CompileTensor(const kg_core::Mission& mission,
                             const kg_core::Agent& agent,
                             const kg_core::TimeWindow& window,

@@ -1,5 +1,6 @@
 #include "kg_compiler/data_plane/distance_transform.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
@@ -90,25 +91,58 @@ class Envelope {
   std::vector<double> begins_;  // Where each member becomes the lowest.
 };
 
-}  // namespace
-
-kg_core::Mask GrowByCells(const kg_core::Grid& grid, const kg_core::Mask& set,
-                          double cells) {
-  if (!(cells > 0.0)) return set;
+kg_core::Mask GrowRound(int rows, int cols, const kg_core::Mask& set,
+                        double cells) {
   kg_core::Mask outside(set.size());
-  bool empty = true;
-  for (std::size_t i = 0; i < set.size(); ++i) {
-    outside[i] = set[i] ? 0 : 1;
-    empty = empty && !set[i];
-  }
-  if (empty) return set;
-  const cv::Mat from(grid.rows(), grid.cols(), CV_8U, outside.data());
+  for (std::size_t i = 0; i < set.size(); ++i) outside[i] = set[i] ? 0 : 1;
+  const cv::Mat from(rows, cols, CV_8U, outside.data());
   cv::Mat distance;
   cv::distanceTransform(from, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   kg_core::Mask grown(set.size());
   const float* d = distance.ptr<float>();
   for (std::size_t i = 0; i < grown.size(); ++i) grown[i] = d[i] <= cells;
   return grown;
+}
+
+// out[i] = 1 if one of in[i - reach .. i + reach] is set; every `step`-th
+// entry.
+void GrowLine(const unsigned char* in, int size, int step, int reach,
+              unsigned char* out) {
+  int last = -reach - 1;  // The last set one so far.
+  for (int i = 0; i < size + reach; ++i) {
+    if (i < size && in[static_cast<std::ptrdiff_t>(i) * step]) last = i;
+    const int at = i - reach;
+    if (at >= 0 && last >= at - reach) {
+      out[static_cast<std::ptrdiff_t>(at) * step] = 1;
+    }
+  }
+}
+
+kg_core::Mask GrowSquare(int rows, int cols, const kg_core::Mask& set,
+                         double cells) {
+  const int reach =
+      static_cast<int>(std::min<double>(std::floor(cells), rows + cols));
+  kg_core::Mask along(set.size(), 0), grown(set.size(), 0);
+  for (int r = 0; r < rows; ++r) {
+    const std::size_t first = static_cast<std::size_t>(r) * cols;
+    GrowLine(&set[first], cols, 1, reach, &along[first]);
+  }
+  for (int c = 0; c < cols; ++c) {
+    GrowLine(&along[c], rows, cols, reach, &grown[c]);
+  }
+  return grown;
+}
+
+}  // namespace
+
+kg_core::Mask GrowByCells(int rows, int cols, const kg_core::Mask& set,
+                          double cells, kg_core::BufferMetric metric) {
+  const bool empty =
+      std::none_of(set.begin(), set.end(), [](auto cell) { return cell != 0; });
+  if (!(cells > 0.0) || empty) return set;
+  return metric == kg_core::BufferMetric::kChebyshev
+             ? GrowSquare(rows, cols, set, cells)
+             : GrowRound(rows, cols, set, cells);
 }
 
 std::vector<double> DistanceTo_m(const kg_core::Grid& grid,

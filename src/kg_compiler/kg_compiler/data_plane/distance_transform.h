@@ -4,15 +4,23 @@
 #ifndef KG_COMPILER_DATA_PLANE_DISTANCE_TRANSFORM_H_
 #define KG_COMPILER_DATA_PLANE_DISTANCE_TRANSFORM_H_
 
+#include "kg_core/mission/mission.h"
 #include "kg_core/raster/grid.h"
 
 namespace kg_compiler {
 
-// Cells within `cells` of a cell of `set`: Euclidean distance between centres
-// in cell units <= `cells` (A15). The set itself included; grown by 0 it is
+// Cells within `cells` of a cell of `set`, a mask of rows x cols: distance
+// between centres in cell units <= `cells` (A15), Euclidean or the larger of
+// the two differences (Chebyshev). The set itself included; grown by 0 it is
 // itself.
-kg_core::Mask GrowByCells(const kg_core::Grid& grid, const kg_core::Mask& set,
-                          double cells);
+kg_core::Mask GrowByCells(
+    int rows, int cols, const kg_core::Mask& set, double cells,
+    kg_core::BufferMetric metric = kg_core::BufferMetric::kEuclidean);
+inline kg_core::Mask GrowByCells(
+    const kg_core::Grid& grid, const kg_core::Mask& set, double cells,
+    kg_core::BufferMetric metric = kg_core::BufferMetric::kEuclidean) {
+  return GrowByCells(grid.rows(), grid.cols(), set, cells, metric);
+}
 
 // Metres from each cell's centre to the nearest centre of the set, 0 inside;
 // infinite if the set is empty. Eastward distances at the scale of the set's

@@ -57,13 +57,17 @@ bool Slope(const Difference& d, double* slope) {
 
 class Gradient {
  public:
-  Gradient(const kg_core::Grid& grid, const kg_core::Raster& values)
-      : grid_(grid), values_(values), scales_(Measure(grid)) {}
+  Gradient(const kg_core::Grid& grid, const kg_core::Raster& values,
+           kg_core::FrontOperator op)
+      : grid_(grid),
+        values_(values),
+        scales_(Measure(grid)),
+        reach_(op == kg_core::FrontOperator::kSobel ? 1 : 0) {}
 
   float At(int r, int c) const {
     if (!std::isfinite(Value(r, c))) return kNoData;
     double east = 0.0, north = 0.0, east_weight = 0.0, north_weight = 0.0;
-    for (int k = -1; k <= 1; ++k) {
+    for (int k = -reach_; k <= reach_; ++k) {
       const double weight = k == 0 ? 2.0 : 1.0;
       double slope = 0.0;
       if (Eastward(r + k, c, &slope)) {
@@ -106,13 +110,15 @@ class Gradient {
   const kg_core::Grid& grid_;
   const kg_core::Raster& values_;
   Scales scales_;
+  int reach_;  // Rows and columns beside the cell's own.
 };
 
 }  // namespace
 
 kg_core::Raster GradientPerKm(const kg_core::Grid& grid,
-                              const kg_core::Raster& values) {
-  const Gradient gradient(grid, values);
+                              const kg_core::Raster& values,
+                              kg_core::FrontOperator op) {
+  const Gradient gradient(grid, values, op);
   kg_core::Raster result;
   result.reserve(values.size());
   for (int r = 0; r < grid.rows(); ++r) {

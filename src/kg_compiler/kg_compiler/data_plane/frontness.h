@@ -4,6 +4,8 @@
 //   eastward differences in the rows r-1, r, r+1, gy likewise of the northward
 //   differences in the columns; a difference is over its own length on WGS84.
 //
+// kCentral takes the differences of the cell's own row and column alone.
+//
 // No data (non-finite): a difference is central where both neighbours have
 // data, one-sided where one and the middle have, left out of the mean
 // otherwise. NaN where the cell itself has no data; 0 where nothing can be
@@ -12,13 +14,16 @@
 #ifndef KG_COMPILER_DATA_PLANE_FRONTNESS_H_
 #define KG_COMPILER_DATA_PLANE_FRONTNESS_H_
 
+#include "kg_core/mission/mission.h"
 #include "kg_core/raster/grid.h"
 
 namespace kg_compiler {
 
-// In units of `values` per km.
-kg_core::Raster GradientPerKm(const kg_core::Grid& grid,
-                              const kg_core::Raster& values);
+// In units of `values` per km. Double precision inside; layer_table.h makes the
+// same in float32 for tensors.
+kg_core::Raster GradientPerKm(
+    const kg_core::Grid& grid, const kg_core::Raster& values,
+    kg_core::FrontOperator op = kg_core::FrontOperator::kSobel);
 
 }  // namespace kg_compiler
 

@@ -1,28 +1,48 @@
 #include "kg_compiler/data_plane/masks.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "kg_compiler/data_plane/distance_transform.h"
 
 namespace kg_compiler {
+namespace {
 
-kg_core::Mask ConstraintExtent(const kg_core::Grid& grid,
-                               const kg_core::Mask& land,
-                               const ActiveConstraint& constraint) {
+kg_core::Mask Bare(const WindowRasters& rasters,
+                   const ActiveConstraint& constraint) {
   const kg_core::Constraint& fact = *constraint.fact;
-  if (fact.is_land) return GrowByCells(grid, land, fact.buffer_cells);
-  if (!fact.area) return kg_core::Mask(grid.size(), 0);
-  const kg_core::Mask inside =
-      constraint.hard ? kg_core::RasteriseTouched(*fact.area, grid)
-                      : kg_core::RasteriseCentres(*fact.area, grid);
-  return GrowByCells(grid, inside, fact.buffer_cells);
+  if (fact.is_land) return rasters.land;
+  if (fact.mask) {
+    const auto mask = rasters.constraint_masks.find(fact.iri);
+    if (mask == rasters.constraint_masks.end() ||
+        mask->second->size() != rasters.grid.size()) {
+      throw std::logic_error("no mask of the grid's size for " + fact.iri);
+    }
+    return *mask->second;
+  }
+  if (!fact.area) return kg_core::Mask(rasters.grid.size(), 0);
+  return constraint.hard ? kg_core::RasteriseTouched(*fact.area, rasters.grid)
+                         : kg_core::RasteriseCentres(*fact.area, rasters.grid);
 }
 
-kg_core::Mask OpenCells(const kg_core::Grid& grid, const kg_core::Mask& land,
+}  // namespace
+
+kg_core::Mask ConstraintExtent(const WindowRasters& rasters,
+                               const ActiveConstraint& constraint) {
+  const kg_core::Constraint& fact = *constraint.fact;
+  return GrowByCells(rasters.grid, Bare(rasters, constraint), fact.buffer_cells,
+                     fact.buffer_metric);
+}
+
+kg_core::Mask OpenCells(const WindowRasters& rasters,
                         const std::vector<ActiveConstraint>& constraints) {
-  kg_core::Mask open(grid.size());
-  for (std::size_t i = 0; i < open.size(); ++i) open[i] = land[i] ? 0 : 1;
+  kg_core::Mask open(rasters.grid.size());
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    open[i] = rasters.land[i] ? 0 : 1;
+  }
   for (const ActiveConstraint& constraint : constraints) {
     if (!constraint.hard) continue;
-    const kg_core::Mask closed = ConstraintExtent(grid, land, constraint);
+    const kg_core::Mask closed = ConstraintExtent(rasters, constraint);
     for (std::size_t i = 0; i < open.size(); ++i) {
       if (closed[i]) open[i] = 0;
     }
@@ -31,14 +51,18 @@ kg_core::Mask OpenCells(const kg_core::Grid& grid, const kg_core::Mask& land,
 }
 
 std::vector<double> Attenuations(
-    const kg_core::Grid& grid, const kg_core::Mask& land,
-    const std::vector<ActiveConstraint>& constraints) {
-  std::vector<double> factor(grid.size(), 1.0);
+    const WindowRasters& rasters,
+    const std::vector<ActiveConstraint>& constraints,
+    kg_core::SoftOverlap overlap) {
+  std::vector<double> factor(rasters.grid.size(), 1.0);
+  const bool is_product = overlap == kg_core::SoftOverlap::kProduct;
   for (const ActiveConstraint& constraint : constraints) {
     if (constraint.hard || constraint.attenuation == 1.0) continue;
-    const kg_core::Mask inside = ConstraintExtent(grid, land, constraint);
+    const kg_core::Mask inside = ConstraintExtent(rasters, constraint);
     for (std::size_t i = 0; i < factor.size(); ++i) {
-      if (inside[i]) factor[i] *= constraint.attenuation;
+      if (!inside[i]) continue;
+      factor[i] = is_product ? factor[i] * constraint.attenuation
+                             : std::min(factor[i], constraint.attenuation);
     }
   }
   return factor;

@@ -1,9 +1,16 @@
 // The mission tensor of one (agent, window): the data plane's product and all
 // that the control plane may know of the world's rasters.
+//
+// A tensor is a name in front of a content. The content is immutable and shared
+// by pointer among tensors alike, so that a copy costs a few strings; layers
+// are made of it when they are asked for. Every process that holds a content,
+// compiled or received, gets the same bits of the layers it has.
 
 #ifndef KG_COMPILER_DATA_PLANE_MISSION_TENSOR_H_
 #define KG_COMPILER_DATA_PLANE_MISSION_TENSOR_H_
 
+#include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,21 +34,41 @@ struct TensorLayer {
   kg_core::Raster values;
 };
 
+// What tensors are made of. Two kinds: compiled (compiled_tensor.h), and layers
+// held as they came (below). Safe to read from several threads.
+class TensorContent {
+ public:
+  virtual ~TensorContent() = default;
+  virtual bool Has(Layer layer) const = 0;
+  // Of a layer that it has, and of a cell of the grid.
+  virtual float At(Layer layer, std::size_t cell) const = 0;
+  virtual kg_core::Raster Get(Layer layer) const = 0;
+};
+
+// Layers as they are: of a message, which has only some.
+std::shared_ptr<const TensorContent> HoldLayers(
+    std::vector<TensorLayer> layers);
+
 struct MissionTensor {
   std::string agent_iri;
   int window = 0;
   double confidence = 1.0;
   kg_core::Grid grid;
-  std::vector<TensorLayer> layers;
   std::string hash;  // Of the inputs and parameters it is made of.
   // The facts and files read to make it: its prov:wasDerivedFrom. Sorted.
   std::vector<std::string> derived_from;
+  std::shared_ptr<const TensorContent> content;
+  // Cells of the blend that were computed to make it: the grid's size, or fewer
+  // where a previous content was updated or shared.
+  std::size_t cells_computed = 0;
 
-  bool Has(Layer layer) const;
-  // One cell of a layer. Throws std::logic_error if the layer is not there.
+  bool Has(Layer layer) const { return content && content->Has(layer); }
+  // One cell of a layer. Throws std::logic_error if the layer is not there,
+  // std::out_of_range if the cell is not.
   float At(Layer layer, std::size_t cell) const;
-  // Throws std::logic_error if the layer is not there.
-  const kg_core::Raster& Get(Layer layer) const;
+  // The whole layer, made anew by every call: keep what it returns. Throws
+  // std::logic_error if the layer is not there.
+  kg_core::Raster Get(Layer layer) const;
 };
 
 }  // namespace kg_compiler

@@ -32,7 +32,7 @@ class Place {
         rasters_(*question.tensor.rasters),
         active_(FindActiveFacts(*in_.tensor.mission, *in_.tensor.agent,
                                 *in_.tensor.window)),
-        open_(OpenCells(rasters_.grid, rasters_.land, active_.constraints)) {
+        open_(OpenCells(rasters_, active_.constraints)) {
     for (const auto& field : in_.seam.compilation->fields) {
       if (field->window == in_.seam.window->window) field_ = &field->field;
     }
@@ -79,7 +79,7 @@ class Place {
   Explanation Forbidden() const {
     Explanation explanation = Named("forbidden", "m", "");
     std::vector<ActiveConstraint> so_far;
-    double before_m = MetresToOpen(OpenCells(rasters_.grid, rasters_.land, {}));
+    double before_m = MetresToOpen(OpenCells(rasters_, {}));
     std::string names;
     if (rasters_.land[rasters_.grid.Index(cell_)]) {
       explanation.parts.push_back({before_m, "M_hard(land)",
@@ -90,8 +90,7 @@ class Place {
     for (const ActiveConstraint& constraint : active_.constraints) {
       if (!constraint.hard || !Holds(constraint)) continue;
       so_far.push_back(constraint);
-      const double after_m =
-          MetresToOpen(OpenCells(rasters_.grid, rasters_.land, so_far));
+      const double after_m = MetresToOpen(OpenCells(rasters_, so_far));
       const std::string iri = kg_core::AbbreviateIri(constraint.fact->iri);
       explanation.parts.push_back(
           {after_m - before_m, "M_hard(" + iri + ")",
@@ -108,8 +107,8 @@ class Place {
   }
 
   bool Holds(const ActiveConstraint& constraint) const {
-    return ConstraintExtent(rasters_.grid, rasters_.land,
-                            constraint)[rasters_.grid.Index(cell_)] != 0;
+    return ConstraintExtent(rasters_, constraint)[rasters_.grid.Index(cell_)] !=
+           0;
   }
 
   // Ways ----------------------------------------------------------------------

@@ -58,30 +58,25 @@ TensorExplainer::TensorExplainer(const TensorInputs& inputs,
   made_ =
       BlendTensor(*in_.agent, *in_.window, *in_.rasters, active, in_.horizon);
   if (made_.n.range > 0.0) scale_ = 1.0 / made_.n.range;
-  const BlendInputs blend{in_.rasters->grid, in_.rasters->land,
-                          in_.rasters->value};
-  AddTerms(active, blend);
-  AddZones(active, blend);
+  AddTerms(active);
+  AddZones(active);
   DescribeParts();
 }
 
-void TensorExplainer::AddTerms(const ActiveFacts& active,
-                               const BlendInputs& inputs) {
+void TensorExplainer::AddTerms(const ActiveFacts& active) {
   terms_ = BlendTerms(active, in_.agent->policy);
   for (const BlendTerm& term : terms_) {
     std::vector<double>& values = term_values_.emplace_back();
-    values.assign(inputs.grid.size(), 0.0);
-    AddTerm(inputs, made_.blend.open, term, &values);
+    values.assign(in_.rasters->grid.size(), 0.0);
+    AddTerm(*in_.rasters, in_.agent->policy, made_.blend.open, term, &values);
   }
 }
 
-void TensorExplainer::AddZones(const ActiveFacts& active,
-                               const BlendInputs& inputs) {
+void TensorExplainer::AddZones(const ActiveFacts& active) {
   for (const ActiveConstraint& constraint : active.constraints) {
     if (!constraint.hard && constraint.attenuation == 1.0) continue;
     (constraint.hard ? hard_ : soft_)
-        .push_back({constraint,
-                    ConstraintExtent(inputs.grid, inputs.land, constraint)});
+        .push_back({constraint, ConstraintExtent(*in_.rasters, constraint)});
   }
 }
 
@@ -187,13 +182,25 @@ void TensorExplainer::Evaluate(std::size_t cell,
     *next++ += scale_ * term[cell];
     v += term[cell];
   }
-  double y = std::max(0.0, v);
+  const kg_core::Policy& policy = in_.agent->policy;
+  double y = policy.paper_literal ? v : std::max(0.0, v);
   *next++ += scale_ * (y - v);
+  const double unmasked = y;
+  double factor = 1.0;
   for (const Zone& zone : soft_) {
-    const double after =
-        zone.inside[cell] ? y * zone.constraint.attenuation : y;
-    *next++ += scale_ * (after - y);
-    y = after;
+    const double own = zone.inside[cell] ? zone.constraint.attenuation : 1.0;
+    factor = policy.soft_overlap == kg_core::SoftOverlap::kProduct
+                 ? factor * own
+                 : std::min(factor, own);
+    *next++ += scale_ * (unmasked * factor - y);
+    y = unmasked * factor;
+  }
+  // Land, then the hard zones; after four parts of the scale.
+  double* const hard = next + 4;
+  if (policy.paper_literal) {
+    const double left = scale_ * y;
+    Forbid(cell, left, hard);
+    if (!made_.blend.open[cell]) y = 0.0;
   }
   *next++ += scale_ * (y * made_.before - y);
   y *= made_.before;
@@ -201,7 +208,10 @@ void TensorExplainer::Evaluate(std::size_t cell,
   const double z = made_.n.Apply(y);
   *next++ += z - scale_ * (y - made_.n.low);
   *next++ += z * made_.after - z;
-  Forbid(cell, z * made_.after, next);
+  if (!made_.blend.counted[cell]) {
+    if (policy.paper_literal) *hard -= z;
+  }
+  if (!policy.paper_literal) Forbid(cell, z * made_.after, hard);
 }
 
 void TensorExplainer::Forbid(std::size_t cell, double value,
@@ -238,7 +248,7 @@ Explanation TensorExplainer::ExplainSum(const std::vector<int>& cells) const {
                                 std::to_string(size));
     }
     Evaluate(static_cast<std::size_t>(cell), &values);
-    if (!made_.blend.open[cell]) continue;
+    if (!made_.blend.counted[cell]) continue;
     sum += made_.after * made_.n.Apply(made_.blend.masked[cell]);
   }
   Explanation explanation = Collect(values);

@@ -8,11 +8,13 @@
 //   `horizon` what w takes off here; -low / range; what holding N in [0, 1]
 //   changes; with `post` what w takes off; and for a forbidden cell all that is
 //   left, taken off by the first constraint that forbids it (those after it
-//   are listed with 0).
+//   are listed with 0). With ex:softOverlap "min" a zone takes off what it
+//   lowers the least factor so far by. With ex:paperLiteral nothing is clamped
+//   and constraints take off what is left before N.
 //
 // The terms are those of blend.h, the constraints those of masks.h, the scale
-// that of BlendTensor(): a tensor is not explained by other code than it is
-// compiled by. Double precision; the tensor's float32 is its rounding.
+// that of BlendTensor(): the reference, in double precision, that the tensor's
+// float32 agrees with to 1e-6.
 
 #ifndef KG_COMPILER_EXPLAIN_EXPLAIN_TENSOR_H_
 #define KG_COMPILER_EXPLAIN_EXPLAIN_TENSOR_H_
@@ -27,15 +29,6 @@
 #include "kg_core/raster/grid.h"
 
 namespace kg_compiler {
-
-// What one tensor was compiled from.
-struct TensorInputs {
-  const kg_core::Mission* mission = nullptr;
-  const kg_core::Agent* agent = nullptr;
-  const kg_core::TimeWindow* window = nullptr;
-  const WindowRasters* rasters = nullptr;
-  const HorizonScale* horizon = nullptr;  // Of `horizon` only.
-};
 
 // Of a compilation. Throws kg_core::InputError if it has no such tensor, saying
 // which windows there are.
@@ -67,8 +60,8 @@ class TensorExplainer {
     Facts facts;
     bool is_kept = false;  // Also where it is 0.
   };
-  void AddTerms(const ActiveFacts& active, const BlendInputs& inputs);
-  void AddZones(const ActiveFacts& active, const BlendInputs& inputs);
+  void AddTerms(const ActiveFacts& active);
+  void AddZones(const ActiveFacts& active);
   void DescribeParts();
   void Describe(const BlendTerm& term);
   void DescribeSoft(const Zone& zone);

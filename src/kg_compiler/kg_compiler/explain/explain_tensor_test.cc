@@ -132,14 +132,15 @@ TEST_F(ExplainTensor, PartsSumToTheCompiledTensorAtEveryCell) {
     RandomMission random(seed);
     const TensorInputs in = random.Inputs(static_cast<int>(seed % 3));
     const MissionTensor tensor = random.Compile(in);
-    const kg_core::Raster& fused = tensor.Get(Layer::kFused);
+    const kg_core::Raster fused = tensor.Get(Layer::kFused);
     const TensorExplainer explainer(in, facts_);
     for (int r = 0; r < tensor.grid.rows(); ++r) {
       for (int c = 0; c < tensor.grid.cols(); ++c) {
         const Explanation cell = explainer.ExplainCell({r, c});
         const double compiled = fused[tensor.grid.Index({r, c})];
         ASSERT_NEAR(cell.value, cell.Sum(), 1e-9) << seed;
-        ASSERT_NEAR(compiled, cell.value, 2e-7 * compiled) << seed;
+        // Tensors are made in float32, explanations in double precision.
+        ASSERT_NEAR(compiled, cell.value, 1e-6) << seed;
         for (const Contribution& part : cell.parts) {
           closed += part.term.rfind("M_hard", 0) == 0;
           soft += part.term.rfind("M_soft", 0) == 0;
@@ -168,8 +169,10 @@ TEST_F(ExplainTensor, AFootprintsPartsSumToAWaypointsScore) {
              kg_core::Mask(tensor.grid.size(), 1), {15e3, 9e3, 6})) {
       const Explanation sum = explainer.ExplainSum(pick.footprint);
       EXPECT_NEAR(sum.value, sum.Sum(), 1e-9);
-      // Float32 and the sum's own rounding are all that lies between.
-      EXPECT_NEAR(pick.score, sum.value, 1e-6);
+      // Float32 is all that lies between: 1e-6 a cell, and errors that mostly
+      // cancel.
+      EXPECT_NEAR(pick.score, sum.value,
+                  1e-6 * std::sqrt(static_cast<double>(pick.footprint.size())));
     }
   }
 }

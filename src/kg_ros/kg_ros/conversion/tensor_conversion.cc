@@ -96,10 +96,12 @@ kg_compiler::MissionTensor FromMessage(const kg_msgs::MissionTensor& message) {
   tensor.confidence = message.confidence;
   tensor.hash = message.hash;
   tensor.grid = FromMessage(message.grid);
+  std::vector<kg_compiler::TensorLayer> layers;
   for (const kg_msgs::TensorLayer& layer : message.layers) {
     CheckSize(tensor.grid, layer.values.size(), "layer " + layer.name);
-    tensor.layers.push_back({LayerNamed(layer.name), layer.values});
+    layers.push_back({LayerNamed(layer.name), layer.values});
   }
+  tensor.content = kg_compiler::HoldLayers(std::move(layers));
   return tensor;
 }
 

@@ -95,8 +95,8 @@ nav_msgs::OccupancyGrid ToHeatmap(const kg_compiler::MissionTensor& tensor,
   heatmap.data.assign(
       static_cast<std::size_t>(heatmap.info.width) * heatmap.info.height, -1);
 
-  const kg_core::Raster& fused = tensor.Get(Layer::kFused);
-  const kg_core::Raster& feasible = tensor.Get(Layer::kFeasibility);
+  const kg_core::Raster fused = tensor.Get(Layer::kFused);
+  const kg_core::Raster feasible = tensor.Get(Layer::kFeasibility);
   const float largest = TopOfScale(fused);
   for (unsigned row = 0; row < heatmap.info.height; ++row) {
     for (unsigned col = 0; col < heatmap.info.width; ++col) {

@@ -27,7 +27,8 @@ kg_compiler::MissionTensor TensorWithOneHill(int rows, int cols) {
   fused[tensor.grid.Index({2, 3})] = 0.4F;
   fused[0] = 0.0F;
   feasible[0] = std::nanf("");  // Land in the south-west.
-  tensor.layers = {{Layer::kFused, fused}, {Layer::kFeasibility, feasible}};
+  tensor.content = kg_compiler::HoldLayers(
+      {{Layer::kFused, fused}, {Layer::kFeasibility, feasible}});
   return tensor;
 }
 
@@ -60,7 +61,9 @@ TEST(DisplayTest, AFewBrightCellsDoNotLeaveTheRestDark) {
 
 TEST(DisplayTest, AnAllZeroTensorIsShownAsZero) {
   kg_compiler::MissionTensor tensor = TensorWithOneHill(4, 5);
-  for (float& value : tensor.layers[0].values) value = 0.0F;
+  tensor.content = kg_compiler::HoldLayers(
+      {{Layer::kFused, kg_core::Raster(tensor.grid.size(), 0.0F)},
+       {Layer::kFeasibility, tensor.Get(Layer::kFeasibility)}});
   const kg_core::MapProjection map(tensor.grid.Middle());
   EXPECT_EQ(
       ValueAt(ToHeatmap(tensor, map), map.Forward(tensor.grid.Centre({2, 2}))),

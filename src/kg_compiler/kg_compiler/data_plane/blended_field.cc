@@ -1,0 +1,175 @@
+#include "kg_compiler/data_plane/blended_field.h"
+
+#include <algorithm>
+
+namespace kg_compiler {
+namespace {
+
+// A field that does not fit the caches is written past them: it is not read
+// again soon, and what it would displace is.
+constexpr std::size_t kStreamFrom_bytes = std::size_t{16} << 20;
+
+struct Stretch {
+  kg_core::Cell first;
+  int n = 0;
+};
+
+// What part of a box's row lies in a stretch.
+struct Overlap {
+  int begin = 0;  // In the stretch.
+  int end = 0;
+  int from = 0;  // In the box's row.
+  bool empty() const { return begin >= end; }
+};
+
+Overlap Meet(const GridBox& box, kg_core::Cell first, int n) {
+  if (!box.HasRow(first.row)) return {};
+  const int begin = std::max(box.col - first.col, 0);
+  const int end = std::min(box.col_end - first.col, n);
+  return {begin, end, first.col + begin - box.col};
+}
+
+// The blend before its masks.
+void BlendStretch(const WindowRasters& rasters, const BlendedField& field,
+                  const Stretch& at, float* v) {
+  if (field.table) {
+    field.table->Blend(rasters.value, field.recipe.weights, at.first, at.n, v);
+  } else {
+    std::fill(v, v + at.n, 0.0f);
+  }
+  for (const WeightedPatch& prior : field.recipe.priors) {
+    const Overlap part = Meet(prior.patch->box, at.first, at.n);
+    if (part.empty()) continue;
+    AddWeighted(prior.patch->Row(at.first.row) + part.from, prior.weight,
+                part.end - part.begin, v + part.begin);
+  }
+}
+
+// V' to `y`; the extremes of the stretch's open cells.
+Extremes ComputeStretch(const WindowRasters& rasters, const BlendedField& field,
+                        const Stretch& at, float* y) {
+  float v[kTileCols], s[kTileCols];
+  BlendStretch(rasters, field, at, v);
+  const unsigned char* state = field.state.Row(at.first.row) + at.first.col;
+  if (SoftnessOfRow(field.recipe, at.first, at.n, s)) {
+    return Finish(v, s, state, at.n, y);
+  }
+  return FinishPlain(v, state, at.n, y);
+}
+
+bool IsStreamed(const BlendedField& field) {
+  return static_cast<std::size_t>(field.tiling.rows) * field.tiling.cols *
+             sizeof(float) >=
+         kStreamFrom_bytes;
+}
+
+}  // namespace
+
+Extremes BlendedField::All() const {
+  Extremes all;
+  for (const Extremes& tile : extremes) all = Both(all, tile);
+  return all;
+}
+
+void PriorsOfRow(const BlendRecipe& recipe, kg_core::Cell first, int n,
+                 float* p) {
+  std::fill(p, p + n, 0.0f);
+  for (const WeightedPatch& prior : recipe.priors) {
+    const Overlap part = Meet(prior.patch->box, first, n);
+    if (part.empty()) continue;
+    AddWeighted(prior.patch->Row(first.row) + part.from, prior.weight,
+                part.end - part.begin, p + part.begin);
+  }
+}
+
+bool SoftnessOfRow(const BlendRecipe& recipe, kg_core::Cell first, int n,
+                   float* s) {
+  bool any = false;
+  for (const SoftZone& zone : recipe.soft) {
+    const Overlap part = Meet(zone.patch->box, first, n);
+    if (part.empty()) continue;
+    if (!any) std::fill(s, s + n, 1.0f);
+    any = true;
+    const unsigned char* inside = zone.patch->Row(first.row) + part.from;
+    const bool product = recipe.overlap == kg_core::SoftOverlap::kProduct;
+    (product ? Attenuate : AttenuateToLeast)(
+        inside, zone.factor, part.end - part.begin, s + part.begin);
+  }
+  return any;
+}
+
+void CloseCells(const kg_core::Mask& land, const BlendRecipe& recipe,
+                const GridBox& box, Bands<unsigned char>* state) {
+  for (int r = box.row; r < box.row_end; ++r) {
+    const unsigned char* dry =
+        &land[static_cast<std::size_t>(r) * state->cols()];
+    unsigned char* row = state->RowToWrite(r);
+    for (int c = box.col; c < box.col_end; ++c) row[c] = dry[c] ? kLand : kOpen;
+    for (const HardZone& zone : recipe.hard) {
+      const Overlap part = Meet(zone.patch->box, {r, box.col}, box.cols());
+      if (part.empty()) continue;
+      const unsigned char* inside = zone.patch->Row(r) + part.from;
+      unsigned char* cells = row + box.col + part.begin;
+      for (int c = 0; c < part.end - part.begin; ++c) {
+        const bool closes = inside[c] && cells[c] == kOpen;
+        cells[c] = closes ? static_cast<unsigned char>(kClosed) : cells[c];
+      }
+    }
+  }
+}
+
+void ComputeRows(const WindowRasters& rasters, int row, int row_end,
+                 BlendedField* field) {
+  const Tiling& tiling = field->tiling;
+  const bool is_streamed = IsStreamed(*field);
+  for (int r = row; r < row_end; ++r) {
+    float* to = field->masked.RowToWrite(r);
+    for (int t = 0; t < tiling.across(); ++t) {
+      const int col = t * kTileCols;
+      const Stretch at{{r, col}, std::min(kTileCols, tiling.cols - col)};
+      alignas(kRowAlignment) float y[kTileCols];
+      float* made = is_streamed ? y : to + col;
+      const Extremes found = ComputeStretch(rasters, *field, at, made);
+      if (is_streamed) Stream(y, at.n, to + col);
+      Extremes& tile =
+          field->extremes[Bands<float>::BandOf(r) * tiling.across() + t];
+      tile = r % kBandRows == 0 ? found : Both(tile, found);
+    }
+  }
+  if (is_streamed) StreamEnd();
+}
+
+void ComputeBox(const WindowRasters& rasters, const GridBox& box,
+                BlendedField* field) {
+  for (int r = box.row; r < box.row_end; ++r) {
+    float* to = field->masked.RowToWrite(r);
+    for (int col = box.col; col < box.col_end;) {
+      const int tile_end = (col / kTileCols + 1) * kTileCols;
+      const Stretch at{{r, col}, std::min(tile_end, box.col_end) - col};
+      ComputeStretch(rasters, *field, at, to + col);
+      col += at.n;
+    }
+  }
+}
+
+void MeasureTiles(const GridBox& box, BlendedField* field) {
+  const Tiling& tiling = field->tiling;
+  if (box.empty()) return;
+  const int first_band = Bands<float>::BandOf(box.row);
+  const int last_band = Bands<float>::BandOf(box.row_end - 1);
+  for (int band = first_band; band <= last_band; ++band) {
+    for (int t = box.col / kTileCols; t <= (box.col_end - 1) / kTileCols; ++t) {
+      const int i = band * tiling.across() + t;
+      const GridBox tile = tiling.Box(i);
+      field->extremes[i] = {};
+      for (int r = tile.row; r < tile.row_end; ++r) {
+        field->extremes[i] =
+            Both(field->extremes[i],
+                 OpenExtremes(field->masked.Row(r) + tile.col,
+                              field->state.Row(r) + tile.col, tile.cols()));
+      }
+    }
+  }
+}
+
+}  // namespace kg_compiler

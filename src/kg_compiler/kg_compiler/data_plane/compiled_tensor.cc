@@ -1,0 +1,167 @@
+#include "kg_compiler/data_plane/compiled_tensor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace kg_compiler {
+namespace {
+
+constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
+constexpr double kPercentile = 0.98;
+
+template <typename Visit>
+void ForEachOpen(const BlendedField& field, const Visit& visit) {
+  for (int r = 0; r < field.tiling.rows; ++r) {
+    const float* y = field.masked.Row(r);
+    const unsigned char* state = field.state.Row(r);
+    for (int c = 0; c < field.tiling.cols; ++c) {
+      if (state[c] != kOpen) continue;
+      std::uint32_t bits;
+      std::memcpy(&bits, &y[c], sizeof(bits));
+      visit(bits);
+    }
+  }
+}
+
+// The first entry up to which at least `rank` are counted; what is before it is
+// taken off `rank`.
+std::uint32_t Select(const std::vector<std::size_t>& counts,
+                     std::size_t* rank) {
+  std::uint32_t i = 0;
+  while (counts[i] < *rank) *rank -= counts[i++];
+  return i;
+}
+
+// Nearest rank, by the upper half of the bits and then by the lower one:
+// floats >= 0 are ordered as their bits are.
+float Percentile(const BlendedField& field) {
+  std::vector<std::size_t> counts(1 << 16, 0);
+  std::size_t all = 0;
+  ForEachOpen(field, [&](std::uint32_t bits) {
+    ++counts[bits >> 16];
+    ++all;
+  });
+  std::size_t rank = static_cast<std::size_t>(
+      std::ceil(kPercentile * static_cast<double>(all)));
+  const std::uint32_t upper = Select(counts, &rank);
+  std::fill(counts.begin(), counts.end(), 0);
+  ForEachOpen(field, [&](std::uint32_t bits) {
+    if (bits >> 16 == upper) ++counts[bits & 0xffff];
+  });
+  const std::uint32_t bits = upper << 16 | Select(counts, &rank);
+  float value;
+  std::memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+
+}  // namespace
+
+RowScale FitScale(const BlendedField& field, const kg_core::Policy& policy,
+                  float before, const HorizonScale* horizon) {
+  RowScale n;
+  n.scale = before;
+  if (horizon) {
+    n.low = static_cast<float>(horizon->low / field.unit);
+    n.range = static_cast<float>(horizon->range / field.unit);
+    return n;
+  }
+  const Extremes all = field.All();
+  if (!(all.most >= all.least)) return n;  // No cell counts.
+  const float least = before * all.least, most = before * all.most;
+  n.range = most;
+  const bool is_minmax =
+      field.is_literal ||
+      policy.normalisation == kg_core::Normalisation::kMinMax;
+  if (is_minmax && most > least) {
+    n.low = least;
+    n.range = most - least;
+  } else if (!is_minmax &&
+             policy.normalisation == kg_core::Normalisation::kPercentile) {
+    const float range = before * Percentile(field);
+    if (range > 0.0f) n.range = range;
+  }
+  return n;
+}
+
+CompiledTensor::CompiledTensor(std::shared_ptr<const BlendedField> field,
+                               const RowScale& scale, double confidence)
+    : field_(std::move(field)),
+      scale_(scale),
+      unweighted_(scale),
+      doubt_(static_cast<float>(1.0 - confidence)) {
+  unweighted_.after = 1.0f;
+}
+
+void CompiledTensor::Fuse(const float* y, const unsigned char* state, int n,
+                          float* u) const {
+  if (!field_->is_literal) {
+    NormaliseOpen(y, state, scale_, n, u);
+    return;
+  }
+  Normalise(y, scale_, n, u);
+  for (int c = 0; c < n; ++c) u[c] = state[c] == kLand ? 0.0f : u[c];
+}
+
+void CompiledTensor::GetRow(Layer layer, kg_core::Cell first, int n,
+                            float* values) const {
+  const float* y = field_->masked.Row(first.row) + first.col;
+  const unsigned char* state = field_->state.Row(first.row) + first.col;
+  switch (layer) {
+    case Layer::kReward:
+      Normalise(y, unweighted_, n, values);
+      for (int c = 0; c < n; ++c) {
+        values[c] = state[c] == kLand ? 0.0f : values[c];
+      }
+      return;
+    case Layer::kUncertainty:
+      std::fill(values, values + n, doubt_);
+      return;
+    case Layer::kPolicy:
+      PriorsOfRow(field_->recipe, first, n, values);
+      return;
+    case Layer::kAttenuation:
+      if (!SoftnessOfRow(field_->recipe, first, n, values)) {
+        std::fill(values, values + n, 1.0f);
+      }
+      return;
+    case Layer::kFeasibility:
+      for (int c = 0; c < n; ++c) {
+        values[c] = state[c] == kLand ? kNoData : state[c] == kOpen;
+      }
+      return;
+    case Layer::kFused:
+      Fuse(y, state, n, values);
+      return;
+  }
+}
+
+float CompiledTensor::At(Layer layer, std::size_t cell) const {
+  const std::size_t cols = static_cast<std::size_t>(field_->tiling.cols);
+  float value = 0.0f;
+  GetRow(layer, {static_cast<int>(cell / cols), static_cast<int>(cell % cols)},
+         1, &value);
+  return value;
+}
+
+kg_core::Raster CompiledTensor::Get(Layer layer) const {
+  const Tiling& tiling = field_->tiling;
+  kg_core::Raster values;
+  values.reserve(static_cast<std::size_t>(tiling.rows) * tiling.cols);
+  std::array<float, kTileCols> part;
+  for (int r = 0; r < tiling.rows; ++r) {
+    for (int c = 0; c < tiling.cols; c += kTileCols) {
+      const int n = std::min(kTileCols, tiling.cols - c);
+      GetRow(layer, {r, c}, n, part.data());
+      values.insert(values.end(), part.begin(), part.begin() + n);
+    }
+  }
+  return values;
+}
+
+}  // namespace kg_compiler

@@ -1,0 +1,46 @@
+// The content of a compiled tensor: its blend, and N apart from it. Layers are
+// made when asked for; a changed extremum or confidence rewrites nothing.
+
+#ifndef KG_COMPILER_DATA_PLANE_COMPILED_TENSOR_H_
+#define KG_COMPILER_DATA_PLANE_COMPILED_TENSOR_H_
+
+#include <memory>
+
+#include "kg_compiler/data_plane/blended_field.h"
+#include "kg_compiler/data_plane/mission_tensor.h"
+#include "kg_compiler/data_plane/tensor_inputs.h"
+#include "kg_core/mission/mission.h"
+
+namespace kg_compiler {
+
+// N of a blend whose values are multiplied by `before` first: low and range in
+// the field's unit. `horizon` in its place, if given.
+RowScale FitScale(const BlendedField& field, const kg_core::Policy& policy,
+                  float before, const HorizonScale* horizon);
+
+class CompiledTensor : public TensorContent {
+ public:
+  CompiledTensor(std::shared_ptr<const BlendedField> field,
+                 const RowScale& scale, double confidence);
+
+  bool Has(Layer) const override { return true; }
+  float At(Layer layer, std::size_t cell) const override;
+  kg_core::Raster Get(Layer layer) const override;
+
+  // A row's columns [first.col, first.col + n), n <= kTileCols.
+  void GetRow(Layer layer, kg_core::Cell first, int n, float* values) const;
+
+  const std::shared_ptr<const BlendedField>& field() const { return field_; }
+
+ private:
+  void Fuse(const float* y, const unsigned char* state, int n, float* u) const;
+
+  std::shared_ptr<const BlendedField> field_;
+  RowScale scale_;
+  RowScale unweighted_;  // The same without w_t after N.
+  float doubt_ = 0.0f;
+};
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_DATA_PLANE_COMPILED_TENSOR_H_

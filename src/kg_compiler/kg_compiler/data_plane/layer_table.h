@@ -1,0 +1,81 @@
+// What is known of a window's value layer B once, for all tensors made of it:
+// the grid's scales, where it has gaps, and how large B and its frontness are
+// in each tile, so that their maxima over the open cells of any tensor (A16)
+// cost a look at a tile or two, not a pass.
+
+#ifndef KG_COMPILER_DATA_PLANE_LAYER_TABLE_H_
+#define KG_COMPILER_DATA_PLANE_LAYER_TABLE_H_
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "kg_compiler/data_plane/bands.h"
+#include "kg_compiler/data_plane/grid_box.h"
+#include "kg_compiler/data_plane/row_kernels.h"
+#include "kg_core/mission/mission.h"
+#include "kg_core/raster/grid.h"
+
+namespace kg_compiler {
+
+// How a grid is cut into tiles: kBandRows rows by kTileCols columns.
+struct Tiling {
+  int rows = 0;
+  int cols = 0;
+  int bands() const { return (rows + kBandRows - 1) / kBandRows; }
+  int across() const { return (cols + kTileCols - 1) / kTileCols; }
+  int size() const { return bands() * across(); }
+  GridBox Box(int tile) const;
+};
+
+class LayerTable {
+ public:
+  // Keeps no reference to `value`, but must always be asked with it.
+  LayerTable(const kg_core::Grid& grid, const kg_core::Raster& value);
+
+  const Tiling& tiling() const { return tiling_; }
+  // The largest |B|, 0 if there is none.
+  float largest() const { return largest_; }
+
+  // v = base max(0, B) + front F for columns [col, col + n) of a row, within
+  // one tile.
+  struct Weights {
+    float base = 0.0f;
+    float front = 0.0f;
+    kg_core::FrontOperator op = kg_core::FrontOperator::kSobel;
+  };
+  void Blend(const kg_core::Raster& value, const Weights& weights,
+             kg_core::Cell first, int n, float* v) const;
+
+  // The largest B or F of an open cell, 0 if none is positive.
+  float MostValue(const kg_core::Raster& value,
+                  const Bands<unsigned char>& state) const;
+  float MostFront(const kg_core::Raster& value, kg_core::FrontOperator op,
+                  const Bands<unsigned char>& state) const;
+
+ private:
+  using Tiles = std::vector<float>;  // The largest in each, wherever.
+  void FindGaps(const kg_core::Raster& value);
+  FrontRows RowsAt(const kg_core::Raster& value, int row, int col) const;
+  const Tiles& FrontTiles(const kg_core::Raster& value,
+                          kg_core::FrontOperator op) const;
+  template <typename Evaluate>
+  float Most(const Tiles& tiles, const Bands<unsigned char>& state,
+             const Evaluate& evaluate) const;
+
+  Tiling tiling_;
+  std::vector<float> deg_per_km_;    // Of longitude, by row.
+  std::vector<float> per_km_;        // By row: from the row before to the next.
+  std::vector<float> per_km_after_;  // By row: to the next one.
+  std::vector<float> per_deg_;       // By column, likewise, in degrees.
+  std::vector<float> per_deg_after_;
+  std::vector<unsigned char> gaps_;  // By row and tile across.
+  float largest_ = 0.0f;
+  Tiles values_;
+  mutable std::once_flag made_[2];  // By operator, when first asked for.
+  mutable Tiles fronts_[2];
+};
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_DATA_PLANE_LAYER_TABLE_H_

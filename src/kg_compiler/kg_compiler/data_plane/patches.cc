@@ -1,0 +1,216 @@
+#include "kg_compiler/data_plane/patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "kg_compiler/data_plane/bump.h"
+#include "kg_compiler/data_plane/distance_transform.h"
+
+namespace kg_compiler {
+namespace {
+
+using kg_core::Grid;
+using kg_core::Mask;
+
+std::string FileKey(const kg_core::Mission& mission,
+                    const kg_core::RasterRef& ref) {
+  const auto file = mission.files.find(ref.file_iri);
+  const std::string name =
+      file == mission.files.end() ? ref.file_iri : file->second.sha256;
+  return "file " + name + " " + ref.variable + " " +
+         std::to_string(ref.time_index);
+}
+
+// Different for different numbers.
+std::string Digits(double x) {
+  char digits[40];
+  std::snprintf(digits, sizeof(digits), "%a", x);
+  return digits;
+}
+
+// Two cells beyond the centres that lie within: the edges of what is touched
+// are then the whole grid's.
+GridBox BoxAround(const Grid& grid, const kg_core::Geometry& area) {
+  const auto range = [](const std::vector<double>& centres, double low,
+                        double high) {
+    const auto first = std::lower_bound(centres.begin(), centres.end(), low);
+    const auto end = std::upper_bound(first, centres.end(), high);
+    return std::pair<int, int>(static_cast<int>(first - centres.begin()),
+                               static_cast<int>(end - centres.begin()));
+  };
+  const auto rows = range(grid.lat_deg(), area.south_deg(), area.north_deg());
+  const auto cols = range(grid.lon_deg(), area.west_deg(), area.east_deg());
+  GridBox box =
+      Grown({rows.first, rows.second, cols.first, cols.second}, 2, grid);
+  box.row = std::min(box.row, grid.rows() - 2);
+  box.col = std::min(box.col, grid.cols() - 2);
+  box.row_end = std::max(box.row_end, box.row + 2);
+  box.col_end = std::max(box.col_end, box.col + 2);
+  return box;
+}
+
+Grid Within(const Grid& grid, const GridBox& box) {
+  const auto part = [](const std::vector<double>& all, int first, int end) {
+    return std::vector<double>(all.begin() + first, all.begin() + end);
+  };
+  return {part(grid.lon_deg(), box.col, box.col_end),
+          part(grid.lat_deg(), box.row, box.row_end)};
+}
+
+// Of what is set; empty if nothing is.
+GridBox Tight(const GridBox& box, const Mask& inside) {
+  GridBox tight{box.row_end, box.row, box.col_end, box.col};
+  for (int r = box.row; r < box.row_end; ++r) {
+    const unsigned char* row =
+        inside.data() + static_cast<std::size_t>(r - box.row) * box.cols();
+    const unsigned char* end = row + box.cols();
+    const unsigned char* first =
+        std::find_if(row, end, [](auto x) { return x; });
+    if (first == end) continue;
+    const unsigned char* last = end - 1;
+    while (!*last) --last;
+    tight.row = std::min(tight.row, r);
+    tight.row_end = r + 1;
+    tight.col = std::min(tight.col, box.col + static_cast<int>(first - row));
+    tight.col_end =
+        std::max(tight.col_end, box.col + static_cast<int>(last - row) + 1);
+  }
+  return tight.empty() ? GridBox{} : tight;
+}
+
+// The part of a box's mask that lies in another one; 0 outside of the first.
+Mask Cut(const GridBox& from, const Mask& inside, const GridBox& to) {
+  Mask part(to.size(), 0);
+  const GridBox common = Common(from, to);
+  if (common.empty()) return part;
+  for (int r = common.row; r < common.row_end; ++r) {
+    const auto source =
+        inside.begin() +
+        static_cast<std::ptrdiff_t>(r - from.row) * from.cols() +
+        (common.col - from.col);
+    std::copy(source, source + common.cols(),
+              part.begin() +
+                  static_cast<std::ptrdiff_t>(r - to.row) * to.cols() +
+                  (common.col - to.col));
+  }
+  return part;
+}
+
+// A box and its mask, not buffered yet.
+MaskPatch Bare(const WindowRasters& rasters,
+               const ActiveConstraint& constraint) {
+  const kg_core::Constraint& fact = *constraint.fact;
+  const GridBox whole = WholeGrid(rasters.grid);
+  if (fact.is_land) return {"", whole, rasters.land};
+  if (fact.mask) {
+    const auto mask = rasters.constraint_masks.find(fact.iri);
+    if (mask == rasters.constraint_masks.end() ||
+        mask->second->size() != rasters.grid.size()) {
+      throw std::logic_error("no mask of the grid's size for " + fact.iri);
+    }
+    return {"", whole, *mask->second};
+  }
+  if (!fact.area) return {};
+  const GridBox box = BoxAround(rasters.grid, *fact.area);
+  const Grid part = Within(rasters.grid, box);
+  return {"", box,
+          constraint.hard ? kg_core::RasteriseTouched(*fact.area, part)
+                          : kg_core::RasteriseCentres(*fact.area, part)};
+}
+
+}  // namespace
+
+std::string ConstraintKey(const kg_core::Mission& mission,
+                          const ActiveConstraint& constraint) {
+  const kg_core::Constraint& fact = *constraint.fact;
+  const bool chebyshev =
+      fact.buffer_cells > 0.0 &&
+      fact.buffer_metric == kg_core::BufferMetric::kChebyshev;
+  std::string key = chebyshev ? "square " : "round ";
+  key += Digits(fact.buffer_cells) + " ";
+  if (fact.is_land) return key + "land";
+  if (fact.mask) return key + FileKey(mission, *fact.mask);
+  if (!fact.area) return key + "nothing";
+  return key + (constraint.hard ? "touched " : "centres ") + fact.area->Wkt();
+}
+
+MaskPatch ConstraintPatch(const WindowRasters& rasters,
+                          const ActiveConstraint& constraint, std::string key) {
+  const kg_core::Constraint& fact = *constraint.fact;
+  MaskPatch bare = Bare(rasters, constraint);
+  const GridBox tight = Tight(bare.box, bare.inside);
+  if (tight.empty()) return {std::move(key), {}, {}};
+  if (!(fact.buffer_cells > 0.0)) {
+    return {std::move(key), tight, Cut(bare.box, bare.inside, tight)};
+  }
+  const double reach = std::min<double>(
+      fact.buffer_cells, rasters.grid.rows() + rasters.grid.cols());
+  const GridBox grown =
+      Grown(tight, static_cast<int>(std::ceil(reach)), rasters.grid);
+  Mask inside =
+      GrowByCells(grown.rows(), grown.cols(), Cut(bare.box, bare.inside, grown),
+                  reach, fact.buffer_metric);
+  return {std::move(key), grown, std::move(inside)};
+}
+
+std::string PriorKey(const kg_core::Mission& mission,
+                     const kg_core::PriorLayer& prior) {
+  if (prior.raster) return FileKey(mission, *prior.raster);
+  return "area " + Digits(prior.edge_m) + " " +
+         (prior.area ? prior.area->Wkt() : "nothing");
+}
+
+ValuePatch PriorPatch(const WindowRasters& rasters,
+                      const kg_core::PriorLayer& prior, std::string key) {
+  const Grid& grid = rasters.grid;
+  if (prior.raster) {
+    const auto raster = rasters.prior_rasters.find(prior.iri);
+    if (raster == rasters.prior_rasters.end() ||
+        raster->second->size() != grid.size()) {
+      throw std::logic_error("no raster of the grid's size for " + prior.iri);
+    }
+    return {std::move(key), WholeGrid(grid), raster->second};
+  }
+  auto values = std::make_shared<kg_core::Raster>();
+  if (!prior.area) return {std::move(key), {}, values};
+  const GridBox box = BoxAround(grid, *prior.area);
+  const Mask inside = kg_core::RasteriseCentres(*prior.area, Within(grid, box));
+  const GridBox tight = Tight(box, inside);
+  if (tight.empty()) return {std::move(key), {}, values};
+  const GridBox reached =
+      prior.edge_m > 0.0
+          ? BoxWithin(grid, tight, kBumpReach_sigmas * prior.edge_m)
+          : tight;
+  const Mask part = Cut(box, inside, reached);
+  if (!(prior.edge_m > 0.0)) {
+    values->assign(part.begin(), part.end());
+    return {std::move(key), reached, values};
+  }
+  for (const double d_m : DistanceTo_m(Within(grid, reached), part)) {
+    values->push_back(static_cast<float>(Gaussian(d_m, prior.edge_m)));
+  }
+  return {std::move(key), reached, values};
+}
+
+std::string BumpKey(const kg_core::Event& event) {
+  return "bump " + Digits(event.position.lon_deg) + " " +
+         Digits(event.position.lat_deg) + " " + Digits(event.radius_m);
+}
+
+ValuePatch BumpPatch(const Grid& grid, const kg_core::Event& event,
+                     std::string key) {
+  const GridBox box = BumpBox(grid, event);
+  auto values = std::make_shared<kg_core::Raster>(box.size(), 0.0f);
+  ForEachBumpCell(grid, event, [&](kg_core::Cell cell, double bump) {
+    const std::size_t row = static_cast<std::size_t>(cell.row - box.row);
+    (*values)[row * box.cols() + (cell.col - box.col)] =
+        static_cast<float>(bump);
+  });
+  return {std::move(key), box, values};
+}
+
+}  // namespace kg_compiler

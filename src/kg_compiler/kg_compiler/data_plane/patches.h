@@ -1,0 +1,65 @@
+// Rasters that are 0 outside of a box of cells: what constraints, areas of
+// priors and events leave on a grid. A small area costs its box, not the grid.
+//
+// A patch is named by all that it is made of but the grid (and, of the land,
+// but the land): equal keys on one grid and land are equal patches.
+
+#ifndef KG_COMPILER_DATA_PLANE_PATCHES_H_
+#define KG_COMPILER_DATA_PLANE_PATCHES_H_
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include "kg_compiler/data_plane/active_facts.h"
+#include "kg_compiler/data_plane/grid_box.h"
+#include "kg_compiler/data_plane/window_rasters.h"
+#include "kg_core/mission/mission.h"
+
+namespace kg_compiler {
+
+struct MaskPatch {
+  std::string key;
+  GridBox box;
+  kg_core::Mask inside;  // Of the box, row by row: 1 = inside.
+
+  // The box's first column is [0].
+  const unsigned char* Row(int row) const {
+    return inside.data() + static_cast<std::size_t>(row - box.row) * box.cols();
+  }
+};
+
+struct ValuePatch {
+  std::string key;
+  GridBox box;
+  // Of the box, row by row. NaN = no data, counts 0.
+  std::shared_ptr<const kg_core::Raster> values;
+
+  const float* Row(int row) const {
+    return values->data() +
+           static_cast<std::size_t>(row - box.row) * box.cols();
+  }
+};
+
+// The extent of a constraint, its buffer included; see masks.h, which says the
+// same for whole grids.
+std::string ConstraintKey(const kg_core::Mission& mission,
+                          const ActiveConstraint& constraint);
+MaskPatch ConstraintPatch(const WindowRasters& rasters,
+                          const ActiveConstraint& constraint, std::string key);
+
+// A prior in [0, 1] (its soft edge ends at 7 sigma, where it is 2e-11), or its
+// raster as it is.
+std::string PriorKey(const kg_core::Mission& mission,
+                     const kg_core::PriorLayer& prior);
+ValuePatch PriorPatch(const WindowRasters& rasters,
+                      const kg_core::PriorLayer& prior, std::string key);
+
+// An event's bump: exp(-d^2 / (2 radius^2)), to 7 sigma.
+std::string BumpKey(const kg_core::Event& event);
+ValuePatch BumpPatch(const kg_core::Grid& grid, const kg_core::Event& event,
+                     std::string key);
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_DATA_PLANE_PATCHES_H_
