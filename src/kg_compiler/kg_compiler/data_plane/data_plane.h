@@ -20,6 +20,9 @@
 #ifndef KG_COMPILER_DATA_PLANE_DATA_PLANE_H_
 #define KG_COMPILER_DATA_PLANE_DATA_PLANE_H_
 
+#include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +43,14 @@ struct WindowRasters {
   std::string field_iri;     // The ex:CurrentField whose gaps are land.
   std::string content_hash;  // Of grid, land and value.
   std::string land_hash;     // Of grid and land.
+  // ex:fullScale and ex:frontFullScale of the value layer, if it has them.
+  std::optional<double> full_scale;
+  std::optional<double> front_full_scale;
+  // Those that are read from files, on this grid: priors' values (NaN = no
+  // data) by the prior's IRI, constraints' masks (1 = inside) by theirs. What a
+  // file says is known by its sha256: these need no hash of their own.
+  std::map<std::string, std::shared_ptr<const kg_core::Raster>> prior_rasters;
+  std::map<std::string, std::shared_ptr<const kg_core::Mask>> constraint_masks;
 };
 
 // One N for all windows of an agent (A1, `horizon`).
