@@ -6,7 +6,6 @@
 #include <string>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/base/text.h"
 
 namespace kg_core {
 namespace {
