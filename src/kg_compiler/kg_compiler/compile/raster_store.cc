@@ -58,6 +58,12 @@ std::string FieldKey(const kg_core::Mission& mission,
   return key.Hex();
 }
 
+// Below 0: a is older. 0: of one time, or nobody can tell.
+double Compare(const kg_core::ValueLayer& a, const kg_core::ValueLayer& b) {
+  if (a.time_s && b.time_s) return *a.time_s - *b.time_s;
+  return a.file_iri == b.file_iri ? a.time_index - b.time_index : 0;
+}
+
 const kg_core::ValueLayer& FindValue(const kg_core::Mission& mission,
                                      const kg_core::Policy& policy,
                                      int window) {
@@ -65,8 +71,11 @@ const kg_core::ValueLayer& FindValue(const kg_core::Mission& mission,
   bool two = false;
   for (const kg_core::ValueLayer& layer : mission.value_layers) {
     if (layer.window != window || layer.kind != policy.value_kind) continue;
-    two = newest && layer.time_index == newest->time_index;
-    if (!newest || layer.time_index > newest->time_index) newest = &layer;
+    const double newer_by = newest ? Compare(layer, *newest) : 1.0;
+    if (newer_by == 0.0) two = true;
+    if (!(newer_by > 0.0)) continue;
+    newest = &layer;
+    two = false;
   }
   const std::string where = WindowName(mission, window) + ": policy " +
                             policy.iri + " reads ex:kind \"" +

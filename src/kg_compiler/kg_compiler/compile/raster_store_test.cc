@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "kg_compiler/test_world.h"
@@ -214,6 +215,24 @@ TEST(RasterStore, TheValueLayerIsOfThePolicysKindAndTheNewest) {
             std::string::npos);
   policy.alpha_base = policy.gamma_front = 0.0;
   EXPECT_EQ(RastersOf(&store, mission, policy, 1)->value_iri, "");
+}
+
+TEST(RasterStore, TheNewestOfSeveralFilesIsKnownByItsTimeNotItsIndex) {
+  Mission mission = TestMission();
+  mission.files["ex:other"] = {"ex:other", "/other.nc", "sha3"};
+  mission.value_layers.push_back({"ex:late", 1, "delta_sst", "ex:other", 1, 0});
+  Files files;
+  RasterStore store(files.Readers());
+  const auto chosen = [&] {
+    return RastersOf(&store, mission, Weighing({}), 1)->value_iri;
+  };
+  EXPECT_NE(Refusal(chosen).find("two ex:ValueLayers of one time"),
+            std::string::npos);  // Step 1 of one, step 2 of another.
+  mission.value_layers[1].time_s = 1000.0;
+  mission.value_layers.back().time_s = 2000.0;
+  EXPECT_EQ(chosen(), "ex:late");
+  std::reverse(mission.value_layers.begin(), mission.value_layers.end());
+  EXPECT_EQ(chosen(), "ex:late");
 }
 
 TEST(RasterStore, AFixedScaleMustBeSaidOfTheLayerThatIsRead) {

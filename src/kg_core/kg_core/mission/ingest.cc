@@ -199,6 +199,8 @@ class SourceIngest {
     Say(layer, Ex("forWindow"), Iri(window.iri));
     Say(layer, Ex("kind"), Literal(Kind()));
     Say(layer, Ex("timeIndex"), IntegerLiteral(steps.step));
+    Say(layer, Iri(std::string(kSosa) + "resultTime"),
+        TimeLiteral(file.time_s.at(steps.step)));
     std::string at = "@" + std::to_string(steps.step);
     if (steps.previous != steps.step) {
       Say(layer, Ex("previousTimeIndex"), IntegerLiteral(steps.previous));

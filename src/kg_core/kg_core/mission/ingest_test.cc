@@ -179,6 +179,7 @@ TEST_F(IngestTest, StatesLayersThatConformAndCanBeRead) {
   ASSERT_EQ(mission.value_layers.size(), 2u);
   EXPECT_EQ(mission.value_layers[1].time_index, 2);
   EXPECT_EQ(mission.value_layers[1].previous_time_index, 1);
+  EXPECT_EQ(mission.value_layers[1].time_s, 1780488000.0);  // 06-03, noon.
 }
 
 TEST_F(IngestTest, LeavesProvenanceFromLayerToFileToActivity) {

@@ -78,6 +78,7 @@ ValueLayer ReadValueLayer(const Calendar& calendar, const Entity& entity) {
     entity.Refuse(Ex("previousTimeIndex"), "another step than ex:timeIndex");
   }
   layer.resampling = ReadResampling(entity);
+  layer.time_s = entity.MaybeTime_s(Iri(std::string(kSosa) + "resultTime"));
   layer.full_scale = entity.MaybeNumber(Ex("fullScale"));
   layer.front_full_scale = entity.MaybeNumber(Ex("frontFullScale"));
   return layer;

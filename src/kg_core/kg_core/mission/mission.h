@@ -161,6 +161,8 @@ struct ValueLayer {
   std::optional<double> full_scale = std::nullopt;
   std::optional<double> front_full_scale = std::nullopt;
   Resampling resampling = Resampling::kNone;  // ex:resampling (A54).
+  // sosa:resultTime, unix seconds: of the step time_index.
+  std::optional<double> time_s = std::nullopt;
 };
 
 // ex:WorkField (ex:CurrentField) of a window.
