@@ -1,16 +1,24 @@
 #include "kg_compiler/compile/raster_store.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "kg_compiler/as_sent.h"
+#include "kg_compiler/data_plane/frontness.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
+#include "kg_core/mission/layer_files.h"
+#include "kg_core/rdf/term.h"
 
 namespace kg_compiler {
 namespace {
 
 constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
+
+std::string Turtle(const std::string& iri) {
+  return kg_core::ToTurtle(kg_core::Iri(iri));
+}
 
 const std::string& Sha256Of(const kg_core::Mission& mission,
                             const std::string& file_iri,
@@ -39,6 +47,23 @@ const kg_core::WorkFieldRef& FindField(const kg_core::Mission& mission,
                             ": no ex:WorkField ex:forWindow it");
 }
 
+std::string FieldKey(const kg_core::Mission& mission,
+                     const kg_core::WorkFieldRef& ref) {
+  kg_core::Hasher key;
+  key.Add(ref.iri);
+  key.Add(Sha256Of(mission, ref.file_iri, ref.iri));
+  key.Add(static_cast<double>(ref.window));
+  key.Add(static_cast<double>(ref.first_time_index));
+  key.Add(static_cast<double>(ref.last_time_index));
+  return key.Hex();
+}
+
+// Below 0: a is older. 0: of one time, or nobody can tell.
+double Compare(const kg_core::ValueLayer& a, const kg_core::ValueLayer& b) {
+  if (a.time_s && b.time_s) return *a.time_s - *b.time_s;
+  return a.file_iri == b.file_iri ? a.time_index - b.time_index : 0;
+}
+
 const kg_core::ValueLayer& FindValue(const kg_core::Mission& mission,
                                      const kg_core::Policy& policy,
                                      int window) {
@@ -46,8 +71,11 @@ const kg_core::ValueLayer& FindValue(const kg_core::Mission& mission,
   bool two = false;
   for (const kg_core::ValueLayer& layer : mission.value_layers) {
     if (layer.window != window || layer.kind != policy.value_kind) continue;
-    two = newest && layer.time_index == newest->time_index;
-    if (!newest || layer.time_index > newest->time_index) newest = &layer;
+    const double newer_by = newest ? Compare(layer, *newest) : 1.0;
+    if (newer_by == 0.0) two = true;
+    if (!(newer_by > 0.0)) continue;
+    newest = &layer;
+    two = false;
   }
   const std::string where = WindowName(mission, window) + ": policy " +
                             policy.iri + " reads ex:kind \"" +
@@ -78,6 +106,56 @@ bool ReadsValue(const kg_core::Policy& policy) {
   return policy.alpha_base != 0.0 || policy.gamma_front != 0.0;
 }
 
+// One line for a policy that divides by what the layer does not have.
+void CheckScales(const kg_core::Policy& policy,
+                 const kg_core::ValueLayer& layer) {
+  if (policy.layer_scale != kg_core::LayerScale::kFixed) return;
+  if (policy.paper_literal) return;
+  const auto need = [&](const char* name) {
+    throw kg_core::InputError(Turtle(layer.iri) + " " + name +
+                              ": expected a number above 0, because policy " +
+                              Turtle(policy.iri) +
+                              " has ex:layerScale \"fixed\"");
+  };
+  if (policy.alpha_base != 0.0 && !layer.full_scale) need("ex:fullScale");
+  if (policy.gamma_front != 0.0 && !layer.front_full_scale) {
+    need("ex:frontFullScale");
+  }
+}
+
+bool IsIn(const std::vector<int>& windows, int window) {
+  return windows.empty() ||
+         std::find(windows.begin(), windows.end(), window) != windows.end();
+}
+
+bool IsWeighed(const kg_core::Policy& policy,
+               const kg_core::PriorLayer& prior) {
+  const auto beta = policy.beta.find(prior.iri);
+  return beta != policy.beta.end() && beta->second != 0.0;
+}
+
+std::string KeyOf(const kg_core::Mission& mission, const std::string& iri,
+                  const kg_core::RasterRef& ref, const std::string& grid_hash) {
+  kg_core::Hasher key;
+  key.Add(Sha256Of(mission, ref.file_iri, iri));
+  key.Add(ref.variable);
+  key.Add(static_cast<double>(ref.time_index));
+  key.Add(static_cast<double>(ref.resampling));
+  key.Add(grid_hash);
+  return key.Hex();
+}
+
+kg_core::Raster ReadValue(kg_core::FileCache* files,
+                          const kg_core::Mission& mission,
+                          const kg_core::ValueLayer& layer,
+                          const kg_core::Grid& grid) {
+  kg_core::GriddedRaster own = LoadValueLayer(*files, mission, layer);
+  if (layer.kind == kg_core::kFrontnessKind) {
+    own.values = GradientPerKm(own.grid, own.values);
+  }
+  return OnGrid(layer.iri, own, grid, layer.resampling);
+}
+
 template <typename Map>
 void EraseUnused(Map* kept) {
   for (auto at = kept->begin(); at != kept->end();) {
@@ -98,7 +176,13 @@ RasterReaders ReadersOf(kg_core::FileCache* files) {
           },
           [files](const kg_core::Mission& mission,
                   const kg_core::ValueLayer& layer, const kg_core::Grid& grid) {
-            return kg_core::LoadValueLayer(*files, mission, layer, grid);
+            return ReadValue(files, mission, layer, grid);
+          },
+          [files](const kg_core::Mission& mission, const std::string& iri,
+                  const kg_core::RasterRef& ref,
+                  const kg_core::Grid& grid) -> kg_core::Raster {
+            return OnGrid(iri, LoadRaster(*files, mission, ref), grid,
+                          ref.resampling);
           }};
 }
 
@@ -108,13 +192,7 @@ RasterStore::RasterStore(RasterReaders readers)
 std::shared_ptr<const WorkField> RasterStore::Field(
     const kg_core::Mission& mission, int window) {
   const kg_core::WorkFieldRef& ref = FindField(mission, window);
-  kg_core::Hasher key;
-  key.Add(ref.iri);
-  key.Add(Sha256Of(mission, ref.file_iri, ref.iri));
-  key.Add(static_cast<double>(window));
-  key.Add(static_cast<double>(ref.first_time_index));
-  key.Add(static_cast<double>(ref.last_time_index));
-  Kept<WorkField>& kept = fields_[key.Hex()];
+  Kept<WorkField>& kept = fields_[FieldKey(mission, ref)];
   kept.used = true;
   if (!kept.value) {
     auto field = std::make_shared<WorkField>();
@@ -123,9 +201,62 @@ std::shared_ptr<const WorkField> RasterStore::Field(
     field->field = readers_.field(mission, ref);
     field->field.grid = AsSent(field->field.grid);
     field->hash = field->field.Hash();
+    CheckGrid(mission, *field);
     kept.value = std::move(field);
   }
   return kept.value;
+}
+
+// Against any other window of the mission that is there already.
+void RasterStore::CheckGrid(const kg_core::Mission& mission,
+                            const WorkField& field) const {
+  for (const kg_core::WorkFieldRef& ref : mission.work_fields) {
+    const auto other = fields_.find(FieldKey(mission, ref));
+    if (other == fields_.end() || !other->second.value) continue;
+    const kg_core::Grid& grid = other->second.value->field.grid;
+    if (grid == field.field.grid) return;
+    throw kg_core::InputError(Turtle(field.iri) + ": expected the grid of " +
+                              Turtle(ref.iri) + " (" + grid.Text() +
+                              "), because one grid is the mission's, not " +
+                              field.field.grid.Text());
+  }
+}
+
+RasterStore::FromFiles RasterStore::ReadFiles(const kg_core::Mission& mission,
+                                              const kg_core::Policy& policy,
+                                              const WorkField& field) {
+  FromFiles read;
+  std::string grid_hash;  // Made if there is anything to read.
+  const kg_core::Grid& grid = field.field.grid;
+  // The place for it in `kept`, filled by `make` where it is new.
+  const auto keep = [&](const std::string& iri, const kg_core::RasterRef& ref,
+                        auto* kept, const auto& make) {
+    if (grid_hash.empty()) grid_hash = grid.Hash();
+    const std::string key = KeyOf(mission, iri, ref, grid_hash);
+    auto& place = (*kept)[key];
+    place.used = true;
+    if (!place.value)
+      place.value = make(readers_.raster(mission, iri, ref, grid));
+    read.key += iri + " " + key + "\n";
+    return place.value;
+  };
+  for (const kg_core::PriorLayer& prior : mission.priors) {
+    if (!prior.raster || !IsWeighed(policy, prior)) continue;
+    if (!IsIn(prior.windows, field.window)) continue;
+    read.priors[prior.iri] =
+        keep(prior.iri, *prior.raster, &priors_, [](kg_core::Raster values) {
+          return std::make_shared<const kg_core::Raster>(std::move(values));
+        });
+  }
+  for (const kg_core::Constraint& constraint : mission.constraints) {
+    if (!constraint.mask || !IsIn(constraint.windows, field.window)) continue;
+    read.masks[constraint.iri] = keep(
+        constraint.iri, *constraint.mask, &masks_,
+        [](const kg_core::Raster& values) {
+          return std::make_shared<const kg_core::Mask>(kg_core::MaskOf(values));
+        });
+  }
+  return read;
 }
 
 std::shared_ptr<const WindowRasters> RasterStore::Rasters(
@@ -133,9 +264,12 @@ std::shared_ptr<const WindowRasters> RasterStore::Rasters(
     const WorkField& field) {
   const kg_core::ValueLayer* layer =
       ReadsValue(policy) ? &FindValue(mission, policy, field.window) : nullptr;
+  if (layer) CheckScales(policy, *layer);
+  FromFiles files = ReadFiles(mission, policy, field);
   kg_core::Hasher key;
   key.Add(field.iri);
   key.Add(field.hash);
+  key.Add(files.key);
   if (layer) {
     key.Add(layer->iri);
     key.Add(layer->file_iri);
@@ -143,6 +277,9 @@ std::shared_ptr<const WindowRasters> RasterStore::Rasters(
     key.Add(Sha256Of(mission, layer->file_iri, layer->iri));
     key.Add(static_cast<double>(layer->time_index));
     key.Add(static_cast<double>(layer->previous_time_index));
+    key.Add(static_cast<double>(layer->resampling));
+    key.Add(layer->full_scale.value_or(0.0));
+    key.Add(layer->front_full_scale.value_or(0.0));
   }
   Kept<WindowRasters>& kept = rasters_[key.Hex()];
   kept.used = true;
@@ -156,7 +293,11 @@ std::shared_ptr<const WindowRasters> RasterStore::Rasters(
     rasters->value = readers_.value(mission, *layer, rasters->grid);
     rasters->value_iri = layer->iri;
     rasters->value_file_iri = layer->file_iri;
+    rasters->full_scale = layer->full_scale;
+    rasters->front_full_scale = layer->front_full_scale;
   }
+  rasters->prior_rasters = std::move(files.priors);
+  rasters->constraint_masks = std::move(files.masks);
   rasters->land_hash = LandHash(*rasters);
   rasters->content_hash = ContentHash(*rasters);
   kept.value = std::move(rasters);
@@ -166,6 +307,8 @@ std::shared_ptr<const WindowRasters> RasterStore::Rasters(
 void RasterStore::ForgetUnused() {
   EraseUnused(&fields_);
   EraseUnused(&rasters_);
+  EraseUnused(&priors_);
+  EraseUnused(&masks_);
 }
 
 }  // namespace kg_compiler

@@ -87,13 +87,19 @@ Facts CitedFacts::Layer(const std::string& iri) const {
   Facts facts =
       Quote({iri,
              {"ex:kind", "ex:forWindow", "ex:timeIndex", "ex:previousTimeIndex",
-              "ex:firstTimeIndex", "ex:lastTimeIndex", "prov:wasDerivedFrom"}});
+              "ex:firstTimeIndex", "ex:lastTimeIndex", "ex:resampling",
+              "ex:fullScale", "ex:frontFullScale", "prov:wasDerivedFrom"}});
   for (const auto& file :
        Objects(view_, kg_core::kFactsGraph, kg_core::Iri(iri),
                Property("prov:wasDerivedFrom"))) {
     facts = std::move(facts) + Quote({file.text, {"ex:path", "ex:sha256"}});
   }
   return facts;
+}
+
+Facts CitedFacts::File(const std::optional<kg_core::RasterRef>& raster) const {
+  if (!raster) return {};
+  return Quote({raster->file_iri, {"ex:path", "ex:sha256"}});
 }
 
 Facts CitedFacts::Entry(const kg_core::Agent& agent, const char* link,
@@ -115,16 +121,18 @@ Facts CitedFacts::Term(const kg_core::Agent& agent,
                        const BlendTerm& term) const {
   switch (term.kind) {
     case BlendTerm::Kind::kBase:
-      return Policy(agent, {"ex:alpha_base", "ex:valueKind"});
+      return Policy(agent, {"ex:alpha_base", "ex:valueKind", "ex:layerScale"});
     case BlendTerm::Kind::kFront:
-      return Policy(agent, {"ex:gamma_front", "ex:valueKind"});
+      return Policy(agent, {"ex:gamma_front", "ex:valueKind", "ex:layerScale",
+                            "ex:frontOperator"});
     case BlendTerm::Kind::kPrior:
       return Policy(agent, {}) +
              Entry(agent, "ex:hasPriorWeight",
                    {term.prior->iri, {"ex:layer", "ex:beta"}}) +
              Quote({term.prior->iri,
-                    {"ex:edgeKm", "geo:hasGeometry", "ex:appliesIn",
-                     "ex:appliesTo"}});
+                    {"ex:edgeKm", "ex:gridRef", "ex:resampling",
+                     "geo:hasGeometry", "ex:appliesIn", "ex:appliesTo"}}) +
+             File(term.prior->raster);
     case BlendTerm::Kind::kEvent:
       return Policy(agent, {"ex:beta_poi"}) + Event(term.event->iri);
   }
@@ -134,11 +142,12 @@ Facts CitedFacts::Term(const kg_core::Agent& agent,
 Facts CitedFacts::Constraint(const kg_core::Agent& agent,
                              const ActiveConstraint& constraint) const {
   const std::string& iri = constraint.fact->iri;
-  Facts facts =
-      Quote({iri,
-             {"ex:kind", "ex:attenuation", "ex:gridRef", "ex:bufferCells",
-              "geo:hasGeometry", "ex:appliesIn", "ex:appliesTo", "ex:forAgent",
-              "ex:forWindow", "ex:expires"}});
+  Facts facts = Quote({iri,
+                       {"ex:kind", "ex:attenuation", "ex:gridRef",
+                        "ex:bufferCells", "ex:bufferMetric", "ex:resampling",
+                        "geo:hasGeometry", "ex:appliesIn", "ex:appliesTo",
+                        "ex:forAgent", "ex:forWindow", "ex:expires"}}) +
+                File(constraint.fact->mask);
   if (constraint.fact->kind == kg_core::ConstraintKind::kNoGo) return facts;
   facts = std::move(facts) + Policy(agent, {}) +
           Entry(agent, "ex:hasSoftOverride",

@@ -5,6 +5,7 @@
 #ifndef KG_COMPILER_EXPLAIN_CITED_FACTS_H_
 #define KG_COMPILER_EXPLAIN_CITED_FACTS_H_
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,8 @@ class CitedFacts {
   Facts Event(const std::string& iri) const;
 
  private:
+  // What a raster was read from, down to the file's hash.
+  Facts File(const std::optional<kg_core::RasterRef>& raster) const;
   // The node of the policy that names `target`, and its value.
   Facts Entry(const kg_core::Agent& agent, const char* link,
               const Citation& target) const;

@@ -4,15 +4,19 @@
 #define KG_CORE_BASE_INPUT_ERROR_H_
 
 #include <stdexcept>
+#include <string>
+
+#include "kg_core/base/text.h"
 
 namespace kg_core {
 
 // Thrown where input is read, caught only at a node's or a program's door.
-// Its text is one line that says where the mistake is (file, line, subject,
-// property) and what was expected.
+// Its text is one line, whatever is quoted in it, that says where the mistake
+// is (file, line, subject, property) and what was expected.
 class InputError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit InputError(const std::string& text)
+      : std::runtime_error(OneLine(text)) {}
 };
 
 }  // namespace kg_core

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/base/text.h"
 
 namespace kg_core {
 namespace {
@@ -127,7 +126,7 @@ void Parser::SkipCrs() {
     }
   }
   throw InputError("WKT, character " + std::to_string(begin + 1) +
-                   ": reference system <" + OneLine(iri.substr(0, 200)) +
+                   ": reference system <" + std::string(iri.substr(0, 200)) +
                    "> is not understood, expected CRS84 <" +
                    std::string(kCrs84[0]) + ">, longitude before latitude");
 }

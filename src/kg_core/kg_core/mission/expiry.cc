@@ -44,6 +44,8 @@ std::optional<Statement> Referrer(const GraphView& view, const Term& node,
   view.Match(pattern, [&](const Quad& quad) {
     const Term& subject = view.Get(quad.subject);
     if (gone.count(subject) != 0) return true;
+    // What an ingest has stated of it goes with it.
+    if (view.Get(quad.predicate) == Ex("ingestedFrom")) return true;
     found = Statement{subject, view.Get(quad.predicate), node, Facts()};
     return false;
   });

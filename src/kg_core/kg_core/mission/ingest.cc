@@ -14,6 +14,8 @@
 #include "kg_core/mission/entity.h"
 #include "kg_core/mission/ingest_times.h"
 #include "kg_core/mission/ingested_facts.h"
+#include "kg_core/mission/layer_files.h"
+#include "kg_core/mission/layer_reader.h"
 #include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/terms.h"
 #include "kg_core/mission/validator.h"
@@ -27,12 +29,14 @@ Term TimeLiteral(double time_s) {
   return Literal(FormatDateTime(time_s), std::string(kXsd) + "dateTime");
 }
 
-bool HasData(const QuantitySeries& series) {
+bool HasData(const Raster& raster) {
   const auto is_number = [](float value) { return std::isfinite(value); };
-  return std::any_of(
-      series.at_time.begin(), series.at_time.end(), [&](const Raster& raster) {
-        return std::any_of(raster.begin(), raster.end(), is_number);
-      });
+  return std::any_of(raster.begin(), raster.end(), is_number);
+}
+
+bool HasData(const QuantitySeries& series) {
+  return std::any_of(series.at_time.begin(), series.at_time.end(),
+                     [](const Raster& raster) { return HasData(raster); });
 }
 
 std::string BoxWkt(const Grid& grid) {
@@ -56,8 +60,8 @@ class SourceIngest {
  public:
   SourceIngest(const Entity& source, const Mission& mission,
                Transaction& transaction)
-      : source_(source.subject()),
-        kind_(source.Text(Ex("kind"), kDifferenceKind)),
+      : source_(source),
+        name_(source.subject()),
         mission_(mission),
         transaction_(transaction),
         started_s_(Now_s()) {}
@@ -76,21 +80,40 @@ class SourceIngest {
   void StateTemperature(const OceanFile& file, const Grid* field_grid) {
     RequireData(file);
     StateFile(file);
-    const bool is_same = field_grid && file.grid.AlmostEquals(*field_grid);
-    const Term grid = is_same ? Ex("grid") : Part("grid");
-    if (!is_same) StateGrid(grid, file.grid);
+    const Term grid = StateGridUnlessSame(file.grid, field_grid);
     for (const TimeWindow& window : mission_.windows) {
       const Term layer = Part("w" + std::to_string(window.index));
       StateLayer(file, window, layer);
       Say(layer, Ex("onGrid"), grid);
-      if (!is_same) Say(layer, Ex("resampling"), Literal("bilinear"));
+      for (const char* name : {"resampling", "fullScale", "frontFullScale"}) {
+        const std::optional<Term> said = source_.One(Ex(name));
+        if (said) Say(layer, Ex(name), *said);
+      }
     }
+    StateActivity();
+  }
+
+  // What a prior layer or a constraint names by ex:gridRef.
+  void StateRaster(const OceanFile& file, const GridRef& ref,
+                   const Grid* field_grid) {
+    const std::vector<Raster>& steps = file.series[0].at_time;
+    if (!(ref.time_index < static_cast<int>(steps.size()))) {
+      throw InputError(
+          "variable " + ref.variable + " has " + std::to_string(steps.size()) +
+          " time steps, none with index " + std::to_string(ref.time_index));
+    }
+    if (!HasData(steps[ref.time_index])) {
+      throw InputError("variable " + ref.variable + " has no data in step " +
+                       std::to_string(ref.time_index));
+    }
+    StateFile(file);
+    StateGridUnlessSame(file.grid, field_grid);
     StateActivity();
   }
 
  private:
   Term Part(const std::string& name) const {
-    return Iri(source_.text + "/" + name);
+    return Iri(name_.text + "/" + name);
   }
 
   void Say(const Term& subject, const Term& property, const Term& object) {
@@ -109,15 +132,25 @@ class SourceIngest {
     }
   }
 
+  // Its name.
+  Term StateGridUnlessSame(const Grid& grid, const Grid* field_grid) {
+    if (field_grid) {
+      CheckGrids(name_.text, grid, *field_grid, ReadResampling(source_));
+      if (grid.AlmostEquals(*field_grid)) return Ex("grid");
+    }
+    StateGrid(Part("grid"), grid);
+    return Part("grid");
+  }
+
   void Generate(const Term& entity, const char* type) {
     Say(entity, RdfType(), Ex(type));
-    Say(entity, Ex("ingestedFrom"), source_);
+    Say(entity, Ex("ingestedFrom"), name_);
     generated_.push_back(entity);
   }
 
   void StateFile(const OceanFile& file) {
     Say(Part("file"), RdfType(), Ex("SourceFile"));
-    Say(Part("file"), Ex("ingestedFrom"), source_);
+    Say(Part("file"), Ex("ingestedFrom"), name_);
     Say(Part("file"), Ex("path"), Literal(file.path));
     Say(Part("file"), Ex("sha256"), Literal(file.sha256));
   }
@@ -150,8 +183,11 @@ class SourceIngest {
     Say(field, Prov("wasDerivedFrom"), Part("file"));
   }
 
+  std::string Kind() const { return source_.Text(Ex("kind"), kDifferenceKind); }
+
   StepPair StepsOfLayer(const OceanFile& file, const TimeWindow& window) const {
-    if (kind_ == kDifferenceKind) return StepsOfDifference(file.time_s, window);
+    if (Kind() == kDifferenceKind)
+      return StepsOfDifference(file.time_s, window);
     const int step = StepOfWindow(file.time_s, window);
     return {step, step};
   }
@@ -161,8 +197,10 @@ class SourceIngest {
     const StepPair steps = StepsOfLayer(file, window);
     Generate(layer, "ValueLayer");
     Say(layer, Ex("forWindow"), Iri(window.iri));
-    Say(layer, Ex("kind"), Literal(kind_));
+    Say(layer, Ex("kind"), Literal(Kind()));
     Say(layer, Ex("timeIndex"), IntegerLiteral(steps.step));
+    Say(layer, Iri(std::string(kSosa) + "resultTime"),
+        TimeLiteral(file.time_s.at(steps.step)));
     std::string at = "@" + std::to_string(steps.step);
     if (steps.previous != steps.step) {
       Say(layer, Ex("previousTimeIndex"), IntegerLiteral(steps.previous));
@@ -178,7 +216,7 @@ class SourceIngest {
         static_cast<long long>(transaction_.view().world_version() + 1);
     const std::string version = std::to_string(number);
     const std::string name =
-        source_.text.substr(source_.text.find_last_of("/#") + 1);
+        name_.text.substr(name_.text.find_last_of("/#") + 1);
     const Term activity =
         Iri(kProvGraph + ("/ingest/v" + version + "/" + name));
     SayProv(activity, RdfType(), Ex("Ingest"));
@@ -186,7 +224,7 @@ class SourceIngest {
     SayProv(activity, Prov("startedAtTime"), TimeLiteral(started_s_));
     SayProv(activity, Prov("endedAtTime"), TimeLiteral(Now_s()));
     SayProv(activity, Ex("worldVersion"), IntegerLiteral(number));
-    SayProv(activity, Prov("used"), source_);
+    SayProv(activity, Prov("used"), name_);
     SayProv(activity, Prov("used"), Part("file"));
     for (const Term& entity : generated_) {
       SayProv(activity, Prov("generated"), entity);
@@ -194,15 +232,16 @@ class SourceIngest {
     }
   }
 
-  const Term source_;
-  const std::string kind_;
+  const Entity source_;
+  const Term name_;
   const Mission& mission_;
   Transaction& transaction_;
   const double started_s_;
   std::vector<Term> generated_;
 };
 
-// All data sources, those of currents first: their grid is the mission's.
+// All data sources, those of currents first: their grid is the mission's. Then
+// the rasters of priors and constraints.
 class Ingest {
  public:
   Ingest(FileCache& cache, Transaction& transaction)
@@ -213,6 +252,12 @@ class Ingest {
   std::vector<std::string> Run() {
     ForEach("current", &Ingest::ReadCurrents);
     ForEach("temperature", &Ingest::ReadTemperature);
+    for (const char* type : {"PriorLayer", "Constraint"}) {
+      for (const Term& term :
+           InstancesOf(transaction_.view(), kFactsGraph, Ex(type))) {
+        Try(Entity(transaction_.view(), term), &Ingest::ReadRaster);
+      }
+    }
     return std::move(reasons_);
   }
 
@@ -222,19 +267,29 @@ class Ingest {
     for (const Term& term :
          InstancesOf(transaction_.view(), kFactsGraph, Ex("DataSource"))) {
       const Entity source(transaction_.view(), term);
-      try {
-        if (source.Text(Ex("provides")) == provides) (this->*read)(source);
-      } catch (const InputError& error) {
-        reasons_.push_back(ToTurtle(term) + ": " + file_ + error.what());
-      }
-      file_.clear();
+      if (source.Text(Ex("provides")) == provides) Try(source, read);
     }
+  }
+
+  void Try(const Entity& source, void (Ingest::*read)(const Entity&)) {
+    try {
+      (this->*read)(source);
+    } catch (const InputError& error) {
+      reasons_.push_back(ToTurtle(source.subject()) + ": " + file_ +
+                         error.what());
+    }
+    file_.clear();
   }
 
   const OceanFile& Open(const Entity& source,
                         const std::vector<Quantity>& wanted) {
     const std::string path = cache_.Resolve(source.Text(Ex("file")));
-    open_.push_back(cache_.Read(path, wanted));
+    return Keep(path, cache_.Read(path, wanted));
+  }
+
+  const OceanFile& Keep(const std::string& path,
+                        std::shared_ptr<const OceanFile> file) {
+    open_.push_back(std::move(file));
     file_ = path + ": ";  // For reasons that come after the reading.
     return *open_.back();
   }
@@ -253,6 +308,16 @@ class Ingest {
     const OceanFile& file = Open(source, {Quantity::kTemperature});
     SourceIngest(source, mission_, transaction_)
         .StateTemperature(file, field_grid_);
+  }
+
+  void ReadRaster(const Entity& layer) {
+    const std::optional<GridRef> ref = ReadGridRef(layer);
+    if (!ref) return;
+    const std::string path = cache_.Resolve(ref->file);
+    const OceanFile& file =
+        Keep(path, cache_.ReadVariable(path, ref->variable));
+    SourceIngest(layer, mission_, transaction_)
+        .StateRaster(file, *ref, field_grid_);
   }
 
   FileCache& cache_;

@@ -15,6 +15,7 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
+#include "kg_core/mission/layer_files.h"
 #include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/terms.h"
 #include "kg_core/mission/test_world.h"
@@ -145,7 +146,11 @@ class IngestTest : public testing::Test {
 
   // Stages facts and their ingest; commits if nothing speaks against it.
   std::vector<std::string> Ingest(const std::string& turtle) {
-    Transaction transaction = world_.store.Begin();
+    return IngestInto(&world_, turtle);
+  }
+  std::vector<std::string> IngestInto(TestWorld* world,
+                                      const std::string& turtle) {
+    Transaction transaction = world->store.Begin();
     FactUpdate update;
     update.turtle = turtle;
     std::vector<std::string> reasons = StageUpdate(update, transaction);
@@ -174,6 +179,7 @@ TEST_F(IngestTest, StatesLayersThatConformAndCanBeRead) {
   ASSERT_EQ(mission.value_layers.size(), 2u);
   EXPECT_EQ(mission.value_layers[1].time_index, 2);
   EXPECT_EQ(mission.value_layers[1].previous_time_index, 1);
+  EXPECT_EQ(mission.value_layers[1].time_s, 1780488000.0);  // 06-03, noon.
 }
 
 TEST_F(IngestTest, LeavesProvenanceFromLayerToFileToActivity) {
@@ -227,28 +233,92 @@ TEST_F(IngestTest, LoadsWhatItStated) {
   EXPECT_NEAR(field.slices[0].east_mps[1], 1.1, 1e-6);
   EXPECT_NEAR(field.slices[0].north_mps[1], -0.2, 1e-6);
   EXPECT_TRUE(std::isnan(field.slices[0].east_mps[0]));
-  const Raster delta =
-      LoadValueLayer(cache, mission, mission.value_layers[1], field.grid);
-  EXPECT_NEAR(delta[1], 3.0, 1e-5);  // |4 - 1|
-  EXPECT_TRUE(std::isnan(delta[0]));
+  const GriddedRaster delta =
+      LoadValueLayer(cache, mission, mission.value_layers[1]);
+  EXPECT_TRUE(delta.grid == field.grid);
+  EXPECT_NEAR(delta.values[1], 3.0, 1e-5);  // |4 - 1|
+  EXPECT_TRUE(std::isnan(delta.values[0]));
 }
 
-TEST_F(IngestTest, PlainKindsAreTheFieldItself) {
-  ASSERT_EQ(Joined(Ingest(std::string(kSources) + "ex:sst ex:kind \"sst\" .")),
-            "");
+TEST_F(IngestTest, OtherKindsAreOfTheFieldItself) {
+  for (const std::string kind : {"sst", "frontness"}) {
+    TestWorld world;
+    ASSERT_EQ(Joined(IngestInto(
+                  &world, kSources + ("ex:sst ex:kind \"" + kind + "\" ."))),
+              "");
+    const Mission mission = ReadMission(*world.store.Read());
+    FileCache cache(folder_, "");
+    const ValueLayer& layer = mission.value_layers[1];
+    EXPECT_EQ(layer.kind, kind);
+    EXPECT_EQ(layer.previous_time_index, layer.time_index);
+    EXPECT_NEAR(LoadValueLayer(cache, mission, layer).values[1], 24.0, 1e-5);
+  }
+}
+
+TEST_F(IngestTest, WindowsShareTheTimeStepsOfAFile) {
+  ASSERT_EQ(Refusal(), "");
   const Mission mission = ReadMission(*world_.store.Read());
   FileCache cache(folder_, "");
-  const ValueLayer& layer = mission.value_layers[1];
-  EXPECT_EQ(layer.kind, "sst");
-  const Grid grid = LoadWorkField(cache, mission, mission.work_fields[0]).grid;
-  EXPECT_NEAR(LoadValueLayer(cache, mission, layer, grid)[1], 24.0, 1e-5);
+  const VectorField a = LoadWorkField(cache, mission, mission.work_fields[0]);
+  const VectorField b = LoadWorkField(cache, mission, mission.work_fields[1]);
+  int shared = 0;
+  for (const FieldSlice& early : a.slices) {
+    for (const FieldSlice& late : b.slices) {
+      if (early.time_s != late.time_s) continue;
+      ++shared;
+      EXPECT_EQ(early.east_mps.data(), late.east_mps.data());
+      EXPECT_EQ(early.north_mps.data(), late.north_mps.data());
+    }
+  }
+  EXPECT_EQ(shared, 2);
 }
 
-TEST_F(IngestTest, AnotherGridIsDeclaredAndResampled) {
+TEST_F(IngestTest, WhatASourceSaysOfItsLayersIsSaidOfEach) {
+  ASSERT_EQ(Joined(Ingest(std::string(kSources) +
+                          "ex:sst ex:fullScale 2.5 ; ex:frontFullScale 0.1 ; "
+                          "ex:resampling \"nearest\" .")),
+            "");
+  const auto view = world_.store.Read();
+  EXPECT_TRUE(Validate(*view).empty());
+  const Mission mission = ReadMission(*view);
+  ASSERT_EQ(mission.value_layers.size(), 2u);
+  for (const ValueLayer& layer : mission.value_layers) {
+    EXPECT_EQ(layer.full_scale, 2.5);
+    EXPECT_EQ(layer.front_full_scale, 0.1);
+    EXPECT_EQ(layer.resampling, Resampling::kNearest);
+  }
+  Transaction change = world_.store.Begin();
+  FactUpdate update;
+  update.set = {{"ex:sst", "ex:fullScale", "3"}};
+  ASSERT_EQ(Joined(StageUpdate(update, change)), "");
+  EXPECT_TRUE(IngestIsDue(change));
+}
+
+TEST_F(IngestTest, AnotherGridIsRefusedUnlessItIsDeclared) {
   Ocean shifted;
   shifted.first_lon_deg = -94.05;
   Write("sst.nc", shifted);
-  ASSERT_EQ(Refusal(), "");
+  EXPECT_EQ(Refusal(),
+            "ex:sst: " + Path("sst.nc") +
+                ": ex:sst ex:resampling: expected \"nearest\", or "
+                "\"bilinear\" unless it is a mask, because its grid (12 x 10 "
+                "cells, -94.1 to -93.1 E, 25.95 to 27.15 N) is not the "
+                "mission's, that of the work fields (12 x 10 cells, -94.05 to "
+                "-93.05 E, 25.95 to 27.15 N)\n");
+  shifted.first_lon_deg = -60.0;
+  Write("sst.nc", shifted);
+  const std::string far = Joined(
+      Ingest(std::string(kSources) + "ex:sst ex:resampling \"nearest\" ."));
+  EXPECT_NE(far.find("no place in common"), std::string::npos) << far;
+}
+
+TEST_F(IngestTest, AnotherGridIsResampledAsDeclared) {
+  Ocean shifted;
+  shifted.first_lon_deg = -94.05;
+  Write("sst.nc", shifted);
+  ASSERT_EQ(Joined(Ingest(std::string(kSources) +
+                          "ex:sst ex:resampling \"bilinear\" .")),
+            "");
   const auto view = world_.store.Read();
   EXPECT_TRUE(
       Has(*view, kFactsGraph, Ex("sst/w0"), Ex("onGrid"), Ex("sst/grid")));
@@ -257,8 +327,9 @@ TEST_F(IngestTest, AnotherGridIsDeclaredAndResampled) {
   const Mission mission = ReadMission(*view);
   FileCache cache(folder_, "");
   const Grid grid = LoadWorkField(cache, mission, mission.work_fields[0]).grid;
-  const Raster delta =
-      LoadValueLayer(cache, mission, mission.value_layers[1], grid);
+  const ValueLayer& layer = mission.value_layers[1];
+  const SharedRaster delta = OnGrid(
+      layer.iri, LoadValueLayer(cache, mission, layer), grid, layer.resampling);
   EXPECT_EQ(delta.size(), grid.size());
   EXPECT_NEAR(delta[5], 3.0, 1e-4);
 }
@@ -346,6 +417,19 @@ TEST_F(IngestTest, AFileIsReadOnce) {
   FileCache cache(folder_, "");
   const auto first = cache.Read(Path("sst.nc"), {Quantity::kTemperature});
   EXPECT_EQ(first, cache.Read(Path("sst.nc"), {Quantity::kTemperature}));
+}
+
+TEST_F(IngestTest, AFileWrittenAnewTakesThePlaceOfTheOldOne) {
+  FileCache cache(folder_, "");
+  auto first = cache.Read(Path("sst.nc"), {Quantity::kTemperature});
+  const std::weak_ptr<const OceanFile> old = first;
+  Ocean longer;
+  longer.days = kDays + 1;
+  Write("sst.nc", longer);
+  const auto second = cache.Read(Path("sst.nc"), {Quantity::kTemperature});
+  EXPECT_EQ(second->time_s.size(), first->time_s.size() + 1);
+  first.reset();
+  EXPECT_TRUE(old.expired());
 }
 
 double BufferOf(const Mission& mission) {

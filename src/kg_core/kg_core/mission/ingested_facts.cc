@@ -4,6 +4,7 @@
 #include <set>
 
 #include "kg_core/mission/ingest.h"
+#include "kg_core/mission/layer_reader.h"
 #include "kg_core/mission/terms.h"
 
 namespace kg_core {
@@ -13,14 +14,33 @@ bool IsDataSource(const GraphView& view, const Term& subject) {
   return Has(view, kFactsGraph, subject, RdfType(), Ex("DataSource"));
 }
 
+// A prior layer or a constraint whose raster is in a file; of one that is gone
+// the class is not known any more.
+bool NamesAFile(const GraphView& view, const Statement& grid_ref) {
+  return grid_ref.object != Literal(kLandRef) &&
+         !Has(view, kFactsGraph, grid_ref.subject, RdfType(), Ex("ValueLayer"));
+}
+
+bool HasRaster(const GraphView& view, const Term& subject) {
+  const auto ref = FirstObject(view, kFactsGraph, subject, Ex("gridRef"));
+  return ref && NamesAFile(view, {subject, Ex("gridRef"), *ref, Facts()});
+}
+
+// What data sources have in common with other things.
+bool IsOfASource(const Term& property) {
+  return property == Ex("kind") || property == Ex("resampling") ||
+         property == Ex("fullScale") || property == Ex("frontFullScale");
+}
+
 bool Matters(const Statement& statement, const GraphView& view) {
   if (statement.graph != Facts()) return false;
-  if (IngestReads(statement.predicate)) return true;
-  if (statement.predicate == RdfType()) {
-    return statement.object == Ex("DataSource");
-  }
-  return statement.predicate == Ex("kind") &&
-         IsDataSource(view, statement.subject);
+  const Term& property = statement.predicate;
+  if (IngestReads(property)) return true;
+  if (property == RdfType()) return statement.object == Ex("DataSource");
+  if (property == Ex("gridRef")) return NamesAFile(view, statement);
+  if (!IsOfASource(property)) return false;
+  return IsDataSource(view, statement.subject) ||
+         (property == Ex("resampling") && HasRaster(view, statement.subject));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "kg_core/geo/lon_lat.h"
 #include "kg_core/geo/wkt.h"
+#include "kg_core/raster/resample.h"
 
 namespace kg_core {
 
@@ -94,11 +95,12 @@ struct Agent {
 enum class ConstraintKind { kNoGo, kSoft };
 
 // ex:gridRef: a raster in a file. Values of a prior, or a mask (not 0 =
-// inside).
+// inside; no data is outside).
 struct RasterRef {
   std::string file_iri;  // An ex:SourceFile of the mission.
   std::string variable;
-  int time_index = 0;  // Of variables that have time.
+  int time_index = 0;                         // Of variables that have time.
+  Resampling resampling = Resampling::kNone;  // ex:resampling (A54).
 };
 
 enum class BufferMetric { kEuclidean, kChebyshev };  // A15.
@@ -141,11 +143,16 @@ struct Event {
   std::vector<int> windows;  // ex:forWindow and those before expiry.
 };
 
+// The kinds of value layer, by what is made of the temperature T (A14).
+inline constexpr char kDifferenceKind[] = "delta_sst";  // |T(t) - T(t-1 day)|.
+inline constexpr char kPlainKind[] = "sst";             // T.
+inline constexpr char kFrontnessKind[] = "frontness";   // |grad T| per km.
+
 // ex:ValueLayer of a window: how B_t is made of files.
 struct ValueLayer {
   std::string iri;
   int window = 0;
-  std::string kind;      // "delta_sst", "sst", ...
+  std::string kind;      // One of the above.
   std::string file_iri;  // prov:wasDerivedFrom, an ex:SourceFile.
   int time_index = 0;    // In that file; delta_sst: |this - previous|.
   int previous_time_index = 0;
@@ -153,6 +160,9 @@ struct ValueLayer {
   // [its unit] and its frontness [unit per km] by.
   std::optional<double> full_scale = std::nullopt;
   std::optional<double> front_full_scale = std::nullopt;
+  Resampling resampling = Resampling::kNone;  // ex:resampling (A54).
+  // sosa:resultTime, unix seconds: of the step time_index.
+  std::optional<double> time_s = std::nullopt;
 };
 
 // ex:WorkField (ex:CurrentField) of a window.

@@ -159,6 +159,46 @@ TEST(MissionReaderTest, OrderDoesNotDependOnTheOrderOfTheFacts) {
   EXPECT_EQ(a.priors[1].iri, b.priors[1].iri);
 }
 
+TEST(MissionReaderTest, PoliciesSayHowEquationOneIsDone) {
+  const Policy plain = ReadWith().agents.at(0).policy;
+  EXPECT_EQ(plain.front_operator, FrontOperator::kSobel);
+  EXPECT_EQ(plain.layer_scale, LayerScale::kWindow);
+  EXPECT_EQ(plain.soft_overlap, SoftOverlap::kProduct);
+  EXPECT_FALSE(plain.paper_literal);
+  EXPECT_EQ(plain.hazard_range_m, Policy().hazard_range_m);
+  EXPECT_EQ(plain.isolation_weight, Policy().isolation_weight);
+  const Policy said =
+      ReadWith(
+          "ex:safe ex:frontOperator \"central\" ; ex:layerScale \"fixed\" ; "
+          "ex:softOverlap \"min\" ; ex:paperLiteral true ; "
+          "ex:hazardRangeKm 4.5 ; ex:isolationWeight 0 .")
+          .agents.at(0)
+          .policy;
+  EXPECT_EQ(said.front_operator, FrontOperator::kCentral);
+  EXPECT_EQ(said.layer_scale, LayerScale::kFixed);
+  EXPECT_EQ(said.soft_overlap, SoftOverlap::kMin);
+  EXPECT_TRUE(said.paper_literal);
+  EXPECT_DOUBLE_EQ(said.hazard_range_m, 4500.0);
+  EXPECT_EQ(said.isolation_weight, 0.0);
+  EXPECT_EQ(ReadWith("ex:safe ex:layerScale \"none\" .")
+                .agents.at(0)
+                .policy.layer_scale,
+            LayerScale::kNone);
+}
+
+TEST(MissionReaderTest, TheMissionSaysHowAgentsMoveAndBuffersAreMeasured) {
+  EXPECT_EQ(ReadWith().coordination.movement_mode, "hops");
+  EXPECT_EQ(
+      ReadWith("ex:m ex:movementMode \"edges\" .").coordination.movement_mode,
+      "edges");
+  EXPECT_EQ(ReadWith().constraints.at(1).buffer_metric,
+            BufferMetric::kEuclidean);
+  EXPECT_EQ(ReadWith("ex:land ex:bufferMetric \"chebyshev\" .")
+                .constraints.at(1)
+                .buffer_metric,
+            BufferMetric::kChebyshev);
+}
+
 // Facts of kTestFacts with one thing changed, and what the reader says of it.
 struct Refused {
   const char* what;
@@ -182,6 +222,10 @@ const Refused kRefused[] = {
     {"ex:kind \"soft\"", "ex:kind \"hard\"", "one of no_go, soft, not"},
     {"POINT(-90 26)", "POINT(-90)", "ex:bravo_start geo:asWKT: expected"},
     {"ex:alpha_base 1 ;", "", "ex:safe ex:alpha_base: expected a number"},
+    {"ex:gridRef \"land\"", "ex:gridRef \"x.nc\"", "\"file#variable@step\""},
+    {"ex:gridRef \"land\"", "ex:gridRef \"x.nc#m@-1\"", "a time step behind @"},
+    {"geo:asWKT \"POLYGON((-90", "ex:gridRef \"x.nc#m\" ; rdfs:label \"((-90",
+     "ex:corridor ex:edgeKm: expected none"},
 };
 
 TEST(MissionReaderTest, RefusesInOneLineWithSubjectAndProperty) {
@@ -193,6 +237,18 @@ TEST(MissionReaderTest, RefusesInOneLineWithSubjectAndProperty) {
         << refused.by << ": " << said;
     EXPECT_EQ(said.find('\n'), std::string::npos);
   }
+}
+
+TEST(MissionReaderTest, RefusesLayersThatCannotBeDerived) {
+  const auto said = [](const char* what, const char* by) {
+    return RefusalOf(kTestFacts + Replace(kTestArtifacts, what, by));
+  };
+  EXPECT_NE(said("\"delta_sst\"", "\"salt\"")
+                .find("one of delta_sst, sst, frontness, not \"salt\""),
+            std::string::npos);
+  EXPECT_NE(said("ex:previousTimeIndex 0 ;", "")
+                .find("ex:layer1 ex:previousTimeIndex: expected another step"),
+            std::string::npos);
 }
 
 TEST(MissionReaderTest, RefusesWindowsThatOverlap) {

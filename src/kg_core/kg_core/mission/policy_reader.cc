@@ -18,6 +18,13 @@ constexpr Named<ConfidenceMode> kConfidenceModes[] = {
     {"post", ConfidenceMode::kPost},
     {"pre", ConfidenceMode::kPre},
     {"horizon", ConfidenceMode::kHorizon}};
+constexpr Named<FrontOperator> kFrontOperators[] = {
+    {"sobel", FrontOperator::kSobel}, {"central", FrontOperator::kCentral}};
+constexpr Named<LayerScale> kLayerScales[] = {{"window", LayerScale::kWindow},
+                                              {"fixed", LayerScale::kFixed},
+                                              {"none", LayerScale::kNone}};
+constexpr Named<SoftOverlap> kSoftOverlaps[] = {
+    {"product", SoftOverlap::kProduct}, {"min", SoftOverlap::kMin}};
 
 std::string LocalName(const std::string& iri) {
   return iri.substr(iri.find_last_of("/#") + 1);
@@ -42,6 +49,22 @@ std::map<std::string, double> Weights(
     }
   }
   return weights;
+}
+
+// How Eq. 1 is done, beside its weights.
+void ReadModes(const Entity& entity, Policy* policy) {
+  policy->normalisation = Choice(entity, Ex("normalisation"), kNormalisations,
+                                 policy->normalisation);
+  policy->confidence_mode = Choice(entity, Ex("confidenceMode"),
+                                   kConfidenceModes, policy->confidence_mode);
+  policy->front_operator = Choice(entity, Ex("frontOperator"), kFrontOperators,
+                                  policy->front_operator);
+  policy->layer_scale =
+      Choice(entity, Ex("layerScale"), kLayerScales, policy->layer_scale);
+  policy->soft_overlap =
+      Choice(entity, Ex("softOverlap"), kSoftOverlaps, policy->soft_overlap);
+  policy->paper_literal =
+      entity.Flag(Ex("paperLiteral"), policy->paper_literal);
 }
 
 }  // namespace
@@ -78,10 +101,12 @@ Policy ReadPolicy(const GraphView& view, const Entity& entity) {
   policy.lambda_uncertainty =
       entity.Number(Ex("lambda_unc"), policy.lambda_uncertainty);
   policy.value_kind = entity.Text(Ex("valueKind"), policy.value_kind);
-  policy.normalisation = Choice(entity, Ex("normalisation"), kNormalisations,
-                                policy.normalisation);
-  policy.confidence_mode = Choice(entity, Ex("confidenceMode"),
-                                  kConfidenceModes, policy.confidence_mode);
+  if (const auto km = entity.MaybeNumber(Ex("hazardRangeKm"))) {
+    policy.hazard_range_m = KmToMetres(*km);
+  }
+  policy.isolation_weight =
+      entity.Number(Ex("isolationWeight"), policy.isolation_weight);
+  ReadModes(entity, &policy);
   policy.beta = Weights(view, entity, {"hasPriorWeight", "layer", "beta"},
                         &policy.weight_iris);
   policy.soft_overrides =

@@ -88,6 +88,8 @@ class Grid {
   double MetresPerCol(double row, double col) const;
 
   std::string Hash() const;  // Of both axes, hex.
+  // For people: "51 x 51 cells, -98 to -96 E, 21 to 23 N" (rows first).
+  std::string Text() const;
   // Same size and every centre within `tolerance` of the local spacing (file
   // coordinates carry float32 noise).
   bool AlmostEquals(const Grid& other, double tolerance = 0.01) const;
@@ -104,10 +106,6 @@ inline bool operator!=(const Grid& a, const Grid& b) { return !(a == b); }
 using Raster = std::vector<float>;
 // Byte rasters: 0 or 1 a cell.
 using Mask = std::vector<unsigned char>;
-
-// Bilinear resampling of values (nearest where a neighbour is NaN, NaN where
-// the nearest is NaN or outside).
-Raster ResampleBilinear(const Grid& from, const Raster& values, const Grid& to);
 
 }  // namespace kg_core
 

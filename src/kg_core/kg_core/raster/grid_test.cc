@@ -18,16 +18,6 @@ Grid UnevenGrid() {
   return Grid({-98, -97.9, -97.7, -97.6}, {21, 21.1, 21.3, 21.6, 21.7});
 }
 
-Raster Values(const Grid& grid, double (*value)(LonLat)) {
-  Raster raster;
-  for (const double lat : grid.lat_deg()) {
-    for (const double lon : grid.lon_deg()) {
-      raster.push_back(static_cast<float>(value({lon, lat})));
-    }
-  }
-  return raster;
-}
-
 TEST(Grid, IndexesRowByRowFromTheSouthWest) {
   const Grid grid = UnevenGrid();
   EXPECT_EQ(grid.rows(), 5);
@@ -35,6 +25,7 @@ TEST(Grid, IndexesRowByRowFromTheSouthWest) {
   EXPECT_EQ(grid.size(), 20u);
   EXPECT_EQ(grid.Index({2, 3}), 11u);
   EXPECT_EQ(grid.Centre({2, 3}), (LonLat{-97.6, 21.3}));
+  EXPECT_EQ(grid.Text(), "5 x 4 cells, -98.05 to -97.55 E, 20.95 to 21.75 N");
   EXPECT_TRUE(grid.Contains({4, 3}));
   EXPECT_FALSE(grid.Contains({5, 3}));
   EXPECT_FALSE(grid.Contains({0, -1}));
@@ -127,56 +118,6 @@ TEST(Grid, AlmostEqualsForgivesFloatNoiseOnly) {
   EXPECT_FALSE(grid.AlmostEquals(Grid(lon_float, lat), 1e-9));
   EXPECT_FALSE(grid.AlmostEquals(Grid(lon, {21, 21.05})));
   EXPECT_FALSE(grid.AlmostEquals(Grid(lon, {21, 21.04, 21.08})));
-}
-
-TEST(ResampleBilinear, KeepsABilinearFunctionOnAnyGrid) {
-  const auto plane = [](LonLat p) { return 3 * p.lon_deg - 2 * p.lat_deg + 1; };
-  const Grid from = UnevenGrid();
-  const Grid to({-97.95, -97.8, -97.61}, {21.0, 21.15, 21.5, 21.65});
-  const Raster got = ResampleBilinear(from, Values(from, plane), to);
-  const Raster expected = Values(to, plane);
-  ASSERT_EQ(got.size(), expected.size());
-  for (std::size_t i = 0; i < got.size(); ++i) {
-    EXPECT_NEAR(got[i], expected[i], 1e-4);
-  }
-}
-
-TEST(ResampleBilinear, OntoTheSameGridChangesNothing) {
-  const Grid grid = UnevenGrid();
-  std::mt19937 random(9);
-  std::uniform_real_distribution<float> any(-5, 5);
-  Raster values(grid.size());
-  for (float& v : values) v = any(random);
-  values[7] = kNan;
-  const Raster got = ResampleBilinear(grid, values, grid);
-  for (std::size_t i = 0; i < got.size(); ++i) {
-    if (i == 7) {
-      EXPECT_TRUE(std::isnan(got[i]));
-    } else {
-      EXPECT_EQ(got[i], values[i]);
-    }
-  }
-}
-
-TEST(ResampleBilinear, TakesTheNearestWhereANeighbourIsMissing) {
-  const Grid from({0, 1}, {0, 1});
-  const Raster values{1, 2, 3, kNan};
-  const Grid to({0.2, 0.8}, {0.2, 0.8});
-  const Raster got = ResampleBilinear(from, values, to);
-  EXPECT_EQ(got[0], 1.0f);
-  EXPECT_EQ(got[1], 2.0f);
-  EXPECT_EQ(got[2], 3.0f);
-  EXPECT_TRUE(std::isnan(got[3]));
-}
-
-TEST(ResampleBilinear, KnowsNothingOutsideItsEdges) {
-  const Grid from({0, 1}, {0, 1});
-  const Grid to({-0.6, -0.4, 1.4, 1.6}, {0, 1});
-  const Raster got = ResampleBilinear(from, {1, 2, 3, 4}, to);
-  EXPECT_TRUE(std::isnan(got[0]));
-  EXPECT_EQ(got[1], 1.0f);
-  EXPECT_EQ(got[2], 2.0f);
-  EXPECT_TRUE(std::isnan(got[3]));
 }
 
 }  // namespace

@@ -67,8 +67,9 @@ Role RoleOf(const NetcdfVariable& variable) {
 
 class Reader {
  public:
-  Reader(const NetcdfFile& file, const NetcdfVariable& variable)
-      : file_(file), variable_(variable) {
+  Reader(const NetcdfFile& file, const NetcdfVariable& variable,
+         TimeAxis need_of_time)
+      : file_(file), variable_(variable), need_of_time_(need_of_time) {
     axes_.start.assign(variable.dimensions.size(), 0);
   }
 
@@ -109,11 +110,12 @@ class Reader {
   std::vector<double> Latitudes();
   std::vector<double> Longitudes();
   std::vector<double> Wrapped(const std::vector<double>& ascending) const;
-  const NetcdfVariable& TimeVariable() const;
+  const NetcdfVariable* TimeVariable() const;
   void ReadTimes();
 
   const NetcdfFile& file_;
   const NetcdfVariable& variable_;
+  const TimeAxis need_of_time_;
   const NetcdfVariable* lat_ = nullptr;
   const NetcdfVariable* lon_ = nullptr;
   const NetcdfVariable* time_ = nullptr;
@@ -286,20 +288,27 @@ std::vector<double> Reader::Wrapped(
   return wrapped;
 }
 
-// Of the variable's own dimension, or else a scalar.
-const NetcdfVariable& Reader::TimeVariable() const {
-  if (time_ != nullptr) return *time_;
+// Of the variable's own dimension, or else a scalar; nothing if there is none
+// and none is needed.
+const NetcdfVariable* Reader::TimeVariable() const {
+  if (time_ != nullptr) return time_;
   for (const NetcdfVariable& other : file_.variables()) {
     const bool dated = other.Text("units").find(" since ") != std::string::npos;
-    if (other.dimensions.empty() && dated) return other;
+    if (other.dimensions.empty() && dated) return &other;
   }
+  if (need_of_time_ == TimeAxis::kOptional) return nullptr;
   file_.Refuse(variable_,
                "expected a time (a dimension of it, or a scalar variable with "
                "units like \"hours since 2000-01-01 00:00:00\")");
 }
 
 void Reader::ReadTimes() {
-  const NetcdfVariable& time = TimeVariable();
+  const NetcdfVariable* found = TimeVariable();
+  if (found == nullptr) {
+    axes_.time_s.push_back(std::nan(""));
+    return;
+  }
+  const NetcdfVariable& time = *found;
   const std::vector<double> values =
       time.dimensions.empty() ? file_.Values(time) : Coordinates(time);
   CfTime cf;
@@ -325,9 +334,9 @@ void Reader::ReadTimes() {
 
 }  // namespace
 
-OceanAxes ReadOceanAxes(const NetcdfFile& file,
-                        const NetcdfVariable& variable) {
-  return Reader(file, variable).Read();
+OceanAxes ReadOceanAxes(const NetcdfFile& file, const NetcdfVariable& variable,
+                        TimeAxis time) {
+  return Reader(file, variable, time).Read();
 }
 
 }  // namespace kg_core

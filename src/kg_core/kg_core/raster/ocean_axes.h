@@ -26,9 +26,13 @@ struct OceanAxes {
   std::vector<double> time_s;
 };
 
+// May a variable be of no time? Then its one time is NaN.
+enum class TimeAxis { kRequired, kOptional };
+
 // Throws InputError for what is not understood: curvilinear grids, grids across
 // the antimeridian, axes or times that do not run one way, unknown dimensions.
-OceanAxes ReadOceanAxes(const NetcdfFile& file, const NetcdfVariable& variable);
+OceanAxes ReadOceanAxes(const NetcdfFile& file, const NetcdfVariable& variable,
+                        TimeAxis time = TimeAxis::kRequired);
 
 }  // namespace kg_core
 

@@ -186,26 +186,14 @@ class Answer {
   Clock::time_point deadline_;
 };
 
-std::vector<std::string> Arguments(const std::string& path,
-                                   const std::vector<Quantity>& quantities,
-                                   double deadline_s) {
-  std::vector<std::string> arguments{FindProgram(), path,
-                                     std::to_string(deadline_s)};
-  for (const Quantity quantity : quantities) {
-    arguments.push_back(std::to_string(static_cast<int>(quantity)));
-  }
-  return arguments;
-}
-
-}  // namespace
-
-OceanFile ReadOceanFileSafely(const std::string& path,
-                              const std::vector<Quantity>& quantities,
-                              double deadline_s) {
-  if (quantities.empty()) throw std::logic_error("no quantity is asked for");
+// `wanted`: as the program's arguments.
+OceanFile ReadInChild(const std::string& path,
+                      const std::vector<std::string>& wanted,
+                      double deadline_s) {
   const double limit_s = std::min(std::max(deadline_s, 0.0), kMaxDeadline_s);
-  const std::vector<std::string> arguments =
-      Arguments(path, quantities, limit_s);
+  std::vector<std::string> arguments{FindProgram(), path,
+                                     std::to_string(limit_s)};
+  arguments.insert(arguments.end(), wanted.begin(), wanted.end());
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) {
     throw InputError(path + ": no pipe to read it through: " + strerror(errno));
@@ -221,6 +209,24 @@ OceanFile ReadOceanFileSafely(const std::string& path,
                      " before it was done, expected a file that is not "
                      "damaged");
   });
+}
+
+}  // namespace
+
+OceanFile ReadOceanFileSafely(const std::string& path,
+                              const std::vector<Quantity>& quantities,
+                              double deadline_s) {
+  if (quantities.empty()) throw std::logic_error("no quantity is asked for");
+  std::vector<std::string> wanted;
+  for (const Quantity quantity : quantities) {
+    wanted.push_back(std::to_string(static_cast<int>(quantity)));
+  }
+  return ReadInChild(path, wanted, deadline_s);
+}
+
+OceanFile ReadVariableSafely(const std::string& path,
+                             const std::string& variable, double deadline_s) {
+  return ReadInChild(path, {kVariableArgument + variable}, deadline_s);
 }
 
 }  // namespace kg_core

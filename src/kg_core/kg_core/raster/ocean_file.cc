@@ -29,6 +29,18 @@ void CheckSameAxes(const NetcdfFile& file, const OceanAxes& axes,
                             read.series.front().variable);
 }
 
+const NetcdfVariable& VariableNamed(const NetcdfFile& file,
+                                    const std::string& name) {
+  std::string names;
+  for (const NetcdfVariable& variable : file.variables()) {
+    if (variable.name == name) return variable;
+    if (variable.dimensions.size() < 2) continue;
+    names += (names.empty() ? "" : ", ") + variable.name;
+  }
+  file.Refuse("no variable \"" + name + "\", expected one of " +
+              (names.empty() ? "none: it has no fields" : names));
+}
+
 }  // namespace
 
 OceanFile ReadOceanFile(const std::string& path,
@@ -50,6 +62,20 @@ OceanFile ReadOceanFile(const std::string& path,
     }
     read.series.push_back(ReadSeries(file, axes, *variables[i], quantities[i]));
   }
+  read.sha256 = Sha256HexOfFile(path);
+  return read;
+}
+
+OceanFile ReadVariable(const std::string& path, const std::string& variable) {
+  const NetcdfFile file(path);
+  const NetcdfVariable& found = VariableNamed(file, variable);
+  const OceanAxes axes = ReadOceanAxes(file, found, TimeAxis::kOptional);
+  OceanFile read;
+  read.path = path;
+  read.grid = axes.grid;
+  read.time_s = axes.time_s;
+  CheckSize(file, read, 1);
+  read.series.push_back(ReadSeries(file, axes, found, Quantity::kAny));
   read.sha256 = Sha256HexOfFile(path);
   return read;
 }

@@ -32,6 +32,7 @@ enum class Quantity {
   kEastwardVelocity,   // m/s; eastward_sea_water_velocity; water_u, u
   kNorthwardVelocity,  // m/s; northward_sea_water_velocity; water_v, v
   kTemperature,  // degree Celsius; sea_surface_temperature, ...; water_temp
+  kAny,          // A variable asked for by its own name, in its own unit.
 };
 const char* Name(Quantity quantity);  // "eastward velocity", ...
 
@@ -45,7 +46,8 @@ struct OceanFile {
   std::string path;
   std::string sha256;  // Of the whole file.
   Grid grid;
-  std::vector<double> time_s;          // Unix seconds, strictly ascending.
+  // Unix seconds, strictly ascending; one NaN for a variable without time.
+  std::vector<double> time_s;
   std::vector<QuantitySeries> series;  // In the order asked for.
 };
 
@@ -53,12 +55,20 @@ struct OceanFile {
 OceanFile ReadOceanFile(const std::string& path,
                         const std::vector<Quantity>& quantities);
 
-// The same in a child process (program "read_ocean_file" of this package, found
+// One variable by its name, whatever it is: a mask, a map of habitats. Packing
+// and fill values are taken away, units are not looked at, any finite value is
+// a value, a step may be empty, and there may be no time. Throws InputError.
+OceanFile ReadVariable(const std::string& path, const std::string& variable);
+
+// Both in a child process (program "read_ocean_file" of this package, found
 // beside the running program) that is ended after `deadline_s`: damaged
 // NetCDF-4 files can hang or crash the library. Throws InputError then, too.
 OceanFile ReadOceanFileSafely(const std::string& path,
                               const std::vector<Quantity>& quantities,
                               double deadline_s = 30.0);
+OceanFile ReadVariableSafely(const std::string& path,
+                             const std::string& variable,
+                             double deadline_s = 30.0);
 
 }  // namespace kg_core
 

@@ -12,6 +12,10 @@
 
 namespace kg_core {
 
+// What stands before a variable's name where a quantity's number could stand,
+// in the arguments of that process.
+inline constexpr char kVariableArgument[] = "variable=";
+
 // Of all series of a file together: 1 GiB of floats.
 inline constexpr std::size_t kMaxOceanValues = std::size_t{1} << 28;
 

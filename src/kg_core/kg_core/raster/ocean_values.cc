@@ -23,7 +23,8 @@ struct Vocabulary {
   const char* name;
   std::vector<std::string> standard_names;
   std::vector<std::string> variable_names;  // Lower case.
-  std::vector<UnitScale> units;  // The first holds where none is named.
+  std::vector<UnitScale> units;  // The first holds where none is named; none:
+                                 // values stay in their own.
   double least;
   double most;
 };
@@ -91,6 +92,12 @@ const Vocabulary& VocabularyOf(Quantity quantity) {
       TemperatureUnits(),
       -5.0,
       60.0};
+  static const Vocabulary kAny = {"values",
+                                  {},
+                                  {},
+                                  {},
+                                  -std::numeric_limits<float>::max(),
+                                  std::numeric_limits<float>::max()};
   switch (quantity) {
     case Quantity::kEastwardVelocity:
       return kEast;
@@ -98,6 +105,8 @@ const Vocabulary& VocabularyOf(Quantity quantity) {
       return kNorth;
     case Quantity::kTemperature:
       return kTemperature;
+    case Quantity::kAny:
+      return kAny;
   }
   throw std::logic_error("no such quantity");
 }
@@ -148,6 +157,7 @@ const NetcdfVariable* FindVariable(const NetcdfFile& file,
 
 UnitScale ScaleOf(const NetcdfFile& file, const NetcdfVariable& variable,
                   const Vocabulary& words) {
+  if (words.units.empty()) return {"", 1.0, 0.0};
   const std::string units = variable.Text("units");
   if (units.empty()) return words.units.front();
   for (const UnitScale& unit : words.units) {
@@ -321,6 +331,7 @@ QuantitySeries ReadSeries(const NetcdfFile& file, const OceanAxes& axes,
     series.at_time.push_back(Canonical(axes, raw, &unpack));
     if (unpack.plausible() == before) empty_times.push_back(time);
   }
+  if (quantity == Quantity::kAny) return series;
   RefuseAbsurd(file, variable, words, unpack);
   if (!empty_times.empty()) {
     file.Refuse(variable, "no value in any cell at time " +

@@ -24,7 +24,7 @@ std::vector<const NetcdfVariable*> FindVariables(
 // before unpacking, in the variable's own type), the type's default fill, NaN.
 // Values that cannot be (beyond 10 m/s; outside -5..60 degrees Celsius) are
 // taken as missing; a variable where most are like that, or a time without any
-// value, is refused.
+// value, is refused. Of Quantity::kAny any finite value can be, and none.
 QuantitySeries ReadSeries(const NetcdfFile& file, const OceanAxes& axes,
                           const NetcdfVariable& variable, Quantity quantity);
 

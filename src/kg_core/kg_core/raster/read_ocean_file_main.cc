@@ -1,8 +1,9 @@
-// read_ocean_file FILE DEADLINE_S QUANTITY...: reads an ocean file and writes
-// its contents, or the line that says why not, to its standard output in the
-// form of ocean_protocol.h. A process of its own, because damaged NetCDF-4
-// files can hang or crash the library; it ends itself, too, soon after its
-// deadline, should its parent be gone. Exits 0 when it has said all it had to.
+// read_ocean_file FILE DEADLINE_S (QUANTITY... | variable=NAME): reads an ocean
+// file and writes its contents, or the line that says why not, to its standard
+// output in the form of ocean_protocol.h. A process of its own, because damaged
+// NetCDF-4 files can hang or crash the library; it ends itself, too, soon after
+// its deadline, should its parent be gone. Exits 0 when it has said all it had
+// to.
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -54,15 +55,22 @@ std::vector<Quantity> Quantities(int argc, char** argv) {
   return quantities;
 }
 
+kg_core::OceanFile Read(int argc, char** argv) {
+  const std::string wanted = argv[3];
+  const std::string by_name = kg_core::kVariableArgument;
+  if (wanted.compare(0, by_name.size(), by_name) == 0) {
+    return kg_core::ReadVariable(argv[1], wanted.substr(by_name.size()));
+  }
+  return kg_core::ReadOceanFile(argv[1], Quantities(argc, argv));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 4) return 2;
   LimitMyself(std::atof(argv[2]));
   try {
-    const kg_core::OceanFile file =
-        kg_core::ReadOceanFile(argv[1], Quantities(argc, argv));
-    kg_core::WriteOceanFile(file, Put);
+    kg_core::WriteOceanFile(Read(argc, argv), Put);
   } catch (const std::exception& error) {
     kg_core::WriteOceanError(error.what(), Put);
   }

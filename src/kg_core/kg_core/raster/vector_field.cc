@@ -51,7 +51,7 @@ bool HasData(const FieldSlice& slice, std::size_t cell) {
          !std::isnan(slice.north_mps[cell]);
 }
 
-double Bilinear(const Raster& values, const Stencil& at) {
+double Bilinear(const SharedRaster& values, const Stencil& at) {
   return at.weight[0] * values[at.corner[0]] +
          at.weight[1] * values[at.corner[1]] +
          at.weight[2] * values[at.corner[2]] +

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "kg_core/raster/grid.h"
+#include "kg_core/raster/shared_raster.h"
 
 namespace kg_core {
 
@@ -22,10 +23,11 @@ struct Velocity {
   double north_mps = 0.0;
 };
 
+// Copies share their rasters.
 struct FieldSlice {
   double time_s = 0.0;  // Unix seconds.
-  Raster east_mps;
-  Raster north_mps;
+  SharedRaster east_mps;
+  SharedRaster north_mps;
 };
 
 struct VectorField {

@@ -96,8 +96,8 @@ TEST(VectorField, IsUnknownInACellWithoutData) {
 
 TEST(VectorField, AMissingCornerIsWaterAtRest) {
   VectorField field = RandomField(1, 6);
-  Raster& east = field.slices[0].east_mps;
-  Raster& north = field.slices[0].north_mps;
+  SharedRaster& east = field.slices[0].east_mps;
+  SharedRaster& north = field.slices[0].north_mps;
   north[7] = kNan;
   const auto got = field.Sample({1.75, 2.0}, 0);
   ASSERT_TRUE(got);

@@ -23,6 +23,8 @@ constexpr Forbidden kForbidden[] = {
     {"conclusion", "reasons are not concluded"},
     {"ingestedFrom", "only an ingest of files states it"},
     {"DataSource", "files are read before rules are run"},
+    {"gridRef", "files are read before rules are run"},
+    {"resampling", "files are read before rules are run"},
     {"priors",
      "it is expanded before rules are run: conclude "
      "ex:hasPriorWeight"},

@@ -1,0 +1,96 @@
+#include "kg_core/mission/agent_reader.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "kg_core/base/units.h"
+#include "kg_core/mission/class_tree.h"
+#include "kg_core/mission/policy_reader.h"
+#include "kg_core/mission/terms.h"
+#include "kg_core/rules/reasons.h"
+
+namespace kg_core {
+namespace {
+
+// Where it is said: the subject if it is asserted, and the inferences.
+std::vector<std::string> SourcesOf(const GraphView& asserted,
+                                   const Triple& triple) {
+  std::vector<std::string> sources;
+  if (Has(asserted, kFactsGraph, triple.subject, triple.predicate,
+          triple.object)) {
+    sources.push_back(triple.subject.text);
+  }
+  for (Inference& inference : WhyInferred(asserted, triple)) {
+    sources.push_back(std::move(inference.iri));
+  }
+  return sources;
+}
+
+// The agent's state for the earliest window.
+Entity StartOf(const GraphView& view, const Calendar& calendar,
+               const Entity& agent) {
+  std::vector<std::pair<int, Entity>> states;
+  for (const Term& term : InstancesOf(view, kFactsGraph, Ex("AgentState"))) {
+    const Entity state(view, term);
+    if (state.Iris(Ex("forAgent")) != std::vector<std::string>{agent.iri()}) {
+      continue;
+    }
+    states.emplace_back(calendar.WindowOf(state), state);
+  }
+  const Term state = Ex("AgentState");
+  if (states.empty()) {
+    agent.Refuse(state, "an ex:AgentState with ex:forAgent " +
+                            ToTurtle(agent.subject()) + " to start from");
+  }
+  std::stable_sort(
+      states.begin(), states.end(),
+      [](const auto& a, const auto& b) { return a.first < b.first; });
+  if (states.size() > 1 && states[0].first == states[1].first) {
+    agent.Refuse(state, "one state for window " +
+                            std::to_string(states[0].first) + ", not two");
+  }
+  return states[0].second;
+}
+
+Agent ReadAgent(const GraphView& asserted, const GraphView& view,
+                const Calendar& calendar, const Entity& entity) {
+  Agent agent;
+  agent.iri = entity.iri();
+  agent.id = entity.Text(Ex("id"));
+  agent.mobility = entity.Text(Ex("mobility"), "");
+  agent.policy = ReadPolicy(view, entity.Follow(Ex("usesPolicy")));
+  agent.capabilities = ReadCapabilities(entity.Follow(Ex("hasCapabilities")));
+  const Entity start = StartOf(view, calendar, entity);
+  agent.start = start.Position();
+  agent.start_heading_rad = DegToRad(start.Number(Ex("headingDeg"), 0.0));
+  agent.start_iri = start.iri();
+  for (const std::string& zone : entity.Iris(Ex("mustAvoid"))) {
+    agent.must_avoid[zone] =
+        SourcesOf(asserted, {Iri(agent.iri), Ex("mustAvoid"), Iri(zone)});
+  }
+  return agent;
+}
+
+}  // namespace
+
+std::vector<Agent> ReadAgents(const GraphView& asserted, const GraphView& view,
+                              const Calendar& calendar, const Entity& mission) {
+  std::vector<Agent> agents;
+  for (const Term& term : mission.All(Ex("hasAgent"))) {
+    agents.push_back(ReadAgent(asserted, view, calendar, Entity(view, term)));
+  }
+  if (agents.empty()) mission.Refuse(Ex("hasAgent"), "at least one agent");
+  std::sort(agents.begin(), agents.end(),
+            [](const Agent& a, const Agent& b) { return a.id < b.id; });
+  const auto twin = std::adjacent_find(
+      agents.begin(), agents.end(),
+      [](const Agent& a, const Agent& b) { return a.id == b.id; });
+  if (twin != agents.end()) {
+    Entity(view, Iri(twin->iri))
+        .Refuse(Ex("id"), "an id of its own, not \"" + twin->id + "\" twice");
+  }
+  return agents;
+}
+
+}  // namespace kg_core

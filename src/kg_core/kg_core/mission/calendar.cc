@@ -1,0 +1,122 @@
+#include "kg_core/mission/calendar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "kg_core/base/date_time.h"
+#include "kg_core/base/units.h"
+#include "kg_core/mission/expiry.h"
+#include "kg_core/mission/terms.h"
+
+namespace kg_core {
+namespace {
+
+TimeWindow ReadWindow(const Entity& entity) {
+  TimeWindow window;
+  window.iri = entity.iri();
+  window.index = entity.Integer(Ex("index"));
+  const auto begin_s = entity.MaybeTime_s(TimeTerm("hasBeginning"));
+  if (!begin_s) entity.Refuse(TimeTerm("hasBeginning"), "an xsd:dateTime");
+  window.begin_s = *begin_s;
+  window.end_s = std::nan("");
+  const auto hours = entity.MaybeNumber(Ex("durationHours"));
+  if (hours) window.end_s = window.begin_s + HoursToSeconds(*hours);
+  const auto end_s = entity.MaybeTime_s(TimeTerm("hasEnd"));
+  if (end_s) window.end_s = *end_s;
+  window.confidence = entity.Number(Ex("confidence"));
+  return window;
+}
+
+}  // namespace
+
+Calendar::Calendar(const GraphView& view, const Entity& mission) {
+  for (const Term& term : mission.All(Ex("hasWindow"))) {
+    planned_.push_back(ReadWindow(Entity(view, term)));
+  }
+  std::sort(planned_.begin(), planned_.end(),
+            [](const TimeWindow& a, const TimeWindow& b) {
+              return a.index < b.index;
+            });
+  for (std::size_t i = 0; i < planned_.size(); ++i) {
+    Complete(view, static_cast<int>(i));
+  }
+  if (planned_.empty()) {
+    mission.Refuse(Ex("hasWindow"), "at least one window");
+  }
+  LimitHorizon(mission);
+}
+
+void Calendar::Complete(const GraphView& view, int i) {
+  TimeWindow& window = planned_[i];
+  const Entity entity(view, Iri(window.iri));
+  if (window.index != i) {
+    entity.Refuse(Ex("index"), std::to_string(i) +
+                                   ": the windows' indices run from 0 " +
+                                   "without gap or twin");
+  }
+  const bool is_last = i + 1 == static_cast<int>(planned_.size());
+  if (std::isnan(window.end_s) && !is_last) {
+    window.end_s = planned_[i + 1].begin_s;
+  }
+  if (!(window.end_s > window.begin_s)) {
+    entity.Refuse(TimeTerm("hasEnd"),
+                  "an end after the begin (time:hasEnd, ex:durationHours or "
+                  "the next window's begin)");
+  }
+  if (!is_last && !(window.end_s <= planned_[i + 1].begin_s)) {
+    entity.Refuse(TimeTerm("hasEnd"),
+                  "an end by the next window's begin, " +
+                      FormatDateTime(planned_[i + 1].begin_s));
+  }
+}
+
+void Calendar::LimitHorizon(const Entity& mission) {
+  const int count = static_cast<int>(planned_.size());
+  const int horizon = mission.Integer(Ex("horizon"), count);
+  if (!(horizon <= count)) {
+    mission.Refuse(Ex("horizon"),
+                   "at most the number of windows, " + std::to_string(count));
+  }
+  for (const TimeWindow& window : planned_) {
+    index_of_[window.iri] = window.index;
+  }
+  planned_.resize(horizon);
+}
+
+std::vector<int> Calendar::WindowsOf(const Entity& entity,
+                                     const Term& property) const {
+  std::vector<int> windows;
+  for (const std::string& iri : entity.Iris(property)) {
+    const auto found = index_of_.find(iri);
+    if (found == index_of_.end()) {
+      entity.Refuse(property,
+                    "a window of the mission, not " + ToTurtle(Iri(iri)));
+    }
+    windows.push_back(found->second);
+  }
+  std::sort(windows.begin(), windows.end());
+  return windows;
+}
+
+int Calendar::WindowOf(const Entity& entity) const {
+  const std::vector<int> windows = WindowsOf(entity, Ex("forWindow"));
+  if (windows.size() != 1) entity.Refuse(Ex("forWindow"), "one window");
+  return windows[0];
+}
+
+std::vector<int> Calendar::Alive(const Entity& entity,
+                                 std::vector<int> named) const {
+  const double end_s = ValidUntil_s(entity);
+  if (std::isinf(end_s)) return named;
+  std::vector<int> alive;
+  for (const TimeWindow& window : planned_) {
+    const bool is_named =
+        named.empty() ||
+        std::count(named.begin(), named.end(), window.index) > 0;
+    if (is_named && window.begin_s < end_s) alive.push_back(window.index);
+  }
+  return alive.empty() ? std::vector<int>{kNoWindow} : alive;
+}
+
+}  // namespace kg_core

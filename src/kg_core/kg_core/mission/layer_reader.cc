@@ -1,0 +1,101 @@
+#include "kg_core/mission/layer_reader.h"
+
+#include "kg_core/mission/choice.h"
+#include "kg_core/mission/terms.h"
+
+namespace kg_core {
+namespace {
+
+constexpr Named<Resampling> kResamplings[] = {
+    {"bilinear", Resampling::kBilinear}, {"nearest", Resampling::kNearest}};
+constexpr Named<const char*> kValueKinds[] = {
+    {kDifferenceKind, kDifferenceKind},
+    {kPlainKind, kPlainKind},
+    {kFrontnessKind, kFrontnessKind}};
+
+constexpr std::size_t kMaxStepDigits = 6;
+
+int ReadStep(const Entity& entity, const std::string& digits) {
+  const bool is_number =
+      !digits.empty() && digits.size() <= kMaxStepDigits &&
+      digits.find_first_not_of("0123456789") == std::string::npos;
+  if (!is_number) {
+    entity.Refuse(Ex("gridRef"),
+                  "a time step behind @, not \"" + digits + "\"");
+  }
+  return std::stoi(digits);
+}
+
+}  // namespace
+
+Resampling ReadResampling(const Entity& entity) {
+  return Choice(entity, Ex("resampling"), kResamplings, Resampling::kNone);
+}
+
+std::string FileIri(const std::string& ingested_from) {
+  return ingested_from + "/file";
+}
+
+std::optional<GridRef> ReadGridRef(const Entity& entity) {
+  const std::string text = entity.Text(Ex("gridRef"), "");
+  if (text.empty() || text == kLandRef) return std::nullopt;
+  const std::size_t hash = text.find('#');
+  const std::size_t at = text.find('@', hash == std::string::npos ? 0 : hash);
+  GridRef ref;
+  ref.file = text.substr(0, hash);
+  if (hash != std::string::npos) {
+    ref.variable = text.substr(hash + 1, at - hash - 1);
+  }
+  if (ref.file.empty() || ref.variable.empty()) {
+    entity.Refuse(Ex("gridRef"),
+                  "\"file#variable@step\", not \"" + text + "\"");
+  }
+  if (at != std::string::npos) {
+    ref.time_index = ReadStep(entity, text.substr(at + 1));
+  }
+  return ref;
+}
+
+std::optional<RasterRef> ReadRasterRef(const Entity& entity) {
+  const std::optional<GridRef> ref = ReadGridRef(entity);
+  if (!ref) return std::nullopt;
+  return RasterRef{FileIri(entity.iri()), ref->variable, ref->time_index,
+                   ReadResampling(entity)};
+}
+
+ValueLayer ReadValueLayer(const Calendar& calendar, const Entity& entity) {
+  ValueLayer layer;
+  layer.iri = entity.iri();
+  layer.window = calendar.WindowOf(entity);
+  layer.kind = Choice(entity, Ex("kind"), kValueKinds, "");
+  if (layer.kind.empty()) entity.Refuse(Ex("kind"), "a kind of value layer");
+  layer.file_iri = entity.Follow(Prov("wasDerivedFrom")).iri();
+  layer.time_index = entity.Integer(Ex("timeIndex"));
+  layer.previous_time_index =
+      entity.Integer(Ex("previousTimeIndex"), layer.time_index);
+  if (layer.kind == kDifferenceKind &&
+      layer.previous_time_index == layer.time_index) {
+    entity.Refuse(Ex("previousTimeIndex"), "another step than ex:timeIndex");
+  }
+  layer.resampling = ReadResampling(entity);
+  layer.time_s = entity.MaybeTime_s(Iri(std::string(kSosa) + "resultTime"));
+  layer.full_scale = entity.MaybeNumber(Ex("fullScale"));
+  layer.front_full_scale = entity.MaybeNumber(Ex("frontFullScale"));
+  return layer;
+}
+
+WorkFieldRef ReadWorkField(const Calendar& calendar, const Entity& entity) {
+  WorkFieldRef field;
+  field.iri = entity.iri();
+  field.window = calendar.WindowOf(entity);
+  field.file_iri = entity.Follow(Prov("wasDerivedFrom")).iri();
+  field.first_time_index = entity.Integer(Ex("firstTimeIndex"));
+  field.last_time_index = entity.Integer(Ex("lastTimeIndex"));
+  return field;
+}
+
+SourceFile ReadSourceFile(const Entity& entity) {
+  return {entity.iri(), entity.Text(Ex("path")), entity.Text(Ex("sha256"))};
+}
+
+}  // namespace kg_core

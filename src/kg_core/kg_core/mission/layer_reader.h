@@ -1,0 +1,42 @@
+// Rasters as facts name them: value layers, work fields, priors and masks out
+// of files, and the files themselves.
+
+#ifndef KG_CORE_MISSION_LAYER_READER_H_
+#define KG_CORE_MISSION_LAYER_READER_H_
+
+#include <optional>
+#include <string>
+
+#include "kg_core/mission/calendar.h"
+#include "kg_core/mission/entity.h"
+#include "kg_core/mission/mission.h"
+
+namespace kg_core {
+
+// ex:gridRef of a constraint that is the land of the work field.
+inline constexpr char kLandRef[] = "land";
+
+// "file#variable@step" in its parts; without "@step" step 0.
+struct GridRef {
+  std::string file;
+  std::string variable;
+  int time_index = 0;
+};
+
+// All throw InputError.
+
+// ex:gridRef of a prior layer or a constraint; nothing without, or for "land".
+std::optional<GridRef> ReadGridRef(const Entity& entity);
+// The same with the file as its ingest states it (ingest.h): an ex:SourceFile
+// of the layer's name and "/file".
+std::optional<RasterRef> ReadRasterRef(const Entity& entity);
+Resampling ReadResampling(const Entity& entity);  // kNone if absent.
+std::string FileIri(const std::string& ingested_from);
+
+ValueLayer ReadValueLayer(const Calendar& calendar, const Entity& entity);
+WorkFieldRef ReadWorkField(const Calendar& calendar, const Entity& entity);
+SourceFile ReadSourceFile(const Entity& entity);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_MISSION_LAYER_READER_H_
