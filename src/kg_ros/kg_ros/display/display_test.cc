@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "gtest/gtest.h"
+#include "kg_ros/display/layers.h"
+#include "kg_ros/display/raster_map.h"
 
 namespace kg_ros {
 namespace {
@@ -29,6 +31,11 @@ kg_compiler::MissionTensor TensorWithOneHill(int rows, int cols) {
   feasible[0] = std::nanf("");  // Land in the south-west.
   tensor.layers = {{Layer::kFused, fused}, {Layer::kFeasibility, feasible}};
   return tensor;
+}
+
+nav_msgs::OccupancyGrid ToHeatmap(const kg_compiler::MissionTensor& tensor,
+                                  const kg_core::MapProjection& map) {
+  return ToOccupancyGrid(tensor.grid, FusedPercents(tensor), map);
 }
 
 int ValueAt(const nav_msgs::OccupancyGrid& heatmap,
