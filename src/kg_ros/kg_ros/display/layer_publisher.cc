@@ -19,6 +19,8 @@ using kg_core::MapProjection;
 using nav_msgs::OccupancyGrid;
 using visualization_msgs::Marker;
 
+constexpr unsigned kClicks = 10;  // That may wait.
+
 // A view with the work it is made of, made once and when first wanted.
 class Looked {
  public:

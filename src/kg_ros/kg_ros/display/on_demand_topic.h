@@ -1,12 +1,10 @@
-// A topic that is never behind and costs nothing while nobody listens: its
-// message is made when somebody does, kept until something else is to be
-// shown, and sent to whoever comes later (as a latched topic would).
+// A latched topic that costs nothing while nobody listens: its message is made
+// when somebody does, and kept until something else is to be shown.
 
 #ifndef KG_ROS_DISPLAY_ON_DEMAND_TOPIC_H_
 #define KG_ROS_DISPLAY_ON_DEMAND_TOPIC_H_
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -20,11 +18,10 @@ namespace kg_ros {
 template <typename Message>
 class OnDemandTopic {
  public:
-  OnDemandTopic(ros::NodeHandle node, const std::string& name)
-      : publisher_(node.advertise<Message>(
-            name, 1, [this](const ros::SingleSubscriberPublisher& subscriber) {
-              if (make_) subscriber.publish(Current());
-            })) {}
+  OnDemandTopic(const ros::NodeHandle& node, const std::string& name)
+      : node_(node), name_(name) {
+    Advertise();
+  }
   OnDemandTopic(const OnDemandTopic&) = delete;
   OnDemandTopic& operator=(const OnDemandTopic&) = delete;
 
@@ -34,19 +31,33 @@ class OnDemandTopic {
     make_ = std::move(make);
     if (key == key_) return;
     key_ = key;
-    current_.reset();
-    if (publisher_.getNumSubscribers() > 0) publisher_.publish(Current());
+    if (publisher_.getNumSubscribers() > 0) {
+      Publish();
+    } else if (is_published_) {
+      Advertise();
+    }
   }
 
  private:
-  const Message& Current() {
-    if (!current_) current_ = make_();
-    return *current_;
+  // Anew, so that what was latched is forgotten.
+  void Advertise() {
+    publisher_.shutdown();
+    is_published_ = false;
+    const auto greet = [this](const ros::SingleSubscriberPublisher&) {
+      if (make_ && !is_published_) Publish();
+    };
+    publisher_ = node_.advertise<Message>(name_, 1, greet, {}, {}, true);
+  }
+  void Publish() {
+    is_published_ = true;
+    publisher_.publish(make_());
   }
 
+  ros::NodeHandle node_;
+  std::string name_;
   std::string key_;
   std::function<Message()> make_;
-  std::optional<Message> current_;
+  bool is_published_ = false;  // What `make_` makes, since it was advertised.
   ros::Publisher publisher_;
 };
 
