@@ -13,7 +13,7 @@ using kg_core::LonLat;
 using visualization_msgs::Marker;
 
 constexpr double kHeight_m = 50.0;  // Above heatmaps, below all else.
-constexpr float kOpacity = 0.75F;
+constexpr float kOpacity = 0.9F;
 constexpr int kShades = 32;           // From green to red.
 constexpr int kInfeasible = kShades;  // After them.
 constexpr int kNothing = -1;
