@@ -3,7 +3,8 @@
 # OpenGL), of the default mission once it is planned.
 #     scripts/take_screenshot.sh [PICTURE.png] [launch arguments...]
 # PICTURE defaults to docs/images/mission.png. HOUSE=none takes it without any
-# node running: what rviz shows of nothing, for comparison.
+# node running: what rviz shows of nothing, for comparison. CONFIG=FILE.rviz takes
+# it with displays of your own (saved from rviz).
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 if ! python3 -c "import kg_msgs" 2>/dev/null; then
@@ -58,7 +59,7 @@ started+=($!)
 set +m
 read -r display <"$scratch/display"
 export DISPLAY=:$display LIBGL_ALWAYS_SOFTWARE=1
-start rviz -d "$repository/rviz/mission.rviz"
+start rviz -d "${CONFIG:-$repository/rviz/mission.rviz}"
 
 # Drawn when the map has many colours; paths and markers come with the frames
 # that follow.

@@ -1,193 +1,225 @@
 #include "kg_compiler/control_plane/proximal_recurrence.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
+#include <cstring>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
-#include "kg_core/geo/geodesy.h"
+#include "kg_compiler/control_plane/disc.h"
+#include "kg_compiler/control_plane/disc_sums.h"
 
 namespace kg_compiler {
 namespace {
 
-constexpr int kUtilityBits = 31;  // Sums of 2^32 cells fit in 63 bits.
+constexpr int kStrip = DiscSums::kStrip;
+constexpr std::int64_t kForbidden = -1;  // In place of R.
 
-struct Columns {
-  int first = 0;  // Allowed columns of a row: [first, last).
-  int last = 0;
+// From the first to the last allowed column of `cols` in a row.
+Span AllowedIn(const kg_core::Mask& allowed, const kg_core::Grid& grid, int row,
+               Span cols) {
+  const unsigned char* begin = allowed.data() + grid.Index({row, cols.first});
+  const void* first = std::memchr(begin, 1, cols.size());
+  if (!first) return {};
+  int last = cols.size();
+  while (begin[last - 1] != 1) --last;
+  return {cols.first + static_cast<int>(
+                           static_cast<const unsigned char*>(first) - begin),
+          cols.first + last};
+}
+
+struct Box {
+  Span rows;
+  Span cols;
 };
+
+// The least box that holds all allowed cells.
+Box AllowedBox(const kg_core::Grid& grid, const kg_core::Mask& allowed) {
+  Box box{{}, {grid.cols(), 0}};
+  for (int row = 0; row < grid.rows(); ++row) {
+    const Span cols = AllowedIn(allowed, grid, row, {0, grid.cols()});
+    if (cols.empty()) continue;
+    if (box.rows.empty()) box.rows.first = row;
+    box.rows.last = row + 1;
+    box.cols = {std::min(box.cols.first, cols.first),
+                std::max(box.cols.last, cols.last)};
+  }
+  return box;
+}
 
 class Recurrence {
  public:
   Recurrence(const kg_core::Grid& grid, const kg_core::Raster& utility,
-             const kg_core::Mask& allowed, double radius_m)
-      : grid_(grid), allowed_(allowed), radius_m_(radius_m) {
-    Quantise(utility);
-    for (int r = 0; r < grid.rows(); ++r) {
-      m_per_lon_deg_.push_back(1.0 /
-                               kg_core::LocalScale(grid.lat_deg()[r]).lon_deg);
+             const kg_core::Mask& allowed, const Box& box,
+             const RecurrenceOptions& options)
+      : grid_(grid),
+        box_(box),
+        sums_(grid, utility, options.radius_m, box.rows, box.cols),
+        blanks_(grid, options.spacing_m, box.rows),
+        strips_((box.cols.size() + kStrip - 1) / kStrip),
+        response_(new std::int64_t[static_cast<std::size_t>(box.rows.size()) *
+                                   box.cols.size()]),
+        segments_(static_cast<std::size_t>(box.rows.size()) * strips_),
+        best_(box.rows.size()) {
+    for (int row = box.rows.first; row < box.rows.last; ++row) {
+      for (int strip = 0; strip < strips_; ++strip) Forbid(row, strip, allowed);
     }
-    sums_.assign(static_cast<std::size_t>(grid.rows()) * (grid.cols() + 1), 0);
-    response_.assign(grid.size(), 0);
-    best_.resize(grid.rows());
-    for (int r = 0; r < grid.rows(); ++r) SumRow(r);
-    for (int r = 0; r < grid.rows(); ++r) Respond(r);
+    Respond(box);
   }
 
   // The best allowed cell, the first of equals.
   std::optional<Pick> Best() const {
-    std::int64_t most = 0;
-    kg_core::Cell cell;
-    for (int r = 0; r < grid_.rows(); ++r) {
-      if (best_[r].response <= most) continue;
-      most = best_[r].response;
-      cell = {r, best_[r].col};
-    }
-    if (most == 0) return std::nullopt;
-    return Pick{cell, static_cast<double>(most) * unit_, Footprint(cell)};
+    const auto best = std::max_element(best_.begin(), best_.end());
+    if (*best == 0) return std::nullopt;
+    const int row = box_.rows.first + static_cast<int>(best - best_.begin());
+    const kg_core::Cell cell{row, ColumnOf(row, *best)};
+    return Pick{cell, static_cast<double>(*best) * sums_.unit(),
+                sums_.Footprint(cell)};
   }
 
   // Blanks the disc around a pick and forbids it to later picks.
-  void Blank(kg_core::Cell pick, double spacing_m) {
-    const Columns rows = RowsWithin(pick.row, spacing_m);
-    for (int r = rows.first; r < rows.last; ++r) {
-      for (int c = 0; c < grid_.cols(); ++c) {
-        if (!Within(pick.row, r, LonGap(pick.col, c), spacing_m)) continue;
-        utility_[grid_.Index({r, c})] = 0;
-        allowed_[grid_.Index({r, c})] = 0;
-      }
-      SumRow(r);
+  void Blank(kg_core::Cell pick) {
+    const Span rows = blanks_.Rows(pick.row);
+    Span widest{pick.col, pick.col + 1};
+    for (int row = rows.first; row < rows.last; ++row) {
+      const Span cols = blanks_.Columns(pick, row);
+      widest = {std::min(widest.first, cols.first),
+                std::max(widest.last, cols.last)};
+      sums_.Clear(row, cols);
+      if (box_.rows.Has(row)) Forbid(row, cols);
     }
-    const Columns seen = {RowsWithin(rows.first, radius_m_).first,
-                          RowsWithin(rows.last - 1, radius_m_).last};
-    for (int r = seen.first; r < seen.last; ++r) Respond(r);
+    Respond({sums_.RowsThatSee(rows), sums_.ColumnsThatSee(widest)});
   }
 
  private:
-  struct RowBest {
-    std::int64_t response = 0;
-    int col = 0;
+  struct Segment {          // A row's part in a strip.
+    Span allowed;           // From the first to the last column once allowed.
+    std::int64_t best = 0;  // The largest R.
   };
 
-  // Utilities as whole multiples of a power of two: their sums are exact, so
-  // that equal discs tie whatever the order of summing.
-  void Quantise(const kg_core::Raster& utility) {
-    float most = 0.0f;
-    for (const float u : utility) most = std::max(most, u);
-    int exponent = 0;
-    std::frexp(most, &exponent);
-    unit_ = std::ldexp(1.0, exponent - kUtilityBits);
-    utility_.reserve(utility.size());
-    for (const float u : utility) {
-      utility_.push_back(std::llround(static_cast<double>(u) / unit_));
+  std::size_t ResponseIndex(int row, int col) const {
+    return static_cast<std::size_t>(row - box_.rows.first) * box_.cols.size() +
+           (col - box_.cols.first);
+  }
+  std::int64_t* Response(int row, int col) {
+    return &response_[ResponseIndex(row, col)];
+  }
+  const std::int64_t* Response(int row, int col) const {
+    return &response_[ResponseIndex(row, col)];
+  }
+  std::size_t SegmentIndex(int row, int strip) const {
+    return static_cast<std::size_t>(row - box_.rows.first) * strips_ + strip;
+  }
+  Segment& SegmentOf(int row, int strip) {
+    return segments_[SegmentIndex(row, strip)];
+  }
+  const Segment& SegmentOf(int row, int strip) const {
+    return segments_[SegmentIndex(row, strip)];
+  }
+  Span StripCols(int strip) const {
+    const int first = box_.cols.first + strip * kStrip;
+    return {first, std::min(first + kStrip, box_.cols.last)};
+  }
+  Span StripsOf(Span cols) const {
+    return {(cols.first - box_.cols.first) / kStrip,
+            (cols.last - 1 - box_.cols.first) / kStrip + 1};
+  }
+
+  // To begin with, cells that are not allowed.
+  void Forbid(int row, int strip, const kg_core::Mask& allowed) {
+    const Span cols = AllowedIn(allowed, grid_, row, StripCols(strip));
+    SegmentOf(row, strip).allowed = cols;
+    if (cols.empty()) return;
+    const unsigned char* mask = &allowed[grid_.Index({row, cols.first})];
+    std::int64_t* response = Response(row, cols.first);
+    for (int i = 0; i < cols.size(); ++i) {
+      response[i] = mask[i] == 1 ? 0 : kForbidden;
     }
   }
-  double LonGap(int a, int b) const {
-    return std::abs(grid_.lon_deg()[a] - grid_.lon_deg()[b]);
-  }
-  double North_m(int from, int to) const {
-    const double middle_deg =
-        0.5 * (grid_.lat_deg()[from] + grid_.lat_deg()[to]);
-    return (grid_.lat_deg()[to] - grid_.lat_deg()[from]) /
-           kg_core::LocalScale(middle_deg).lat_deg;
-  }
-  // Is a cell of row `to`, this far east or west of one of row `from`, within
-  // `reach_m` of it? Eastward lengths at the scale of row `to`.
-  bool Within(int from, int to, double lon_gap_deg, double reach_m) const {
-    const double east_m = lon_gap_deg * m_per_lon_deg_[to];
-    const double north_m = North_m(from, to);
-    return east_m * east_m + north_m * north_m <= reach_m * reach_m;
-  }
-  Columns RowsWithin(int row, double reach_m) const {
-    Columns rows{row, row + 1};
-    while (rows.first > 0 && -North_m(row, rows.first - 1) <= reach_m) {
-      --rows.first;
-    }
-    while (rows.last < grid_.rows() && North_m(row, rows.last) <= reach_m) {
-      ++rows.last;
-    }
-    return rows;
-  }
-  // The cells that AddRow sums for a cell, but for those worth nothing.
-  std::vector<int> Footprint(kg_core::Cell cell) const {
-    std::vector<int> footprint;
-    const Columns rows = RowsWithin(cell.row, radius_m_);
-    for (int r = rows.first; r < rows.last; ++r) {
-      const double north_m = North_m(cell.row, r);
-      const double left_m2 = radius_m_ * radius_m_ - north_m * north_m;
-      for (int c = 0; c < grid_.cols(); ++c) {
-        const double east_m = LonGap(cell.col, c) * m_per_lon_deg_[r];
-        const std::size_t i = grid_.Index({r, c});
-        if (utility_[i] == 0 || !(east_m * east_m <= left_m2)) continue;
-        footprint.push_back(static_cast<int>(i));
-      }
-    }
-    return footprint;
-  }
-  std::int64_t* Sums(int row) {
-    return &sums_[static_cast<std::size_t>(row) * (grid_.cols() + 1)];
-  }
-  void SumRow(int row) {
-    std::int64_t* sums = Sums(row);
-    const std::int64_t* utility = &utility_[grid_.Index({row, 0})];
-    for (int c = 0; c < grid_.cols(); ++c) sums[c + 1] = sums[c] + utility[c];
-  }
-  Columns AllowedIn(int row) const {
-    const auto begin = allowed_.begin() + grid_.Index({row, 0});
-    const auto end = begin + grid_.cols();
-    const auto first = std::find(begin, end, 1);
-    if (first == end) return {};
-    auto last = end;
-    while (*(last - 1) != 1) --last;
-    return {static_cast<int>(first - begin), static_cast<int>(last - begin)};
-  }
-  // R of a row's allowed cells, and the best of them.
-  void Respond(int row) {
-    best_[row] = {};
-    const Columns allowed = AllowedIn(row);
-    if (allowed.first == allowed.last) return;
-    std::int64_t* response = &response_[grid_.Index({row, 0})];
-    std::fill(response + allowed.first, response + allowed.last, 0);
-    const Columns rows = RowsWithin(row, radius_m_);
-    for (int r = rows.first; r < rows.last; ++r) {
-      AddRow(row, r, allowed, response);
-    }
-    for (int c = allowed.first; c < allowed.last; ++c) {
-      if (!allowed_[grid_.Index({row, c})]) continue;
-      if (response[c] > best_[row].response) best_[row] = {response[c], c};
+  void Forbid(int row, Span cols) {
+    const Span here = Common(cols, box_.cols);
+    if (here.empty()) return;
+    const Span strips = StripsOf(here);
+    for (int strip = strips.first; strip < strips.last; ++strip) {
+      const Span gone = Common(here, SegmentOf(row, strip).allowed);
+      if (gone.empty()) continue;
+      std::fill_n(Response(row, gone.first), gone.size(), kForbidden);
     }
   }
-  // Adds what the discs around `row`'s cells see of row `r`: the columns within
-  // sqrt(radius^2 - north^2) / scale on either side.
-  void AddRow(int row, int r, Columns allowed, std::int64_t* response) {
-    const double north_m = North_m(row, r);
-    const double left_m2 = radius_m_ * radius_m_ - north_m * north_m;
-    const double scale = m_per_lon_deg_[r];
-    const std::vector<double>& lon = grid_.lon_deg();
-    const auto sees = [&](int from, int to) {
-      const double east_m = std::abs(lon[to] - lon[from]) * scale;
-      return east_m * east_m <= left_m2;
-    };
-    const std::int64_t* sums = Sums(r);
-    int low = 0, high = 0;  // Columns seen: [low, high).
-    for (int c = allowed.first; c < allowed.last; ++c) {
-      while (low < c && !sees(c, low)) ++low;
-      high = std::max(high, c);
-      while (high < grid_.cols() && sees(c, high)) ++high;
-      response[c] += sums[high] - sums[low];
+
+  // R of the allowed cells of a box, and the best of its rows.
+  void Respond(const Box& box) {
+    if (box.rows.empty() || box.cols.empty()) return;
+    const Span strips = StripsOf(box.cols);
+    for (int strip = strips.first; strip < strips.last; ++strip) {
+      RespondStrip(box, strip);
     }
+    for (int row = box.rows.first; row < box.rows.last; ++row) ChooseBest(row);
+  }
+  void RespondStrip(const Box& box, int strip) {
+    Span wanted{box.cols.last, box.cols.first};
+    for (int row = box.rows.first; row < box.rows.last; ++row) {
+      const Span cols = Common(box.cols, SegmentOf(row, strip).allowed);
+      if (cols.empty()) continue;
+      wanted = {std::min(wanted.first, cols.first),
+                std::max(wanted.last, cols.last)};
+    }
+    if (wanted.empty()) return;
+    sums_.BeginStrip(wanted);
+    for (int row = box.rows.first; row < box.rows.last; ++row) {
+      Segment& segment = SegmentOf(row, strip);
+      const Span cols = Common(box.cols, segment.allowed);
+      if (!cols.empty()) RespondSegment(row, cols, &segment);
+    }
+  }
+  void RespondSegment(int row, Span cols, Segment* segment) {
+    std::int64_t sums[kStrip + DiscSums::kGroup];
+    sums_.Sum(row, cols, sums);
+    std::int64_t* response = Response(row, cols.first);
+    for (int i = 0; i < cols.size(); ++i) {
+      response[i] = sums[i] | response[i] >> 63;  // kForbidden stays.
+    }
+    segment->best =
+        Largest(Response(row, segment->allowed.first), segment->allowed.size());
+  }
+  static std::int64_t Largest(const std::int64_t* response, int count) {
+    std::int64_t most[4] = {};  // By turns: one would wait for itself.
+    for (; count >= 4; count -= 4, response += 4) {
+      for (int i = 0; i < 4; ++i) most[i] = std::max(most[i], response[i]);
+    }
+    for (int i = 0; i < count; ++i) most[0] = std::max(most[0], response[i]);
+    return *std::max_element(most, most + 4);
+  }
+  void ChooseBest(int row) {
+    std::int64_t& best = best_[row - box_.rows.first];
+    best = 0;
+    for (int strip = 0; strip < strips_; ++strip) {
+      best = std::max(best, SegmentOf(row, strip).best);
+    }
+  }
+  // The first column of a row that has this response.
+  int ColumnOf(int row, std::int64_t response) const {
+    for (int strip = 0; strip < strips_; ++strip) {
+      const Segment& segment = SegmentOf(row, strip);
+      if (segment.best != response) continue;
+      const std::int64_t* begin = Response(row, segment.allowed.first);
+      const auto* at =
+          std::find(begin, begin + segment.allowed.size(), response);
+      return segment.allowed.first + static_cast<int>(at - begin);
+    }
+    throw std::logic_error("no column has the row's best response");
   }
 
   const kg_core::Grid& grid_;
-  kg_core::Mask allowed_;
-  double radius_m_;
-  double unit_ = 1.0;
-  std::vector<double> m_per_lon_deg_;   // By row.
-  std::vector<std::int64_t> utility_;   // In units.
-  std::vector<std::int64_t> sums_;      // Row by row, prefix sums of utility.
-  std::vector<std::int64_t> response_;  // R, of allowed cells.
-  std::vector<RowBest> best_;
+  Box box_;  // Of the cells that were allowed.
+  DiscSums sums_;
+  Discs blanks_;
+  int strips_;
+  // R of the box's segments, or kForbidden; elsewhere never touched.
+  std::unique_ptr<std::int64_t[]> response_;
+  std::vector<Segment> segments_;   // By row and strip.
+  std::vector<std::int64_t> best_;  // The largest R by row.
 };
 
 }  // namespace
@@ -200,33 +232,28 @@ std::vector<Pick> ProximalRecurrence(const kg_core::Grid& grid,
     throw std::logic_error("utility and allowed are not of the grid's size");
   }
   std::vector<Pick> picks;
-  if (options.count <= 0) return picks;
-  Recurrence recurrence(grid, utility, allowed, options.radius_m);
+  const Box box = AllowedBox(grid, allowed);
+  if (options.count <= 0 || box.rows.empty()) return picks;
+  Recurrence recurrence(grid, utility, allowed, box, options);
   while (static_cast<int>(picks.size()) < options.count) {
-    const std::optional<Pick> best = recurrence.Best();
+    std::optional<Pick> best = recurrence.Best();
     if (!best) break;
-    picks.push_back(*best);
-    recurrence.Blank(best->cell, options.spacing_m);
+    recurrence.Blank(best->cell);
+    picks.push_back(std::move(*best));
   }
   return picks;
 }
 
 Pick DiscSum(const kg_core::Grid& grid, const kg_core::Raster& utility,
              kg_core::Cell cell, double radius_m) {
-  const kg_core::LonLat centre = grid.Centre(cell);
+  const Discs discs(grid, radius_m, {cell.row, cell.row + 1});
   Pick pick{cell, 0.0, {}};
-  for (int r = 0; r < grid.rows(); ++r) {
-    const double lat_deg = grid.lat_deg()[r];
-    const double middle_deg = 0.5 * (lat_deg + centre.lat_deg);
-    const double north_m =
-        (lat_deg - centre.lat_deg) / kg_core::LocalScale(middle_deg).lat_deg;
-    if (!(std::abs(north_m) <= radius_m)) continue;
-    const double m_per_deg = 1.0 / kg_core::LocalScale(lat_deg).lon_deg;
-    for (int c = 0; c < grid.cols(); ++c) {
-      const std::size_t i = grid.Index({r, c});
-      const double east_m = (grid.lon_deg()[c] - centre.lon_deg) * m_per_deg;
-      const double square_m2 = east_m * east_m + north_m * north_m;
-      if (!(square_m2 <= radius_m * radius_m) || utility[i] == 0.0f) continue;
+  const Span rows = discs.Rows(cell.row);
+  for (int row = rows.first; row < rows.last; ++row) {
+    const Span cols = discs.Columns(cell, row);
+    for (int col = cols.first; col < cols.last; ++col) {
+      const std::size_t i = grid.Index({row, col});
+      if (utility[i] == 0.0f) continue;
       pick.score += utility[i];
       pick.footprint.push_back(static_cast<int>(i));
     }

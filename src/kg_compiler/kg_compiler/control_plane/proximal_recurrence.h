@@ -6,6 +6,11 @@
 // greedy weighted maximum coverage. Interpretation of Holmberg, Abdelguerfi and
 // Ioup, "STROOBnet Optimization via GPU-Accelerated Proximal Recurrence
 // Strategies", IEEE BigData 2023, 10.1109/BigData59044.2023.10386774 (A13).
+//
+// R is summed once, for the allowed cells only, and after each pick again where
+// a disc can see what was zeroed: the box of radius + spacing around it. Of
+// each row the best of every 128 columns is kept, so that a pick looks at those
+// and at what has changed.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_PROXIMAL_RECURRENCE_H_
 #define KG_COMPILER_CONTROL_PLANE_PROXIMAL_RECURRENCE_H_
@@ -31,7 +36,10 @@ struct Pick {
 };
 
 // `utility` >= 0 without NaN; only cells with allowed = 1 and score > 0 are
-// picked. Best first.
+// picked. Best first. Utilities count in multiples of 2^-31 of a power of two
+// above the largest that is read, so that sums are exact; read is the box of
+// the allowed cells and what discs around them see. Throws std::logic_error if
+// sizes do not agree or a radius is not >= 0.
 std::vector<Pick> ProximalRecurrence(const kg_core::Grid& grid,
                                      const kg_core::Raster& utility,
                                      const kg_core::Mask& allowed,

@@ -4,31 +4,33 @@
 
 #include <stdexcept>
 
+#include "kg_compiler/control_plane/disc.h"
 #include "kg_compiler/test_world.h"
 #include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
 
-bool Within(const kg_core::Grid& grid, int from, int to, double reach_m) {
-  const kg_core::LonLat a =
-      grid.Centre({from / grid.cols(), from % grid.cols()});
-  const kg_core::LonLat b = grid.Centre({to / grid.cols(), to % grid.cols()});
-  const double middle_deg = 0.5 * (a.lat_deg + b.lat_deg);
-  const double north =
-      (b.lat_deg - a.lat_deg) / kg_core::LocalScale(middle_deg).lat_deg;
-  const double east = std::abs(b.lon_deg - a.lon_deg) *
-                      (1.0 / kg_core::LocalScale(b.lat_deg).lon_deg);
-  return east * east + north * north <= reach_m * reach_m;
-}
-
 // For every cell, the cells within reach of it.
-std::vector<std::vector<int>> Discs(const kg_core::Grid& grid, double reach_m) {
+std::vector<std::vector<int>> AllDiscs(const kg_core::Grid& grid,
+                                       double reach_m) {
+  std::vector<double> north_m, m_per_deg;  // By row.
+  for (const double lat_deg : grid.lat_deg()) {
+    north_m.push_back(MeridianArc_m(lat_deg));
+    m_per_deg.push_back(1.0 / kg_core::LocalScale(lat_deg).lon_deg);
+  }
   const int size = static_cast<int>(grid.size());
   std::vector<std::vector<int>> discs(size);
   for (int i = 0; i < size; ++i) {
     for (int j = 0; j < size; ++j) {
-      if (Within(grid, i, j, reach_m)) discs[i].push_back(j);
+      const int from = i / grid.cols(), to = j / grid.cols();
+      const double north = north_m[to] - north_m[from];
+      const double east = std::abs(grid.lon_deg()[j % grid.cols()] -
+                                   grid.lon_deg()[i % grid.cols()]) *
+                          m_per_deg[to];
+      if (east * east + north * north <= reach_m * reach_m) {
+        discs[i].push_back(j);
+      }
     }
   }
   return discs;
@@ -40,8 +42,8 @@ std::vector<Pick> Naive(const kg_core::Grid& grid, kg_core::Raster utility,
                         const RecurrenceOptions& options) {
   std::vector<Pick> picks;
   const int size = static_cast<int>(grid.size());
-  const auto footprints = Discs(grid, options.radius_m);
-  const auto spacings = Discs(grid, options.spacing_m);
+  const auto footprints = AllDiscs(grid, options.radius_m);
+  const auto spacings = AllDiscs(grid, options.spacing_m);
   for (int k = 0; k < options.count; ++k) {
     double most = 0.0;
     int best = -1;
@@ -91,6 +93,67 @@ TEST(ProximalRecurrence, PicksWhatTheNaiveLoopPicks) {
   }
 }
 
+// Evenly spaced columns, as files have them: the half widths are counted
+// beforehand, and two strips are wanted.
+TEST(ProximalRecurrence, PicksWhatTheNaiveLoopPicksOnWideGrids) {
+  std::mt19937 rng(23);
+  for (int round = 0; round < 8; ++round) {
+    std::vector<double> lon = EvenAxis(-98, 0.04, 150), lat(1, 40.0);
+    for (double& x : lon) x += Uniform(rng, -2e-6, 2e-6);
+    while (lat.size() < 8) lat.push_back(lat.back() + Uniform(rng, .02, .05));
+    const kg_core::Grid grid(lon, lat);
+    kg_core::Raster utility = RandomRaster(rng, grid.size(), 0, 1);
+    const kg_core::Mask worthless = RandomMask(rng, grid.size(), 0.1 * round);
+    for (std::size_t i = 0; i < utility.size(); ++i) {
+      if (worthless[i]) utility[i] = 0.0f;
+    }
+    kg_core::Mask allowed = RandomMask(rng, grid.size(), 0.8);
+    for (int row = 0; row < 4; ++row) {  // Nothing in a corner.
+      std::fill_n(&allowed[grid.Index({row, 0})], 10 * round, 0);
+    }
+    const RecurrenceOptions options = {Uniform(rng, 0, 20e3),
+                                       Uniform(rng, 0, 40e3), 20};
+    ExpectSamePicks(Naive(grid, utility, allowed, options),
+                    ProximalRecurrence(grid, utility, allowed, options));
+  }
+}
+
+TEST(ProximalRecurrence, ReadsNothingBeyondTheDiscsOfAllowedCells) {
+  std::mt19937 rng(24);
+  const kg_core::Grid grid = EvenGrid(-90, 25, 0.04, 30, 40);
+  kg_core::Raster utility = RandomRaster(rng, grid.size(), 0, 1);
+  kg_core::Mask allowed(grid.size(), 0);
+  for (int row = 12; row < 16; ++row) {
+    for (int col = 15; col < 21; ++col) allowed[grid.Index({row, col})] = 1;
+  }
+  const RecurrenceOptions options = {9000, 5000, 10};  // Two cells' radius.
+  const auto before = ProximalRecurrence(grid, utility, allowed, options);
+  EXPECT_GE(before.size(), 3u);
+  for (int row = 0; row < 30; ++row) {
+    for (int col = 0; col < 40; ++col) {
+      if (row < 9 || row >= 19 || col < 11 || col >= 25) {
+        utility[grid.Index({row, col})] = 1000.0f;
+      }
+    }
+  }
+  const auto after = ProximalRecurrence(grid, utility, allowed, options);
+  ExpectSamePicks(before, after);
+}
+
+TEST(ProximalRecurrence, ScoresAreExactSums) {
+  const kg_core::Grid grid = EvenGrid(-90, 25, 0.04, 9, 300);
+  kg_core::Raster utility(grid.size(), 0.0f);
+  utility[grid.Index({4, 10})] = 1.0f;
+  utility[grid.Index({4, 11})] = 0x1p-30f;   // Counts to the last bit.
+  utility[grid.Index({4, 290})] = 0x1p-29f;  // In the last strip.
+  const auto picks = ProximalRecurrence(
+      grid, utility, kg_core::Mask(grid.size(), 1), {5000, 5000, 9});
+  ASSERT_EQ(2u, picks.size());
+  EXPECT_EQ(1.0 + 0x1p-30, picks[0].score);
+  EXPECT_EQ(0x1p-29, picks[1].score);
+  EXPECT_TRUE((kg_core::Cell{3, 290}) == picks[1].cell);
+}
+
 TEST(ProximalRecurrence, BreaksTiesByRowThenColumn) {
   std::mt19937 rng(22);
   const kg_core::Grid grid = EvenGrid(-90, 25, 0.04, 15, 17);
@@ -124,6 +187,9 @@ TEST(ProximalRecurrence, RefusesRastersOfAnotherSize) {
   EXPECT_THROW(
       ProximalRecurrence(grid, kg_core::Raster(24), kg_core::Mask(25), {}),
       std::logic_error);
+  EXPECT_THROW(ProximalRecurrence(grid, kg_core::Raster(25, 1.0f),
+                                  kg_core::Mask(25, 1), {-1.0, 1.0, 1}),
+               std::logic_error);
 }
 
 TEST(DiscSum, CountsTheCellsOfTheDisc) {

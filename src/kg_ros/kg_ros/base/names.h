@@ -20,6 +20,7 @@ inline constexpr char kAssignmentsTopic[] = "kg/assignments";
 inline constexpr char kRejectionsTopic[] = "kg/rejections";
 inline constexpr char kWatchedTopic[] = "kg/watched";
 inline constexpr char kMarkersTopic[] = "kg/markers";
+inline constexpr char kClickedPointTopic[] = "clicked_point";  // rviz's.
 
 inline constexpr char kUpdateService[] = "kg/update";
 inline constexpr char kQueryService[] = "kg/query";
@@ -37,6 +38,11 @@ inline constexpr char kTensors[] = "tensors";
 inline constexpr char kSeamRules[] = "seam_rules";
 inline constexpr char kHeatmap[] = "heatmap";
 inline constexpr char kPath[] = "path";
+inline constexpr char kWork[] = "work";
+inline constexpr char kWorkClicked[] = "work_clicked";
+inline std::string LayerName(const std::string& layer) {
+  return "layer/" + layer;
+}
 
 inline constexpr char kMapFrame[] = "map";
 inline constexpr char kEarthFrame[] = "earth";

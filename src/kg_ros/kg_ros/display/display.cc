@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <tuple>
 
 #include "geometry_msgs/Point.h"
@@ -14,7 +13,6 @@
 namespace kg_ros {
 namespace {
 
-using kg_compiler::Layer;
 using kg_core::Cell;
 using kg_core::Grid;
 using kg_core::LonLat;
@@ -43,27 +41,6 @@ geometry_msgs::Point ToPoint(const MapProjection& map, LonLat position,
   return message;
 }
 
-signed char ToPercent(float value, float feasible, float largest) {
-  if (std::isnan(feasible) || std::isnan(value)) return -1;
-  if (!(largest > 0.0F)) return 0;
-  return static_cast<signed char>(
-      std::lround(100.0F * std::min(1.0F, value / largest)));
-}
-
-// What is shown as 100: so many of the cells that are worth anything are at
-// most this. A few bright events then do not leave all the rest dark.
-float TopOfScale(const kg_core::Raster& fused) {
-  constexpr double kShare = 0.995;
-  std::vector<float> worth;
-  std::copy_if(fused.begin(), fused.end(), std::back_inserter(worth),
-               [](float value) { return value > 0.0F; });
-  if (worth.empty()) return 0.0F;
-  const auto rank = static_cast<std::ptrdiff_t>(
-      std::ceil(kShare * static_cast<double>(worth.size() - 1)));
-  std::nth_element(worth.begin(), worth.begin() + rank, worth.end());
-  return worth[rank];
-}
-
 // Does an open neighbour make this cell without data a piece of coast?
 bool IsCoast(const Grid& grid, const kg_core::Mask& land, Cell cell) {
   if (land[grid.Index(cell)] == 0) return false;
@@ -75,42 +52,6 @@ bool IsCoast(const Grid& grid, const kg_core::Mask& land, Cell cell) {
 }
 
 }  // namespace
-
-nav_msgs::OccupancyGrid ToHeatmap(const kg_compiler::MissionTensor& tensor,
-                                  const MapProjection& map) {
-  const Grid& grid = tensor.grid;
-  const MapPoint low = map.Forward({grid.west_deg(), grid.south_deg()});
-  const MapPoint high = map.Forward({grid.east_deg(), grid.north_deg()});
-  const double side_m = (high.y_m - low.y_m) / grid.rows();
-
-  nav_msgs::OccupancyGrid heatmap;
-  heatmap.header.frame_id = kMapFrame;
-  heatmap.info.resolution = static_cast<float>(side_m);
-  heatmap.info.height = grid.rows();
-  heatmap.info.width =
-      static_cast<unsigned>(std::ceil((high.x_m - low.x_m) / side_m));
-  heatmap.info.origin.position.x = low.x_m;
-  heatmap.info.origin.position.y = low.y_m;
-  heatmap.info.origin.orientation.w = 1.0;
-  heatmap.data.assign(
-      static_cast<std::size_t>(heatmap.info.width) * heatmap.info.height, -1);
-
-  const kg_core::Raster fused = tensor.Get(Layer::kFused);
-  const kg_core::Raster feasible = tensor.Get(Layer::kFeasibility);
-  const float largest = TopOfScale(fused);
-  for (unsigned row = 0; row < heatmap.info.height; ++row) {
-    for (unsigned col = 0; col < heatmap.info.width; ++col) {
-      const LonLat centre = map.Inverse(
-          {low.x_m + (col + 0.5) * side_m, low.y_m + (row + 0.5) * side_m});
-      const auto cell = grid.CellAt(centre);
-      if (!cell) continue;
-      const std::size_t index = grid.Index(*cell);
-      heatmap.data[row * heatmap.info.width + col] =
-          ToPercent(fused[index], feasible[index], largest);
-    }
-  }
-  return heatmap;
-}
 
 nav_msgs::Path ToPath(const kg_msgs::Pathlet& pathlet,
                       const MapProjection& map) {

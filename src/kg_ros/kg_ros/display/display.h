@@ -1,5 +1,5 @@
-// What rviz shows: heatmaps, paths and markers in the frame "map". Only finite
-// numbers leave this file: rviz aborts on others.
+// What rviz shows beside layers: paths and markers in the frame "map". Only
+// finite numbers leave this file: rviz aborts on others.
 
 #ifndef KG_ROS_DISPLAY_DISPLAY_H_
 #define KG_ROS_DISPLAY_DISPLAY_H_
@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_compiler/data_plane/mission_tensor.h"
 #include "kg_core/geo/map_projection.h"
 #include "kg_core/mission/mission.h"
 #include "kg_msgs/Assignment.h"
@@ -17,17 +16,10 @@
 #include "kg_msgs/NavGraph.h"
 #include "kg_msgs/Pathlet.h"
 #include "kg_ros/knowledge/fleet_state.h"
-#include "nav_msgs/OccupancyGrid.h"
 #include "nav_msgs/Path.h"
 #include "visualization_msgs/MarkerArray.h"
 
 namespace kg_ros {
-
-// FUSED as 0..100 on square cells of the map, nearest cell; -1 = no data.
-// 100 is the value that 99.5 % of the cells with any value do not exceed (those
-// above are shown as 100, too), so that far windows can be read as well.
-nav_msgs::OccupancyGrid ToHeatmap(const kg_compiler::MissionTensor& tensor,
-                                  const kg_core::MapProjection& map);
 
 nav_msgs::Path ToPath(const kg_msgs::Pathlet& pathlet,
                       const kg_core::MapProjection& map);

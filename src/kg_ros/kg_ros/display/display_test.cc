@@ -2,9 +2,13 @@
 
 #include "kg_ros/display/display.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gtest/gtest.h"
+#include "kg_ros/conversion/message_units.h"
+#include "kg_ros/display/layers.h"
+#include "kg_ros/display/raster_map.h"
 
 namespace kg_ros {
 namespace {
@@ -30,6 +34,11 @@ kg_compiler::MissionTensor TensorWithOneHill(int rows, int cols) {
   tensor.content = kg_compiler::HoldLayers(
       {{Layer::kFused, fused}, {Layer::kFeasibility, feasible}});
   return tensor;
+}
+
+nav_msgs::OccupancyGrid ToHeatmap(const kg_compiler::MissionTensor& tensor,
+                                  const kg_core::MapProjection& map) {
+  return ToOccupancyGrid(tensor.grid, FusedPercents(tensor), map);
 }
 
 int ValueAt(const nav_msgs::OccupancyGrid& heatmap,
@@ -97,6 +106,40 @@ TEST(DisplayTest, ArrowsFollowTheFieldAndAreFinite) {
     EXPECT_EQ(points[i + 1].y, points[i].y);
     EXPECT_TRUE(std::isfinite(points[i].x) && std::isfinite(points[i + 1].x));
   }
+}
+
+// East, then north, as a current may want it: not straight to the end.
+TEST(DisplayTest, TracksAreDrawnWithTheirTurningPoints) {
+  const kg_core::MapProjection map({-90.0, 25.0});
+  const kg_core::LonLat way[] = {{-90.2, 25.0}, {-89.8, 25.0}, {-89.8, 25.4}};
+  std::vector<kg_msgs::TimedPoint> track(3);
+  for (int i = 0; i < 3; ++i) SetPosition(way[i], &track[i]);
+  kg_msgs::NavGraph graph;
+  graph.edges.resize(1);
+  graph.edges[0].track = track;
+  graph.edges[0].staging = true;
+  kg_msgs::Assignment assignment;
+  assignment.pathlet.track = track;
+  kg_msgs::Candidates candidates;
+  candidates.pathlets = {assignment.pathlet};
+  MarkerPainter paint{map};
+  paint.PaintNavGraph(graph);
+  paint.PaintStaging(graph);
+  paint.PaintCandidates(candidates);
+  paint.PaintAssignment(assignment);
+  const kg_core::MapPoint turn = map.Forward(way[1]);
+  const auto is_there = [&](const geometry_msgs::Point& point) {
+    return std::hypot(point.x - turn.x_m, point.y - turn.y_m) < 1.0;
+  };
+  const visualization_msgs::MarkerArray markers = paint.Take();
+  ASSERT_EQ(markers.markers.size(), 5u);  // The first erases.
+  for (std::size_t i = 1; i < 5; ++i) {
+    const auto& points = markers.markers[i].points;
+    EXPECT_TRUE(std::any_of(points.begin(), points.end(), is_there))
+        << markers.markers[i].ns;
+  }
+  EXPECT_TRUE(
+      is_there(ToPath(assignment.pathlet, map).poses.at(1).pose.position));
 }
 
 TEST(DisplayTest, StagingEdgesArePurple) {

@@ -64,7 +64,8 @@ int Clamp(const Compilation& compilation, const int window) {
 
 }  // namespace
 
-RvizPublisher::RvizPublisher(const ros::NodeHandle& node) : node_(node) {
+RvizPublisher::RvizPublisher(const ros::NodeHandle& node)
+    : node_(node), layers_(node) {
   markers_ = node_.advertise<visualization_msgs::MarkerArray>(kMarkersTopic, 1,
                                                               kLatched);
 }
@@ -84,28 +85,23 @@ void RvizPublisher::PublishMapFrame(const kg_core::LonLat centre) {
   static_frames_.sendTransform(transform);
 }
 
-void RvizPublisher::Show(const Compilation& compilation, const int window) {
-  if (compilation.tensors.empty()) return;
-  PublishMapFrame(compilation.tensors.front()->grid.Middle());
-  const int shown = Clamp(compilation, window);
-  for (const auto& tensor : compilation.tensors) {
-    if (tensor->window != shown) continue;
-    const kg_core::Agent* agent =
-        compilation.mission.FindAgent(tensor->agent_iri);
-    if (agent == nullptr) continue;
-    const std::string topic = AgentTopic(agent->id, kHeatmap);
-    if (shown_[topic] == tensor->hash) continue;
-    shown_[topic] = tensor->hash;
-    nav_msgs::OccupancyGrid heatmap = ToHeatmap(*tensor, map_);
-    heatmap.header.stamp = ros::Time::now();
-    heatmap.info.map_load_time = heatmap.header.stamp;
-    Latched<nav_msgs::OccupancyGrid>(topic).publish(heatmap);
-  }
-  ShowMarkers(compilation, window);
+void RvizPublisher::Show(std::shared_ptr<const Compilation> compilation,
+                         const int window) {
+  if (compilation->tensors.empty()) return;
+  PublishMapFrame(compilation->tensors.front()->grid.Middle());
+  scene_.window = Clamp(*compilation, window);
+  scene_.compilation = std::move(compilation);
+  Refresh();
+}
+
+void RvizPublisher::Refresh() {
+  if (scene_.compilation == nullptr) return;
+  layers_.Show(scene_, map_);
+  ShowMarkers();
 }
 
 void RvizPublisher::ShowPlan(const kg_msgs::Assignments& plan) {
-  plan_ = plan;
+  scene_.plan = plan;
   for (const kg_msgs::Assignment& assignment : plan.assignments) {
     nav_msgs::Path path = ToPath(assignment.pathlet, map_);
     path.header.stamp = ros::Time::now();
@@ -114,7 +110,8 @@ void RvizPublisher::ShowPlan(const kg_msgs::Assignments& plan) {
 }
 
 void RvizPublisher::ShowFleet(const FleetState& fleet) {
-  poses_ = fleet.poses();
+  scene_.poses = fleet.poses();
+  scene_.time_s = fleet.time_s();
   std::vector<geometry_msgs::TransformStamped> transforms;
   for (const auto& [id, pose] : fleet.poses()) {
     const kg_core::MapPoint point = map_.Forward(pose.position);
@@ -140,9 +137,9 @@ void RvizPublisher::Keep(const kg_msgs::Candidates& candidates) {
   candidates_[candidates.agent] = candidates;
 }
 
-void RvizPublisher::ShowMarkers(const Compilation& compilation,
-                                const int window) {
-  const int shown = Clamp(compilation, window);
+void RvizPublisher::ShowMarkers() {
+  const Compilation& compilation = *scene_.compilation;
+  const int shown = scene_.window;
   MarkerPainter paint(map_);
   paint.PaintConstraints(compilation.mission, shown);
   paint.PaintEvents(compilation.mission, shown);
@@ -151,7 +148,7 @@ void RvizPublisher::ShowMarkers(const Compilation& compilation,
     const kg_core::TimeWindow& at = compilation.mission.windows[shown];
     paint.PaintLand(field->field);
     paint.PaintField(*field, 0.5 * (at.begin_s + at.end_s));
-    paint.PaintAgents(poses_, field->field.grid);
+    paint.PaintAgents(scene_.poses, field->field.grid);
   }
   for (const auto& [key, graph] : graphs_) {
     if (key.second == shown) paint.PaintNavGraph(graph);
@@ -160,7 +157,7 @@ void RvizPublisher::ShowMarkers(const Compilation& compilation,
   for (const auto& [id, candidates] : candidates_) {
     paint.PaintCandidates(candidates);
   }
-  for (const kg_msgs::Assignment& assignment : plan_.assignments) {
+  for (const kg_msgs::Assignment& assignment : scene_.plan.assignments) {
     paint.PaintAssignment(assignment);
   }
   visualization_msgs::MarkerArray markers = paint.Take();

@@ -1,16 +1,20 @@
-// Keeps rviz and tf up to date: heatmaps, paths, markers, frames.
+// Keeps rviz and tf up to date: layers, paths, markers, frames.
 
 #ifndef KG_ROS_DISPLAY_RVIZ_PUBLISHER_H_
 #define KG_ROS_DISPLAY_RVIZ_PUBLISHER_H_
 
 #include <map>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "kg_compiler/compile/mission_compiler.h"
 #include "kg_core/geo/map_projection.h"
 #include "kg_msgs/Assignments.h"
 #include "kg_msgs/Candidates.h"
 #include "kg_msgs/NavGraph.h"
+#include "kg_ros/display/agent_view.h"
+#include "kg_ros/display/layer_publisher.h"
 #include "kg_ros/knowledge/fleet_state.h"
 #include "ros/node_handle.h"
 #include "ros/publisher.h"
@@ -23,17 +27,21 @@ class RvizPublisher {
  public:
   explicit RvizPublisher(const ros::NodeHandle& node);
 
-  // Everything shown is of `window`, clamped to those compiled.
-  void Show(const kg_compiler::Compilation& compilation, int window);
+  // From now on this is shown. Everything is of `window`, clamped to those
+  // compiled.
+  void Show(std::shared_ptr<const kg_compiler::Compilation> compilation,
+            int window);
   void ShowPlan(const kg_msgs::Assignments& plan);
   void ShowFleet(const FleetState& fleet);
-  // Kept for the next ShowMarkers().
+  // Kept for the next Refresh().
   void Keep(const kg_msgs::NavGraph& graph);
   void Keep(const kg_msgs::Candidates& candidates);
-  void ShowMarkers(const kg_compiler::Compilation& compilation, int window);
+  // Shows what has come, and where the agents have gone, since Show().
+  void Refresh();
 
  private:
   void PublishMapFrame(kg_core::LonLat centre);
+  void ShowMarkers();
   template <typename Message>
   ros::Publisher& Latched(const std::string& topic);
 
@@ -42,12 +50,11 @@ class RvizPublisher {
   tf2_ros::TransformBroadcaster frames_;
   tf2_ros::StaticTransformBroadcaster static_frames_;
   ros::Publisher markers_;
+  LayerPublisher layers_;
   std::map<std::string, ros::Publisher> publishers_;  // By topic.
-  std::map<std::string, std::string> shown_;          // Heatmap hash by topic.
   std::map<std::pair<std::string, int>, kg_msgs::NavGraph> graphs_;
   std::map<std::string, kg_msgs::Candidates> candidates_;
-  kg_msgs::Assignments plan_;
-  std::map<std::string, AgentPose> poses_;  // By ex:id.
+  Scene scene_;
 };
 
 }  // namespace kg_ros

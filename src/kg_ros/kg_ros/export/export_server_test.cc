@@ -12,12 +12,16 @@
 #include <limits>
 
 #include "gtest/gtest.h"
+#include "kg_core/base/date_time.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/temporary_folder.h"
 #include "kg_core/base/text.h"
+#include "kg_core/geo/geodesy.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/syntax.h"
 #include "kg_core/sparql/json.h"
+#include "kg_ros/conversion/message_units.h"
+#include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/export/atomic_file.h"
 #include "kg_ros/export/cf_trajectory.h"
 #include "kg_ros/export/plan_formats.h"
@@ -216,6 +220,108 @@ TEST_F(ExportServerTest, APlanIsExportedFromTheStoreAloneAfterARestart) {
   EXPECT_EQ(Export(server, "gpx", {"graph:plan/9"}).error,
             "graph 'graph:plan/9' is not in the store");
   EXPECT_TRUE(Export(server, "gpx", {PlanGraph(1).text}).ok);
+}
+
+// The plan with its way bent, as by currents: between any two points half an
+// hour apart or more a turning point 2 km beside the straight line.
+kg_msgs::Assignments Bent(kg_msgs::Assignments plan) {
+  for (kg_msgs::Assignment& assignment : plan.assignments) {
+    std::vector<kg_msgs::TimedPoint> bent;
+    for (const kg_msgs::TimedPoint& point : assignment.pathlet.track) {
+      if (!bent.empty() && (point.stamp - bent.back().stamp).toSec() >= 1800) {
+        kg_msgs::TimedPoint turn;
+        kg_core::LonLat at = GetPosition(point);
+        at.lat_deg += bent.size() % 4 == 1 ? 0.02 : -0.02;
+        SetPosition(at, &turn);
+        turn.stamp = bent.back().stamp + (point.stamp - bent.back().stamp) * .5;
+        bent.push_back(turn);
+      }
+      bent.push_back(point);
+    }
+    assignment.pathlet.track = bent;
+  }
+  return plan;
+}
+
+Track TrackOfGeoJson(const std::string& text) {
+  const Json all = ParseJson(text);
+  const Json& feature = all.Find("features")->items.at(0);
+  const auto& lines = feature.Find("geometry")->Find("coordinates")->items;
+  const auto& times = feature.Find("properties")->Find("coordTimes")->items;
+  Track track;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    track.push_back(
+        {{std::stod(lines[i].items[0].text), std::stod(lines[i].items[1].text)},
+         kg_core::ParseDateTime(times.at(i).text)});
+  }
+  return track;
+}
+
+Track TrackOfGpx(const std::string& text) {
+  Track track;
+  for (std::size_t at = text.find("<trkpt"); at != std::string::npos;
+       at = text.find("<trkpt", at + 1)) {
+    double lat = 0.0, lon = 0.0;
+    char time[40] = {};
+    EXPECT_EQ(3, std::sscanf(text.c_str() + at,
+                             "<trkpt lat=\"%lf\" lon=\"%lf\"><time>%39[^<]",
+                             &lat, &lon, time));
+    track.push_back({{lon, lat}, kg_core::ParseDateTime(time)});
+  }
+  return track;
+}
+
+Track TrackOfNetCdf(const std::string& path) {
+  int file = 0;
+  EXPECT_EQ(nc_open(path.c_str(), NC_NOWRITE, &file), NC_NOERR);
+  int dimension = 0;
+  std::size_t size = 0;
+  EXPECT_EQ(nc_inq_dimid(file, "obs", &dimension), NC_NOERR);
+  EXPECT_EQ(nc_inq_dimlen(file, dimension, &size), NC_NOERR);
+  const auto read = [&](const char* name) {
+    std::vector<double> values(size);
+    int variable = 0;
+    EXPECT_EQ(nc_inq_varid(file, name, &variable), NC_NOERR);
+    EXPECT_EQ(nc_get_var_double(file, variable, values.data()), NC_NOERR);
+    return values;
+  };
+  const std::vector<double> lon = read("lon"), lat = read("lat");
+  const std::vector<double> time_s = read("time");
+  nc_close(file);
+  Track track;
+  for (std::size_t i = 0; i < size; ++i) {
+    track.push_back({{lon[i], lat[i]}, time_s[i]});
+  }
+  return track;
+}
+
+// Within what facts leave out of a track (10 m), a second and a centimetre.
+void ExpectSameWay(const Track& committed, const Track& exported) {
+  ASSERT_GE(exported.size(), 2u);
+  for (const auto& point : committed) {
+    EXPECT_LT(
+        kg_core::Distance_m(PositionAt(exported, point.time_s), point.position),
+        12.0);
+  }
+}
+
+TEST_F(ExportServerTest, TracksAreExportedWithTheirTurningPoints) {
+  MissionServer server(folders_);
+  TestTeam team(&server);
+  const kg_msgs::Assignments straight = team.Plan();
+  PlanRecord record;
+  record.assignments = Bent(straight);
+  ++record.assignments.plan_run;
+  server.RecordPlan(record);
+  const auto& message = record.assignments.assignments.at(0).pathlet.track;
+  const Track committed = FromMessage(message);
+  const auto& before = straight.assignments.at(0).pathlet.track;
+  ASSERT_GE(committed.size(), before.size() + 2);
+  ExpectSameWay(committed, TrackOfGeoJson(Export(server, "geojson").data));
+  ExpectSameWay(committed, TrackOfGpx(Export(server, "gpx").data));
+  const std::string path = folder_ / "plan.nc";
+  ASSERT_TRUE(Export(server, "netcdf", {}, path).ok);
+  ExpectSameWay(committed, TrackOfNetCdf(path));
 }
 
 TEST_F(ExportServerTest, FilesHoldWhatTheAnswerWouldHaveSaid) {

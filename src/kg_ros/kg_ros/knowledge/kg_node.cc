@@ -261,7 +261,7 @@ void KgNode::StartCycle() {
   why_.archive().Begin(server_.cycle(), compilation_, server_.Read());
   artifacts_.Publish(*compilation_, server_.cycle());
   if (plan_status_ == World::PLAN_FAILED) plan_status_ = World::PLAN_STALE;
-  rviz_.Show(*compilation_, ViewWindow());
+  rviz_.Show(compilation_, ViewWindow());
   const double published_s = Now_s();
   pending_.Compiled(*compilation_, compiled_s - cycle_began_s_,
                     published_s - compiled_s);
@@ -418,9 +418,9 @@ void KgNode::Watch() {
   rviz_.ShowFleet(server_.fleet());  // Also at rest: frames age.
   if (shown_window_ != ViewWindow()) {
     shown_window_ = ViewWindow();
-    rviz_.Show(*compilation_, shown_window_);
+    rviz_.Show(compilation_, shown_window_);
   } else if (graphs_are_new_) {
-    rviz_.ShowMarkers(*compilation_, shown_window_);
+    rviz_.Refresh();
   }
   graphs_are_new_ = false;
   const std::string missing = MissingNodes();

@@ -1,0 +1,61 @@
+#include "kg_compiler/control_plane/work.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kg_compiler/control_plane/window_sea.h"
+
+namespace kg_compiler {
+namespace {
+
+constexpr float kNotReached = std::numeric_limits<float>::quiet_NaN();
+
+Access AccessOf(float feasibility) {
+  if (std::isnan(feasibility)) return Access::kNoData;
+  return feasibility == 1.0f ? Access::kTooFar : Access::kForbidden;
+}
+
+}  // namespace
+
+std::optional<double> WorkMap::Share(std::size_t cell) const {
+  if (access[cell] != Access::kReached) return std::nullopt;
+  return std::clamp(time_s[cell] / budget_s, 0.0, 1.0);
+}
+
+WorkMap ComputeWork(const SeamRules& rules, const WindowRules& window,
+                    const WindowWorld& world,
+                    const std::vector<kg_core::LonLat>& places) {
+  WorkMap work;
+  work.budget_s = std::min(window.end_s - window.begin_s,
+                           window.base_travel_m / rules.motion.cruise_mps);
+  for (const float feasibility : world.tensor->Get(Layer::kFeasibility)) {
+    work.access.push_back(AccessOf(feasibility));
+  }
+  work.time_s.assign(work.access.size(), kNotReached);
+  if (!(work.budget_s > 0.0)) return work;
+  const WindowSea sea(rules, window, world);
+  for (const kg_core::LonLat& place : places) {
+    for (const ReachedCell& cell : sea.ReachFrom(place).cells) {
+      float& time_s = work.time_s[cell.index];
+      const float arrival_s = static_cast<float>(cell.arrival_s);
+      if (time_s <= arrival_s || work.access[cell.index] < Access::kTooFar) {
+        continue;
+      }
+      time_s = arrival_s;
+      work.access[cell.index] = Access::kReached;
+    }
+  }
+  return work;
+}
+
+kg_core::Raster FusedView(const MissionTensor& tensor, const WorkMap& work) {
+  kg_core::Raster view = tensor.Get(Layer::kFused);
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    const std::optional<double> share = work.Share(i);
+    view[i] = share ? static_cast<float>(view[i] * (1.0 - *share)) : 0.0f;
+  }
+  return view;
+}
+
+}  // namespace kg_compiler

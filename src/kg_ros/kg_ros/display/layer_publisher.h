@@ -1,0 +1,55 @@
+// What rviz is shown of tensors and of work, for each agent and the window
+// looked at: the heatmap, every layer, and WORK in colour, from where the agent
+// is and from where the operator last clicked (rviz's tool "Publish Point").
+
+#ifndef KG_ROS_DISPLAY_LAYER_PUBLISHER_H_
+#define KG_ROS_DISPLAY_LAYER_PUBLISHER_H_
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "geometry_msgs/PointStamped.h"
+#include "kg_core/geo/map_projection.h"
+#include "kg_ros/display/agent_view.h"
+#include "kg_ros/display/on_demand_topic.h"
+#include "nav_msgs/OccupancyGrid.h"
+#include "ros/node_handle.h"
+#include "ros/subscriber.h"
+#include "visualization_msgs/Marker.h"
+
+namespace kg_ros {
+
+class LayerPublisher {
+ public:
+  explicit LayerPublisher(const ros::NodeHandle& node);
+
+  // From now on this is looked at. Cheap while nobody listens.
+  void Show(Scene scene, const kg_core::MapProjection& map);
+
+ private:
+  struct AgentTopics {
+    AgentTopics(const ros::NodeHandle& node, const std::string& agent_id);
+
+    OnDemandTopic<nav_msgs::OccupancyGrid> heatmap;
+    std::map<std::string, OnDemandTopic<nav_msgs::OccupancyGrid>> layers;
+    OnDemandTopic<visualization_msgs::Marker> work;
+    OnDemandTopic<visualization_msgs::Marker> work_clicked;
+  };
+
+  void HandleClick(const geometry_msgs::PointStamped& message);
+  void ShowAgent(const std::string& agent_id);
+  void ShowClick(const std::string& agent_id, const AgentView& view);
+
+  ros::NodeHandle node_;
+  ros::Subscriber clicks_;
+  Scene scene_;
+  kg_core::MapProjection map_{kg_core::LonLat{}};
+  std::optional<kg_core::LonLat> clicked_;
+  std::map<std::string, AgentTopics> agents_;  // By ex:id.
+};
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_DISPLAY_LAYER_PUBLISHER_H_

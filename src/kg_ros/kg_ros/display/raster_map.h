@@ -1,0 +1,25 @@
+// Rasters on a longitude/latitude grid as what rviz shows: square cells of the
+// map, each with the value of the grid's nearest cell.
+
+#ifndef KG_ROS_DISPLAY_RASTER_MAP_H_
+#define KG_ROS_DISPLAY_RASTER_MAP_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "kg_core/geo/map_projection.h"
+#include "kg_core/raster/grid.h"
+#include "nav_msgs/OccupancyGrid.h"
+
+namespace kg_ros {
+
+inline constexpr std::int8_t kNoDataPercent = -1;
+
+// `percents`: one a cell of the grid. Outside of it is no data.
+nav_msgs::OccupancyGrid ToOccupancyGrid(
+    const kg_core::Grid& grid, const std::vector<std::int8_t>& percents,
+    const kg_core::MapProjection& map);
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_DISPLAY_RASTER_MAP_H_
