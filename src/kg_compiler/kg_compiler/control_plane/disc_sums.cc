@@ -38,22 +38,38 @@ inline __attribute__((always_inline)) void AddGroups(
   }
 }
 
+// Values to the nearest multiple of the unit; those not > 0 to 0. Less than
+// 2^31, so int is wide enough.
+inline __attribute__((always_inline)) void RoundToUnits(const float* values,
+                                                        int count,
+                                                        double per_unit,
+                                                        std::int32_t* units) {
+  for (int i = 0; i < count; ++i) {
+    const float value = values[i] > 0.0f ? values[i] : 0.0f;
+    units[i] = static_cast<std::int32_t>(value * per_unit + 0.5);
+  }
+}
+
 #if defined(__x86_64__)
-// The same in wider registers: integers, so the same sums.
+// The same in wider registers: exact, so the same numbers.
 __attribute__((target("avx2"))) void AddGroupsAvx2(const std::vector<Run>& runs,
                                                    int count,
                                                    std::int64_t* sums) {
   AddGroups(runs, count, sums);
 }
-const bool kHasAvx2 = __builtin_cpu_supports("avx2");
-#endif
-
-void AddRuns(const std::vector<Run>& runs, int count, std::int64_t* sums) {
-#if defined(__x86_64__)
-  if (kHasAvx2) return AddGroupsAvx2(runs, count, sums);
-#endif
-  AddGroups(runs, count, sums);
+__attribute__((target("avx2"))) void RoundToUnitsAvx2(const float* values,
+                                                      int count,
+                                                      double per_unit,
+                                                      std::int32_t* units) {
+  RoundToUnits(values, count, per_unit, units);
 }
+const bool kHasAvx2 = __builtin_cpu_supports("avx2");
+const auto add_runs = kHasAvx2 ? AddGroupsAvx2 : AddGroups;
+const auto round_to_units = kHasAvx2 ? RoundToUnitsAvx2 : RoundToUnits;
+#else
+const auto add_runs = AddGroups;
+const auto round_to_units = RoundToUnits;
+#endif
 
 }  // namespace
 
@@ -63,17 +79,22 @@ DiscSums::DiscSums(const kg_core::Grid& grid, const kg_core::Raster& values,
       discs_(grid, radius_m, rows),
       centre_rows_(rows),
       centre_cols_(cols),
-      cols_(Widened(grid, cols, discs_.WidestReach_deg())) {
-  Quantise(values);
+      cols_(Widened(grid, cols, discs_.WidestReach_deg())),
+      values_(values),
+      cleared_(discs_.rows().size()) {
+  int exponent = 0;
+  std::frexp(Largest(), &exponent);
+  unit_ = std::ldexp(1.0, exponent - kBits);
+  per_unit_ = std::ldexp(1.0, kBits - exponent);
   MeasureDiscs(rows);
 }
 
 // Floats >= 0 are in the order of their bits, and integers compare faster.
-float DiscSums::Largest(const kg_core::Raster& values) const {
+float DiscSums::Largest() const {
   constexpr std::int32_t kInfinity = 0x7f800000;
   std::int32_t most = 0;
   for (int row = rows().first; row < rows().last; ++row) {
-    const float* in = &values[grid_.Index({row, cols_.first})];
+    const float* in = &values_[grid_.Index({row, cols_.first})];
     for (int i = 0; i < cols_.size(); ++i) {
       std::int32_t bits;
       std::memcpy(&bits, in + i, sizeof bits);
@@ -86,22 +107,13 @@ float DiscSums::Largest(const kg_core::Raster& values) const {
   return largest;
 }
 
-void DiscSums::Quantise(const kg_core::Raster& values) {
-  const float most = Largest(values);
-  int exponent = 0;
-  std::frexp(most, &exponent);
-  unit_ = std::ldexp(1.0, exponent - kBits);
-  const double per_unit = std::ldexp(1.0, kBits - exponent);
-  values_.reset(new std::uint32_t[static_cast<std::size_t>(rows().size()) *
-                                  cols_.size()]);  // Not set to 0 beforehand.
-  for (int row = rows().first; row < rows().last; ++row) {
-    const float* in = &values[grid_.Index({row, cols_.first})];
-    std::uint32_t* out = Row(row);
-    for (int i = 0; i < cols_.size(); ++i) {  // Less than 2^31, so int is wide
-      const float worth = in[i] > 0.0f ? in[i] : 0.0f;  // enough, and faster.
-      out[i] = static_cast<std::uint32_t>(
-          static_cast<std::int32_t>(worth * per_unit + 0.5));
-    }
+void DiscSums::Units(int row, Span cols, std::int32_t* units) const {
+  round_to_units(&values_[grid_.Index({row, cols.first})], cols.size(),
+                 per_unit_, units);
+  for (const Span& cleared : cleared_[row - rows().first]) {
+    const Span gone = Common(cleared, cols);
+    if (gone.empty()) continue;
+    std::fill_n(units + (gone.first - cols.first), gone.size(), 0);
   }
 }
 
@@ -139,9 +151,7 @@ Span DiscSums::ColumnsThatSee(Span cols) const {
 }
 
 void DiscSums::Clear(int row, Span cols) {
-  const Span common = Common(cols, cols_);
-  if (!rows().Has(row) || common.empty()) return;
-  std::fill_n(Row(row) + (common.first - cols_.first), common.size(), 0);
+  if (rows().Has(row)) cleared_[row - rows().first].push_back(cols);
 }
 
 // Room for what is seen from the strip's columns, for half widths that go
@@ -153,6 +163,7 @@ void DiscSums::BeginStrip(Span cols) {
   prefix_size_ = static_cast<std::size_t>(strip_.size()) + 1;
   prefixes_.resize(prefix_size_ * most_rows_);
   prefix_row_.assign(most_rows_, -1);
+  units_.resize(prefix_size_);
 }
 
 const std::int64_t* DiscSums::Prefix(int row) {
@@ -161,10 +172,10 @@ const std::int64_t* DiscSums::Prefix(int row) {
   if (prefix_row_[slot] == row) return prefix;
   prefix_row_[slot] = row;
   const Span known = Common(strip_, cols_);
-  const std::uint32_t* values = Row(row) + (known.first - cols_.first);
+  Units(row, known, units_.data());
   std::int64_t* at = std::fill_n(prefix, known.first - strip_.first + 1, 0);
   std::int64_t sum = 0;
-  for (int i = 0; i < known.size(); ++i) at[i] = sum += values[i];
+  for (int i = 0; i < known.size(); ++i) at[i] = sum += units_[i];
   std::fill(at + known.size(), prefix + prefix_size_, sum);
   return prefix;
 }
@@ -182,7 +193,7 @@ void DiscSums::Sum(int row, Span cols, std::int64_t* sums) {
     const Run run{prefix - width, prefix + width + 1};
     if (run.east[cols.size() - 1] != run.west[0]) runs_.push_back(run);
   }
-  AddRuns(runs_, cols.size(), sums);
+  add_runs(runs_, cols.size(), sums);
   for (int other = disc.first; other < disc.last; ++other) {
     if (widths[other - disc.first] != kUneven) continue;
     AddUneven(row, cols, other, sums);
@@ -200,12 +211,13 @@ void DiscSums::AddUneven(int row, Span cols, int other, std::int64_t* sums) {
 
 std::vector<int> DiscSums::Footprint(kg_core::Cell centre) const {
   std::vector<int> footprint;
+  std::vector<std::int32_t> units(cols_.size());
   const Span disc = disc_rows_[centre.row - centre_rows_.first];
   for (int row = disc.first; row < disc.last; ++row) {
     const Span seen = discs_.Columns(centre, row);
-    const std::uint32_t* values = Row(row);
+    Units(row, seen, units.data());
     for (int col = seen.first; col < seen.last; ++col) {
-      if (values[col - cols_.first] == 0) continue;
+      if (units[col - seen.first] == 0) continue;
       footprint.push_back(static_cast<int>(grid_.Index({row, col})));
     }
   }

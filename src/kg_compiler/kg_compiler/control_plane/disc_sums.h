@@ -14,7 +14,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "kg_compiler/control_plane/disc.h"
@@ -34,7 +33,8 @@ class DiscSums {
 
   // Sums of `values` over the discs around the cells of a box, `rows` by
   // `cols`, neither empty. Values that are not > 0 count 0, and others are
-  // rounded to multiples of unit(). Reads nothing beyond the discs.
+  // rounded to multiples of unit(). Reads the box, what discs around it see and
+  // a column more. Holds references to the grid and the values.
   DiscSums(const kg_core::Grid& grid, const kg_core::Raster& values,
            double radius_m, Span rows, Span cols);
 
@@ -58,13 +58,10 @@ class DiscSums {
   std::vector<int> Footprint(kg_core::Cell centre) const;
 
  private:
-  float Largest(const kg_core::Raster& values) const;
-  void Quantise(const kg_core::Raster& values);
+  float Largest() const;
   void MeasureDiscs(Span rows);
-  std::uint32_t* Row(int row) const {
-    return &values_[static_cast<std::size_t>(row - rows().first) *
-                    cols_.size()];
-  }
+  // Values of a row in units, 0 where cleared, into `units`.
+  void Units(int row, Span cols, std::int32_t* units) const;
   // P of a row: entry i is the sum west of column strip_.first + i.
   const std::int64_t* Prefix(int row);
   void AddUneven(int row, Span cols, int other, std::int64_t* sums);
@@ -72,9 +69,11 @@ class DiscSums {
   const kg_core::Grid& grid_;
   Discs discs_;
   Span centre_rows_, centre_cols_;
-  Span cols_;                                // Columns of values_.
-  std::unique_ptr<std::uint32_t[]> values_;  // In units, rows() by cols_.
+  Span cols_;  // Columns that are read.
+  const kg_core::Raster& values_;
   double unit_ = 1.0;
+  double per_unit_ = 1.0;
+  std::vector<std::vector<Span>> cleared_;  // By row of rows().
 
   // By centre row: its disc's rows, and where their half widths begin.
   std::vector<Span> disc_rows_;
@@ -87,6 +86,7 @@ class DiscSums {
   std::size_t prefix_size_ = 0;
   std::vector<std::int64_t> prefixes_;  // most_rows_ of them, by turns.
   std::vector<int> prefix_row_;         // Whose each is; -1: nobody's.
+  std::vector<std::int32_t> units_;     // Of the row that is summed.
   std::vector<Run> runs_;
   std::vector<Span> uneven_;
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -14,7 +13,7 @@ namespace kg_compiler {
 namespace {
 
 constexpr int kStrip = DiscSums::kStrip;
-constexpr std::int64_t kForbidden = -1;  // In place of R.
+constexpr int kGroup = DiscSums::kGroup;
 
 // From the first to the last allowed column of `cols` in a row.
 Span AllowedIn(const kg_core::Mask& allowed, const kg_core::Grid& grid, int row,
@@ -53,26 +52,32 @@ class Recurrence {
   Recurrence(const kg_core::Grid& grid, const kg_core::Raster& utility,
              const kg_core::Mask& allowed, const Box& box,
              const RecurrenceOptions& options)
-      : grid_(grid),
-        box_(box),
+      : box_(box),
         sums_(grid, utility, options.radius_m, box.rows, box.cols),
         blanks_(grid, options.spacing_m, box.rows),
         strips_((box.cols.size() + kStrip - 1) / kStrip),
-        response_(new std::int64_t[static_cast<std::size_t>(box.rows.size()) *
-                                   box.cols.size()]),
-        segments_(static_cast<std::size_t>(box.rows.size()) * strips_),
-        best_(box.rows.size()) {
+        groups_((box.cols.size() + kGroup - 1) / kGroup),
+        extents_(static_cast<std::size_t>(box.rows.size()) * strips_),
+        group_best_(static_cast<std::size_t>(box.rows.size()) * groups_),
+        row_best_(box.rows.size()) {
+    allowed_.reserve(static_cast<std::size_t>(box.rows.size()) *
+                     box.cols.size());
     for (int row = box.rows.first; row < box.rows.last; ++row) {
-      for (int strip = 0; strip < strips_; ++strip) Forbid(row, strip, allowed);
+      const auto from = allowed.begin() + grid.Index({row, box.cols.first});
+      allowed_.insert(allowed_.end(), from, from + box.cols.size());
+      for (int strip = 0; strip < strips_; ++strip) {
+        Extent(row, strip) = AllowedIn(allowed, grid, row, StripCols(strip));
+      }
     }
     Respond(box);
   }
 
   // The best allowed cell, the first of equals.
-  std::optional<Pick> Best() const {
-    const auto best = std::max_element(best_.begin(), best_.end());
+  std::optional<Pick> Best() {
+    const auto best = std::max_element(row_best_.begin(), row_best_.end());
     if (*best == 0) return std::nullopt;
-    const int row = box_.rows.first + static_cast<int>(best - best_.begin());
+    const int row =
+        box_.rows.first + static_cast<int>(best - row_best_.begin());
     const kg_core::Cell cell{row, ColumnOf(row, *best)};
     return Pick{cell, static_cast<double>(*best) * sums_.unit(),
                 sums_.Footprint(cell)};
@@ -87,139 +92,109 @@ class Recurrence {
       widest = {std::min(widest.first, cols.first),
                 std::max(widest.last, cols.last)};
       sums_.Clear(row, cols);
-      if (box_.rows.Has(row)) Forbid(row, cols);
+      const Span here = Common(cols, box_.cols);
+      if (box_.rows.Has(row) && !here.empty()) {
+        std::fill_n(Allowed(row, here.first), here.size(), 0);
+      }
     }
-    Respond({sums_.RowsThatSee(rows), sums_.ColumnsThatSee(widest)});
+    const Span cols = sums_.ColumnsThatSee(widest);
+    if (!cols.empty()) Respond({sums_.RowsThatSee(rows), WholeGroups(cols)});
   }
 
  private:
-  struct Segment {          // A row's part in a strip.
-    Span allowed;           // From the first to the last column once allowed.
-    std::int64_t best = 0;  // The largest R.
-  };
-
-  std::size_t ResponseIndex(int row, int col) const {
-    return static_cast<std::size_t>(row - box_.rows.first) * box_.cols.size() +
-           (col - box_.cols.first);
+  std::size_t RowOf(int row) const { return row - box_.rows.first; }
+  unsigned char* Allowed(int row, int col) {
+    return &allowed_[RowOf(row) * box_.cols.size() + (col - box_.cols.first)];
   }
-  std::int64_t* Response(int row, int col) {
-    return &response_[ResponseIndex(row, col)];
+  Span& Extent(int row, int strip) {
+    return extents_[RowOf(row) * strips_ + strip];
   }
-  const std::int64_t* Response(int row, int col) const {
-    return &response_[ResponseIndex(row, col)];
-  }
-  std::size_t SegmentIndex(int row, int strip) const {
-    return static_cast<std::size_t>(row - box_.rows.first) * strips_ + strip;
-  }
-  Segment& SegmentOf(int row, int strip) {
-    return segments_[SegmentIndex(row, strip)];
-  }
-  const Segment& SegmentOf(int row, int strip) const {
-    return segments_[SegmentIndex(row, strip)];
+  std::int64_t* GroupBest(int row) {
+    return &group_best_[RowOf(row) * groups_];
   }
   Span StripCols(int strip) const {
     const int first = box_.cols.first + strip * kStrip;
     return {first, std::min(first + kStrip, box_.cols.last)};
   }
-  Span StripsOf(Span cols) const {
-    return {(cols.first - box_.cols.first) / kStrip,
-            (cols.last - 1 - box_.cols.first) / kStrip + 1};
+  Span WholeGroups(Span cols) const {
+    const int west = (cols.first - box_.cols.first) / kGroup;
+    const int east = (cols.last - 1 - box_.cols.first) / kGroup + 1;
+    return {box_.cols.first + west * kGroup,
+            std::min(box_.cols.first + east * kGroup, box_.cols.last)};
   }
 
-  // To begin with, cells that are not allowed.
-  void Forbid(int row, int strip, const kg_core::Mask& allowed) {
-    const Span cols = AllowedIn(allowed, grid_, row, StripCols(strip));
-    SegmentOf(row, strip).allowed = cols;
-    if (cols.empty()) return;
-    const unsigned char* mask = &allowed[grid_.Index({row, cols.first})];
-    std::int64_t* response = Response(row, cols.first);
-    for (int i = 0; i < cols.size(); ++i) {
-      response[i] = mask[i] == 1 ? 0 : kForbidden;
-    }
-  }
-  void Forbid(int row, Span cols) {
-    const Span here = Common(cols, box_.cols);
-    if (here.empty()) return;
-    const Span strips = StripsOf(here);
-    for (int strip = strips.first; strip < strips.last; ++strip) {
-      const Span gone = Common(here, SegmentOf(row, strip).allowed);
-      if (gone.empty()) continue;
-      std::fill_n(Response(row, gone.first), gone.size(), kForbidden);
-    }
-  }
-
-  // R of the allowed cells of a box, and the best of its rows.
+  // R of the allowed cells of a box of whole groups, and the best of its rows.
   void Respond(const Box& box) {
-    if (box.rows.empty() || box.cols.empty()) return;
-    const Span strips = StripsOf(box.cols);
-    for (int strip = strips.first; strip < strips.last; ++strip) {
+    if (box.rows.empty()) return;
+    const int last = (box.cols.last - 1 - box_.cols.first) / kStrip;
+    for (int strip = (box.cols.first - box_.cols.first) / kStrip; strip <= last;
+         ++strip) {
       RespondStrip(box, strip);
     }
-    for (int row = box.rows.first; row < box.rows.last; ++row) ChooseBest(row);
+    for (int row = box.rows.first; row < box.rows.last; ++row) {
+      const std::int64_t* best = GroupBest(row);
+      row_best_[RowOf(row)] = *std::max_element(best, best + groups_);
+    }
   }
   void RespondStrip(const Box& box, int strip) {
     Span wanted{box.cols.last, box.cols.first};
     for (int row = box.rows.first; row < box.rows.last; ++row) {
-      const Span cols = Common(box.cols, SegmentOf(row, strip).allowed);
+      const Span cols = Common(box.cols, Extent(row, strip));
       if (cols.empty()) continue;
       wanted = {std::min(wanted.first, cols.first),
                 std::max(wanted.last, cols.last)};
     }
     if (wanted.empty()) return;
-    sums_.BeginStrip(wanted);
+    sums_.BeginStrip(WholeGroups(wanted));
     for (int row = box.rows.first; row < box.rows.last; ++row) {
-      Segment& segment = SegmentOf(row, strip);
-      const Span cols = Common(box.cols, segment.allowed);
-      if (!cols.empty()) RespondSegment(row, cols, &segment);
+      const Span cols = Common(box.cols, Extent(row, strip));
+      if (!cols.empty()) RespondRow(row, WholeGroups(cols));
     }
   }
-  void RespondSegment(int row, Span cols, Segment* segment) {
-    std::int64_t sums[kStrip + DiscSums::kGroup];
+  void RespondRow(int row, Span cols) {
+    std::int64_t sums[kStrip + kGroup];
     sums_.Sum(row, cols, sums);
-    std::int64_t* response = Response(row, cols.first);
+    const unsigned char* allowed = Allowed(row, cols.first);
+    std::int64_t* best =
+        GroupBest(row) + (cols.first - box_.cols.first) / kGroup;
+    for (int first = 0; first < cols.size(); first += kGroup) {
+      const int count = std::min(kGroup, cols.size() - first);
+      *best++ = Largest(sums + first, allowed + first, count);
+    }
+  }
+  static std::int64_t Largest(const std::int64_t* sums,
+                              const unsigned char* allowed, int count) {
+    std::int64_t most = 0;
+    for (int i = 0; i < count; ++i) {
+      most = std::max(most, allowed[i] == 1 ? sums[i] : 0);
+    }
+    return most;
+  }
+  // The first column of a row where R is `response`, its best.
+  int ColumnOf(int row, std::int64_t response) {
+    const std::int64_t* best = GroupBest(row);
+    const auto group = std::find(best, best + groups_, response) - best;
+    const int first = box_.cols.first + static_cast<int>(group) * kGroup;
+    const Span cols = WholeGroups({first, first + 1});
+    std::int64_t sums[kGroup];
+    sums_.BeginStrip(cols);
+    sums_.Sum(row, cols, sums);
+    const unsigned char* allowed = Allowed(row, first);
     for (int i = 0; i < cols.size(); ++i) {
-      response[i] = sums[i] | response[i] >> 63;  // kForbidden stays.
+      if (allowed[i] == 1 && sums[i] == response) return first + i;
     }
-    segment->best =
-        Largest(Response(row, segment->allowed.first), segment->allowed.size());
-  }
-  static std::int64_t Largest(const std::int64_t* response, int count) {
-    std::int64_t most[4] = {};  // By turns: one would wait for itself.
-    for (; count >= 4; count -= 4, response += 4) {
-      for (int i = 0; i < 4; ++i) most[i] = std::max(most[i], response[i]);
-    }
-    for (int i = 0; i < count; ++i) most[0] = std::max(most[0], response[i]);
-    return *std::max_element(most, most + 4);
-  }
-  void ChooseBest(int row) {
-    std::int64_t& best = best_[row - box_.rows.first];
-    best = 0;
-    for (int strip = 0; strip < strips_; ++strip) {
-      best = std::max(best, SegmentOf(row, strip).best);
-    }
-  }
-  // The first column of a row that has this response.
-  int ColumnOf(int row, std::int64_t response) const {
-    for (int strip = 0; strip < strips_; ++strip) {
-      const Segment& segment = SegmentOf(row, strip);
-      if (segment.best != response) continue;
-      const std::int64_t* begin = Response(row, segment.allowed.first);
-      const auto* at =
-          std::find(begin, begin + segment.allowed.size(), response);
-      return segment.allowed.first + static_cast<int>(at - begin);
-    }
-    throw std::logic_error("no column has the row's best response");
+    throw std::logic_error("no column has its row's best response");
   }
 
-  const kg_core::Grid& grid_;
-  Box box_;  // Of the cells that were allowed.
+  Box box_;  // Of the cells that are allowed to begin with.
   DiscSums sums_;
   Discs blanks_;
   int strips_;
-  // R of the box's segments, or kForbidden; elsewhere never touched.
-  std::unique_ptr<std::int64_t[]> response_;
-  std::vector<Segment> segments_;   // By row and strip.
-  std::vector<std::int64_t> best_;  // The largest R by row.
+  int groups_;
+  kg_core::Mask allowed_;                 // Of the box.
+  std::vector<Span> extents_;             // Allowed at first, by row and strip.
+  std::vector<std::int64_t> group_best_;  // The largest R by row and group.
+  std::vector<std::int64_t> row_best_;
 };
 
 }  // namespace

@@ -8,9 +8,8 @@
 // Strategies", IEEE BigData 2023, 10.1109/BigData59044.2023.10386774 (A13).
 //
 // R is summed once, for the allowed cells only, and after each pick again where
-// a disc can see what was zeroed: the box of radius + spacing around it. Of
-// each row the best of every 128 columns is kept, so that a pick looks at those
-// and at what has changed.
+// a disc can see what was zeroed: the box of radius + spacing around it. Kept
+// is the largest R of every 16 cells of a row, and of every row.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_PROXIMAL_RECURRENCE_H_
 #define KG_COMPILER_CONTROL_PLANE_PROXIMAL_RECURRENCE_H_

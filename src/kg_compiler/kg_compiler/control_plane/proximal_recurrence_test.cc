@@ -118,6 +118,27 @@ TEST(ProximalRecurrence, PicksWhatTheNaiveLoopPicksOnWideGrids) {
   }
 }
 
+// Few cells here and there, as within the reach of several places.
+TEST(ProximalRecurrence, PicksWhatTheNaiveLoopPicksAmongScatteredCells) {
+  std::mt19937 rng(25);
+  const kg_core::Grid grid = EvenGrid(-98, 25, 0.04, 7, 200);
+  for (int round = 0; round < 12; ++round) {
+    const kg_core::Raster utility = RandomRaster(rng, grid.size(), 0, 1);
+    kg_core::Mask allowed(grid.size(), 0);
+    for (int patch = 0; patch < 4; ++patch) {
+      const int row = static_cast<int>(rng() % 5);
+      const int col = static_cast<int>(rng() % 190);
+      for (int i = 0; i < 20; ++i) {
+        allowed[grid.Index({row + i % 3, col + i % 7})] = rng() % 2;
+      }
+    }
+    const RecurrenceOptions options = {Uniform(rng, 0, 30e3),
+                                       Uniform(rng, 0, 20e3), 20};
+    ExpectSamePicks(Naive(grid, utility, allowed, options),
+                    ProximalRecurrence(grid, utility, allowed, options));
+  }
+}
+
 TEST(ProximalRecurrence, ReadsNothingBeyondTheDiscsOfAllowedCells) {
   std::mt19937 rng(24);
   const kg_core::Grid grid = EvenGrid(-90, 25, 0.04, 30, 40);
