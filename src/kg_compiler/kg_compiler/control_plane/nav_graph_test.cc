@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "kg_compiler/control_plane/seam_cache.h"
 #include "kg_compiler/test_world.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/geo/geodesy.h"
@@ -17,7 +18,8 @@ using kg_core::LonLat;
 
 // A mission of a few windows on a small sea of random flow.
 struct TestSea {
-  explicit TestSea(unsigned seed, int windows = 3) : rng(seed) {
+  explicit TestSea(unsigned seed, double flow_mps = 0.4) : rng(seed) {
+    const int windows = 3;
     grid = EvenGrid(-91, 24, 0.04, 60, 60);
     mission.agents = {TestAgent("alpha")};
     mission.coordination.waypoints_per_window = 12;
@@ -32,12 +34,13 @@ struct TestSea {
     agent.policy.lambda_uncertainty = 0.5;
     value = RandomRaster(rng, grid.size(), 0, 1);
     for (int t = 0; t < windows; ++t) {
-      kg_core::VectorField field = RandomFlow(rng, grid, 0.4, 10800, 86400);
+      kg_core::VectorField field =
+          RandomFlow(rng, grid, flow_mps, 10800, 86400);
       for (auto& slice : field.slices) slice.time_s += t * 86400;
       fields.push_back(std::move(field));
     }
   }
-  void Compile(const std::vector<NavGraph>& previous = {}) {
+  void Compile(SeamCache* cache = nullptr) {
     tensors.clear();
     worlds.clear();
     rules = CompileSeamRules(mission, mission.agents[0], 0);
@@ -49,7 +52,7 @@ struct TestSea {
     for (std::size_t t = 0; t < fields.size(); ++t) {
       worlds.push_back({&tensors[t], &fields[t]});
     }
-    graphs = CompileNavGraphs(rules, worlds, previous);
+    graphs = CompileNavGraphs(rules, worlds, cache);
   }
   std::mt19937 rng;
   kg_core::Grid grid;
@@ -59,8 +62,17 @@ struct TestSea {
   std::vector<MissionTensor> tensors;
   std::vector<WindowWorld> worlds;
   SeamRules rules;
-  std::vector<NavGraph> graphs;
+  NavGraphs graphs;
 };
+
+std::string ErrorOf(TestSea* sea) {
+  try {
+    sea->Compile();
+  } catch (const kg_core::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
 
 TEST(NavGraph, HoldsOnlyWaypointsAndEdgesThatCanBeFlownAgain) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
@@ -86,9 +98,8 @@ TEST(NavGraph, HoldsOnlyWaypointsAndEdgesThatCanBeFlownAgain) {
             via);
         ASSERT_TRUE(again);
         EXPECT_EQ(edge.flight.travel_s, again->travel_s);
-        EXPECT_DOUBLE_EQ(
-            SeamCost(sea.rules.weights, edge.flight, window.confidence),
-            edge.seam_cost);
+        EXPECT_DOUBLE_EQ(SeamCost(sea.rules.weights, edge, window.confidence),
+                         edge.seam_cost);
       }
       EXPECT_EQ(graph.waypoints.size(), arrived.size());
       sources.clear();
@@ -148,46 +159,103 @@ TEST(NavGraph, StaysPutWhereNothingElseIsWorthGoing) {
 
 TEST(NavGraph, ReusesWhatDidNotChangeAndRebuildsWhatDid) {
   TestSea sea(8);
-  sea.Compile();
-  std::vector<NavGraph> marked = sea.graphs;
-  for (NavGraph& graph : marked) graph.waypoints[0].value = 77.0;
-  sea.Compile(marked);
-  for (const NavGraph& graph : sea.graphs) {
-    EXPECT_EQ(77.0, graph.waypoints[0].value);
-  }
+  SeamCache cache;
+  sea.Compile(&cache);
+  const NavGraphs first = sea.graphs;
+  EXPECT_EQ(3, cache.counts.graphs);
+  sea.Compile(&cache);
+  EXPECT_EQ(3, cache.counts.graphs_kept);
+  for (int t = 0; t < 3; ++t) EXPECT_EQ(&first[t], &sea.graphs[t]);
   // The last window's tensor alone changes.
   sea.mission.windows[2].confidence = 0.5;
-  sea.Compile(marked);
-  EXPECT_EQ(77.0, sea.graphs[0].waypoints[0].value);
-  EXPECT_EQ(77.0, sea.graphs[1].waypoints[0].value);
-  EXPECT_NE(77.0, sea.graphs[2].waypoints[0].value);
+  sea.Compile(&cache);
+  EXPECT_EQ(&first[0], &sea.graphs[0]);
+  EXPECT_EQ(&first[1], &sea.graphs[1]);
+  EXPECT_NE(&first[2], &sea.graphs[2]);
 }
 
-TEST(NavGraph, IsTheSameBuiltAnewAsBuiltOnAnother) {
-  TestSea sea(9);
-  sea.Compile();
-  const std::vector<NavGraph> before = sea.graphs;
-  sea.mission.agents[0].policy.lambda_risk = 0.3;
-  sea.Compile(before);
-  const std::vector<NavGraph> incremental = sea.graphs;
-  sea.Compile();
-  for (std::size_t t = 0; t < sea.graphs.size(); ++t) {
-    EXPECT_EQ(sea.graphs[t].hash, incremental[t].hash);
-    ASSERT_EQ(sea.graphs[t].edges.size(), incremental[t].edges.size());
-    for (std::size_t e = 0; e < incremental[t].edges.size(); ++e) {
-      EXPECT_EQ(sea.graphs[t].edges[e].seam_cost,
-                incremental[t].edges[e].seam_cost);
+void ExpectSameEdges(const std::vector<TraverseEdge>& a,
+                     const std::vector<TraverseEdge>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t e = 0; e < a.size(); ++e) {
+    EXPECT_EQ(a[e].from, b[e].from);
+    EXPECT_EQ(a[e].to, b[e].to);
+    EXPECT_EQ(a[e].seam_cost, b[e].seam_cost);
+    EXPECT_EQ(a[e].isolation_s, b[e].isolation_s);
+    EXPECT_EQ(a[e].flight.travel_s, b[e].flight.travel_s);
+    EXPECT_EQ(a[e].flight.energy_j, b[e].flight.energy_j);
+    EXPECT_EQ(a[e].flight.hazard_s, b[e].flight.hazard_s);
+    EXPECT_EQ(a[e].flight.through_water_m, b[e].flight.through_water_m);
+    ASSERT_EQ(a[e].flight.track.size(), b[e].flight.track.size());
+    for (std::size_t i = 0; i < a[e].flight.track.size(); ++i) {
+      EXPECT_EQ(a[e].flight.track[i].position, b[e].flight.track[i].position);
+      EXPECT_EQ(a[e].flight.track[i].time_s, b[e].flight.track[i].time_s);
     }
   }
 }
 
-std::string ErrorOf(TestSea* sea) {
-  try {
-    sea->Compile();
-  } catch (const kg_core::InputError& error) {
-    return error.what();
+void ExpectSameGraphs(const NavGraphs& a, const NavGraphs& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t t = 0; t < a.size(); ++t) {
+    EXPECT_EQ(a[t].hash, b[t].hash);
+    ASSERT_EQ(a[t].waypoints.size(), b[t].waypoints.size());
+    for (std::size_t w = 0; w < a[t].waypoints.size(); ++w) {
+      EXPECT_EQ(a[t].waypoints[w].position, b[t].waypoints[w].position);
+      EXPECT_EQ(a[t].waypoints[w].score, b[t].waypoints[w].score);
+      EXPECT_EQ(a[t].waypoints[w].value, b[t].waypoints[w].value);
+      EXPECT_EQ(a[t].waypoints[w].events, b[t].waypoints[w].events);
+      EXPECT_EQ(a[t].waypoints[w].footprint, b[t].waypoints[w].footprint);
+    }
+    ExpectSameEdges(a[t].edges, b[t].edges);
+    ExpectSameEdges(a[t].inner_edges, b[t].inner_edges);
   }
-  return "";
+}
+
+TEST(NavGraph, IsTheSameBuiltAnewAsBuiltOnAnother) {
+  TestSea sea(9);
+  SeamCache cache;
+  sea.Compile(&cache);
+  sea.mission.agents[0].policy.lambda_risk = 0.3;
+  sea.Compile(&cache);
+  const NavGraphs incremental = sea.graphs;
+  sea.Compile();
+  ExpectSameGraphs(sea.graphs, incremental);
+}
+
+// Areas come, move and go; the cache is never asked to forget.
+TEST(NavGraph, IsTheSameFromACacheAfterAnyAreas) {
+  int reaches_kept = 0, reaches = 0, flights_kept = 0, flights = 0;
+  for (unsigned seed = 20; seed < 23; ++seed) {
+    TestSea sea(seed, 0.05);
+    sea.mission.agents[0].capabilities.cruise_mps = 0.15;
+    sea.mission.agents[0].policy.hazard_range_m = 2000.0;
+    sea.mission.coordination.movement_mode = seed % 2 ? "edges" : "hops";
+    SeamCache cache;
+    for (int step = 0; step < 12; ++step) {
+      const double x = Uniform(sea.rng, -90.6, -89.2);
+      const double y = Uniform(sea.rng, 24.4, 25.8);
+      auto& areas = sea.mission.constraints;
+      if (areas.size() > 2) areas.erase(areas.begin());
+      areas.push_back(AreaConstraint("ex:c" + std::to_string(step),
+                                     step % 3 ? kg_core::ConstraintKind::kSoft
+                                              : kg_core::ConstraintKind::kNoGo,
+                                     Box(x, y, x + 0.15, y + 0.15)));
+      areas.back().attenuation = 0.4;
+      areas.back().windows = {step % 3, (step + 1) % 3};
+      if (ErrorOf(&sea) != "") continue;  // The start is in an area.
+      const NavGraphs anew = sea.graphs;
+      sea.Compile(&cache);
+      ExpectSameGraphs(anew, sea.graphs);
+      if (step == 0) continue;
+      reaches += cache.counts.reaches;
+      reaches_kept += cache.counts.reaches_kept;
+      flights += cache.counts.flights;
+      flights_kept += cache.counts.flights_kept;
+    }
+  }
+  EXPECT_GT(reaches_kept, reaches / 3);
+  EXPECT_GT(flights_kept, flights / 4);
+  EXPECT_GT(reaches, 0);
 }
 
 TEST(NavGraph, RefusesAStartInAForbiddenPlaceByName) {
@@ -210,13 +278,14 @@ TEST(NavGraph, RefusesAWindowAtWhoseEndTheAgentCanBeNowhere) {
 }
 
 TEST(SeamCost, IsTheWeightedSumOfItsFourTerms) {
-  Flight flight;
-  flight.travel_s = 1000;
-  flight.energy_j = 2000;
-  flight.hazard_s = 300;
+  TraverseEdge edge;
+  edge.flight.travel_s = 1000;
+  edge.flight.energy_j = 2000;
+  edge.flight.hazard_s = 250;
+  edge.isolation_s = 50;
   EXPECT_DOUBLE_EQ(1.0 + 4.0 + 0.9 + 0.1,
-                   SeamCost({1e-3, 2e-3, 3e-3, 0.5}, flight, 0.8));
-  EXPECT_DOUBLE_EQ(0.0, SeamCost({}, flight, 0.8));
+                   SeamCost({1e-3, 2e-3, 3e-3, 0.5, 0.3}, edge, 0.8));
+  EXPECT_DOUBLE_EQ(0.0, SeamCost({}, edge, 0.8));
 }
 
 TEST(NavGraph, FollowsALoopCurrentOnTheWholeGulf) {

@@ -151,8 +151,8 @@ struct ValueLayer {
   int previous_time_index = 0;
   // ex:fullScale, ex:frontFullScale: what LayerScale::kFixed divides the layer
   // [its unit] and its frontness [unit per km] by.
-  std::optional<double> full_scale;
-  std::optional<double> front_full_scale;
+  std::optional<double> full_scale = std::nullopt;
+  std::optional<double> front_full_scale = std::nullopt;
 };
 
 // ex:WorkField (ex:CurrentField) of a window.
