@@ -1,5 +1,6 @@
 #include "kg_selector/plan_mission.h"
 
+#include <chrono>
 #include <stdexcept>
 #include <string_view>
 #include <unordered_map>
@@ -86,6 +87,11 @@ std::vector<Graphs> CompileAll(const Compilation& compilation,
   return made;
 }
 
+double SecondsSince(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+      .count();
+}
+
 // A planner that finds no path says so in its own words, which go before the
 // selector's.
 void TellWhy(const std::map<std::string, std::string>& unplannable,
@@ -132,8 +138,10 @@ std::vector<WindowWorld> WorldsOf(const Compilation& compilation,
 
 PlannedMission PlanMission(const Compilation& compilation,
                            const PlannedMission* previous) {
-  std::vector<Graphs> graphs = CompileAll(compilation, previous);
   PlannedMission planned;
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<Graphs> graphs = CompileAll(compilation, previous);
+  planned.stage_seconds["graphs"] = SecondsSince(begin);
   planned.rules = ToTeamRules(compilation.coordination);
   for (const SeamRules& rules : compilation.rules) {
     Graphs& made = graphs[planned.members.size()];
@@ -145,7 +153,9 @@ PlannedMission PlanMission(const Compilation& compilation,
       planned.rules.window_end_s.emplace(window.window, window.end_s);
     }
   }
+  const auto graphs_made = std::chrono::steady_clock::now();
   planned.plan = PlanTeam(planned.rules, planned.members);
+  planned.stage_seconds["team"] = SecondsSince(graphs_made);
   TellWhy(planned.unplannable, &planned.plan);
   return planned;
 }

@@ -23,6 +23,8 @@ struct PlannedMission {
   std::vector<TeamMember> members;
   // Why an agent has no graphs, e.g. it starts on land. By ex:id.
   std::map<std::string, std::string> unplannable;
+  // "graphs": waypoints and seams; "team": stitching and selection.
+  std::map<std::string, double> stage_seconds;
   // What the next plan may take over, by ex:id. Shared by copies.
   std::map<std::string, kg_compiler::SeamCache> caches;
   TeamPlan plan;

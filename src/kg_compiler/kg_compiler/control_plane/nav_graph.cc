@@ -33,8 +33,9 @@ std::string Where(const SeamRules& rules, const WindowRules& window) {
 // The next cache on its way, made from the last one.
 class Graphs {
  public:
-  Graphs(const SeamRules& rules, const SeamCache& last)
-      : rules_(rules), last_(last) {}
+  // With `keep`, for one more time.
+  Graphs(const SeamRules& rules, const SeamCache& last, bool keep)
+      : rules_(rules), last_(last), keep_(keep) {}
 
   const NavGraph& Add(const WindowInputs& inputs) {
     if (!TakeOver(WindowGraphHash(inputs), inputs.window->window)) {
@@ -73,12 +74,13 @@ class Graphs {
           "cell within reach where it can hold station");
     }
     now_.graphs.push_back(std::move(built.graph));
-    now_.windows[window] = std::move(built.seams);
+    if (keep_) now_.windows[window] = std::move(built.seams);
     ++now_.counts.graphs;
   }
 
   const SeamRules& rules_;
   const SeamCache& last_;
+  bool keep_;
   SeamCache now_;
 };
 
@@ -104,7 +106,7 @@ NavGraphs CompileNavGraphs(const SeamRules& rules,
         ", which is on land, in a no_go area or off the grid");
   }
   const SeamCache none;
-  Graphs graphs(rules, cache ? *cache : none);
+  Graphs graphs(rules, cache ? *cache : none, cache != nullptr);
   for (std::size_t t = 0; t < worlds.size(); ++t) {
     sources = PositionsOf(
         graphs.Add({&rules, &rules.windows[t], worlds[t], sources}).waypoints);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -286,6 +287,132 @@ TEST(SeamCost, IsTheWeightedSumOfItsFourTerms) {
   EXPECT_DOUBLE_EQ(1.0 + 4.0 + 0.9 + 0.1,
                    SeamCost({1e-3, 2e-3, 3e-3, 0.5, 0.3}, edge, 0.8));
   EXPECT_DOUBLE_EQ(0.0, SeamCost({}, edge, 0.8));
+}
+
+TEST(NavGraph, HasEdgesWithinAWindowInTheModeEdgesOnly) {
+  int inner = 0, asymmetric = 0;
+  for (unsigned seed = 30; seed < 33; ++seed) {
+    TestSea sea(seed);
+    sea.Compile();
+    const NavGraphs hops = sea.graphs;
+    sea.mission.coordination.movement_mode = "edges";
+    sea.Compile();
+    for (std::size_t t = 0; t < sea.graphs.size(); ++t) {
+      const NavGraph& graph = sea.graphs[t];
+      EXPECT_TRUE(hops[t].inner_edges.empty());
+      EXPECT_EQ(MovementMode::kEdges, graph.movement_mode);
+      EXPECT_NE(hops[t].hash, graph.hash);
+      ExpectSameEdges(hops[t].edges, graph.edges);
+      const WindowSea window(sea.rules, sea.rules.windows[t], sea.worlds[t]);
+      const auto places = PositionsOf(graph.waypoints);
+      std::map<int, int> leaving;
+      std::map<std::pair<int, int>, double> times_s;
+      for (const TraverseEdge& edge : graph.inner_edges) {
+        ++inner;
+        EXPECT_NE(edge.from, edge.to);
+        EXPECT_LE(++leaving[edge.from], kInnerNeighbours);
+        const auto again =
+            PriceWays(window, {{places[edge.from], places[edge.to]}}, places);
+        ASSERT_TRUE(again[0]);
+        EXPECT_EQ(again[0]->seam_cost, edge.seam_cost);
+        EXPECT_EQ(sea.rules.windows[t].begin_s,
+                  edge.flight.track.front().time_s);
+        times_s[{edge.from, edge.to}] = edge.flight.travel_s;
+        const auto back = times_s.find({edge.to, edge.from});
+        asymmetric +=
+            back != times_s.end() && back->second != edge.flight.travel_s;
+      }
+    }
+  }
+  EXPECT_GT(inner, 100);
+  EXPECT_GT(asymmetric, 20);
+}
+
+// Of a place in still water, base travel 40 km.
+double IsolationAmong(const std::vector<LonLat>& waypoints) {
+  const kg_core::Grid grid = EvenGrid(-92, 23, 0.05, 40, 40);
+  const kg_core::VectorField field = UniformFlow(grid, 0, 0);
+  kg_core::Mission mission;
+  mission.windows = {TestWindow(0, 1.0)};
+  mission.agents = {TestAgent("alpha")};
+  mission.agents[0].policy.isolation_weight = 0.2;
+  mission.agents[0].capabilities.base_travel_m = 40e3;
+  const SeamRules rules = CompileSeamRules(mission, mission.agents[0], 0);
+  const MissionTensor tensor = CompileTensor(
+      mission, mission.agents[0], mission.windows[0],
+      TestRasters(grid, kg_core::Raster(grid.size(), 1), field.NoData()));
+  return WindowSea(rules, rules.windows[0], {&tensor, &field})
+      .Isolation({-91, 24}, waypoints);
+}
+
+TEST(Isolation, FallsWithThePlacesOneCouldGoToInstead) {
+  EXPECT_DOUBLE_EQ(0.2, IsolationAmong({}));
+  EXPECT_DOUBLE_EQ(0.2, IsolationAmong({{-91, 24}}));     // The place itself.
+  EXPECT_DOUBLE_EQ(0.2, IsolationAmong({{-91, 24.19}}));  // 21 km away.
+  std::vector<LonLat> near = {{-91, 24}};
+  double last = IsolationAmong(near);
+  for (int i = 1; i < 8; ++i) {
+    near.push_back({-91 + 0.02 * i, 24});
+    const double now = IsolationAmong(near);
+    EXPECT_LT(now, last);
+    EXPECT_DOUBLE_EQ(0.2 / (1 + i), now);
+    last = now;
+  }
+}
+
+TEST(NavGraph, ChargesIsolationByThePolicysWeightAndTheTimeUnderWay) {
+  TestSea sea(12);
+  sea.mission.agents[0].policy.isolation_weight = 0.0;
+  sea.Compile();
+  const NavGraphs without = sea.graphs;
+  sea.mission.agents[0].policy.isolation_weight = 0.5;
+  sea.Compile();
+  for (std::size_t t = 0; t < 3; ++t) {
+    ASSERT_EQ(without[t].edges.size(), sea.graphs[t].edges.size());
+    for (std::size_t e = 0; e < without[t].edges.size(); ++e) {
+      const TraverseEdge& edge = sea.graphs[t].edges[e];
+      EXPECT_EQ(0.0, without[t].edges[e].isolation_s);
+      EXPECT_EQ(edge.flight.travel_s > 0.0, edge.isolation_s > 0.0);
+      EXPECT_LE(edge.isolation_s, 0.5 * edge.flight.travel_s);
+      EXPECT_DOUBLE_EQ(without[t].edges[e].seam_cost +
+                           sea.rules.weights.risk_per_s * edge.isolation_s,
+                       edge.seam_cost);
+    }
+  }
+}
+
+// Flights of equal length beside a forbidden area, nearer and nearer.
+TEST(NavGraph, FindsMoreRiskTheNearerAForbiddenArea) {
+  const kg_core::Grid grid = EvenGrid(-92, 23, 0.04, 50, 50);
+  const kg_core::VectorField field = UniformFlow(grid, 0, 0);
+  kg_core::Mission mission;
+  mission.windows = {TestWindow(0, 1.0)};
+  mission.agents = {TestAgent("alpha")};
+  kg_core::Policy& policy = mission.agents[0].policy;
+  policy.lambda_risk = 1.0;
+  policy.lambda_time_per_s = 1e-3;  // Else it would go round.
+  policy.hazard_range_m = 8e3;
+  mission.constraints = {AreaConstraint("ex:no", kg_core::ConstraintKind::kNoGo,
+                                        Box(-92, 23, -91.8, 24.9))};
+  const SeamRules rules = CompileSeamRules(mission, mission.agents[0], 0);
+  const MissionTensor tensor = CompileTensor(
+      mission, mission.agents[0], mission.windows[0],
+      TestRasters(grid, kg_core::Raster(grid.size(), 1), field.NoData()));
+  const WindowSea sea(rules, rules.windows[0], {&tensor, &field});
+  double last_s = 0.0;
+  for (double lon = -91.38; lon > -91.75; lon -= 0.04) {
+    const auto price = PriceWays(sea, {{{lon, 23.8}, {lon, 24.1}}}, {});
+    ASSERT_TRUE(price[0]) << lon;
+    EXPECT_GT(price[0]->flight.hazard_s, last_s) << lon;
+    last_s = price[0]->flight.hazard_s;
+  }
+  // Each policy its own range.
+  SeamRules far = rules;
+  far.hazard_range_m = 16e3;
+  const WindowSea other(far, far.windows[0], {&tensor, &field});
+  const Way way = {{-91.3, 23.8}, {-91.3, 24.1}};
+  EXPECT_GT(PriceWays(other, {way}, {})[0]->flight.hazard_s,
+            PriceWays(sea, {way}, {})[0]->flight.hazard_s);
 }
 
 TEST(NavGraph, FollowsALoopCurrentOnTheWholeGulf) {

@@ -1,5 +1,7 @@
 #include "kg_compiler/control_plane/seam_cache.h"
 
+#include <chrono>
+
 namespace kg_compiler {
 namespace {
 
@@ -15,6 +17,22 @@ bool Holds(const SurfacePatch& patch, const SeaSurface& surface,
   return patch.SameOpen(surface, arrivals.hazard) &&
          patch.SameAttenuation(surface, arrivals.read);
 }
+
+// Adds the time that it lives to a sum.
+class Spent {
+ public:
+  explicit Spent(double* sum_s) : sum_s_(sum_s) {}
+  ~Spent() {
+    *sum_s_ += std::chrono::duration<double>(Clock::now() - begin_).count();
+  }
+  Spent(const Spent&) = delete;
+  Spent& operator=(const Spent&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double* sum_s_;
+  Clock::time_point begin_ = Clock::now();
+};
 
 template <typename Map>
 void LetGoOfIdle(Map* kept) {
@@ -74,6 +92,7 @@ std::shared_ptr<const KeptSeams::Arrivals> SeamFlyer::Arrive(
 KeptSeams::Source& SeamFlyer::SourceAt(kg_core::LonLat place) {
   KeptSeams::Source& source = now_->sources[PlaceOf(place)];
   if (source.arrivals == nullptr) {
+    const Spent spent(&counts_->seams_s);
     source.arrivals = Arrive(place);
     ++counts_->reaches;
   } else if (source.idle > 0) {
@@ -92,6 +111,7 @@ std::shared_ptr<const Flight> SeamFlyer::Fly(kg_core::LonLat source,
   KeptSeams::Source& from = SourceAt(source);
   const auto [flown, is_new] = from.flights.try_emplace(PlaceOf(to));
   if (is_new) {
+    const Spent spent(&counts_->seams_s);
     std::optional<Flight> flight = sea_.Fly(source, from.arrivals->reach, to);
     if (flight) {
       flown->second.flight = std::make_shared<const Flight>(std::move(*flight));

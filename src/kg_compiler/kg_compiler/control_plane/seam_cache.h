@@ -29,6 +29,7 @@ struct SeamCounts {
   int graphs = 0, graphs_kept = 0;    // Of windows.
   int reaches = 0, reaches_kept = 0;  // Arrival fields, of the graphs built.
   int flights = 0, flights_kept = 0;  // Likewise; those refused included.
+  double seams_s = 0.0;               // Spent on arrival fields and flights.
 };
 
 // The seams of one window, as they were kept. Immutable: copies share it.
