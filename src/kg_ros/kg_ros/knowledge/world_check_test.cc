@@ -1,5 +1,6 @@
 #include "kg_ros/knowledge/world_check.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -82,8 +83,9 @@ TEST_F(WorldCheckTest, SaysWhyAWorldCannotBeChecked) {
   MissionServer server(folders_);
   server.BeginCycle();
   Present present = server.present();
-  kg_core::FileCache nowhere(folder_ / "nowhere", "");
-  const auto answer = CheckWorld(present, &nowhere);
+  std::filesystem::remove(folders_.mission + "/ocean.nc");
+  kg_core::FileCache files(folders_.mission, "");
+  const auto answer = CheckWorld(present, &files);
   EXPECT_FALSE(answer.ok);
   EXPECT_EQ(answer.errors.size(), 1u) << answer.text;
 }
