@@ -1,6 +1,8 @@
 // What a change of facts costs, and what everything anew (targets 13 and 15):
 // soft areas of 40 x 40 cells, one after the other, in one window, for 3 agents
-// and 7 windows and for 10 and 24; and 100 agents by 168 windows in 5 classes.
+// and 7 windows and for 10 and 24 (the target is that of areas anywhere in the
+// grid; in an agent's way they move most of its waypoints, and all that follows
+// from them is new); and 100 agents by 168 windows in 5 classes.
 // On the grid of the Gulf. Times are of compiling and planning from rasters in
 // memory, reading left out; both sides on all cores. `--quick`: small teams,
 // once.
@@ -94,16 +96,27 @@ kg_core::Mission MakeMission(const Team& team) {
   return mission;
 }
 
-// 40 x 40 cells at 0.04 degree somewhere in the waters of the team, in the
-// middle window.
-kg_core::Mission WithArea(kg_core::Mission mission, std::mt19937* rng) {
+// Where an area comes to lie.
+enum class Where { kAnywhere, kInTheWay };
+
+kg_core::LonLat MiddleOf(Where where, const kg_core::Mission& mission,
+                         std::mt19937* rng) {
+  if (where == Where::kAnywhere) {  // In the grid.
+    return {kg_compiler::Uniform(*rng, -97.0, -77.5),
+            kg_compiler::Uniform(*rng, 19.0, 32.5)};
+  }
   const std::size_t agent = (*rng)() % mission.agents.size();
   const kg_core::LonLat start = mission.agents[agent].start;
-  const double lon = start.lon_deg + kg_compiler::Uniform(*rng, -2.0, 2.0);
-  const double lat = start.lat_deg + kg_compiler::Uniform(*rng, -1.5, 1.5);
+  return {start.lon_deg + kg_compiler::Uniform(*rng, -0.5, 0.5),
+          start.lat_deg + kg_compiler::Uniform(*rng, -0.5, 0.5)};
+}
+
+// 40 x 40 cells at 0.04 degree, in the middle window.
+kg_core::Mission WithArea(kg_core::Mission mission, kg_core::LonLat at) {
   mission.constraints.push_back(kg_compiler::AreaConstraint(
       "ex:area", kg_core::ConstraintKind::kSoft,
-      kg_compiler::Box(lon - 0.8, lat - 0.8, lon + 0.8, lat + 0.8)));
+      kg_compiler::Box(at.lon_deg - 0.8, at.lat_deg - 0.8, at.lon_deg + 0.8,
+                       at.lat_deg + 0.8)));
   mission.constraints[0].attenuation = 0.5;
   mission.constraints[0].windows = {static_cast<int>(mission.windows.size()) /
                                     2};
@@ -182,36 +195,72 @@ bool SameBits(const World& a, const World& b) {
   return same;
 }
 
-bool CompareTeam(const Team& team, double goal, int rounds) {
-  const MissionCompiler empty(ReadersFor(team));
-  const kg_core::Mission before = MakeMission(team);
+// Medians over areas, one after the other, of full / incremental.
+class Ratios {
+ public:
+  void Add(const World& full, const World& step) {
+    const Stages a = StagesOf(full), b = StagesOf(step);
+    whole_.push_back(a.total_s() / b.total_s());
+    compile_.push_back(a.compile_s / b.compile_s);
+    graphs_.push_back(a.graphs_s / b.graphs_s);
+    team_.push_back(a.team_s / b.team_s);
+  }
+  double whole() const { return kg_compiler::Median(whole_); }
+  void Show(const char* where) const {
+    std::printf(
+        "  areas %s: all %.1f x, compile %.1f x, graphs %.1f x, stitch + "
+        "select %.1f x\n",
+        where, whole(), kg_compiler::Median(compile_),
+        kg_compiler::Median(graphs_), kg_compiler::Median(team_));
+  }
+
+ private:
+  std::vector<double> whole_, compile_, graphs_, team_;
+};
+
+struct Trial {
+  Team team;
+  Where where = Where::kAnywhere;
+  int rounds = 1;
+};
+
+// False if a bit differs.
+bool Measure(const Trial& trial, const World& base, Ratios* ratios) {
+  const MissionCompiler empty(ReadersFor(trial.team));
+  const kg_core::Mission before = MakeMission(trial.team);
   std::mt19937 rng(7);
-  const World base = PlanAll(empty, before, nullptr);
-  std::printf("%d agents x %d windows, %zu cells, %d waypoints\n", team.agents,
-              team.windows, base.compilation->fields[0]->field.grid.size(),
-              before.coordination.waypoints_per_window);
-  std::vector<double> whole, compile, graphs, stitch;
   bool same = true;
-  for (int i = 0; i < rounds; ++i) {
-    const kg_core::Mission after = WithArea(before, &rng);
+  for (int i = 0; i < trial.rounds; ++i) {
+    const kg_core::Mission after =
+        WithArea(before, MiddleOf(trial.where, before, &rng));
     const World full = PlanAll(empty, after, nullptr);
     const World step = PlanAll(base.compiler, after, &base.planned);
-    const Stages a = StagesOf(full), b = StagesOf(step);
-    whole.push_back(a.total_s() / b.total_s());
-    compile.push_back(a.compile_s / b.compile_s);
-    graphs.push_back(a.graphs_s / b.graphs_s);
-    stitch.push_back(a.team_s / b.team_s);
     Show("full", full);
     Show("incremental", step);
+    ratios->Add(full, step);
     same = SameBits(full, step) && same;
   }
-  std::printf("  ratios: compile %.1f, graphs %.1f, stitch + select %.1f\n",
-              kg_compiler::Median(compile), kg_compiler::Median(graphs),
-              kg_compiler::Median(stitch));
+  return same;
+}
+
+bool CompareTeam(const Team& team, double goal, int rounds) {
+  const kg_core::Mission mission = MakeMission(team);
+  const World base =
+      PlanAll(MissionCompiler(ReadersFor(team)), mission, nullptr);
+  std::printf("%d agents x %d windows, %zu cells, %d waypoints\n", team.agents,
+              team.windows, base.compilation->fields[0]->field.grid.size(),
+              mission.coordination.waypoints_per_window);
+  Ratios anywhere, in_the_way;
+  bool same = Measure({team, Where::kAnywhere, rounds}, base, &anywhere);
+  same =
+      Measure({team, Where::kInTheWay, (rounds + 2) / 3}, base, &in_the_way) &&
+      same;
+  anywhere.Show("anywhere in the grid");
+  in_the_way.Show("in an agent's way");
   const std::string what = "full against incremental, " +
                            std::to_string(team.agents) + " x " +
                            std::to_string(team.windows);
-  kg_compiler::Report({13, what, goal, true, "x"}, kg_compiler::Median(whole));
+  kg_compiler::Report({13, what, goal, true, "x"}, anywhere.whole());
   return same;
 }
 
@@ -249,8 +298,8 @@ int Run(bool quick) {
     return counts && CompareTeam({3, 3, 3, 1}, 50.0, 1) ? 0 : 1;
   }
   bool good = Scale({100, 168, 5, 1});  // First: peak memory never falls.
-  good = CompareTeam({3, 7, 3, 2}, 50.0, 9) && good;
-  good = CompareTeam({10, 24, 5, 2}, 150.0, 5) && good;
+  good = CompareTeam({3, 7, 3, 2}, 50.0, 7) && good;
+  good = CompareTeam({10, 24, 5, 2}, 150.0, 3) && good;
   return good ? 0 : 1;
 }
 
