@@ -26,7 +26,7 @@ MISSIONS = REPOSITORY / "config/missions"
 SUITES = pathlib.Path(os.environ.get(
     "KG_SHARED_DATA", REPOSITORY.parent / "shared/data")) / "w3c"
 SUBCOMMANDS = {"query", "update", "validate", "export", "import", "diff", "log",
-               "conformance", "serve", "why"}
+               "conformance", "serve", "why", "check"}
 
 FACTS = """\
 ex:wind a ex:Policy ; ex:alpha_base 1.0 ; ex:name "wind \\"B\\"" .
@@ -112,6 +112,7 @@ class Help(KgTestCase):
                 (["update", "x"], "expected one of -e, a file"),
                 (["update", "x", "set", "ex:a"], "expected set SUBJECT"),
                 (["export", "x", "--format", "rdfxml"], "expected --format"),
+                (["check"], "got 0 arguments; see kg check --help"),
                 (["conformance"], "at least one FOLDER")]:
             self.assert_refused(words, reason, status=2)
 
@@ -205,6 +206,16 @@ class AMissionWithItsFiles(KgTestCase):
         self.kg("update", state, *later, "--data", self.mission)
         self.assertEqual("yes", self.ask(
             state, "ASK { ?field a ex:CurrentField ; ex:forWindow ex:w0 }"))
+        checked = kg("check", state, "--data", self.mission)
+        self.assertEqual(1, checked.returncode)  # Nothing was compiled yet.
+        self.assertIn("differs: tensor of", checked.stdout)
+
+
+class Checking(KgTestCase):
+
+    def test_needs_a_store(self):
+        self.assert_refused(["check", MISSIONS / "tampico"],
+                            "expected a store")
 
 
 class Facts(KgTestCase):

@@ -421,8 +421,12 @@ TEST(ExplainPlan, RefusesWhatIsNotThereWithWhatIs) {
   EXPECT_THROW(Explain(early, About(Why::kAssignment, "alpha", 0)),
                kg_core::InputError);
   PlannedWorld strange = world;
-  for (NavGraph& graph : strange.members[0].graphs)
+  kg_compiler::NavGraphs odd;
+  for (NavGraph graph : strange.members[0].graphs) {
     for (auto& waypoint : graph.waypoints) waypoint.footprint = {1 << 30};
+    odd.push_back(graph);
+  }
+  strange.members[0].graphs = odd;
   EXPECT_THROW(Explain(strange, About(Why::kAssignment, "alpha", 0)),
                kg_core::InputError);
   PlannedWorld unplanned = world;

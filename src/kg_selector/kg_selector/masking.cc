@@ -10,6 +10,7 @@ namespace {
 
 using kg_compiler::EventRule;
 using kg_compiler::NavGraph;
+using kg_compiler::NavGraphs;
 using kg_compiler::SeamRules;
 using kg_compiler::TimedPoint;
 using kg_compiler::TraverseEdge;
@@ -58,7 +59,7 @@ double EndOf(const NavGraph& graph) {
   return end_s;
 }
 
-std::vector<double> EndsOf(const std::vector<NavGraph>& graphs) {
+std::vector<double> EndsOf(const NavGraphs& graphs) {
   std::vector<double> ends_s;
   for (const NavGraph& graph : graphs) ends_s.push_back(EndOf(graph));
   return ends_s;
@@ -66,7 +67,7 @@ std::vector<double> EndsOf(const std::vector<NavGraph>& graphs) {
 
 // The flight of a seam, and waiting for it to begin if there is a gap between
 // its window and the one before. A path's track is these, one after the other.
-std::vector<TimedPoint> SeamTrack(const std::vector<NavGraph>& graphs,
+std::vector<TimedPoint> SeamTrack(const NavGraphs& graphs,
                                   const std::vector<double>& ends_s,
                                   std::size_t stage, const TraverseEdge& edge) {
   std::vector<TimedPoint> track = edge.flight.track;
@@ -88,9 +89,9 @@ const TraverseEdge& EdgeOf(const NavGraph& graph, int from, int to) {
 }
 
 // The visit that earns each open event on the way, by event.
-std::map<std::string, std::size_t> EarnedWhere(
-    const SeamRules& rules, const std::vector<NavGraph>& graphs,
-    const std::vector<int>& nodes) {
+std::map<std::string, std::size_t> EarnedWhere(const SeamRules& rules,
+                                               const NavGraphs& graphs,
+                                               const std::vector<int>& nodes) {
   std::map<std::string, std::size_t> where;
   std::map<std::string, double> best;
   for (std::size_t s = 0; s < nodes.size(); ++s) {
@@ -119,8 +120,7 @@ SeamRules CloseEvents(SeamRules rules, const std::set<std::string>& full) {
   return rules;
 }
 
-kg_planner::Trellis ToTrellis(const SeamRules& rules,
-                              const std::vector<NavGraph>& graphs) {
+kg_planner::Trellis ToTrellis(const SeamRules& rules, const NavGraphs& graphs) {
   const std::map<std::string, int> tokens = TokensOf(rules);
   kg_planner::Trellis trellis;
   trellis.resource_limit = rules.energy_budget_j;
@@ -136,8 +136,7 @@ kg_planner::Trellis ToTrellis(const SeamRules& rules,
   return trellis;
 }
 
-kg_planner::Masks MaskCommitted(const TeamRules& rules,
-                                const std::vector<NavGraph>& graphs,
+kg_planner::Masks MaskCommitted(const TeamRules& rules, const NavGraphs& graphs,
                                 const std::vector<Pathlet>& committed) {
   kg_planner::Masks masks;
   const std::vector<double> ends_s = EndsOf(graphs);
@@ -159,7 +158,7 @@ kg_planner::Masks MaskCommitted(const TeamRules& rules,
   return masks;
 }
 
-Pathlet ToPathlet(const SeamRules& rules, const std::vector<NavGraph>& graphs,
+Pathlet ToPathlet(const SeamRules& rules, const NavGraphs& graphs,
                   const kg_planner::Path& path, int rank) {
   Pathlet pathlet;
   pathlet.agent = rules.agent_iri;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/nav_graphs.h"
 #include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_planner/k_best.h"
 #include "kg_planner/trellis.h"
@@ -26,20 +26,20 @@ kg_compiler::SeamRules CloseEvents(kg_compiler::SeamRules rules,
 // Stage = window, node = waypoint (reward: its score), token = event that
 // `rules` know in that window, resource = energy [J].
 kg_planner::Trellis ToTrellis(const kg_compiler::SeamRules& rules,
-                              const std::vector<kg_compiler::NavGraph>& graphs);
+                              const kg_compiler::NavGraphs& graphs);
 
 // Exactly the seams whose flight, holding station included, comes too close to
 // a committed track. Of `committed` only tracks are read. What is planned under
 // these masks with rules that FullEvents() are closed in has no hard conflict
 // (FindConflict) with `committed`.
-kg_planner::Masks MaskCommitted(
-    const TeamRules& rules, const std::vector<kg_compiler::NavGraph>& graphs,
-    const std::vector<Pathlet>& committed);
+kg_planner::Masks MaskCommitted(const TeamRules& rules,
+                                const kg_compiler::NavGraphs& graphs,
+                                const std::vector<Pathlet>& committed);
 
 // A planner's path with the places and times behind its numbers. An event is
 // listed at the visit that earns its reward: the largest, the first of equals.
 Pathlet ToPathlet(const kg_compiler::SeamRules& rules,
-                  const std::vector<kg_compiler::NavGraph>& graphs,
+                  const kg_compiler::NavGraphs& graphs,
                   const kg_planner::Path& path, int rank);
 
 }  // namespace kg_selector

@@ -139,14 +139,13 @@ TeamMember Small() {
   member.rules.agent_iri = "ex:a";
   member.rules.energy_budget_j = 50.0;
   member.rules.windows.resize(2);
-  member.graphs.resize(2);
   for (int w = 0; w < 2; ++w) {
     auto& window = member.rules.windows[w];
     window.window = w + 4;
     window.begin_s = 100.0 * w;
     window.end_s = 100.0 * w + 100.0;
     window.events = {{"ex:e", {0.0, 0.0}, 5.0 + w, 10.0}};
-    auto& graph = member.graphs[w];
+    kg_compiler::NavGraph graph;
     graph.window = w + 4;
     graph.waypoints = {{0, {0.0, 0.0}, 2.0, 0.5, {"ex:e", "ex:gone"}, 0.0}};
     graph.edges.resize(1);
@@ -154,6 +153,7 @@ TeamMember Small() {
     graph.edges[0].flight.energy_j = 20.0;
     graph.edges[0].flight.track = {{{0.0, 0.0}, 100.0 * w},
                                    {{0.0, 0.0}, 100.0 * w + 100.0}};
+    member.graphs.push_back(graph);
   }
   return member;
 }
@@ -196,7 +196,9 @@ TEST(ToPathletTest, ListsAnEventWhereItPaysMost) {
 
 TEST(ToPathletTest, RefusesAPathThatTheGraphsDoNotHave) {
   TeamMember member = Small();
-  member.graphs[1].edges.clear();
+  kg_compiler::NavGraph bare = member.graphs[1];
+  bare.edges.clear();
+  member.graphs.Replace(1, bare);
   EXPECT_THROW(
       ToPathlet(member.rules, member.graphs, {{0, 0}, 0.0, 0.0, 0.0}, 0),
       std::logic_error);

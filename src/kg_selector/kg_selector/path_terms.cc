@@ -48,8 +48,9 @@ void AddSeam(const TeamMember& member, std::size_t stage,
       {window, TermKind::kTime, -weights.time_per_s * flight.travel_s, ""});
   terms->push_back(
       {window, TermKind::kEnergy, -weights.energy_per_j * flight.energy_j, ""});
+  const double hazard_s = flight.hazard_s + edge.isolation_s;
   terms->push_back(
-      {window, TermKind::kRisk, -weights.risk_per_s * flight.hazard_s, ""});
+      {window, TermKind::kRisk, -weights.risk_per_s * hazard_s, ""});
   terms->push_back(
       {window, TermKind::kUncertainty, -weights.uncertainty * doubt, ""});
 }
@@ -60,7 +61,7 @@ const std::vector<const char*>& PolicyProperties(TermKind kind) {
       {},
       {"ex:lambda_time"},
       {"ex:lambda_energy"},
-      {"ex:lambda_risk"},
+      {"ex:lambda_risk", "ex:isolationWeight"},
       {"ex:lambda_unc"},
       {}};
   return properties[static_cast<int>(kind)];

@@ -1,6 +1,9 @@
 #include "kg_selector/plan_mission.h"
 
+#include <chrono>
 #include <stdexcept>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "kg_core/base/input_error.h"
@@ -10,46 +13,83 @@ namespace kg_selector {
 namespace {
 
 using kg_compiler::Compilation;
-using kg_compiler::NavGraph;
+using kg_compiler::NavGraphs;
 using kg_compiler::SeamRules;
 using kg_compiler::WindowWorld;
 
 struct Graphs {
-  std::vector<NavGraph> graphs;
+  NavGraphs graphs;
   std::string trouble;  // Why there are none.
+  kg_compiler::SeamCache cache;
+};
+
+// A compilation's rasters by hash.
+class RasterIndex {
+ public:
+  explicit RasterIndex(const Compilation& compilation) {
+    for (const auto& tensor : compilation.tensors) {
+      tensors_.emplace(tensor->hash, tensor.get());
+    }
+    for (const auto& field : compilation.fields) {
+      fields_.emplace(field->hash, &field->field);
+    }
+  }
+
+  // In the order of the rules' windows.
+  std::vector<WindowWorld> WorldsOf(const SeamRules& rules) const {
+    std::vector<WindowWorld> worlds;
+    for (const kg_compiler::WindowRules& window : rules.windows) {
+      worlds.push_back({Find(tensors_, window.tensor_hash),
+                        Find(fields_, window.field_hash)});
+    }
+    return worlds;
+  }
+
+ private:
+  template <typename T>
+  using ByHash = std::unordered_map<std::string_view, const T*>;
+
+  template <typename T>
+  static const T* Find(const ByHash<T>& rasters, const std::string& hash) {
+    const auto found = rasters.find(hash);
+    if (found != rasters.end()) return found->second;
+    throw std::logic_error("the compilation has no raster " + hash);
+  }
+
+  ByHash<kg_compiler::MissionTensor> tensors_;
+  ByHash<kg_core::VectorField> fields_;
 };
 
 Graphs CompileGraphs(const SeamRules& rules,
                      const std::vector<WindowWorld>& worlds,
-                     const TeamMember* previous) {
-  static const std::vector<NavGraph> kNone;
-  try {
-    return {kg_compiler::CompileNavGraphs(rules, worlds,
-                                          previous ? previous->graphs : kNone),
-            ""};
-  } catch (const kg_core::InputError& error) {
-    return {{}, error.what()};
+                     const PlannedMission* previous) {
+  Graphs made;
+  if (previous) {
+    const auto last = previous->caches.find(rules.agent_id);
+    if (last != previous->caches.end()) made.cache = last->second;
   }
+  try {
+    made.graphs = kg_compiler::CompileNavGraphs(rules, worlds, &made.cache);
+  } catch (const kg_core::InputError& error) {
+    made.trouble = error.what();
+  }
+  return made;
 }
 
 std::vector<Graphs> CompileAll(const Compilation& compilation,
                                const PlannedMission* previous) {
+  const RasterIndex rasters(compilation);
   std::vector<Graphs> made(compilation.rules.size());
   kg_core::ForEachInParallel(made.size(), [&](std::size_t i) {
     const SeamRules& rules = compilation.rules[i];
-    made[i] = CompileGraphs(
-        rules, WorldsOf(compilation, rules),
-        previous ? previous->FindMember(rules.agent_id) : nullptr);
+    made[i] = CompileGraphs(rules, rasters.WorldsOf(rules), previous);
   });
   return made;
 }
 
-template <typename T>
-const T& Named(const std::vector<T>& members, const std::string& hash) {
-  for (const T& member : members) {
-    if (member->hash == hash) return member;
-  }
-  throw std::logic_error("the compilation has no raster " + hash);
+double SecondsSince(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+      .count();
 }
 
 // A planner that finds no path says so in its own words, which go before the
@@ -93,29 +133,29 @@ TeamRules ToTeamRules(const kg_compiler::CoordinationRules& rules) {
 
 std::vector<WindowWorld> WorldsOf(const Compilation& compilation,
                                   const SeamRules& rules) {
-  std::vector<WindowWorld> worlds;
-  for (const kg_compiler::WindowRules& window : rules.windows) {
-    worlds.push_back({Named(compilation.tensors, window.tensor_hash).get(),
-                      &Named(compilation.fields, window.field_hash)->field});
-  }
-  return worlds;
+  return RasterIndex(compilation).WorldsOf(rules);
 }
 
 PlannedMission PlanMission(const Compilation& compilation,
                            const PlannedMission* previous) {
-  std::vector<Graphs> graphs = CompileAll(compilation, previous);
   PlannedMission planned;
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<Graphs> graphs = CompileAll(compilation, previous);
+  planned.stage_seconds["graphs"] = SecondsSince(begin);
   planned.rules = ToTeamRules(compilation.coordination);
   for (const SeamRules& rules : compilation.rules) {
     Graphs& made = graphs[planned.members.size()];
     if (!made.trouble.empty())
       planned.unplannable[rules.agent_id] = made.trouble;
     planned.members.push_back({rules, std::move(made.graphs)});
+    planned.caches[rules.agent_id] = std::move(made.cache);
     for (const kg_compiler::WindowRules& window : rules.windows) {
       planned.rules.window_end_s.emplace(window.window, window.end_s);
     }
   }
+  const auto graphs_made = std::chrono::steady_clock::now();
   planned.plan = PlanTeam(planned.rules, planned.members);
+  planned.stage_seconds["team"] = SecondsSince(graphs_made);
   TellWhy(planned.unplannable, &planned.plan);
   return planned;
 }

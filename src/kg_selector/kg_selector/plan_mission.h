@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kg_compiler/compile/mission_compiler.h"
+#include "kg_compiler/control_plane/seam_cache.h"
 #include "kg_selector/plan_team.h"
 
 namespace kg_selector {
@@ -22,6 +23,10 @@ struct PlannedMission {
   std::vector<TeamMember> members;
   // Why an agent has no graphs, e.g. it starts on land. By ex:id.
   std::map<std::string, std::string> unplannable;
+  // "graphs": waypoints and seams; "team": stitching and selection.
+  std::map<std::string, double> stage_seconds;
+  // What the next plan may take over, by ex:id. Shared by copies.
+  std::map<std::string, kg_compiler::SeamCache> caches;
   TeamPlan plan;
 
   // Null = not of the mission, or without a path.
@@ -39,7 +44,8 @@ std::vector<kg_compiler::WindowWorld> WorldsOf(
     const kg_compiler::SeamRules& rules);
 
 // Plans what `compilation` says, agents side by side on the machine's cores.
-// Graphs of `previous` (may be null) whose inputs are the same are taken over.
+// What changes did not touch since `previous` (may be null) is taken over:
+// graphs, arrival fields, flights. The plan is the same without it.
 PlannedMission PlanMission(const kg_compiler::Compilation& compilation,
                            const PlannedMission* previous);
 

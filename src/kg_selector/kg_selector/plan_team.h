@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/nav_graphs.h"
 #include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_selector/conflict.h"
 #include "kg_selector/greedy_team.h"
@@ -19,7 +19,7 @@ namespace kg_selector {
 struct TeamMember {
   kg_compiler::SeamRules rules;
   // One a window of `rules`; none = the agent cannot be planned.
-  std::vector<kg_compiler::NavGraph> graphs;
+  kg_compiler::NavGraphs graphs;
 };
 
 // What a team calls its members, as the selector node does: the ex:id, or the

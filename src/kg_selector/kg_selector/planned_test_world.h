@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/nav_graphs.h"
 #include "kg_compiler/test_world.h"
 #include "kg_core/rdf/store.h"
 #include "kg_selector/planned_world.h"
@@ -139,7 +139,7 @@ class PlannedTestWorld {
         if (field->window == window.window) world.field = &field->field;
       worlds.push_back(world);
     }
-    return {rules, kg_compiler::CompileNavGraphs(rules, worlds, {})};
+    return {rules, kg_compiler::CompileNavGraphs(rules, worlds, nullptr)};
   }
 
   std::mt19937 rng_;

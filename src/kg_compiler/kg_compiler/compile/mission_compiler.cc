@@ -1,8 +1,15 @@
 #include "kg_compiler/compile/mission_compiler.h"
 
 #include <chrono>
+#include <set>
+#include <string_view>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
+
+#include "kg_compiler/compile/dirty_box.h"
+#include "kg_core/base/parallel.h"
+#include "kg_core/base/sha256.h"
 
 namespace kg_compiler {
 namespace {
@@ -45,32 +52,110 @@ CoordinationRules Coordinate(const kg_core::Mission& mission) {
   return rules;
 }
 
-template <typename T, typename Predicate>
-const T* FindIf(const std::vector<T>& values, Predicate is_it) {
-  for (const T& value : values) {
-    if (is_it(value)) return &value;
+// A compilation's artifacts by what they are looked up by.
+class Known {
+ public:
+  explicit Known(const Compilation* compilation) : all_(compilation) {
+    if (!compilation) return;
+    for (const auto& field : compilation->fields) {
+      fields_.insert({field->window, field->hash});
+    }
+    for (const Tensor& tensor : compilation->tensors) {
+      const Place place(tensor->agent_iri, tensor->window);
+      places_.emplace_hint(places_.end(), place, places_.size());
+      by_hash_.emplace(tensor->hash, tensor);
+    }
+    for (const SeamRules& rules : compilation->rules) {
+      rules_.emplace(rules.agent_iri, &rules);
+    }
+    for (const Agent& agent : compilation->mission.agents) {
+      agents_.emplace(agent.iri, &agent);
+    }
   }
-  return nullptr;
-}
+
+  using Tensor = std::shared_ptr<const MissionTensor>;
+  bool HasField(int window, const std::string& hash) const {
+    return fields_.count({window, hash}) > 0;
+  }
+  // Null = there is none.
+  Tensor TensorOf(const std::string& hash) const {
+    return Find(by_hash_, std::string_view(hash));
+  }
+  Tensor TensorAt(const std::string& agent, int window) const {
+    const auto found = places_.find(Place(agent, window));
+    return found == places_.end() ? nullptr : all_->tensors[found->second];
+  }
+  const WindowRasters* RastersAt(const std::string& agent, int window) const {
+    const auto found = places_.find(Place(agent, window));
+    return found == places_.end() ? nullptr
+                                  : all_->rasters[found->second].get();
+  }
+  const SeamRules* RulesOf(const std::string& agent) const {
+    return Find(rules_, std::string_view(agent));
+  }
+  const Agent* AgentOf(const std::string& agent) const {
+    return Find(agents_, std::string_view(agent));
+  }
+
+ private:
+  using Place = std::pair<std::string_view, int>;
+  template <typename Map, typename Key>
+  static typename Map::mapped_type Find(const Map& map, const Key& key) {
+    const auto found = map.find(key);
+    return found == map.end() ? typename Map::mapped_type() : found->second;
+  }
+
+  const Compilation* all_;
+  std::set<std::pair<int, std::string_view>> fields_;
+  std::unordered_map<std::string_view, Tensor> by_hash_;
+  std::map<Place, std::size_t> places_;  // Of the compilation's tensors.
+  std::map<std::string_view, const SeamRules*> rules_;
+  std::map<std::string_view, const Agent*> agents_;
+};
+
+// A tensor to be: of one agent and window.
+struct Wanted {
+  const Agent* agent = nullptr;
+  const TimeWindow* window = nullptr;
+  std::shared_ptr<const WindowRasters> rasters;
+  const HorizonScale* horizon = nullptr;
+  std::string hash;
+};
+
+// What a compiler keeps beside its last compilation.
+struct Stores {
+  RasterStore* rasters;
+  std::map<std::string, Normaliser>* horizons;
+};
 
 // One compilation on the way.
 class Run {
  public:
-  Run(const kg_core::Mission& mission, const Compilation* last,
-      RasterStore* rasters, int first_window)
+  Run(const kg_core::Mission& mission, const Compilation* last, Stores stores,
+      int first_window)
       : last_(last),
-        rasters_(rasters),
+        known_(last),
+        stores_(stores),
         now_(std::make_shared<Compilation>()),
         clock_(&now_->stage_seconds) {
     now_->mission = mission;
     now_->first_window = first_window;
+    for (const TimeWindow& window : now_->mission.windows) {
+      if (window.index >= first_window) windows_.push_back(&window);
+    }
   }
 
   std::shared_ptr<const Compilation> Compile(std::uint64_t world_version) {
     now_->world_version = world_version;
-    for (const TimeWindow& window : Windows()) AddField(window.index);
+    for (const TimeWindow* window : windows_) AddField(window->index);
     clock_.End("fields");
-    for (const Agent& agent : now_->mission.agents) AddTensors(agent);
+    ReadRasters();
+    clock_.End("read");
+    MeasureHorizons();
+    HashTensors();
+    MakeTensors();
+    NameTensors();
+    clock_.End("tensors");
     for (const Agent& agent : now_->mission.agents) AddRules(agent);
     now_->coordination = Coordinate(now_->mission);
     if (!last_ || !Same(last_->coordination, now_->coordination)) {
@@ -81,102 +166,153 @@ class Run {
   }
 
  private:
-  std::vector<TimeWindow> Windows() const {
-    std::vector<TimeWindow> windows;
-    for (const TimeWindow& window : now_->mission.windows) {
-      if (window.index >= now_->first_window) windows.push_back(window);
-    }
-    return windows;
-  }
-
   void AddField(int window) {
-    now_->fields.push_back(rasters_->Field(now_->mission, window));
-    const WorkField& field = *now_->fields.back();
-    const auto same = [&](const std::shared_ptr<const WorkField>& other) {
-      return other->window == window && other->hash == field.hash;
-    };
-    if (last_ && FindIf(last_->fields, same)) return;
+    now_->fields.push_back(stores_.rasters->Field(now_->mission, window));
+    if (known_.HasField(window, now_->fields.back()->hash)) return;
     now_->dirty.push_back({"work_field", "", window});
   }
 
-  std::optional<HorizonScale> Horizon(const Agent& agent) {
-    if (agent.policy.confidence_mode != kg_core::ConfidenceMode::kHorizon) {
-      return std::nullopt;
+  void ReadRasters() {
+    for (const Agent& agent : now_->mission.agents) {
+      for (std::size_t i = 0; i < windows_.size(); ++i) {
+        now_->rasters.push_back(stores_.rasters->Rasters(
+            now_->mission, agent.policy, *now_->fields[i]));
+        wanted_.push_back(
+            {&agent, windows_[i], now_->rasters.back(), nullptr, ""});
+      }
     }
+  }
+
+  void MeasureHorizons() {
+    std::map<std::string, Normaliser> measured;
+    for (const Agent& agent : now_->mission.agents) {
+      if (agent.policy.confidence_mode == kg_core::ConfidenceMode::kHorizon) {
+        now_->horizons[agent.iri] = Horizon(agent, &measured);
+      }
+    }
+    *stores_.horizons = std::move(measured);
+    for (Wanted& tensor : wanted_) {
+      const auto horizon = now_->horizons.find(tensor.agent->iri);
+      if (horizon != now_->horizons.end()) tensor.horizon = &horizon->second;
+    }
+  }
+
+  // Blends all windows only if something in one of them changed.
+  HorizonScale Horizon(const Agent& agent,
+                       std::map<std::string, Normaliser>* measured) const {
     std::vector<WindowRasters> all;
+    kg_core::Hasher hash;
+    std::set<std::string> sources;
     for (const TimeWindow& window : now_->mission.windows) {
-      const auto field = rasters_->Field(now_->mission, window.index);
-      all.push_back(*rasters_->Rasters(now_->mission, agent.policy, *field));
+      const auto field = stores_.rasters->Field(now_->mission, window.index);
+      all.push_back(
+          *stores_.rasters->Rasters(now_->mission, agent.policy, *field));
+      hash.Add(TensorHash(now_->mission, agent, window, all.back()));
+      const auto read = TensorSources(now_->mission, agent, window, all.back());
+      sources.insert(read.begin(), read.end());
     }
-    return MeasureHorizon(now_->mission, agent, all);
+    const std::string key = hash.Hex();
+    for (const auto* known : {measured, stores_.horizons}) {
+      const auto found = known->find(key);
+      if (found == known->end()) continue;
+      const Normaliser scale = found->second;
+      measured->emplace(key, scale);
+      return {scale.low, scale.range, {sources.begin(), sources.end()}};
+    }
+    HorizonScale scale = MeasureHorizon(now_->mission, agent, all);
+    measured->emplace(key, Normaliser{scale.low, scale.range});
+    return scale;
   }
 
-  void AddTensors(const Agent& agent) {
-    const std::optional<HorizonScale> horizon = Horizon(agent);
-    const std::vector<TimeWindow> windows = Windows();
-    for (std::size_t i = 0; i < windows.size(); ++i) {
-      clock_.End("tensors");
-      const auto rasters =
-          rasters_->Rasters(now_->mission, agent.policy, *now_->fields[i]);
-      clock_.End("read");
-      now_->tensors.push_back(
-          Tensor(agent, windows[i], *rasters, horizon ? &*horizon : nullptr));
-      now_->rasters.push_back(rasters);
-      NoteTensor(*now_->tensors.back());
-    }
-    if (horizon) now_->horizons[agent.iri] = *horizon;
-    clock_.End("tensors");
+  void HashTensors() {
+    kg_core::ForEachInParallel(wanted_.size(), [&](std::size_t i) {
+      Wanted& tensor = wanted_[i];
+      tensor.hash = TensorHash(now_->mission, *tensor.agent, *tensor.window,
+                               *tensor.rasters, tensor.horizon);
+    });
   }
 
-  // Made anew only if neither this compilation nor the last one has its hash.
-  std::shared_ptr<const MissionTensor> Tensor(const Agent& agent,
-                                              const TimeWindow& window,
-                                              const WindowRasters& rasters,
-                                              const HorizonScale* horizon) {
-    const std::string hash =
-        TensorHash(now_->mission, agent, window, rasters, horizon);
-    const std::shared_ptr<const MissionTensor> same = FindTensor(hash, agent);
-    if (!same) {
-      return std::make_shared<MissionTensor>(
-          CompileTensor(now_->mission, agent, window, rasters, horizon));
+  // Of every hash one; those of the last compilation stay what they are.
+  void MakeTensors() {
+    std::vector<const Wanted*> missing;
+    for (const Wanted& tensor : wanted_) {
+      const auto [made, is_new] = made_.try_emplace(tensor.hash);
+      if (!is_new) continue;
+      made->second = known_.TensorOf(tensor.hash);
+      if (!made->second) missing.push_back(&tensor);
     }
+    std::vector<Known::Tensor> compiled(missing.size());
+    kg_core::ForEachInParallel(missing.size(), [&](std::size_t i) {
+      compiled[i] = std::make_shared<const MissionTensor>(Make(*missing[i]));
+    });
+    for (std::size_t i = 0; i < missing.size(); ++i) {
+      made_[missing[i]->hash] = std::move(compiled[i]);
+    }
+    now_->counts = {wanted_.size(), made_.size(), missing.size()};
+  }
+
+  MissionTensor Make(const Wanted& tensor) const {
+    return CompileTensor(now_->mission, *tensor.agent, *tensor.window,
+                         *tensor.rasters, tensor.horizon);
+  }
+
+  void NameTensors() {
+    now_->tensors.resize(wanted_.size());
+    kg_core::ForEachInParallel(wanted_.size(), [&](std::size_t i) {
+      now_->tensors[i] = Named(wanted_[i]);
+    });
+    for (std::size_t i = 0; i < wanted_.size(); ++i) NoteTensor(wanted_[i]);
+  }
+
+  // The tensor of that hash under this agent's and window's name: the very one
+  // that they had, if nothing changed.
+  Known::Tensor Named(const Wanted& tensor) const {
+    const std::string& agent = tensor.agent->iri;
+    const int window = tensor.window->index;
     std::vector<std::string> sources =
-        horizon ? horizon->derived_from
-                : TensorSources(now_->mission, agent, window, rasters);
-    if (same->agent_iri == agent.iri && same->window == window.index &&
-        same->derived_from == sources) {
-      return same;
-    }
-    auto copy = std::make_shared<MissionTensor>(*same);
-    copy->agent_iri = agent.iri;
-    copy->window = window.index;
+        tensor.horizon ? tensor.horizon->derived_from
+                       : TensorSources(now_->mission, *tensor.agent,
+                                       *tensor.window, *tensor.rasters);
+    const auto is_it = [&](const Known::Tensor& one) {
+      return one && one->hash == tensor.hash && one->agent_iri == agent &&
+             one->window == window && one->derived_from == sources;
+    };
+    const Known::Tensor& made = made_.find(tensor.hash)->second;
+    if (is_it(made)) return made;
+    const Known::Tensor own = known_.TensorAt(agent, window);
+    if (is_it(own)) return own;
+    auto copy = std::make_shared<MissionTensor>(*made);
+    copy->agent_iri = agent;
+    copy->window = window;
     copy->derived_from = std::move(sources);
     return copy;
   }
 
-  // The agent's own first: it needs no copy.
-  std::shared_ptr<const MissionTensor> FindTensor(const std::string& hash,
-                                                  const Agent& agent) const {
-    using Pointer = std::shared_ptr<const MissionTensor>;
-    const auto own = [&](const Pointer& tensor) {
-      return tensor->hash == hash && tensor->agent_iri == agent.iri;
-    };
-    const auto any = [&](const Pointer& tensor) {
-      return tensor->hash == hash;
-    };
-    const Pointer* found = last_ ? FindIf(last_->tensors, own) : nullptr;
-    if (!found) found = FindIf(now_->tensors, any);
-    if (!found && last_) found = FindIf(last_->tensors, any);
-    return found ? *found : nullptr;
+  void NoteTensor(const Wanted& tensor) {
+    const std::string& agent = tensor.agent->iri;
+    const Known::Tensor last = known_.TensorAt(agent, tensor.window->index);
+    if (last && last->hash == tensor.hash) return;
+    std::optional<CellBox> box;
+    if (last) {
+      const auto [known, is_new] =
+          boxes_.try_emplace({last->hash, tensor.hash});
+      if (is_new) known->second = DirtyBoxOf(tensor);
+      box = known->second;
+    }
+    now_->dirty.push_back({"tensor", agent, tensor.window->index, box});
   }
 
-  void NoteTensor(const MissionTensor& tensor) {
-    const auto same = [&](const std::shared_ptr<const MissionTensor>& other) {
-      return other->agent_iri == tensor.agent_iri &&
-             other->window == tensor.window && other->hash == tensor.hash;
-    };
-    if (last_ && FindIf(last_->tensors, same)) return;
-    now_->dirty.push_back({"tensor", tensor.agent_iri, tensor.window});
+  // Of a tensor that was there the last time.
+  std::optional<CellBox> DirtyBoxOf(const Wanted& tensor) const {
+    const int window = tensor.window->index;
+    const Agent* agent = known_.AgentOf(tensor.agent->iri);
+    const auto horizon = last_->horizons.find(agent->iri);
+    return DirtyBox(
+        {&last_->mission, agent, &last_->mission.windows[window],
+         known_.RastersAt(agent->iri, window),
+         horizon == last_->horizons.end() ? nullptr : &horizon->second},
+        {&now_->mission, tensor.agent, tensor.window, tensor.rasters.get(),
+         tensor.horizon});
   }
 
   void AddRules(const Agent& agent) {
@@ -193,10 +329,7 @@ class Run {
   }
 
   void NoteRules(const SeamRules& rules) {
-    const auto is_its = [&](const SeamRules& other) {
-      return other.agent_iri == rules.agent_iri;
-    };
-    const SeamRules* last = last_ ? FindIf(last_->rules, is_its) : nullptr;
+    const SeamRules* last = known_.RulesOf(rules.agent_iri);
     if (!last || !SameButForWindows(*last, rules)) {
       now_->dirty.push_back({"seam_rules", rules.agent_iri, -1});
       return;
@@ -209,9 +342,17 @@ class Run {
   }
 
   const Compilation* last_;
-  RasterStore* rasters_;
+  Known known_;
+  Stores stores_;
   std::shared_ptr<Compilation> now_;
   StageClock clock_;
+  std::vector<const TimeWindow*> windows_;  // Those to be planned.
+  std::vector<Wanted> wanted_;              // Agent, window.
+  std::unordered_map<std::string_view, Known::Tensor> made_;  // By hash.
+  // Dirty boxes by the hashes before and after, which agents alike share.
+  std::map<std::pair<std::string_view, std::string_view>,
+           std::optional<CellBox>>
+      boxes_;
 };
 
 }  // namespace
@@ -230,7 +371,7 @@ MissionCompiler::MissionCompiler(RasterReaders readers)
 std::shared_ptr<const Compilation> MissionCompiler::Compile(
     const kg_core::Mission& mission, std::uint64_t world_version,
     int first_window) {
-  Run run(mission, last_.get(), &rasters_, first_window);
+  Run run(mission, last_.get(), {&rasters_, &horizons_}, first_window);
   last_ = run.Compile(world_version);
   rasters_.ForgetUnused();
   return last_;

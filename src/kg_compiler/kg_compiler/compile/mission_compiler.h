@@ -3,7 +3,9 @@
 //
 // Every artifact has a hash of all that it is made of. Compile() works the
 // hashes out first and reuses the artifact of the last compilation that has the
-// same one: what is left is the dirty set.
+// same one: what is left is the dirty set. Tensors of one hash are compiled
+// once, whoever's they are; those that differ, side by side on the machine's
+// cores, each the same whatever else is compiled and in which order.
 
 #ifndef KG_COMPILER_COMPILE_MISSION_COMPILER_H_
 #define KG_COMPILER_COMPILE_MISSION_COMPILER_H_
@@ -11,6 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +21,7 @@
 #include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_compiler/data_plane/data_plane.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
+#include "kg_compiler/traversal/cell_box.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/mission.h"
 
@@ -33,8 +37,19 @@ struct DirtyArtifact {
   std::string kind;   // "tensor", "work_field", "seam_rules", "coordination".
   std::string agent;  // IRI, or empty.
   int window = -1;    // -1: all, or what is not of one window.
+  // Of a tensor: the cells that the changed facts speak of (dirty_box.h).
+  // Nothing: any cell.
+  std::optional<CellBox> box = std::nullopt;
 };
+// But for the box.
 bool operator==(const DirtyArtifact& a, const DirtyArtifact& b);
+
+// How many tensors there are, and what they took.
+struct TensorCounts {
+  std::size_t tensors = 0;   // Agents times windows.
+  std::size_t distinct = 0;  // By what they are made of.
+  std::size_t compiled = 0;  // Of these: not there from the last time.
+};
 
 struct Compilation {
   std::uint64_t world_version = 0;
@@ -48,6 +63,7 @@ struct Compilation {
   std::vector<SeamRules> rules;                  // By agent.
   CoordinationRules coordination;
   std::vector<DirtyArtifact> dirty;
+  TensorCounts counts;
   // "fields" and "read" (value layers): from files, where not read before;
   // "tensors"; "rules".
   std::map<std::string, double> stage_seconds;
@@ -70,6 +86,8 @@ class MissionCompiler {
  private:
   RasterStore rasters_;
   std::shared_ptr<const Compilation> last_;
+  // What MeasureHorizon found, by what it measured.
+  std::map<std::string, Normaliser> horizons_;
 };
 
 }  // namespace kg_compiler

@@ -1,7 +1,10 @@
 #include "kg_compiler/control_plane/nav_graph.h"
 
 #include <stdexcept>
+#include <utility>
 
+#include "kg_compiler/control_plane/nav_graphs.h"
+#include "kg_compiler/control_plane/seam_cache.h"
 #include "kg_compiler/control_plane/window_graph.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/geo/wkt.h"
@@ -27,43 +30,74 @@ std::string Where(const SeamRules& rules, const WindowRules& window) {
          std::to_string(window.window) + " (" + window.iri + "): ";
 }
 
-const NavGraph* FindByHash(const std::vector<NavGraph>& graphs,
-                           const std::string& hash) {
-  for (const NavGraph& graph : graphs) {
-    if (graph.hash == hash) return &graph;
-  }
-  return nullptr;
-}
+// The next cache on its way, made from the last one.
+class Graphs {
+ public:
+  // With `keep`, for one more time.
+  Graphs(const SeamRules& rules, const SeamCache& last, bool keep)
+      : rules_(rules), last_(last), keep_(keep) {}
 
-NavGraph CompileWindow(const WindowInputs& inputs,
-                       const std::vector<NavGraph>& previous) {
-  const NavGraph* same = FindByHash(previous, WindowGraphHash(inputs));
-  if (same) return *same;
-  NavGraph graph = BuildWindowGraph(inputs);
-  if (graph.waypoints.empty()) {
-    throw kg_core::InputError(
-        Where(*inputs.rules, *inputs.window) +
-        "there is nowhere the agent can be when the window ends: no open cell "
-        "within reach where it can hold station");
+  const NavGraph& Add(const WindowInputs& inputs) {
+    if (!TakeOver(WindowGraphHash(inputs), inputs.window->window)) {
+      Build(inputs);
+    }
+    return now_.graphs.back();
   }
-  return graph;
-}
+  SeamCache Take() { return std::move(now_); }
+
+ private:
+  const KeptSeams* LastSeams(int window) const {
+    const auto found = last_.windows.find(window);
+    return found == last_.windows.end() ? nullptr : found->second.get();
+  }
+
+  bool TakeOver(const std::string& hash, int window) {
+    for (std::size_t i = 0; i < last_.graphs.size(); ++i) {
+      if (last_.graphs[i].hash != hash) continue;
+      now_.graphs.push_back(last_.graphs.Share(i));
+      const auto seams = last_.windows.find(window);
+      if (seams != last_.windows.end()) now_.windows.insert(*seams);
+      ++now_.counts.graphs_kept;
+      return true;
+    }
+    return false;
+  }
+
+  void Build(const WindowInputs& inputs) {
+    const int window = inputs.window->window;
+    BuiltWindow built =
+        BuildWindowGraph(inputs, LastSeams(window), &now_.counts);
+    if (built.graph.waypoints.empty()) {
+      throw kg_core::InputError(
+          Where(rules_, *inputs.window) +
+          "there is nowhere the agent can be when the window ends: no open "
+          "cell within reach where it can hold station");
+    }
+    now_.graphs.push_back(std::move(built.graph));
+    if (keep_) now_.windows[window] = std::move(built.seams);
+    ++now_.counts.graphs;
+  }
+
+  const SeamRules& rules_;
+  const SeamCache& last_;
+  bool keep_;
+  SeamCache now_;
+};
 
 }  // namespace
 
-double SeamCost(const SeamWeights& weights, const Flight& flight,
+double SeamCost(const SeamWeights& weights, const TraverseEdge& edge,
                 double confidence) {
-  return weights.time_per_s * flight.travel_s +
-         weights.energy_per_j * flight.energy_j +
-         weights.risk_per_s * flight.hazard_s +
+  return weights.time_per_s * edge.flight.travel_s +
+         weights.energy_per_j * edge.flight.energy_j +
+         weights.risk_per_s * (edge.flight.hazard_s + edge.isolation_s) +
          weights.uncertainty * (1.0 - confidence);
 }
 
-std::vector<NavGraph> CompileNavGraphs(const SeamRules& rules,
-                                       const std::vector<WindowWorld>& worlds,
-                                       const std::vector<NavGraph>& previous) {
+NavGraphs CompileNavGraphs(const SeamRules& rules,
+                           const std::vector<WindowWorld>& worlds,
+                           SeamCache* cache) {
   CheckWorlds(rules, worlds);
-  std::vector<NavGraph> graphs;
   std::vector<kg_core::LonLat> sources = {rules.start};
   if (!worlds.empty() && !IsOpenAt(*worlds[0].tensor, rules.start)) {
     throw kg_core::InputError(
@@ -71,15 +105,16 @@ std::vector<NavGraph> CompileNavGraphs(const SeamRules& rules,
         kg_core::PointWkt(rules.start) +
         ", which is on land, in a no_go area or off the grid");
   }
+  const SeamCache none;
+  Graphs graphs(rules, cache ? *cache : none, cache != nullptr);
   for (std::size_t t = 0; t < worlds.size(); ++t) {
-    graphs.push_back(CompileWindow(
-        {&rules, &rules.windows[t], worlds[t], sources}, previous));
-    sources.clear();
-    for (const Waypoint& waypoint : graphs.back().waypoints) {
-      sources.push_back(waypoint.position);
-    }
+    sources = PositionsOf(
+        graphs.Add({&rules, &rules.windows[t], worlds[t], sources}).waypoints);
   }
-  return graphs;
+  SeamCache made = graphs.Take();
+  NavGraphs result = made.graphs;
+  if (cache) *cache = std::move(made);
+  return result;
 }
 
 }  // namespace kg_compiler

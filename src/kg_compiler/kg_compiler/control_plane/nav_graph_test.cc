@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <stdexcept>
 
+#include "kg_compiler/control_plane/seam_cache.h"
 #include "kg_compiler/test_world.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/geo/geodesy.h"
@@ -17,7 +19,8 @@ using kg_core::LonLat;
 
 // A mission of a few windows on a small sea of random flow.
 struct TestSea {
-  explicit TestSea(unsigned seed, int windows = 3) : rng(seed) {
+  explicit TestSea(unsigned seed, double flow_mps = 0.4) : rng(seed) {
+    const int windows = 3;
     grid = EvenGrid(-91, 24, 0.04, 60, 60);
     mission.agents = {TestAgent("alpha")};
     mission.coordination.waypoints_per_window = 12;
@@ -32,12 +35,13 @@ struct TestSea {
     agent.policy.lambda_uncertainty = 0.5;
     value = RandomRaster(rng, grid.size(), 0, 1);
     for (int t = 0; t < windows; ++t) {
-      kg_core::VectorField field = RandomFlow(rng, grid, 0.4, 10800, 86400);
+      kg_core::VectorField field =
+          RandomFlow(rng, grid, flow_mps, 10800, 86400);
       for (auto& slice : field.slices) slice.time_s += t * 86400;
       fields.push_back(std::move(field));
     }
   }
-  void Compile(const std::vector<NavGraph>& previous = {}) {
+  void Compile(SeamCache* cache = nullptr) {
     tensors.clear();
     worlds.clear();
     rules = CompileSeamRules(mission, mission.agents[0], 0);
@@ -49,7 +53,7 @@ struct TestSea {
     for (std::size_t t = 0; t < fields.size(); ++t) {
       worlds.push_back({&tensors[t], &fields[t]});
     }
-    graphs = CompileNavGraphs(rules, worlds, previous);
+    graphs = CompileNavGraphs(rules, worlds, cache);
   }
   std::mt19937 rng;
   kg_core::Grid grid;
@@ -59,8 +63,17 @@ struct TestSea {
   std::vector<MissionTensor> tensors;
   std::vector<WindowWorld> worlds;
   SeamRules rules;
-  std::vector<NavGraph> graphs;
+  NavGraphs graphs;
 };
+
+std::string ErrorOf(TestSea* sea) {
+  try {
+    sea->Compile();
+  } catch (const kg_core::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
 
 TEST(NavGraph, HoldsOnlyWaypointsAndEdgesThatCanBeFlownAgain) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
@@ -90,9 +103,8 @@ TEST(NavGraph, HoldsOnlyWaypointsAndEdgesThatCanBeFlownAgain) {
             via);
         ASSERT_TRUE(again);
         EXPECT_EQ(edge.flight.travel_s, again->travel_s);
-        EXPECT_DOUBLE_EQ(
-            SeamCost(sea.rules.weights, edge.flight, window.confidence),
-            edge.seam_cost);
+        EXPECT_DOUBLE_EQ(SeamCost(sea.rules.weights, edge, window.confidence),
+                         edge.seam_cost);
       }
       EXPECT_EQ(graph.waypoints.size(), arrived.size());
       sources.clear();
@@ -152,46 +164,103 @@ TEST(NavGraph, StaysPutWhereNothingElseIsWorthGoing) {
 
 TEST(NavGraph, ReusesWhatDidNotChangeAndRebuildsWhatDid) {
   TestSea sea(8);
-  sea.Compile();
-  std::vector<NavGraph> marked = sea.graphs;
-  for (NavGraph& graph : marked) graph.waypoints[0].value = 77.0;
-  sea.Compile(marked);
-  for (const NavGraph& graph : sea.graphs) {
-    EXPECT_EQ(77.0, graph.waypoints[0].value);
-  }
+  SeamCache cache;
+  sea.Compile(&cache);
+  const NavGraphs first = sea.graphs;
+  EXPECT_EQ(3, cache.counts.graphs);
+  sea.Compile(&cache);
+  EXPECT_EQ(3, cache.counts.graphs_kept);
+  for (int t = 0; t < 3; ++t) EXPECT_EQ(&first[t], &sea.graphs[t]);
   // The last window's tensor alone changes.
   sea.mission.windows[2].confidence = 0.5;
-  sea.Compile(marked);
-  EXPECT_EQ(77.0, sea.graphs[0].waypoints[0].value);
-  EXPECT_EQ(77.0, sea.graphs[1].waypoints[0].value);
-  EXPECT_NE(77.0, sea.graphs[2].waypoints[0].value);
+  sea.Compile(&cache);
+  EXPECT_EQ(&first[0], &sea.graphs[0]);
+  EXPECT_EQ(&first[1], &sea.graphs[1]);
+  EXPECT_NE(&first[2], &sea.graphs[2]);
 }
 
-TEST(NavGraph, IsTheSameBuiltAnewAsBuiltOnAnother) {
-  TestSea sea(9);
-  sea.Compile();
-  const std::vector<NavGraph> before = sea.graphs;
-  sea.mission.agents[0].policy.lambda_risk = 0.3;
-  sea.Compile(before);
-  const std::vector<NavGraph> incremental = sea.graphs;
-  sea.Compile();
-  for (std::size_t t = 0; t < sea.graphs.size(); ++t) {
-    EXPECT_EQ(sea.graphs[t].hash, incremental[t].hash);
-    ASSERT_EQ(sea.graphs[t].edges.size(), incremental[t].edges.size());
-    for (std::size_t e = 0; e < incremental[t].edges.size(); ++e) {
-      EXPECT_EQ(sea.graphs[t].edges[e].seam_cost,
-                incremental[t].edges[e].seam_cost);
+void ExpectSameEdges(const std::vector<TraverseEdge>& a,
+                     const std::vector<TraverseEdge>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t e = 0; e < a.size(); ++e) {
+    EXPECT_EQ(a[e].from, b[e].from);
+    EXPECT_EQ(a[e].to, b[e].to);
+    EXPECT_EQ(a[e].seam_cost, b[e].seam_cost);
+    EXPECT_EQ(a[e].isolation_s, b[e].isolation_s);
+    EXPECT_EQ(a[e].flight.travel_s, b[e].flight.travel_s);
+    EXPECT_EQ(a[e].flight.energy_j, b[e].flight.energy_j);
+    EXPECT_EQ(a[e].flight.hazard_s, b[e].flight.hazard_s);
+    EXPECT_EQ(a[e].flight.through_water_m, b[e].flight.through_water_m);
+    ASSERT_EQ(a[e].flight.track.size(), b[e].flight.track.size());
+    for (std::size_t i = 0; i < a[e].flight.track.size(); ++i) {
+      EXPECT_EQ(a[e].flight.track[i].position, b[e].flight.track[i].position);
+      EXPECT_EQ(a[e].flight.track[i].time_s, b[e].flight.track[i].time_s);
     }
   }
 }
 
-std::string ErrorOf(TestSea* sea) {
-  try {
-    sea->Compile();
-  } catch (const kg_core::InputError& error) {
-    return error.what();
+void ExpectSameGraphs(const NavGraphs& a, const NavGraphs& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t t = 0; t < a.size(); ++t) {
+    EXPECT_EQ(a[t].hash, b[t].hash);
+    ASSERT_EQ(a[t].waypoints.size(), b[t].waypoints.size());
+    for (std::size_t w = 0; w < a[t].waypoints.size(); ++w) {
+      EXPECT_EQ(a[t].waypoints[w].position, b[t].waypoints[w].position);
+      EXPECT_EQ(a[t].waypoints[w].score, b[t].waypoints[w].score);
+      EXPECT_EQ(a[t].waypoints[w].value, b[t].waypoints[w].value);
+      EXPECT_EQ(a[t].waypoints[w].events, b[t].waypoints[w].events);
+      EXPECT_EQ(a[t].waypoints[w].footprint, b[t].waypoints[w].footprint);
+    }
+    ExpectSameEdges(a[t].edges, b[t].edges);
+    ExpectSameEdges(a[t].inner_edges, b[t].inner_edges);
   }
-  return "";
+}
+
+TEST(NavGraph, IsTheSameBuiltAnewAsBuiltOnAnother) {
+  TestSea sea(9);
+  SeamCache cache;
+  sea.Compile(&cache);
+  sea.mission.agents[0].policy.lambda_risk = 0.3;
+  sea.Compile(&cache);
+  const NavGraphs incremental = sea.graphs;
+  sea.Compile();
+  ExpectSameGraphs(sea.graphs, incremental);
+}
+
+// Areas come, move and go; the cache is never asked to forget.
+TEST(NavGraph, IsTheSameFromACacheAfterAnyAreas) {
+  int reaches_kept = 0, reaches = 0, flights_kept = 0, flights = 0;
+  for (unsigned seed = 20; seed < 23; ++seed) {
+    TestSea sea(seed, 0.05);
+    sea.mission.agents[0].capabilities.cruise_mps = 0.15;
+    sea.mission.agents[0].policy.hazard_range_m = 2000.0;
+    sea.mission.coordination.movement_mode = seed % 2 ? "edges" : "hops";
+    SeamCache cache;
+    for (int step = 0; step < 12; ++step) {
+      const double x = Uniform(sea.rng, -90.6, -89.2);
+      const double y = Uniform(sea.rng, 24.4, 25.8);
+      auto& areas = sea.mission.constraints;
+      if (areas.size() > 2) areas.erase(areas.begin());
+      areas.push_back(AreaConstraint("ex:c" + std::to_string(step),
+                                     step % 3 ? kg_core::ConstraintKind::kSoft
+                                              : kg_core::ConstraintKind::kNoGo,
+                                     Box(x, y, x + 0.15, y + 0.15)));
+      areas.back().attenuation = 0.4;
+      areas.back().windows = {step % 3, (step + 1) % 3};
+      if (ErrorOf(&sea) != "") continue;  // The start is in an area.
+      const NavGraphs anew = sea.graphs;
+      sea.Compile(&cache);
+      ExpectSameGraphs(anew, sea.graphs);
+      if (step == 0) continue;
+      reaches += cache.counts.reaches;
+      reaches_kept += cache.counts.reaches_kept;
+      flights += cache.counts.flights;
+      flights_kept += cache.counts.flights_kept;
+    }
+  }
+  EXPECT_GT(reaches_kept, reaches / 3);
+  EXPECT_GT(flights_kept, flights / 4);
+  EXPECT_GT(reaches, 0);
 }
 
 TEST(NavGraph, RefusesAStartInAForbiddenPlaceByName) {
@@ -214,13 +283,140 @@ TEST(NavGraph, RefusesAWindowAtWhoseEndTheAgentCanBeNowhere) {
 }
 
 TEST(SeamCost, IsTheWeightedSumOfItsFourTerms) {
-  Flight flight;
-  flight.travel_s = 1000;
-  flight.energy_j = 2000;
-  flight.hazard_s = 300;
+  TraverseEdge edge;
+  edge.flight.travel_s = 1000;
+  edge.flight.energy_j = 2000;
+  edge.flight.hazard_s = 250;
+  edge.isolation_s = 50;
   EXPECT_DOUBLE_EQ(1.0 + 4.0 + 0.9 + 0.1,
-                   SeamCost({1e-3, 2e-3, 3e-3, 0.5}, flight, 0.8));
-  EXPECT_DOUBLE_EQ(0.0, SeamCost({}, flight, 0.8));
+                   SeamCost({1e-3, 2e-3, 3e-3, 0.5, 0.3}, edge, 0.8));
+  EXPECT_DOUBLE_EQ(0.0, SeamCost({}, edge, 0.8));
+}
+
+TEST(NavGraph, HasEdgesWithinAWindowInTheModeEdgesOnly) {
+  int inner = 0, asymmetric = 0;
+  for (unsigned seed = 30; seed < 33; ++seed) {
+    TestSea sea(seed);
+    sea.Compile();
+    const NavGraphs hops = sea.graphs;
+    sea.mission.coordination.movement_mode = "edges";
+    sea.Compile();
+    for (std::size_t t = 0; t < sea.graphs.size(); ++t) {
+      const NavGraph& graph = sea.graphs[t];
+      EXPECT_TRUE(hops[t].inner_edges.empty());
+      EXPECT_EQ(MovementMode::kEdges, graph.movement_mode);
+      EXPECT_NE(hops[t].hash, graph.hash);
+      ExpectSameEdges(hops[t].edges, graph.edges);
+      const WindowSea window(sea.rules, sea.rules.windows[t], sea.worlds[t]);
+      const auto places = PositionsOf(graph.waypoints);
+      std::map<int, int> leaving;
+      std::map<std::pair<int, int>, double> times_s;
+      for (const TraverseEdge& edge : graph.inner_edges) {
+        ++inner;
+        EXPECT_NE(edge.from, edge.to);
+        EXPECT_LE(++leaving[edge.from], kInnerNeighbours);
+        const auto again =
+            PriceWays(window, {{places[edge.from], places[edge.to]}}, places);
+        ASSERT_TRUE(again[0]);
+        EXPECT_EQ(again[0]->seam_cost, edge.seam_cost);
+        EXPECT_EQ(sea.rules.windows[t].begin_s,
+                  edge.flight.track.front().time_s);
+        times_s[{edge.from, edge.to}] = edge.flight.travel_s;
+        const auto back = times_s.find({edge.to, edge.from});
+        asymmetric +=
+            back != times_s.end() && back->second != edge.flight.travel_s;
+      }
+    }
+  }
+  EXPECT_GT(inner, 100);
+  EXPECT_GT(asymmetric, 20);
+}
+
+// Of a place in still water, base travel 40 km.
+double IsolationAmong(const std::vector<LonLat>& waypoints) {
+  const kg_core::Grid grid = EvenGrid(-92, 23, 0.05, 40, 40);
+  const kg_core::VectorField field = UniformFlow(grid, 0, 0);
+  kg_core::Mission mission;
+  mission.windows = {TestWindow(0, 1.0)};
+  mission.agents = {TestAgent("alpha")};
+  mission.agents[0].policy.isolation_weight = 0.2;
+  mission.agents[0].capabilities.base_travel_m = 40e3;
+  const SeamRules rules = CompileSeamRules(mission, mission.agents[0], 0);
+  const MissionTensor tensor = CompileTensor(
+      mission, mission.agents[0], mission.windows[0],
+      TestRasters(grid, kg_core::Raster(grid.size(), 1), field.NoData()));
+  return WindowSea(rules, rules.windows[0], {&tensor, &field})
+      .Isolation({-91, 24}, waypoints);
+}
+
+TEST(Isolation, FallsWithThePlacesOneCouldGoToInstead) {
+  EXPECT_DOUBLE_EQ(0.2, IsolationAmong({}));
+  EXPECT_DOUBLE_EQ(0.2, IsolationAmong({{-91, 24}}));     // The place itself.
+  EXPECT_DOUBLE_EQ(0.2, IsolationAmong({{-91, 24.19}}));  // 21 km away.
+  std::vector<LonLat> near = {{-91, 24}};
+  double last = IsolationAmong(near);
+  for (int i = 1; i < 8; ++i) {
+    near.push_back({-91 + 0.02 * i, 24});
+    const double now = IsolationAmong(near);
+    EXPECT_LT(now, last);
+    EXPECT_DOUBLE_EQ(0.2 / (1 + i), now);
+    last = now;
+  }
+}
+
+TEST(NavGraph, ChargesIsolationByThePolicysWeightAndTheTimeUnderWay) {
+  TestSea sea(12);
+  sea.mission.agents[0].policy.isolation_weight = 0.0;
+  sea.Compile();
+  const NavGraphs without = sea.graphs;
+  sea.mission.agents[0].policy.isolation_weight = 0.5;
+  sea.Compile();
+  for (std::size_t t = 0; t < 3; ++t) {
+    ASSERT_EQ(without[t].edges.size(), sea.graphs[t].edges.size());
+    for (std::size_t e = 0; e < without[t].edges.size(); ++e) {
+      const TraverseEdge& edge = sea.graphs[t].edges[e];
+      EXPECT_EQ(0.0, without[t].edges[e].isolation_s);
+      EXPECT_EQ(edge.flight.travel_s > 0.0, edge.isolation_s > 0.0);
+      EXPECT_LE(edge.isolation_s, 0.5 * edge.flight.travel_s);
+      EXPECT_DOUBLE_EQ(without[t].edges[e].seam_cost +
+                           sea.rules.weights.risk_per_s * edge.isolation_s,
+                       edge.seam_cost);
+    }
+  }
+}
+
+// Flights of equal length beside a forbidden area, nearer and nearer.
+TEST(NavGraph, FindsMoreRiskTheNearerAForbiddenArea) {
+  const kg_core::Grid grid = EvenGrid(-92, 23, 0.04, 50, 50);
+  const kg_core::VectorField field = UniformFlow(grid, 0, 0);
+  kg_core::Mission mission;
+  mission.windows = {TestWindow(0, 1.0)};
+  mission.agents = {TestAgent("alpha")};
+  kg_core::Policy& policy = mission.agents[0].policy;
+  policy.lambda_risk = 1.0;
+  policy.lambda_time_per_s = 1e-3;  // Else it would go round.
+  policy.hazard_range_m = 8e3;
+  mission.constraints = {AreaConstraint("ex:no", kg_core::ConstraintKind::kNoGo,
+                                        Box(-92, 23, -91.8, 24.9))};
+  const SeamRules rules = CompileSeamRules(mission, mission.agents[0], 0);
+  const MissionTensor tensor = CompileTensor(
+      mission, mission.agents[0], mission.windows[0],
+      TestRasters(grid, kg_core::Raster(grid.size(), 1), field.NoData()));
+  const WindowSea sea(rules, rules.windows[0], {&tensor, &field});
+  double last_s = 0.0;
+  for (double lon = -91.38; lon > -91.75; lon -= 0.04) {
+    const auto price = PriceWays(sea, {{{lon, 23.8}, {lon, 24.1}}}, {});
+    ASSERT_TRUE(price[0]) << lon;
+    EXPECT_GT(price[0]->flight.hazard_s, last_s) << lon;
+    last_s = price[0]->flight.hazard_s;
+  }
+  // Each policy its own range.
+  SeamRules far = rules;
+  far.hazard_range_m = 16e3;
+  const WindowSea other(far, far.windows[0], {&tensor, &field});
+  const Way way = {{-91.3, 23.8}, {-91.3, 24.1}};
+  EXPECT_GT(PriceWays(other, {way}, {})[0]->flight.hazard_s,
+            PriceWays(sea, {way}, {})[0]->flight.hazard_s);
 }
 
 TEST(NavGraph, FollowsALoopCurrentOnTheWholeGulf) {

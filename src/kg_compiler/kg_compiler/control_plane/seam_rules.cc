@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 
+#include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
 #include "kg_core/base/units.h"
 
@@ -42,6 +44,7 @@ SeamWeights Weights(const kg_core::Policy& policy) {
   weights.energy_per_j = policy.lambda_energy_per_j;
   weights.risk_per_s = policy.lambda_risk / kg_core::kSecondsPerHour;
   weights.uncertainty = policy.lambda_uncertainty;
+  weights.isolation = policy.isolation_weight;
   return weights;
 }
 
@@ -103,16 +106,36 @@ auto Tie(const MotionModel& m) {
 }
 
 auto Tie(const SeamWeights& w) {
-  return std::tie(w.time_per_s, w.energy_per_j, w.risk_per_s, w.uncertainty);
+  return std::tie(w.time_per_s, w.energy_per_j, w.risk_per_s, w.uncertainty,
+                  w.isolation);
 }
 
 auto TieOwn(const SeamRules& r) {
   return std::tie(r.agent_iri, r.agent_id, r.energy_budget_j, r.sensor_radius_m,
                   r.spacing_m, r.max_waypoints, r.candidates, r.hazard_range_m,
-                  r.start.lon_deg, r.start.lat_deg, r.start_heading_rad);
+                  r.movement_mode, r.start.lon_deg, r.start.lat_deg,
+                  r.start_heading_rad);
 }
 
 }  // namespace
+
+const char* Name(MovementMode mode) {
+  switch (mode) {
+    case MovementMode::kHops:
+      return "hops";
+    case MovementMode::kEdges:
+      return "edges";
+  }
+  throw std::logic_error("a movement mode without a name");
+}
+
+MovementMode MovementModeOf(const std::string& name) {
+  for (const MovementMode mode : {MovementMode::kHops, MovementMode::kEdges}) {
+    if (name == Name(mode)) return mode;
+  }
+  throw kg_core::InputError("movement mode '" + name +
+                            "': expected 'hops' or 'edges'");
+}
 
 bool operator==(const EventRule& a, const EventRule& b) {
   return Tie(a) == Tie(b);
@@ -141,7 +164,10 @@ SeamRules CompileSeamRules(const kg_core::Mission& mission,
   rules.agent_iri = read(agent).iri;
   rules.agent_id = agent.id;
   rules.motion = Motion(capabilities);
-  rules.weights = Weights(read(agent.policy));
+  const kg_core::Policy& policy = read(agent.policy);
+  rules.weights = Weights(policy);
+  rules.hazard_range_m = policy.hazard_range_m;
+  rules.movement_mode = MovementModeOf(team.movement_mode);
   rules.energy_budget_j = capabilities.energy_budget_j;
   rules.sensor_radius_m = capabilities.sensor_radius_m;
   rules.spacing_m = team.waypoint_spacing_m;
@@ -168,11 +194,12 @@ std::string SeamRulesHash(const SeamRules& rules) {
       {motion.cruise_mps, motion.max_mps, motion.boost_gain,
        motion.energy_per_m_j, motion.hotel_load_w, weights.time_per_s,
        weights.energy_per_j, weights.risk_per_s, weights.uncertainty,
-       rules.energy_budget_j, rules.sensor_radius_m, rules.spacing_m,
-       static_cast<double>(rules.max_waypoints),
+       weights.isolation, rules.energy_budget_j, rules.sensor_radius_m,
+       rules.spacing_m, static_cast<double>(rules.max_waypoints),
        static_cast<double>(rules.candidates), rules.hazard_range_m,
        rules.start.lon_deg, rules.start.lat_deg, rules.start_heading_rad},
       &hash);
+  hash.Add(Name(rules.movement_mode));
   for (const WindowRules& window : rules.windows) HashWindow(window, &hash);
   return hash.Hex();
 }

@@ -15,15 +15,28 @@
 
 namespace kg_compiler {
 
-// S = lambda_time t + lambda_energy E + lambda_risk H + lambda_uncertainty
-// (1 - w), with t [s], E [J], H the hazard integrated over time [s], and w the
-// confidence of the window one arrives in (A55). In reward units, >= 0.
+// S = lambda_time t + lambda_energy E + lambda_risk (H + I)
+//     + lambda_uncertainty (1 - w)
+// with t [s], E [J], H the hazard integrated over time [s], I the isolation of
+// the place one goes to, over time [s] (nav_graph.h, A20), and w the confidence
+// of the window one arrives in (A55). In reward units, >= 0. The lambdas are
+// also what a flight is chosen by: a policy decides between fast and thrifty.
 struct SeamWeights {
   double time_per_s = 0.0;
   double energy_per_j = 0.0;
   double risk_per_s = 0.0;
   double uncertainty = 0.0;
+  double isolation = 0.0;  // Hazard where no other waypoint is near.
 };
+
+// How an agent moves within a window (A22).
+enum class MovementMode {
+  kHops,   // From one waypoint a window to one of the next.
+  kEdges,  // Also along edges between the waypoints of a window.
+};
+const char* Name(MovementMode mode);  // "hops", "edges".
+// Throws kg_core::InputError for another name.
+MovementMode MovementModeOf(const std::string& name);
 
 // A discrete point of interest, for one window.
 struct EventRule {
@@ -51,12 +64,13 @@ struct SeamRules {
   std::uint64_t world_version = 0;
   MotionModel motion;
   SeamWeights weights;
-  double energy_budget_j = 0.0;      // What is left for all windows below.
-  double sensor_radius_m = 0.0;      // Footprint of a visit: PR's disc.
-  double spacing_m = 0.0;            // Least distance between waypoints.
-  int max_waypoints = 20;            // Per window.
-  int candidates = 10;               // K.
-  double hazard_range_m = 10e3;      // Hazard falls to 1/e at this distance.
+  double energy_budget_j = 0.0;  // What is left for all windows below.
+  double sensor_radius_m = 0.0;  // Footprint of a visit: PR's disc.
+  double spacing_m = 0.0;        // Least distance between waypoints.
+  int max_waypoints = 20;        // Per window.
+  int candidates = 10;           // K.
+  double hazard_range_m = 10e3;  // Hazard falls to 1/e at this distance.
+  MovementMode movement_mode = MovementMode::kHops;
   kg_core::LonLat start;             // Where the agent is at the first begin_s.
   double start_heading_rad = 0.0;    // Clockwise from north.
   std::string start_iri;             // The ex:AgentState that says so.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "kg_compiler/test_world.h"
+#include "kg_core/base/input_error.h"
 
 namespace kg_compiler {
 namespace {
@@ -34,6 +35,24 @@ TEST(SeamRules, SpeakSiPerSecondAndJoule) {
   EXPECT_DOUBLE_EQ(1e7, rules.energy_budget_j);
   EXPECT_DOUBLE_EQ(12000.0, rules.sensor_radius_m);
   EXPECT_DOUBLE_EQ(8000.0, rules.spacing_m);
+}
+
+TEST(SeamRules, TakeHazardIsolationAndModeFromTheFacts) {
+  kg_core::Mission mission = TestMission();
+  mission.agents[0].policy.hazard_range_m = 1234.0;
+  mission.agents[0].policy.isolation_weight = 0.25;
+  mission.coordination.movement_mode = "edges";
+  const SeamRules rules = CompileSeamRules(mission, mission.agents[0], 0);
+  EXPECT_EQ(1234.0, rules.hazard_range_m);
+  EXPECT_EQ(0.25, rules.weights.isolation);
+  EXPECT_EQ(MovementMode::kEdges, rules.movement_mode);
+  mission.agents[0].policy.isolation_weight = 0.5;
+  const SeamRules other = CompileSeamRules(mission, mission.agents[0], 0);
+  EXPECT_NE(SeamRulesHash(rules), SeamRulesHash(other));
+  EXPECT_FALSE(SameButForWindows(rules, other));
+  mission.coordination.movement_mode = "leaps";
+  EXPECT_THROW(CompileSeamRules(mission, mission.agents[0], 0),
+               kg_core::InputError);
 }
 
 TEST(SeamRules, TravelAWindowAtCruiseSpeedUnlessAFactSaysOtherwise) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
+#include "kg_compiler/control_plane/cropped_recurrence.h"
 #include "kg_compiler/control_plane/proximal_recurrence.h"
 #include "kg_compiler/control_plane/window_sea.h"
 #include "kg_core/base/sha256.h"
@@ -18,26 +20,25 @@ constexpr int kPicksPerWaypoint = 2;  // Some picks cannot be flown to.
 struct Draft {
   Waypoint waypoint;
   kg_core::Cell cell;
-  std::vector<TraverseEdge> edges;  // `to` not set yet.
+  // By the source they come from.
+  std::vector<std::pair<int, std::shared_ptr<const Flight>>> flights;
 };
 
 class Builder {
  public:
-  explicit Builder(const WindowInputs& inputs)
+  Builder(const WindowInputs& inputs, const KeptSeams* last, SeamCounts* counts)
       : in_(inputs),
         grid_(inputs.world.tensor->grid),
         fused_(inputs.world.tensor->Get(Layer::kFused)),
-        sea_(*inputs.rules, *inputs.window, inputs.world) {
-    for (const kg_core::LonLat& source : in_.sources) {
-      reaches_.push_back(sea_.ReachFrom(source));
-    }
-  }
+        sea_(*inputs.rules, *inputs.window, inputs.world),
+        seams_(sea_, inputs.world.tensor->hash, last, counts) {}
 
-  NavGraph Build() {
+  BuiltWindow Build() {
     AddEvents();
     AddPicks();
     if (static_cast<int>(drafts_.size()) < kFewWaypoints) AddStays();
-    return Finish();
+    NavGraph graph = Finish();
+    return {std::move(graph), seams_.Keep()};
   }
 
  private:
@@ -49,13 +50,10 @@ class Builder {
     draft.cell = *cell;
     draft.waypoint.position = position;
     for (std::size_t i = 0; i < in_.sources.size(); ++i) {
-      std::optional<TraverseEdge> edge =
-          sea_.Fly(in_.sources[i], reaches_[i], position);
-      if (!edge) continue;
-      edge->from = static_cast<int>(i);
-      draft.edges.push_back(std::move(*edge));
+      auto flight = seams_.Fly(in_.sources[i], position);
+      if (flight) draft.flights.emplace_back(i, std::move(flight));
     }
-    if (draft.edges.empty()) return false;
+    if (draft.flights.empty()) return false;
     drafts_.push_back(std::move(draft));
     return true;
   }
@@ -86,26 +84,14 @@ class Builder {
   }
 
   // Cells reached from some source early enough to hold station from then on.
-  kg_core::Mask Allowed() const {
-    std::vector<ReachedCell> all;
-    for (const Reach& reach : reaches_) {
-      all.insert(all.end(), reach.cells.begin(), reach.cells.end());
+  std::vector<int> Allowed() {
+    std::vector<int> allowed;
+    for (const kg_core::LonLat& source : in_.sources) {
+      const std::vector<int>& landings = seams_.Landings(source);
+      allowed.insert(allowed.end(), landings.begin(), landings.end());
     }
-    std::sort(all.begin(), all.end(),
-              [](const ReachedCell& a, const ReachedCell& b) {
-                return std::tie(a.index, b.arrival_s) <
-                       std::tie(b.index, a.arrival_s);
-              });  // The latest arrival at a cell first.
-    kg_core::Mask allowed(grid_.size(), 0);
-    int last = -1;
-    for (const ReachedCell& cell : all) {
-      if (cell.index == last) continue;
-      last = cell.index;
-      const kg_core::LonLat centre =
-          grid_.Centre({cell.index / grid_.cols(), cell.index % grid_.cols()});
-      const double from_s = sea_.HoldableFrom_s(centre);
-      allowed[cell.index] = in_.window->begin_s + cell.arrival_s >= from_s;
-    }
+    std::sort(allowed.begin(), allowed.end());
+    allowed.erase(std::unique(allowed.begin(), allowed.end()), allowed.end());
     return allowed;
   }
 
@@ -117,7 +103,7 @@ class Builder {
                                                    : in_.rules->sensor_radius_m;
     options.count = kPicksPerWaypoint * in_.rules->max_waypoints;
     for (const Pick& pick :
-         ProximalRecurrence(grid_, fused_, Allowed(), options)) {
+         RecurrenceWithin(grid_, fused_, Allowed(), options, seams_.picks())) {
       if (Full()) return;
       if (TakenCell(pick.cell) || !Add(grid_.Centre(pick.cell))) continue;
       drafts_.back().waypoint.score = pick.score;
@@ -150,37 +136,94 @@ class Builder {
     }
   }
 
-  NavGraph Finish() {
+  void Order() {
     for (Draft& draft : drafts_) Describe(&draft);
     std::stable_sort(
         drafts_.begin(), drafts_.end(), [](const Draft& a, const Draft& b) {
           return std::tie(b.waypoint.score, a.cell.row, a.cell.col) <
                  std::tie(a.waypoint.score, b.cell.row, b.cell.col);
         });
+  }
+
+  NavGraph Finish() {
+    Order();
     NavGraph graph;
     graph.agent_iri = in_.rules->agent_iri;
     graph.window = in_.window->window;
+    graph.movement_mode = in_.rules->movement_mode;
     graph.hash = WindowGraphHash(in_);
     for (Draft& draft : drafts_) {
       draft.waypoint.id = static_cast<int>(graph.waypoints.size());
-      for (TraverseEdge& edge : draft.edges) {
-        edge.to = draft.waypoint.id;
-        graph.edges.push_back(std::move(edge));
-      }
       graph.waypoints.push_back(std::move(draft.waypoint));
     }
-    std::sort(graph.edges.begin(), graph.edges.end(),
+    const std::vector<double> isolation = Isolation(graph.waypoints);
+    for (std::size_t to = 0; to < drafts_.size(); ++to) {
+      for (const auto& [from, flight] : drafts_[to].flights) {
+        graph.edges.push_back(sea_.Price(*flight, isolation[to]));
+        graph.edges.back().from = from;
+        graph.edges.back().to = static_cast<int>(to);
+      }
+    }
+    SortByEnds(&graph.edges);
+    if (graph.movement_mode == MovementMode::kEdges) {
+      AddInnerEdges(isolation, &graph);
+    }
+    return graph;
+  }
+
+  std::vector<double> Isolation(const std::vector<Waypoint>& waypoints) const {
+    const std::vector<kg_core::LonLat> places = PositionsOf(waypoints);
+    std::vector<double> isolation;
+    for (const kg_core::LonLat& place : places) {
+      isolation.push_back(sea_.Isolation(place, places));
+    }
+    return isolation;
+  }
+
+  // Those nearest first.
+  static std::vector<int> Others(const std::vector<Waypoint>& waypoints,
+                                 int from) {
+    std::vector<std::pair<double, int>> others;
+    for (const Waypoint& waypoint : waypoints) {
+      if (waypoint.id == from) continue;
+      others.emplace_back(
+          kg_core::Distance_m(waypoints[from].position, waypoint.position),
+          waypoint.id);
+    }
+    std::sort(others.begin(), others.end());
+    std::vector<int> ids;
+    for (const auto& [distance_m, id] : others) ids.push_back(id);
+    return ids;
+  }
+
+  void AddInnerEdges(const std::vector<double>& isolation, NavGraph* graph) {
+    for (const Waypoint& from : graph->waypoints) {
+      int found = 0;
+      for (const int to : Others(graph->waypoints, from.id)) {
+        const auto flight =
+            seams_.Fly(from.position, graph->waypoints[to].position);
+        if (!flight) continue;
+        graph->inner_edges.push_back(sea_.Price(*flight, isolation[to]));
+        graph->inner_edges.back().from = from.id;
+        graph->inner_edges.back().to = to;
+        if (++found == kInnerNeighbours) break;
+      }
+    }
+    SortByEnds(&graph->inner_edges);
+  }
+
+  static void SortByEnds(std::vector<TraverseEdge>* edges) {
+    std::sort(edges->begin(), edges->end(),
               [](const TraverseEdge& a, const TraverseEdge& b) {
                 return std::tie(a.from, a.to) < std::tie(b.from, b.to);
               });
-    return graph;
   }
 
   const WindowInputs& in_;
   const kg_core::Grid& grid_;
   const kg_core::Raster fused_;
   WindowSea sea_;
-  std::vector<Reach> reaches_;  // By source.
+  SeamFlyer seams_;
   std::vector<Draft> drafts_;
 };
 
@@ -192,10 +235,11 @@ void HashRules(const SeamRules& rules, kg_core::Hasher* hash) {
        {motion.cruise_mps, motion.max_mps, motion.boost_gain,
         motion.energy_per_m_j, motion.hotel_load_w, weights.time_per_s,
         weights.energy_per_j, weights.risk_per_s, weights.uncertainty,
-        rules.sensor_radius_m, rules.spacing_m, rules.hazard_range_m,
-        static_cast<double>(rules.max_waypoints)}) {
+        weights.isolation, rules.sensor_radius_m, rules.spacing_m,
+        rules.hazard_range_m, static_cast<double>(rules.max_waypoints)}) {
     hash->Add(value);
   }
+  hash->Add(Name(rules.movement_mode));
 }
 
 void HashWindow(const WindowRules& window, kg_core::Hasher* hash) {
@@ -230,8 +274,9 @@ std::string WindowGraphHash(const WindowInputs& inputs) {
   return hash.Hex();
 }
 
-NavGraph BuildWindowGraph(const WindowInputs& inputs) {
-  return Builder(inputs).Build();
+BuiltWindow BuildWindowGraph(const WindowInputs& inputs, const KeptSeams* last,
+                             SeamCounts* counts) {
+  return Builder(inputs, last, counts).Build();
 }
 
 bool IsOpenAt(const MissionTensor& tensor, kg_core::LonLat position) {

@@ -4,10 +4,12 @@
 #ifndef KG_COMPILER_CONTROL_PLANE_WINDOW_GRAPH_H_
 #define KG_COMPILER_CONTROL_PLANE_WINDOW_GRAPH_H_
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/seam_cache.h"
 
 namespace kg_compiler {
 
@@ -21,9 +23,16 @@ struct WindowInputs {
 // Of all that BuildWindowGraph reads.
 std::string WindowGraphHash(const WindowInputs& inputs);
 
+// A graph, and what the next one of this window may take over.
+struct BuiltWindow {
+  NavGraph graph;
+  std::shared_ptr<const KeptSeams> seams;
+};
+
 // Waypoints by descending score, then row, then column; edges by (from, to).
-// Both empty if the agent cannot be anywhere.
-NavGraph BuildWindowGraph(const WindowInputs& inputs);
+// Both empty if the agent cannot be anywhere. `last` may be null.
+BuiltWindow BuildWindowGraph(const WindowInputs& inputs, const KeptSeams* last,
+                             SeamCounts* counts);
 
 // May one be here in this window? False on land, in a no_go area, off the grid.
 bool IsOpenAt(const MissionTensor& tensor, kg_core::LonLat position);

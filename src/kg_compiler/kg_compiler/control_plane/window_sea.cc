@@ -1,16 +1,42 @@
 #include "kg_compiler/control_plane/window_sea.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
+
+#include "kg_core/base/sha256.h"
+#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
 
-kg_core::Mask OpenCells(const MissionTensor& tensor) {
-  const kg_core::Raster feasibility = tensor.Get(Layer::kFeasibility);
-  kg_core::Mask open(feasibility.size());
-  for (std::size_t i = 0; i < open.size(); ++i) open[i] = feasibility[i] == 1.f;
-  return open;
+// Cells that surely reach so far, at any row of a box.
+struct CellsFor {
+  int rows = 0;
+  int cols = 0;
+};
+CellsFor CellsWithin(const kg_core::Grid& grid, double metres) {
+  double row_m = std::numeric_limits<double>::infinity(), col_m = row_m;
+  const std::vector<double>& lon = grid.lon_deg();
+  const std::vector<double>& lat = grid.lat_deg();
+  double least_lon_deg = row_m;
+  for (std::size_t c = 1; c < lon.size(); ++c) {
+    least_lon_deg = std::min(least_lon_deg, lon[c] - lon[c - 1]);
+  }
+  for (std::size_t r = 0; r < lat.size(); ++r) {
+    const kg_core::DegreesPerMetre scale = kg_core::LocalScale(lat[r]);
+    col_m = std::min(col_m, least_lon_deg / scale.lon_deg);
+    if (r > 0) {
+      row_m = std::min(row_m, 0.99 * (lat[r] - lat[r - 1]) / scale.lat_deg);
+    }
+  }
+  const auto cells = [&](double cell_m) {
+    const double wanted = std::ceil(metres / cell_m) + 1.0;
+    return static_cast<int>(
+        std::min<double>(wanted, grid.rows() + grid.cols()));
+  };
+  return {cells(row_m), cells(col_m)};
 }
 
 }  // namespace
@@ -20,18 +46,17 @@ WindowSea::WindowSea(const SeamRules& rules, const WindowRules& window,
     : rules_(rules),
       window_(window),
       grid_(world.tensor->grid),
-      open_(OpenCells(*world.tensor)),
-      hazard_(grid_, open_, world.tensor->Get(Layer::kAttenuation),
-              rules.hazard_range_m),
+      surface_(SurfaceOf(*world.tensor)),
+      hazard_(grid_, surface_.open, surface_.attenuation, rules.hazard_range_m),
       field_(*world.field) {}
 
 bool WindowSea::IsOpen(kg_core::Cell cell) const {
-  return open_[grid_.Index(cell)];
+  return surface_.open[grid_.Index(cell)];
 }
 
 Voyage WindowSea::VoyageFrom(kg_core::LonLat source) const {
   const SeamWeights& weights = rules_.weights;
-  return {{&field_, &open_, &hazard_},
+  return {{&field_, &surface_.open, &hazard_},
           rules_.motion,
           {source, window_.begin_s, window_.end_s, window_.base_travel_m},
           {weights.time_per_s, weights.energy_per_j, weights.risk_per_s}};
@@ -45,17 +70,57 @@ Reach WindowSea::ReachFrom(kg_core::LonLat source) const {
   return ComputeReach(VoyageFrom(source));
 }
 
-std::optional<TraverseEdge> WindowSea::Fly(kg_core::LonLat source,
-                                           const Reach& reach,
-                                           kg_core::LonLat to) const {
-  std::optional<Flight> flight = Traverse(VoyageFrom(source), reach, to);
-  if (!flight) return std::nullopt;
-  const double cost = SeamCost(rules_.weights, *flight, window_.confidence);
-  return TraverseEdge{0, 0, std::move(*flight), cost};
+std::optional<Flight> WindowSea::Fly(kg_core::LonLat source, const Reach& reach,
+                                     kg_core::LonLat to) const {
+  return Traverse(VoyageFrom(source), reach, to);
+}
+
+std::string WindowSea::Terms() const {
+  const MotionModel& motion = rules_.motion;
+  const SeamWeights& weights = rules_.weights;
+  kg_core::Hasher hash;
+  for (const double value :
+       {motion.cruise_mps, motion.max_mps, motion.boost_gain,
+        motion.energy_per_m_j, motion.hotel_load_w, weights.time_per_s,
+        weights.energy_per_j, weights.risk_per_s, rules_.hazard_range_m,
+        window_.begin_s, window_.end_s, window_.base_travel_m}) {
+    hash.Add(value);
+  }
+  hash.Add(window_.field_hash);
+  hash.Add(static_cast<double>(grid_.rows()));
+  hash.Add(static_cast<double>(grid_.cols()));
+  return hash.Hex();
+}
+
+CellBox WindowSea::HazardBox(const CellBox& read) const {
+  const CellsFor far =
+      CellsWithin(grid_, HazardMap::kRanges * rules_.hazard_range_m);
+  return Grow(read, far.rows, far.cols, grid_);
+}
+
+double WindowSea::Isolation(
+    kg_core::LonLat place,
+    const std::vector<kg_core::LonLat>& waypoints) const {
+  const double near_m = 0.5 * window_.base_travel_m;
+  int others = 0;
+  for (const kg_core::LonLat& waypoint : waypoints) {
+    others +=
+        waypoint != place && kg_core::Distance_m(place, waypoint) <= near_m;
+  }
+  return rules_.weights.isolation / (1.0 + others);
+}
+
+TraverseEdge WindowSea::Price(Flight flight, double isolation) const {
+  TraverseEdge edge;
+  edge.isolation_s = isolation * flight.travel_s;
+  edge.flight = std::move(flight);
+  edge.seam_cost = SeamCost(rules_.weights, edge, window_.confidence);
+  return edge;
 }
 
 std::vector<std::optional<TraverseEdge>> PriceWays(
-    const WindowSea& sea, const std::vector<Way>& ways) {
+    const WindowSea& sea, const std::vector<Way>& ways,
+    const std::vector<kg_core::LonLat>& waypoints) {
   std::map<std::pair<double, double>, Reach> reaches;  // By source.
   std::vector<std::optional<TraverseEdge>> prices;
   for (const Way& way : ways) {
@@ -64,9 +129,22 @@ std::vector<std::optional<TraverseEdge>> PriceWays(
     if (reach == reaches.end()) {
       reach = reaches.emplace(key, sea.ReachFrom(way.from)).first;
     }
-    prices.push_back(sea.Fly(way.from, reach->second, way.to));
+    std::optional<Flight> flight = sea.Fly(way.from, reach->second, way.to);
+    prices.emplace_back();
+    if (!flight) continue;
+    prices.back() =
+        sea.Price(std::move(*flight), sea.Isolation(way.to, waypoints));
   }
   return prices;
+}
+
+std::vector<kg_core::LonLat> PositionsOf(
+    const std::vector<Waypoint>& waypoints) {
+  std::vector<kg_core::LonLat> positions;
+  for (const Waypoint& waypoint : waypoints) {
+    positions.push_back(waypoint.position);
+  }
+  return positions;
 }
 
 }  // namespace kg_compiler

@@ -1,13 +1,15 @@
 // One window's sea as one agent meets it: where it may be, what is dangerous,
-// and what a flight there costs it.
+// and what a flight there costs it. The only door to traversal.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_WINDOW_SEA_H_
 #define KG_COMPILER_CONTROL_PLANE_WINDOW_SEA_H_
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/sea_surface.h"
 
 namespace kg_compiler {
 
@@ -20,13 +22,29 @@ class WindowSea {
   WindowSea& operator=(const WindowSea&) = delete;
 
   bool IsOpen(kg_core::Cell cell) const;
+  const kg_core::Grid& grid() const { return grid_; }
+  const SeaSurface& surface() const { return surface_; }
+  double begin_s() const { return window_.begin_s; }
+
   // See traversal.h; departures are at the window's begin.
   double HoldableFrom_s(kg_core::LonLat place) const;
   Reach ReachFrom(kg_core::LonLat source) const;
-  // The flight and its price, from and to not set; nothing if it cannot be
-  // flown. `reach` is that of `source`.
-  std::optional<TraverseEdge> Fly(kg_core::LonLat source, const Reach& reach,
-                                  kg_core::LonLat to) const;
+  // Nothing if it cannot be flown. `reach` is that of `source`.
+  std::optional<Flight> Fly(kg_core::LonLat source, const Reach& reach,
+                            kg_core::LonLat to) const;
+
+  // Hash of all but places and surface that reaches and flights depend on.
+  std::string Terms() const;
+  // Hazard looks so much farther than `read`, the box of a reach, for what is
+  // not open.
+  CellBox HazardBox(const CellBox& read) const;
+
+  // I of a place, for a second under way: the hazard of having few of the
+  // `waypoints` to go to instead (nav_graph.h). The place itself is not one.
+  double Isolation(kg_core::LonLat place,
+                   const std::vector<kg_core::LonLat>& waypoints) const;
+  // The edge of a flight, from and to not set.
+  TraverseEdge Price(Flight flight, double isolation) const;
 
  private:
   Voyage VoyageFrom(kg_core::LonLat source) const;
@@ -34,7 +52,7 @@ class WindowSea {
   const SeamRules& rules_;
   const WindowRules& window_;
   const kg_core::Grid& grid_;
-  kg_core::Mask open_;
+  SeaSurface surface_;
   HazardMap hazard_;
   const kg_core::VectorField& field_;
 };
@@ -45,10 +63,14 @@ struct Way {
   kg_core::LonLat to;
 };
 
-// What each of `ways` costs, as CompileNavGraphs would price it; nothing where
-// it cannot be flown.
+// What each of `ways` costs, as CompileNavGraphs would price it in a graph of
+// these waypoints; nothing where it cannot be flown.
 std::vector<std::optional<TraverseEdge>> PriceWays(
-    const WindowSea& sea, const std::vector<Way>& ways);
+    const WindowSea& sea, const std::vector<Way>& ways,
+    const std::vector<kg_core::LonLat>& waypoints);
+
+std::vector<kg_core::LonLat> PositionsOf(
+    const std::vector<Waypoint>& waypoints);
 
 }  // namespace kg_compiler
 

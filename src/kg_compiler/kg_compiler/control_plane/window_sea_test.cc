@@ -1,6 +1,7 @@
 #include "kg_compiler/control_plane/window_sea.h"
 
 #include "gtest/gtest.h"
+#include "kg_compiler/control_plane/nav_graphs.h"
 #include "kg_compiler/test_world.h"
 
 namespace kg_compiler {
@@ -26,7 +27,7 @@ SeamRules TwoWindows() {
   SeamRules rules;
   rules.agent_iri = "ex:a";
   rules.motion = {0.4, 0.8, 1.0, 7.2, 1.0};
-  rules.weights = {1e-5, 1e-6, 1e-4, 0.3};
+  rules.weights = {1e-5, 1e-6, 1e-4, 0.3, 0.2};
   rules.sensor_radius_m = 8e3;
   rules.max_waypoints = 6;
   rules.start = {-91.0, 24.0};
@@ -52,7 +53,7 @@ TEST(PriceWaysTest, AsksWhatTheGraphsAsk) {
         RandomFlow(rng, grid, 0.3, 21600.0, 172800.0);
     const SeamRules rules = TwoWindows();
     const std::vector<WindowWorld> worlds(2, {&tensor, &field});
-    const auto graphs = CompileNavGraphs(rules, worlds, {});
+    const auto graphs = CompileNavGraphs(rules, worlds, nullptr);
     for (std::size_t w = 0; w < graphs.size(); ++w) {
       std::vector<Way> ways;
       for (const TraverseEdge& edge : graphs[w].edges) {
@@ -61,7 +62,8 @@ TEST(PriceWaysTest, AsksWhatTheGraphsAsk) {
              graphs[w].waypoints[edge.to].position});
       }
       const WindowSea sea(rules, rules.windows[w], worlds[w]);
-      const auto prices = PriceWays(sea, ways);
+      const auto prices =
+          PriceWays(sea, ways, PositionsOf(graphs[w].waypoints));
       ASSERT_EQ(prices.size(), graphs[w].edges.size());
       for (std::size_t e = 0; e < prices.size(); ++e, ++edges) {
         ASSERT_TRUE(prices[e]);
@@ -81,10 +83,12 @@ TEST(PriceWaysTest, AWayToAClosedPlaceOrOffTheGridHasNoPrice) {
   const kg_core::VectorField field = UniformFlow(grid, 0.0, 0.0);
   const SeamRules rules = TwoWindows();
   const WindowSea sea(rules, rules.windows[0], {&tensor, &field});
-  const auto prices = PriceWays(sea, {{{-91.0, 24.0}, {-91.0, 23.05}},
-                                      {{-91.0, 24.0}, {-80.0, 24.0}},
-                                      {{-80.0, 24.0}, {-91.0, 24.0}},
-                                      {{-91.0, 24.0}, {-91.05, 24.0}}});
+  const auto prices = PriceWays(sea,
+                                {{{-91.0, 24.0}, {-91.0, 23.05}},
+                                 {{-91.0, 24.0}, {-80.0, 24.0}},
+                                 {{-80.0, 24.0}, {-91.0, 24.0}},
+                                 {{-91.0, 24.0}, {-91.05, 24.0}}},
+                                {});
   EXPECT_FALSE(prices[0]);
   EXPECT_FALSE(prices[1]);
   EXPECT_FALSE(prices[2]);

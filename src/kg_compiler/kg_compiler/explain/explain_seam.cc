@@ -27,7 +27,7 @@ class SeamExplainer {
  public:
   SeamExplainer(const SeamContext& context, const TraverseEdge& edge,
                 const CitedFacts& facts)
-      : in_(context), flight_(edge.flight), facts_(facts) {
+      : in_(context), edge_(edge), flight_(edge.flight), facts_(facts) {
     explanation_.value = edge.seam_cost;
     explanation_.unit = "reward";
   }
@@ -36,6 +36,7 @@ class SeamExplainer {
     AddTime();
     AddEnergy();
     AddRisk();
+    AddIsolation();
     AddUncertainty();
     return std::move(explanation_);
   }
@@ -80,7 +81,8 @@ class SeamExplainer {
   void AddRisk() {
     const double value = in_.rules->weights.risk_per_s * flight_.hazard_s;
     if (value == 0.0) return;
-    Facts facts = facts_.Policy(*in_.agent, {"ex:lambda_risk"});
+    Facts facts =
+        facts_.Policy(*in_.agent, {"ex:lambda_risk", "ex:hazardRangeKm"});
     const ActiveFacts active =
         FindActiveFacts(in_.compilation->mission, *in_.agent, TimeWindowOf());
     for (const ActiveConstraint& constraint : active.constraints) {
@@ -90,6 +92,20 @@ class SeamExplainer {
         "risk: ex:lambda_risk for " + Hours(flight_.hazard_s) +
             " at hazard 1, near what is forbidden or in soft zones",
         std::move(facts));
+  }
+
+  void AddIsolation() {
+    const double value = in_.rules->weights.risk_per_s * edge_.isolation_s;
+    if (value == 0.0) return;
+    const double share = edge_.isolation_s / flight_.travel_s;
+    const double others = in_.rules->weights.isolation / share - 1.0;
+    Add(value, "lambda_risk * I",
+        "isolation: ex:lambda_risk for " + Hours(flight_.travel_s) +
+            " at ex:isolationWeight " + Short(in_.rules->weights.isolation) +
+            " / (1 + " + Short(others) +
+            "), the other waypoints within half of the base travel",
+        facts_.Policy(*in_.agent, {"ex:lambda_risk", "ex:isolationWeight"}) +
+            MotionFacts(in_, facts_));
   }
 
   void AddUncertainty() {
@@ -110,6 +126,7 @@ class SeamExplainer {
   }
 
   const SeamContext& in_;
+  const TraverseEdge& edge_;
   const Flight& flight_;
   const CitedFacts& facts_;
   Explanation explanation_;

@@ -1,10 +1,11 @@
 // Why a seam costs what it costs:
 //
-//   S = lambda_time t + lambda_energy E + lambda_risk H + lambda_unc (1 - w)
+//   S = lambda_time t + lambda_energy E + lambda_risk (H + I)
+//       + lambda_unc (1 - w)
 //   E = energy_per_m (V t + m held on station) + hotel_load (whole window)
 //
-// each product a contribution, the energy's three apart. Terms of weight 0 are
-// left out.
+// each product a contribution, the energy's three and the risk's two apart.
+// Terms of weight 0 are left out.
 
 #ifndef KG_COMPILER_EXPLAIN_EXPLAIN_SEAM_H_
 #define KG_COMPILER_EXPLAIN_EXPLAIN_SEAM_H_

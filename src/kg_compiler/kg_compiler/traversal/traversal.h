@@ -24,6 +24,7 @@
 #include <optional>
 #include <vector>
 
+#include "kg_compiler/traversal/cell_box.h"
 #include "kg_compiler/traversal/hazard_map.h"
 #include "kg_compiler/traversal/motion.h"
 #include "kg_core/geo/lon_lat.h"
@@ -80,14 +81,6 @@ struct Voyage {
   MotionModel motion;
   Departure departure;
   FlightPrice price;
-};
-
-// Rows and columns of a grid, half open.
-struct CellBox {
-  int row = 0;
-  int row_end = 0;
-  int col = 0;
-  int col_end = 0;
 };
 
 // A cell one can be at, with the earliest arrival found.

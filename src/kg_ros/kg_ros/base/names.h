@@ -28,6 +28,7 @@ inline constexpr char kWatchService[] = "kg/watch";
 inline constexpr char kWhyService[] = "kg/why";
 inline constexpr char kWhatIfService[] = "kg/what_if";
 inline constexpr char kValidateService[] = "kg/validate";
+inline constexpr char kCheckService[] = "kg/check";
 inline constexpr char kExportService[] = "kg/export";
 
 inline std::string AgentTopic(const std::string& agent_id,

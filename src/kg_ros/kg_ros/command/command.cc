@@ -9,8 +9,8 @@ namespace {
 
 const std::vector<const Subcommand*>& Subcommands() {
   static const std::vector<const Subcommand*> subcommands = {
-      &kQuery, &kUpdate, &kValidate,    &kExport, &kImport,
-      &kDiff,  &kLog,    &kConformance, &kServe,  &kWhy,
+      &kQuery, &kUpdate,      &kValidate, &kExport, &kImport, &kDiff,
+      &kLog,   &kConformance, &kServe,    &kWhy,    &kCheck,
   };
   return subcommands;
 }

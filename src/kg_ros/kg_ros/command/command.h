@@ -74,6 +74,7 @@ extern const Subcommand kLog;
 extern const Subcommand kConformance;
 extern const Subcommand kServe;
 extern const Subcommand kWhy;
+extern const Subcommand kCheck;
 
 // The whole program: `line` is the command line without the program's name.
 int RunCommand(const std::vector<std::string>& line);

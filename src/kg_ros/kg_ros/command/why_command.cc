@@ -10,8 +10,6 @@
 #include "kg_core/mission/mission_reader.h"
 #include "kg_ros/command/command.h"
 #include "kg_ros/command/target.h"
-#include "kg_ros/knowledge/executed_stops.h"
-#include "kg_ros/knowledge/mission_state.h"
 #include "kg_ros/knowledge/start_state.h"
 #include "kg_selector/explain_plan.h"
 #include "kg_selector/plan_mission.h"
@@ -19,7 +17,6 @@
 namespace kg_ros::command {
 namespace {
 
-using kg_core::GraphView;
 using kg_selector::PlannedWorld;
 using kg_selector::Question;
 using kg_selector::Why;
@@ -87,19 +84,6 @@ Question ReadQuestion(const Arguments& arguments) {
   }
   if (subjects > 1) throw UsageError("expected one thing to explain");
   return question;
-}
-
-StartState StartOf(const GraphView& view, const kg_core::Mission& mission) {
-  const MissionState state = LoadState(view);
-  StartState start;
-  start.fleet.Reset(mission);
-  if (!state.mission_folder.empty()) {
-    start.fleet.Restore(state.poses, state.mission_time_s);
-    start.fleet.Follow(mission);
-    start.executed = ReadExecuted(view, state.plan_run, mission);
-  }
-  start.cycle = state.cycle;
-  return start;
 }
 
 PlannedWorld Plan(const Target& target, const std::string& data_folder) {

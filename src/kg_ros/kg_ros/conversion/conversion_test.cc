@@ -40,7 +40,9 @@ kg_compiler::SeamRules RandomRules(std::mt19937* random) {
   rules.motion = {number(*random), 6.0, number(*random), number(*random),
                   number(*random)};
   rules.weights = {number(*random), number(*random), number(*random),
-                   number(*random)};
+                   number(*random), number(*random)};
+  rules.hazard_range_m = number(*random);
+  rules.movement_mode = static_cast<kg_compiler::MovementMode>((*random)() % 2);
   rules.energy_budget_j = number(*random);
   rules.sensor_radius_m = number(*random);
   rules.spacing_m = number(*random);
@@ -112,6 +114,9 @@ TEST(ConversionTest, SeamRulesComeBackAsTheyWere) {
     EXPECT_EQ(back.motion.cruise_mps, rules.motion.cruise_mps);
     EXPECT_EQ(back.motion.hotel_load_w, rules.motion.hotel_load_w);
     EXPECT_EQ(back.weights.risk_per_s, rules.weights.risk_per_s);
+    EXPECT_EQ(back.weights.isolation, rules.weights.isolation);
+    EXPECT_EQ(back.hazard_range_m, rules.hazard_range_m);
+    EXPECT_EQ(back.movement_mode, rules.movement_mode);
     EXPECT_EQ(back.energy_budget_j, rules.energy_budget_j);
     EXPECT_NEAR(back.start.lon_deg, rules.start.lon_deg, 1e-12);
     ASSERT_EQ(back.windows.size(), 1u);
@@ -128,6 +133,12 @@ TEST(ConversionTest, RefusesRulesThatAreNoNumbers) {
   EXPECT_THROW(FromMessage(message), InputError);
   message = ToMessage(RandomRules(&random), 1);
   message.windows[0].end = message.windows[0].begin;
+  EXPECT_THROW(FromMessage(message), InputError);
+  message = ToMessage(RandomRules(&random), 1);
+  message.isolation_weight = -0.1;
+  EXPECT_THROW(FromMessage(message), InputError);
+  message = ToMessage(RandomRules(&random), 1);
+  message.movement_mode = "leaps";
   EXPECT_THROW(FromMessage(message), InputError);
 }
 
@@ -162,7 +173,11 @@ kg_compiler::NavGraph SmallGraph() {
   edge.flight.hazard_s = 0.125;
   edge.flight.through_water_m = 6.0;
   edge.seam_cost = 0.375;
+  edge.isolation_s = 0.0625;
   graph.edges = {edge};
+  edge.from = 0;
+  graph.inner_edges = {edge};
+  graph.movement_mode = kg_compiler::MovementMode::kEdges;
   return graph;
 }
 
@@ -194,7 +209,12 @@ TEST(ConversionTest, AWaypointGraphComesBackAsItWas) {
   EXPECT_EQ(a.flight.energy_j, b.flight.energy_j);
   EXPECT_EQ(a.flight.hazard_s, b.flight.hazard_s);
   EXPECT_EQ(a.flight.through_water_m, b.flight.through_water_m);
+  EXPECT_EQ(a.isolation_s, b.isolation_s);
   EXPECT_EQ(2u, b.flight.track.size());
+  EXPECT_EQ(kg_compiler::MovementMode::kEdges, back.movement_mode);
+  ASSERT_EQ(1u, back.inner_edges.size());
+  EXPECT_EQ(0, back.inner_edges[0].from);
+  EXPECT_EQ(1, back.inner_edges[0].to);
 }
 
 TEST(ConversionTest, RefusesAWaypointGraphThatMakesNoSense) {
@@ -207,6 +227,12 @@ TEST(ConversionTest, RefusesAWaypointGraphThatMakesNoSense) {
   EXPECT_THROW(FromMessage(message), InputError);
   message = good;
   message.edges[0].cost.seam_cost = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(FromMessage(message), InputError);
+  message = good;
+  message.edges[1].from = 2;  // Within the window there are two.
+  EXPECT_THROW(FromMessage(message), InputError);
+  message = good;
+  message.movement_mode = "leaps";
   EXPECT_THROW(FromMessage(message), InputError);
 }
 

@@ -11,6 +11,7 @@ namespace kg_ros {
 namespace {
 
 using kg_compiler::NavGraph;
+using kg_compiler::NavGraphs;
 using kg_compiler::TimedPoint;
 using kg_compiler::TraverseEdge;
 
@@ -49,6 +50,7 @@ TraverseEdge FromMessage(const kg_msgs::TraverseEdge& message) {
   edge.flight.hazard_s = message.cost.hazard_s;
   edge.flight.through_water_m = message.cost.through_water_m;
   edge.seam_cost = message.cost.seam_cost;
+  edge.isolation_s = message.cost.isolation_s;
   return edge;
 }
 
@@ -76,6 +78,7 @@ kg_msgs::EdgeCost CostMessage(const TraverseEdge& edge) {
   cost.energy_j = edge.flight.energy_j;
   cost.hazard_s = edge.flight.hazard_s;
   cost.through_water_m = edge.flight.through_water_m;
+  cost.isolation_s = edge.isolation_s;
   cost.seam_cost = edge.seam_cost;
   return cost;
 }
@@ -116,13 +119,17 @@ kg_msgs::NavGraph ToMessage(const NavGraph& graph,
   message.agent = rules.agent_id;
   message.agent_iri = graph.agent_iri;
   message.window = graph.window;
-  message.movement_mode = "hops";
+  message.movement_mode = kg_compiler::Name(graph.movement_mode);
   message.hash = graph.hash;
   for (const kg_compiler::Waypoint& waypoint : graph.waypoints) {
     message.waypoints.push_back(ToMessage(waypoint));
   }
   for (const TraverseEdge& edge : graph.edges) {
     message.edges.push_back(ToMessage(edge));
+  }
+  for (const TraverseEdge& edge : graph.inner_edges) {
+    message.edges.push_back(ToMessage(edge));
+    message.edges.back().within_window = true;
   }
   return message;
 }
@@ -132,6 +139,7 @@ NavGraph FromMessage(const kg_msgs::NavGraph& message) {
   graph.agent_iri = message.agent_iri;
   graph.window = message.window;
   graph.hash = message.hash;
+  graph.movement_mode = kg_compiler::MovementModeOf(message.movement_mode);
   for (const kg_msgs::Waypoint& waypoint : message.waypoints) {
     if (waypoint.id != graph.waypoints.size() ||
         !std::isfinite(waypoint.score)) {
@@ -144,19 +152,21 @@ NavGraph FromMessage(const kg_msgs::NavGraph& message) {
   }
   for (const kg_msgs::TraverseEdge& edge : message.edges) {
     if (edge.to >= message.waypoints.size() ||
+        (edge.within_window && edge.from >= message.waypoints.size()) ||
         !std::isfinite(edge.cost.seam_cost)) {
       throw kg_core::InputError("NavGraph of " + message.agent + ", window " +
                                 std::to_string(message.window) +
                                 ": edges must lead to its waypoints and costs "
                                 "be finite");
     }
-    graph.edges.push_back(FromMessage(edge));
+    auto& edges = edge.within_window ? graph.inner_edges : graph.edges;
+    edges.push_back(FromMessage(edge));
   }
   return graph;
 }
 
 kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
-                           const std::vector<NavGraph>& graphs) {
+                           const NavGraphs& graphs) {
   kg_msgs::Pathlet message;
   message.rank = pathlet.rank;
   message.reward = pathlet.reward;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/nav_graphs.h"
 #include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_compiler/traversal/traversal.h"
 #include "kg_msgs/Assignments.h"
@@ -38,7 +38,7 @@ kg_compiler::NavGraph FromMessage(const kg_msgs::NavGraph& message);
 
 // With the cost of every seam, looked up in the graphs the path was made of.
 kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
-                           const std::vector<kg_compiler::NavGraph>& graphs);
+                           const kg_compiler::NavGraphs& graphs);
 kg_selector::Pathlet FromMessage(const kg_msgs::Pathlet& message,
                                  const std::string& agent);
 

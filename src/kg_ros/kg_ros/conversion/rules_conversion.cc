@@ -87,7 +87,9 @@ kg_msgs::SeamRules ToMessage(const kg_compiler::SeamRules& rules,
   message.lambda_energy_per_j = rules.weights.energy_per_j;
   message.lambda_risk_per_s = rules.weights.risk_per_s;
   message.lambda_uncertainty = rules.weights.uncertainty;
+  message.isolation_weight = rules.weights.isolation;
   message.hazard_range_m = rules.hazard_range_m;
+  message.movement_mode = kg_compiler::Name(rules.movement_mode);
   message.sensor_radius_m = rules.sensor_radius_m;
   message.spacing_m = rules.spacing_m;
   message.max_waypoints = rules.max_waypoints;
@@ -106,6 +108,8 @@ kg_compiler::SeamRules FromMessage(const kg_msgs::SeamRules& message) {
   RequireAtLeast(message.max_mps, message.cruise_mps, "SeamRules.max_mps");
   RequireAtLeast(message.energy_budget_j, 0.0, "SeamRules.energy_budget_j");
   RequireAtLeast(message.sensor_radius_m, 0.0, "SeamRules.sensor_radius_m");
+  RequireAtLeast(message.isolation_weight, 0.0, "SeamRules.isolation_weight");
+  RequireAtLeast(message.hazard_range_m, 0.0, "SeamRules.hazard_range_m");
   RequireAtLeast(message.max_waypoints, 1, "SeamRules.max_waypoints");
   RequireAtLeast(message.candidates, 1, "SeamRules.candidates");
   kg_compiler::SeamRules rules;
@@ -115,13 +119,15 @@ kg_compiler::SeamRules FromMessage(const kg_msgs::SeamRules& message) {
   rules.motion = {message.cruise_mps, message.max_mps, message.boost_gain,
                   message.energy_per_m_j, message.hotel_load_w};
   rules.weights = {message.lambda_time_per_s, message.lambda_energy_per_j,
-                   message.lambda_risk_per_s, message.lambda_uncertainty};
+                   message.lambda_risk_per_s, message.lambda_uncertainty,
+                   message.isolation_weight};
   rules.energy_budget_j = message.energy_budget_j;
   rules.sensor_radius_m = message.sensor_radius_m;
   rules.spacing_m = message.spacing_m;
   rules.max_waypoints = static_cast<int>(message.max_waypoints);
   rules.candidates = static_cast<int>(message.candidates);
   rules.hazard_range_m = message.hazard_range_m;
+  rules.movement_mode = kg_compiler::MovementModeOf(message.movement_mode);
   rules.start = {kg_core::RadToDeg(message.start_lon_rad),
                  kg_core::RadToDeg(message.start_lat_rad)};
   rules.start_heading_rad = message.start_heading_rad;

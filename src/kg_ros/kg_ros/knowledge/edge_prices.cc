@@ -97,7 +97,11 @@ EdgePrices::WindowPrices EdgePrices::PriceWindow(
   const auto worlds = kg_selector::WorldsOf(*then.compilation, other->rules);
   const kg_compiler::WindowSea sea(other->rules, other->rules.windows[*place],
                                    worlds[*place]);
-  auto flown = kg_compiler::PriceWays(sea, ways);
+  // Without graphs there, the places one could go to instead are those here.
+  const NavGraph& places =
+      other->graphs.empty() ? graph : other->graphs[*place];
+  auto flown = kg_compiler::PriceWays(
+      sea, ways, kg_compiler::PositionsOf(places.waypoints));
   for (std::size_t i = 0; i < ways.size(); ++i) {
     prices.then[unknown[i]] = std::move(flown[i]);
   }

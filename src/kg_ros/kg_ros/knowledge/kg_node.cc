@@ -41,6 +41,7 @@ KgNode::KgNode(const MissionFolders& folders, const HttpDoorOptions& http,
       rviz_(node_),
       queries_(node_, &server_),
       what_ifs_(node_, &server_),
+      checks_(node_, &server_),
       watches_(node_, &server_),
       why_(node_, &server_),
       main_thread_(ros::getGlobalCallbackQueue()) {

@@ -22,6 +22,7 @@
 #include "kg_msgs/World.h"
 #include "kg_ros/display/rviz_publisher.h"
 #include "kg_ros/knowledge/artifact_publisher.h"
+#include "kg_ros/knowledge/check_server.h"
 #include "kg_ros/knowledge/mission_server.h"
 #include "kg_ros/knowledge/pending_reports.h"
 #include "kg_ros/knowledge/plan_progress.h"
@@ -92,6 +93,7 @@ class KgNode {
   RvizPublisher rviz_;
   QueryServer queries_;
   WhatIfServer what_ifs_;
+  CheckServer checks_;
   WatchServer watches_;
   WhyServer why_;
   PlanProgress progress_;

@@ -52,6 +52,13 @@ void Describe(const NavGraphOrigin& origin, const kg_core::Mission& mission,
       .Text("hash", origin.stamp.hash);
 }
 
+Term BeginOf(const kg_msgs::TraverseEdge& edge, const Term& graph,
+             const NavGraphPlace& place) {
+  if (edge.within_window) return WaypointNode(graph, edge.from);
+  if (place.previous_hash.empty()) return Iri(place.start_iri);
+  return WaypointNode(NavGraphNode(place.previous_hash), edge.from);
+}
+
 void WriteEdgeCost(const Term& edge, const std::string& agent_iri,
                    const kg_msgs::EdgeCost& cost, FactWriter* write) {
   write->About(Iri(edge.text + "/cost"), "EdgeCost")
@@ -61,6 +68,11 @@ void WriteEdgeCost(const Term& edge, const std::string& agent_iri,
 }
 
 }  // namespace
+
+Term InnerEdgeNode(const std::string& graph_hash, unsigned from, unsigned to) {
+  return Iri(NavGraphNode(graph_hash).text + "/edge/within/" +
+             std::to_string(from) + "-" + std::to_string(to));
+}
 
 Term EdgeNode(const std::string& graph_hash, unsigned from, unsigned to) {
   return Iri(NavGraphNode(graph_hash).text + "/edge/" + std::to_string(from) +
@@ -130,11 +142,10 @@ std::vector<kg_core::Statement> NavGraphStatements(
         .Position(GeoTerm("asWKT"), GetPosition(waypoint));
   }
   for (const kg_msgs::TraverseEdge& edge : graph.edges) {
-    const Term edge_node = EdgeNode(graph.hash, edge.from, edge.to);
-    const Term from =
-        place.previous_hash.empty()
-            ? Iri(place.start_iri)
-            : WaypointNode(NavGraphNode(place.previous_hash), edge.from);
+    const Term edge_node = edge.within_window
+                               ? InnerEdgeNode(graph.hash, edge.from, edge.to)
+                               : EdgeNode(graph.hash, edge.from, edge.to);
+    const Term from = BeginOf(edge, node, place);
     write.About(edge_node, "TraverseEdge")
         .Link("inGraph", node)
         .Link("from", from)

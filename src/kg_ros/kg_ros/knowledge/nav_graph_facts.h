@@ -7,6 +7,7 @@
 //       prov:wasGeneratedBy ex:compile\/phi1\/12\/alpha
 //   ex:nav\/<hash>\/waypoint\/3       a ex:Waypoint ; ex:inGraph ...
 //   ex:nav\/<hash>\/edge\/1-3         a ex:TraverseEdge ; ex:from ; ex:to ...
+//   ex:nav\/<hash>\/edge\/within\/2-0   likewise, between its own waypoints
 //   ex:nav\/<hash>\/edge\/1-3\/cost   a ex:EdgeCost ; ex:costHours ...
 
 #ifndef KG_ROS_KNOWLEDGE_NAV_GRAPH_FACTS_H_
@@ -27,6 +28,9 @@ kg_core::Term NavGraphNode(const std::string& hash);
 // An edge of the graph with this hash, from and to its waypoints.
 kg_core::Term EdgeNode(const std::string& graph_hash, unsigned from,
                        unsigned to);
+// One that stays within its window.
+kg_core::Term InnerEdgeNode(const std::string& graph_hash, unsigned from,
+                            unsigned to);
 
 // What is kept of a graph's message: enough for its provenance.
 struct NavGraphStamp {

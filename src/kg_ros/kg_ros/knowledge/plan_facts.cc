@@ -301,7 +301,8 @@ std::vector<Statement> PlanStatements(const PlanRecord& record,
 void WriteCost(const kg_msgs::EdgeCost& cost, FactWriter* write) {
   write->Number("costHours", cost.travel_s / kg_core::kSecondsPerHour)
       .Number("costEnergy", cost.energy_j / kg_core::kJoulesPerWh)
-      .Number("costRisk", cost.hazard_s / kg_core::kSecondsPerHour)
+      .Number("costRisk",
+              (cost.hazard_s + cost.isolation_s) / kg_core::kSecondsPerHour)
       .Number("seamCost", cost.seam_cost);
 }
 

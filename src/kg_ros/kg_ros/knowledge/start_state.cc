@@ -8,6 +8,8 @@
 
 #include "kg_compiler/as_sent.h"
 #include "kg_ros/knowledge/artifact_facts.h"
+#include "kg_ros/knowledge/executed_stops.h"
+#include "kg_ros/knowledge/mission_state.h"
 
 namespace kg_ros {
 namespace {
@@ -125,6 +127,20 @@ std::shared_ptr<const Compilation> StartFrom(const StartState& start,
   CloseVisitedEvents(start.executed, started.get());
   TakeAsSent(started.get());
   return started;
+}
+
+StartState StartOf(const kg_core::GraphView& view,
+                   const kg_core::Mission& mission) {
+  const MissionState state = LoadState(view);
+  StartState start;
+  start.fleet.Reset(mission);
+  if (!state.mission_folder.empty()) {
+    start.fleet.Restore(state.poses, state.mission_time_s);
+    start.fleet.Follow(mission);
+    start.executed = ReadExecuted(view, state.plan_run, mission);
+  }
+  start.cycle = state.cycle;
+  return start;
 }
 
 }  // namespace kg_ros

@@ -27,6 +27,11 @@ struct StartState {
 // agents leave for the next one at once.
 int FirstWindowToPlan(const StartState& start, const kg_core::Mission& mission);
 
+// As a store remembers it: where the agents were last heard of, or the start if
+// nothing has been planned yet.
+StartState StartOf(const kg_core::GraphView& view,
+                   const kg_core::Mission& mission);
+
 // The compilation with rules that leave from where the agents are, with the
 // energy they have left, and without what their past visits have closed: an
 // event rewards an agent once, and no more agents than it has capacity for.

@@ -59,6 +59,7 @@ void RecordGraphs(const PlannedWorld& world, const TeamMember& member,
     origin.agent_iri = member.rules.agent_iri;
     origin.window = graph.window;
     origin.stamp.hash = graph.hash;
+    origin.stamp.movement_mode = kg_compiler::Name(graph.movement_mode);
     AddAll(NavGraphDescription(origin, mission), run.graph, transaction);
     AddAll(NavGraphStatements(ToMessage(graph, member.rules), place), run.graph,
            transaction);

@@ -19,6 +19,7 @@ namespace kg_ros {
 namespace {
 
 using kg_compiler::NavGraph;
+using kg_compiler::NavGraphs;
 using kg_core::InputError;
 
 double Seconds(std::chrono::steady_clock::time_point since) {
@@ -26,7 +27,7 @@ double Seconds(std::chrono::steady_clock::time_point since) {
       .count();
 }
 
-std::size_t CountEdges(const std::vector<NavGraph>& graphs) {
+std::size_t CountEdges(const NavGraphs& graphs) {
   std::size_t count = 0;
   for (const NavGraph& graph : graphs) count += graph.edges.size();
   return count;
@@ -161,7 +162,7 @@ void PlannerServer::MarkStaging(const kg_msgs::Candidates& candidates,
   for (std::size_t i = 0; i < visits.size() && i < graphs->size(); ++i) {
     const int to = static_cast<int>(visits[i].waypoint);
     for (kg_msgs::TraverseEdge& edge : (*graphs)[i].edges) {
-      if (static_cast<int>(edge.from) == from &&
+      if (!edge.within_window && static_cast<int>(edge.from) == from &&
           static_cast<int>(edge.to) == to) {
         edge.staging = IsStaging(graphs_[i], from, to);
       }
@@ -175,7 +176,7 @@ PlannerAnswer PlannerServer::Plan() {
   PlannerAnswer answer;
   const auto begin = std::chrono::steady_clock::now();
   try {
-    graphs_ = kg_compiler::CompileNavGraphs(rules_, Worlds(), graphs_);
+    graphs_ = kg_compiler::CompileNavGraphs(rules_, Worlds(), &cache_);
   } catch (const InputError& error) {
     graphs_.clear();
     answer.candidates = Header(0);

@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/nav_graphs.h"
+#include "kg_compiler/control_plane/seam_cache.h"
 #include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
 #include "kg_msgs/Candidates.h"
@@ -67,7 +68,8 @@ class PlannerServer {
   bool due_ = false;
   std::map<int, std::shared_ptr<const kg_compiler::MissionTensor>> tensors_;
   std::map<int, std::shared_ptr<const kg_compiler::WorkField>> fields_;
-  std::vector<kg_compiler::NavGraph> graphs_;
+  kg_compiler::NavGraphs graphs_;  // Of the last plan.
+  kg_compiler::SeamCache cache_;   // For the next one.
 };
 
 }  // namespace kg_ros

@@ -1,0 +1,32 @@
+// Which cells of a tensor a change of facts speaks of.
+
+#ifndef KG_COMPILER_COMPILE_DIRTY_BOX_H_
+#define KG_COMPILER_COMPILE_DIRTY_BOX_H_
+
+#include <optional>
+
+#include "kg_compiler/data_plane/data_plane.h"
+#include "kg_compiler/traversal/cell_box.h"
+#include "kg_core/mission/mission.h"
+
+namespace kg_compiler {
+
+// What a tensor is made from. `horizon` may be null.
+struct TensorOrigin {
+  const kg_core::Mission* mission = nullptr;
+  const kg_core::Agent* agent = nullptr;
+  const kg_core::TimeWindow* window = nullptr;
+  const WindowRasters* rasters = nullptr;
+  const HorizonScale* horizon = nullptr;
+};
+
+// The box around the areas, buffers included, of the constraints that only one
+// of the two has in force (or has otherwise), if that is all they differ in:
+// outside of it masks and priors are the same, and the blend's values but for
+// the scale of N. Nothing if they may differ anywhere.
+std::optional<CellBox> DirtyBox(const TensorOrigin& before,
+                                const TensorOrigin& after);
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_COMPILE_DIRTY_BOX_H_

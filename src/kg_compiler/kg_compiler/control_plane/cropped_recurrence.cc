@@ -1,0 +1,187 @@
+#include "kg_compiler/control_plane/cropped_recurrence.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "kg_compiler/control_plane/sea_surface.h"
+#include "kg_core/geo/geodesy.h"
+
+namespace kg_compiler {
+namespace {
+
+constexpr double kMostRadius_m = 500e3;  // Larger discs see the whole grid.
+
+// Of values >= 0, whose bits are in their order.
+float Largest(const kg_core::Raster& values) {
+  std::int32_t most = 0;
+  for (const float value : values) {
+    std::int32_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    most = std::max(most, bits);
+  }
+  float largest;
+  std::memcpy(&largest, &most, sizeof largest);
+  return largest;
+}
+
+CellBox BoxOf(const std::vector<int>& cells, int cols) {
+  CellBox box{cells.front() / cols, cells.back() / cols + 1, cols, 0};
+  for (const int cell : cells) {
+    box.col = std::min(box.col, cell % cols);
+    box.col_end = std::max(box.col_end, cell % cols + 1);
+  }
+  return box;
+}
+
+double North_m(const kg_core::Grid& grid, int from, int to) {
+  const double a = grid.lat_deg()[from], b = grid.lat_deg()[to];
+  return (b - a) / kg_core::LocalScale(0.5 * (a + b)).lat_deg;
+}
+
+// The box with all that lies within `radius_m` of it, and a cell more.
+CellBox GrowBy_m(CellBox box, const kg_core::Grid& grid, double radius_m) {
+  const int south = box.row, north = box.row_end - 1;
+  while (box.row > 0 && North_m(grid, box.row, south) <= radius_m) --box.row;
+  while (box.row_end < grid.rows() &&
+         North_m(grid, north, box.row_end - 1) <= radius_m) {
+    ++box.row_end;
+  }
+  double lon_deg = 0.0;  // As far east or west as the radius goes at any row.
+  for (int row = box.row; row < box.row_end; ++row) {
+    const double scale = kg_core::LocalScale(grid.lat_deg()[row]).lon_deg;
+    lon_deg = std::max(lon_deg, radius_m * scale);
+  }
+  const std::vector<double>& lon = grid.lon_deg();
+  const double west = lon[box.col] - lon_deg;
+  const double east = lon[box.col_end - 1] + lon_deg;
+  while (box.col > 0 && lon[box.col] >= west) --box.col;
+  while (box.col_end < grid.cols() && lon[box.col_end - 1] <= east) {
+    ++box.col_end;
+  }
+  return box;
+}
+
+template <typename T>
+std::vector<T> Cut(const std::vector<T>& whole, int cols, const CellBox& box) {
+  std::vector<T> cut;
+  cut.reserve(static_cast<std::size_t>(box.row_end - box.row) *
+              (box.col_end - box.col));
+  for (int row = box.row; row < box.row_end; ++row) {
+    const auto begin = whole.begin() + static_cast<std::ptrdiff_t>(row) * cols;
+    cut.insert(cut.end(), begin + box.col, begin + box.col_end);
+  }
+  return cut;
+}
+
+// A part of a grid, its utility and what is allowed of it.
+struct Part {
+  kg_core::Grid grid;
+  kg_core::Raster utility;
+  kg_core::Mask allowed;
+};
+
+// Sums are rounded by the largest utility there is (Quantise). Where that lies
+// outside of the part, it is put into a row of its own, farther away than any
+// disc sees.
+void AddLargest(float most, double radius_m, Part* part) {
+  const int cols = part->grid.cols();
+  std::vector<double> lat = part->grid.lat_deg();
+  const double away_deg =
+      2.0 * radius_m * kg_core::LocalScale(0.0).lat_deg + 0.1;
+  const bool above = lat.back() < 0.0;  // Towards the equator.
+  const double row_deg = above ? lat.back() + away_deg : lat.front() - away_deg;
+  lat.insert(above ? lat.end() : lat.begin(), row_deg);
+  kg_core::Raster row(cols, 0.0f);
+  row[0] = most;
+  part->utility.insert(above ? part->utility.end() : part->utility.begin(),
+                       row.begin(), row.end());
+  part->allowed.insert(above ? part->allowed.end() : part->allowed.begin(),
+                       cols, 0);
+  part->grid = kg_core::Grid(part->grid.lon_deg(), std::move(lat));
+}
+
+// The picks of the part, named as cells of the whole.
+std::vector<Pick> PicksOf(const kg_core::Grid& grid, const PickMemo& memo) {
+  const auto axis = [](const std::vector<double>& whole, int begin, int end) {
+    return std::vector<double>(whole.begin() + begin, whole.begin() + end);
+  };
+  const CellBox& box = memo.box;
+  Part part{{axis(grid.lon_deg(), box.col, box.col_end),
+             axis(grid.lat_deg(), box.row, box.row_end)},
+            memo.utility,
+            memo.allowed};
+  int first_row = box.row;
+  if (Largest(memo.utility) < memo.most) {
+    const int rows = part.grid.rows();
+    AddLargest(memo.most, memo.options.radius_m, &part);
+    if (part.grid.lat_deg()[rows] == grid.lat_deg()[box.row_end - 1]) {
+      --first_row;  // The row was put in front.
+    }
+  }
+  std::vector<Pick> picks =
+      ProximalRecurrence(part.grid, part.utility, part.allowed, memo.options);
+  const int cols = part.grid.cols();
+  for (Pick& pick : picks) {
+    pick.cell = {pick.cell.row + first_row, pick.cell.col + box.col};
+    for (int& cell : pick.footprint) {
+      cell = static_cast<int>(
+          grid.Index({cell / cols + first_row, cell % cols + box.col}));
+    }
+  }
+  return picks;
+}
+
+auto Tie(const RecurrenceOptions& o) {
+  return std::tie(o.radius_m, o.spacing_m, o.count);
+}
+auto Tie(const CellBox& b) {
+  return std::tie(b.row, b.row_end, b.col, b.col_end);
+}
+
+bool SameInputs(const PickMemo& a, const PickMemo& b) {
+  return Tie(a.box) == Tie(b.box) && a.most == b.most &&
+         Tie(a.options) == Tie(b.options) && a.allowed == b.allowed &&
+         a.utility == b.utility;
+}
+
+// Grids have two rows and two columns at least.
+CellBox SeenFrom(const CellBox& cells, const kg_core::Grid& grid,
+                 double radius_m) {
+  if (!(radius_m < kMostRadius_m)) return {0, grid.rows(), 0, grid.cols()};
+  CellBox box = GrowBy_m(cells, grid, radius_m);
+  if (box.row_end - box.row < 2) box.row > 0 ? --box.row : ++box.row_end;
+  if (box.col_end - box.col < 2) box.col > 0 ? --box.col : ++box.col_end;
+  return Grow(box, 0, 0, grid);
+}
+
+}  // namespace
+
+const std::vector<Pick>& RecurrenceWithin(const kg_core::Grid& grid,
+                                          const kg_core::Raster& utility,
+                                          const std::vector<int>& allowed,
+                                          const RecurrenceOptions& options,
+                                          PickMemo* memo) {
+  if (utility.size() != grid.size()) {
+    throw std::logic_error("utility is not of the grid's size");
+  }
+  PickMemo now;
+  now.options = options;
+  if (!allowed.empty()) {
+    now.most = Largest(utility);
+    now.box = SeenFrom(BoxOf(allowed, grid.cols()), grid, options.radius_m);
+    now.utility = Cut(utility, grid.cols(), now.box);
+    kg_core::Mask mask(grid.size(), 0);
+    for (const int cell : allowed) mask[cell] = 1;
+    now.allowed = Cut(mask, grid.cols(), now.box);
+  }
+  if (SameInputs(now, *memo)) return memo->picks;
+  if (!allowed.empty()) now.picks = PicksOf(grid, now);
+  *memo = std::move(now);
+  return memo->picks;
+}
+
+}  // namespace kg_compiler

@@ -1,0 +1,78 @@
+#include "kg_compiler/control_plane/sea_surface.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+namespace kg_compiler {
+namespace {
+
+template <typename T>
+std::vector<T> Cut(const std::vector<T>& cells, int cols, const CellBox& box) {
+  std::vector<T> cut;
+  for (int row = box.row; row < box.row_end; ++row) {
+    const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(row) * cols;
+    cut.insert(cut.end(), begin + box.col, begin + box.col_end);
+  }
+  return cut;
+}
+
+// Row by row, the cells' bits (NaN = NaN).
+template <typename T>
+bool Same(const std::vector<T>& patch, const CellBox& patch_box,
+          const std::vector<T>& whole, int cols, const CellBox& box) {
+  const std::size_t width = patch_box.col_end - patch_box.col;
+  const std::size_t bytes = sizeof(T) * (box.col_end - box.col);
+  for (int row = box.row; row < box.row_end; ++row) {
+    const T* a =
+        &patch[(row - patch_box.row) * width + (box.col - patch_box.col)];
+    const T* b = &whole[static_cast<std::size_t>(row) * cols + box.col];
+    if (std::memcmp(a, b, bytes) != 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+SeaSurface SurfaceOf(const MissionTensor& tensor) {
+  const kg_core::Raster feasibility = tensor.Get(Layer::kFeasibility);
+  SeaSurface surface;
+  surface.cols = tensor.grid.cols();
+  surface.open.resize(feasibility.size());
+  for (std::size_t i = 0; i < feasibility.size(); ++i) {
+    surface.open[i] = feasibility[i] == 1.0f;
+  }
+  surface.attenuation = tensor.Get(Layer::kAttenuation);
+  return surface;
+}
+
+CellBox Join(const CellBox& a, const CellBox& b) {
+  if (IsEmpty(a)) return b;
+  if (IsEmpty(b)) return a;
+  return {std::min(a.row, b.row), std::max(a.row_end, b.row_end),
+          std::min(a.col, b.col), std::max(a.col_end, b.col_end)};
+}
+
+CellBox Grow(const CellBox& box, int rows, int cols,
+             const kg_core::Grid& grid) {
+  if (IsEmpty(box)) return {};
+  return {
+      std::max(0, box.row - rows), std::min(grid.rows(), box.row_end + rows),
+      std::max(0, box.col - cols), std::min(grid.cols(), box.col_end + cols)};
+}
+
+SurfacePatch::SurfacePatch(const SeaSurface& surface, const CellBox& box)
+    : box_(box),
+      open_(Cut(surface.open, surface.cols, box)),
+      attenuation_(Cut(surface.attenuation, surface.cols, box)) {}
+
+bool SurfacePatch::SameOpen(const SeaSurface& other, const CellBox& box) const {
+  return Same(open_, box_, other.open, other.cols, box);
+}
+
+bool SurfacePatch::SameAttenuation(const SeaSurface& other,
+                                   const CellBox& box) const {
+  return Same(attenuation_, box_, other.attenuation, other.cols, box);
+}
+
+}  // namespace kg_compiler

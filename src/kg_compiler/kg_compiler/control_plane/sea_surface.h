@@ -1,0 +1,46 @@
+// What the ways of one window depend on of its tensor: where one may be, and
+// what is soft. Parts of it are kept and held against the next one.
+
+#ifndef KG_COMPILER_CONTROL_PLANE_SEA_SURFACE_H_
+#define KG_COMPILER_CONTROL_PLANE_SEA_SURFACE_H_
+
+#include "kg_compiler/data_plane/mission_tensor.h"
+#include "kg_compiler/traversal/cell_box.h"
+#include "kg_core/raster/grid.h"
+
+namespace kg_compiler {
+
+struct SeaSurface {
+  int cols = 0;
+  kg_core::Mask open;           // 1 = may be entered.
+  kg_core::Raster attenuation;  // M_soft.
+};
+SeaSurface SurfaceOf(const MissionTensor& tensor);
+
+// The smallest box that holds both; an empty one counts for nothing.
+CellBox Join(const CellBox& a, const CellBox& b);
+// So many rows and columns more on every side, as far as the grid goes.
+CellBox Grow(const CellBox& box, int rows, int cols, const kg_core::Grid& grid);
+inline bool IsEmpty(const CellBox& box) {
+  return box.row >= box.row_end || box.col >= box.col_end;
+}
+
+// A box cut out of a surface.
+class SurfacePatch {
+ public:
+  SurfacePatch() = default;
+  SurfacePatch(const SeaSurface& surface, const CellBox& box);
+
+  // Has `other` the same cells in a box? The box lies within the patch.
+  bool SameOpen(const SeaSurface& other, const CellBox& box) const;
+  bool SameAttenuation(const SeaSurface& other, const CellBox& box) const;
+
+ private:
+  CellBox box_;
+  kg_core::Mask open_;
+  kg_core::Raster attenuation_;
+};
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_CONTROL_PLANE_SEA_SURFACE_H_

@@ -1,0 +1,138 @@
+#include "kg_compiler/control_plane/seam_cache.h"
+
+#include <chrono>
+
+namespace kg_compiler {
+namespace {
+
+constexpr int kMostIdle = 3;  // Constraints come and go, and waypoints with
+                              // them.
+
+KeptSeams::Place PlaceOf(kg_core::LonLat position) {
+  return {position.lon_deg, position.lat_deg};
+}
+
+bool Holds(const SurfacePatch& patch, const SeaSurface& surface,
+           const KeptSeams::Arrivals& arrivals) {
+  return patch.SameOpen(surface, arrivals.hazard) &&
+         patch.SameAttenuation(surface, arrivals.read);
+}
+
+// Adds the time that it lives to a sum.
+class Spent {
+ public:
+  explicit Spent(double* sum_s) : sum_s_(sum_s) {}
+  ~Spent() {
+    *sum_s_ += std::chrono::duration<double>(Clock::now() - begin_).count();
+  }
+  Spent(const Spent&) = delete;
+  Spent& operator=(const Spent&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double* sum_s_;
+  Clock::time_point begin_ = Clock::now();
+};
+
+template <typename Map>
+void LetGoOfIdle(Map* kept) {
+  for (auto at = kept->begin(); at != kept->end();) {
+    at = at->second.idle >= kMostIdle ? kept->erase(at) : std::next(at);
+  }
+}
+
+template <typename Map>
+void Age(Map* kept) {
+  for (auto& [place, one] : *kept) ++one.idle;
+}
+
+}  // namespace
+
+SeamFlyer::SeamFlyer(const WindowSea& sea, const std::string& tensor_hash,
+                     const KeptSeams* last, SeamCounts* counts)
+    : sea_(sea), counts_(counts), now_(std::make_shared<KeptSeams>()) {
+  now_->terms = sea.Terms();
+  now_->tensor_hash = tensor_hash;
+  if (last == nullptr) return;
+  if (last->terms == now_->terms) {
+    now_->picks = last->picks;
+    TakeOver(*last, last->tensor_hash == tensor_hash);
+  }
+}
+
+void SeamFlyer::TakeOver(const KeptSeams& last, bool same_tensor) {
+  for (const auto& [place, source] : last.sources) {
+    if (!same_tensor && !Holds(last.patch, sea_.surface(), *source.arrivals)) {
+      continue;
+    }
+    KeptSeams::Source& kept =
+        now_->sources.emplace_hint(now_->sources.end(), place, source)->second;
+    Age(&kept.flights);
+  }
+  Age(&now_->sources);
+}
+
+std::shared_ptr<const KeptSeams::Arrivals> SeamFlyer::Arrive(
+    kg_core::LonLat source) const {
+  auto arrivals = std::make_shared<KeptSeams::Arrivals>();
+  arrivals->reach = sea_.ReachFrom(source);
+  const kg_core::Grid& grid = sea_.grid();
+  for (const ReachedCell& cell : arrivals->reach.cells) {
+    const kg_core::LonLat centre =
+        grid.Centre({cell.index / grid.cols(), cell.index % grid.cols()});
+    if (sea_.begin_s() + cell.arrival_s >= sea_.HoldableFrom_s(centre)) {
+      arrivals->landings.push_back(cell.index);
+    }
+  }
+  arrivals->read = arrivals->reach.read;
+  arrivals->hazard = sea_.HazardBox(arrivals->read);
+  return arrivals;
+}
+
+KeptSeams::Source& SeamFlyer::SourceAt(kg_core::LonLat place) {
+  KeptSeams::Source& source = now_->sources[PlaceOf(place)];
+  if (source.arrivals == nullptr) {
+    const Spent spent(&counts_->seams_s);
+    source.arrivals = Arrive(place);
+    ++counts_->reaches;
+  } else if (source.idle > 0) {
+    ++counts_->reaches_kept;
+  }
+  source.idle = 0;
+  return source;
+}
+
+const std::vector<int>& SeamFlyer::Landings(kg_core::LonLat source) {
+  return SourceAt(source).arrivals->landings;
+}
+
+std::shared_ptr<const Flight> SeamFlyer::Fly(kg_core::LonLat source,
+                                             kg_core::LonLat to) {
+  KeptSeams::Source& from = SourceAt(source);
+  const auto [flown, is_new] = from.flights.try_emplace(PlaceOf(to));
+  if (is_new) {
+    const Spent spent(&counts_->seams_s);
+    std::optional<Flight> flight = sea_.Fly(source, from.arrivals->reach, to);
+    if (flight) {
+      flown->second.flight = std::make_shared<const Flight>(std::move(*flight));
+    }
+    ++counts_->flights;
+  } else if (flown->second.idle > 0) {
+    ++counts_->flights_kept;
+  }
+  flown->second.idle = 0;
+  return flown->second.flight;
+}
+
+std::shared_ptr<const KeptSeams> SeamFlyer::Keep() {
+  LetGoOfIdle(&now_->sources);
+  CellBox all;
+  for (auto& [place, source] : now_->sources) {
+    LetGoOfIdle(&source.flights);
+    all = Join(all, source.arrivals->hazard);
+  }
+  now_->patch = SurfacePatch(sea_.surface(), all);
+  return std::move(now_);
+}
+
+}  // namespace kg_compiler

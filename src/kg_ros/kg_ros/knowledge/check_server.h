@@ -1,0 +1,38 @@
+// Answers kg/check on a thread of its own: facts are taken and cycles planned
+// meanwhile.
+
+#ifndef KG_ROS_KNOWLEDGE_CHECK_SERVER_H_
+#define KG_ROS_KNOWLEDGE_CHECK_SERVER_H_
+
+#include "kg_msgs/Check.h"
+#include "ros/callback_queue.h"
+#include "ros/node_handle.h"
+#include "ros/service_server.h"
+#include "ros/spinner.h"
+
+namespace kg_ros {
+
+class MissionServer;
+
+class CheckServer {
+ public:
+  // `server` must outlive this; only present() and files() are used.
+  CheckServer(const ros::NodeHandle& node, MissionServer* server);
+  ~CheckServer();
+  CheckServer(const CheckServer&) = delete;
+  CheckServer& operator=(const CheckServer&) = delete;
+
+ private:
+  bool Handle(kg_msgs::Check::Request& request,
+              kg_msgs::Check::Response& response);
+
+  ros::CallbackQueue queue_;
+  ros::NodeHandle node_;
+  MissionServer* server_;
+  ros::ServiceServer service_;
+  ros::AsyncSpinner spinner_;
+};
+
+}  // namespace kg_ros
+
+#endif  // KG_ROS_KNOWLEDGE_CHECK_SERVER_H_
