@@ -126,6 +126,7 @@ struct Wanted {
 struct Stores {
   RasterStore* rasters;
   std::map<std::string, Normaliser>* horizons;
+  DataPlaneCache* cache;
 };
 
 // One compilation on the way.
@@ -200,15 +201,16 @@ class Run {
   // Blends all windows only if something in one of them changed.
   HorizonScale Horizon(const Agent& agent,
                        std::map<std::string, Normaliser>* measured) const {
-    std::vector<WindowRasters> all;
+    std::vector<std::shared_ptr<const WindowRasters>> all;
     kg_core::Hasher hash;
     std::set<std::string> sources;
     for (const TimeWindow& window : now_->mission.windows) {
       const auto field = stores_.rasters->Field(now_->mission, window.index);
       all.push_back(
-          *stores_.rasters->Rasters(now_->mission, agent.policy, *field));
-      hash.Add(TensorHash(now_->mission, agent, window, all.back()));
-      const auto read = TensorSources(now_->mission, agent, window, all.back());
+          stores_.rasters->Rasters(now_->mission, agent.policy, *field));
+      hash.Add(TensorHash(now_->mission, agent, window, *all.back()));
+      const auto read =
+          TensorSources(now_->mission, agent, window, *all.back());
       sources.insert(read.begin(), read.end());
     }
     const std::string key = hash.Hex();
@@ -219,7 +221,8 @@ class Run {
       measured->emplace(key, scale);
       return {scale.low, scale.range, {sources.begin(), sources.end()}};
     }
-    HorizonScale scale = MeasureHorizon(now_->mission, agent, all);
+    HorizonScale scale =
+        MeasureHorizon(now_->mission, agent, all, stores_.cache);
     measured->emplace(key, Normaliser{scale.low, scale.range});
     return scale;
   }
@@ -251,9 +254,13 @@ class Run {
     now_->counts = {wanted_.size(), made_.size(), missing.size()};
   }
 
+  // From what the agent had in that window, where that is of use.
   MissionTensor Make(const Wanted& tensor) const {
-    return CompileTensor(now_->mission, *tensor.agent, *tensor.window,
-                         *tensor.rasters, tensor.horizon);
+    const Known::Tensor last =
+        known_.TensorAt(tensor.agent->iri, tensor.window->index);
+    return CompileTensor({&now_->mission, tensor.agent, tensor.window,
+                          tensor.rasters.get(), tensor.horizon, stores_.cache},
+                         last.get());
   }
 
   void NameTensors() {
@@ -371,7 +378,8 @@ MissionCompiler::MissionCompiler(RasterReaders readers)
 std::shared_ptr<const Compilation> MissionCompiler::Compile(
     const kg_core::Mission& mission, std::uint64_t world_version,
     int first_window) {
-  Run run(mission, last_.get(), {&rasters_, &horizons_}, first_window);
+  Run run(mission, last_.get(), {&rasters_, &horizons_, cache_.get()},
+          first_window);
   last_ = run.Compile(world_version);
   rasters_.ForgetUnused();
   return last_;

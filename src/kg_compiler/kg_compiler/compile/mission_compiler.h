@@ -20,6 +20,7 @@
 #include "kg_compiler/compile/raster_store.h"
 #include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_compiler/data_plane/data_plane.h"
+#include "kg_compiler/data_plane/data_plane_cache.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
 #include "kg_compiler/traversal/cell_box.h"
 #include "kg_core/mission/ingest.h"
@@ -88,6 +89,7 @@ class MissionCompiler {
   std::shared_ptr<const Compilation> last_;
   // What MeasureHorizon found, by what it measured.
   std::map<std::string, Normaliser> horizons_;
+  std::shared_ptr<DataPlaneCache> cache_ = std::make_shared<DataPlaneCache>();
 };
 
 }  // namespace kg_compiler

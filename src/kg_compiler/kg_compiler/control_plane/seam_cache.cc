@@ -85,6 +85,10 @@ std::shared_ptr<const KeptSeams::Arrivals> SeamFlyer::Arrive(
     }
   }
   arrivals->read = arrivals->reach.read;
+  if (const std::optional<kg_core::Cell> cell = grid.CellAt(source)) {
+    arrivals->read = Join(arrivals->read,
+                          {cell->row, cell->row + 1, cell->col, cell->col + 1});
+  }
   arrivals->hazard = sea_.HazardBox(arrivals->read);
   return arrivals;
 }
