@@ -30,9 +30,10 @@ struct UniformSea {
   MissionTensor Tensor() const {
     MissionTensor tensor;
     tensor.grid = grid;
-    tensor.layers = {{Layer::kFused, kg_core::Raster(grid.size(), 0.5f)},
-                     {Layer::kFeasibility, feasibility},
-                     {Layer::kAttenuation, kg_core::Raster(grid.size(), 1.0f)}};
+    tensor.content =
+        HoldLayers({{Layer::kFused, kg_core::Raster(grid.size(), 0.5f)},
+                    {Layer::kFeasibility, feasibility},
+                    {Layer::kAttenuation, kg_core::Raster(grid.size(), 1.0f)}});
     return tensor;
   }
   WorkMap From(std::vector<kg_core::LonLat> places) const {

@@ -39,9 +39,9 @@ Scene TwoWindows() {
     tensor.window = window;
     tensor.grid = grid;
     tensor.hash = "tensor " + std::to_string(window);
-    tensor.layers = {{Layer::kFused, ones},
-                     {Layer::kFeasibility, ones},
-                     {Layer::kAttenuation, ones}};
+    tensor.content = kg_compiler::HoldLayers({{Layer::kFused, ones},
+                                              {Layer::kFeasibility, ones},
+                                              {Layer::kAttenuation, ones}});
     compilation->tensors.push_back(
         std::make_shared<kg_compiler::MissionTensor>(tensor));
     compilation->fields.push_back(

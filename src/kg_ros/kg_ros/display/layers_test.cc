@@ -18,12 +18,13 @@ constexpr float kLand = std::numeric_limits<float>::quiet_NaN();
 kg_compiler::MissionTensor SixCells() {
   kg_compiler::MissionTensor tensor;
   tensor.grid = kg_core::Grid({-90.0, -89.9, -89.7}, {25.0, 25.1});
-  tensor.layers = {{Layer::kReward, {0.0F, 0.8F, 0.0F, 0.2F, 0.4F, 0.8F}},
-                   {Layer::kUncertainty, {0.3F, 0.3F, 0.3F, 0.3F, 0.3F, 0.3F}},
-                   {Layer::kPolicy, {0.0F, -2.0F, 9.0F, 1.0F, 2.0F, 4.0F}},
-                   {Layer::kAttenuation, {1.0F, 0.4F, 1.0F, 1.0F, 0.0F, 1.0F}},
-                   {Layer::kFeasibility, {1.0F, 0.0F, kLand, 1.0F, 1.0F, 1.0F}},
-                   {Layer::kFused, {0.0F, 0.0F, 0.0F, 0.1F, 0.2F, 0.4F}}};
+  tensor.content = kg_compiler::HoldLayers(
+      {{Layer::kReward, {0.0F, 0.8F, 0.0F, 0.2F, 0.4F, 0.8F}},
+       {Layer::kUncertainty, {0.3F, 0.3F, 0.3F, 0.3F, 0.3F, 0.3F}},
+       {Layer::kPolicy, {0.0F, -2.0F, 9.0F, 1.0F, 2.0F, 4.0F}},
+       {Layer::kAttenuation, {1.0F, 0.4F, 1.0F, 1.0F, 0.0F, 1.0F}},
+       {Layer::kFeasibility, {1.0F, 0.0F, kLand, 1.0F, 1.0F, 1.0F}},
+       {Layer::kFused, {0.0F, 0.0F, 0.0F, 0.1F, 0.2F, 0.4F}}});
   return tensor;
 }
 
