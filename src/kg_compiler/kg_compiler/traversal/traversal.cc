@@ -30,13 +30,15 @@ class Pricing {
   std::optional<Flight> Cheapest() const {
     Choice best = Try(1.0, reach_);
     int chosen = -1;
+    bool between = false;  // May the cheapest lie next to the fastest?
     for (int k = 0; k < SlowerReaches::kCount; ++k) {
       Choice slower = Slower(SlowerReaches::kShares[k], k);
+      if (k == 0) between = !slower.flight && best.flight;
       if (!(slower.cost < best.cost)) continue;
       best = std::move(slower);
       chosen = k;
     }
-    if (chosen >= 0) best = Refined(std::move(best), chosen);
+    if (chosen >= 0 || between) best = Refined(std::move(best), chosen);
     return std::move(best.flight);
   }
 
@@ -69,13 +71,13 @@ class Pricing {
   Choice Refined(Choice best, int chosen) const {
     const int last = SlowerReaches::kCount - 1;
     double low = chosen == last ? 0.0 : SlowerReaches::kShares[chosen + 1];
-    double high = chosen == 0 ? 1.0 : SlowerReaches::kShares[chosen - 1];
+    double high = chosen <= 0 ? 1.0 : SlowerReaches::kShares[chosen - 1];
     for (int i = 0; i < kRefinements; ++i) {
       const bool up = high - best.share > best.share - low;
       const double share =
           up ? best.share + (1.0 - kGolden) * (high - best.share)
              : best.share - (1.0 - kGolden) * (best.share - low);
-      Choice next = Slower(share, chosen);
+      Choice next = chosen < 0 ? Try(share, reach_) : Slower(share, chosen);
       const bool better = next.cost < best.cost;
       (up == better ? low : high) = better ? best.share : share;
       if (better) best = std::move(next);
