@@ -9,7 +9,7 @@
 namespace kg_compiler {
 namespace {
 
-constexpr int kFirstRays = 32;
+constexpr int kFirstRays = 24;
 constexpr int kCornerRays = 10;
 constexpr double kCornerBegin_rad = -0.15;  // Across the arriving heading.
 constexpr double kCornerEnd_rad = 0.9 * kg_core::kPi;  // Into the shadow.
@@ -18,20 +18,24 @@ constexpr std::size_t kMostRays = 20000;
 
 // Lengths in cells.
 constexpr double kFirstStep = 0.75;
-constexpr double kLongestStep = 3.0;
-constexpr double kStepGrowth = 0.025;  // A step: 1 cell at the 40th.
-constexpr double kWidest = 3.0;        // Between neighbours.
-constexpr double kWidestBent = 1.0;    // ... where the front bends by
-constexpr double kBent = 0.15;         // this slope,
+constexpr double kLongestStep = 5.0;
+constexpr double kStepsToOneCell = 40.0;  // Then they grow.
+constexpr double kWidest = 4.0;           // Between neighbours.
+constexpr double kWidestBent = 1.5;       // ... where the front bends by
+constexpr double kBent = 0.3;             // this slope,
 constexpr double kWidestAtCoast = 0.7;
 constexpr double kWidestAtDead = 0.1;
-constexpr double kFillIn = 0.4;            // Gaps that the front's shape fills.
+constexpr double kLate = 0.7;    // Share of a step by which a ray may be late.
+constexpr double kFillIn = 0.4;  // Gaps that the front's shape fills.
 constexpr std::size_t kMostReplayed = 50;  // Steps; beyond, it fills them all.
-constexpr double kGrazeAhead = 1.5;        // Clear for so long: past the wall.
+constexpr double kBeside = 0.3;  // A corner passed so close is reached.
+constexpr double kBesideSpread_rad = 0.02;
+constexpr double kHeadOn = 0.4;  // Of a corner: sine of the angle to its walls.
+constexpr double kGrazeAhead = 1.5;  // Clear for so long: past the wall.
 constexpr double kGrazeAside = 0.8;
 constexpr double kWidestSharp = 0.4;  // ... where by this one,
 constexpr double kSharp = 0.3;
-constexpr double kThinner = 0.5;   // One is left out between two so close
+constexpr double kThinner = 1.0;   // One is left out between two so close
 constexpr double kThinBend = 0.2;  // whose front bends by less than this.
 
 bool Finite(const Extremal& at) {
@@ -67,9 +71,8 @@ bool Fan::Begin() {
 }
 
 double Fan::StepLength_s() const {
-  const double cells =
-      std::clamp(kStepGrowth * static_cast<double>(steps_.size()), kFirstStep,
-                 kLongestStep);
+  const double far = static_cast<double>(steps_.size()) / kStepsToOneCell;
+  const double cells = std::clamp(far * far, kFirstStep, kLongestStep);
   const double length_s = cells / fastest_;
   const double slice_s = flow_.NextSlice_s(now_s_) - now_s_;
   const double rest_s = latest_s_ - now_s_;
@@ -100,7 +103,7 @@ void Fan::Advance(double length_s) {
   const double end_s =
       length_s >= latest_s_ - now_s_ ? latest_s_ : now_s_ + length_s;
   const Helm::Step step(flow_, now_s_, end_s - now_s_);
-  margin_s_ = length_s;
+  margin_s_ = kLate * length_s;
   next_.clear();
   restarts_.clear();
   grazes_.clear();
@@ -118,6 +121,7 @@ void Fan::AdvanceChain(const Stride& stride, const std::vector<Ray>& rays,
                        std::size_t first) {
   Strand last = Advance(stride, rays[first].at, rays[first].heading_rad);
   Keep(stride, last);
+  FindCornersBeside(stride, last);
   for (std::size_t i = first; rays[i].linked; ++i) {
     const Strand strand =
         Advance(stride, rays[i + 1].at, rays[i + 1].heading_rad);
@@ -125,6 +129,7 @@ void Fan::AdvanceChain(const Stride& stride, const std::vector<Ray>& rays,
     Keep(stride, strand);
     last = strand;
   }
+  FindCornersBeside(stride, last);
 }
 
 Strand Fan::Advance(const Stride& stride, const Extremal& from,
@@ -168,10 +173,9 @@ Extremal Fan::Replay(int root, double heading_rad) const {
   std::size_t next = 0;
   if (root > 0) {
     const FirstStep& first = first_steps_[root - 1];
-    if (first.next <= steps_.size()) {
-      at = helm_.Advance(at, first.step);
-      next = first.next;
-    }
+    if (first.next > steps_.size()) return at;  // Begun in this step.
+    at = helm_.Advance(at, first.step);
+    next = first.next;
   }
   for (std::size_t i = next; i < steps_.size(); ++i) {
     at = helm_.Advance(at, steps_[i]);
@@ -211,8 +215,9 @@ void Fan::Between(const Stride& stride, const Strand& a, const Strand& b,
   }
   Paint(stride, a, b, sweep);
   if (!a.dead && !b.dead && !next_.empty()) next_.back().linked = true;
-  if (a.dead && !b.dead) FindGraze(stride, b, a);
-  if (b.dead && !a.dead) FindGraze(stride, a, b);
+  if (a.dead == b.dead) return;
+  FindCornersBeside(stride, a.dead ? b : a);
+  FindGraze(stride, a.dead ? b : a, a.dead ? a : b);
 }
 
 void Fan::Touch(Offset at) {
@@ -229,14 +234,22 @@ void Fan::Paint(const Stride& stride, const Strand& a, const Strand& b,
       std::min(static_cast<int>(std::floor(high.row + 0.5)), grid_.rows() - 1);
   const int col1 =
       std::min(static_cast<int>(std::floor(high.col + 0.5)), grid_.cols() - 1);
+  const bool coast = a.dead || b.dead || NearCoast({row0, col0}, {row1, col1});
   for (int row = row0; row <= row1; ++row) {
     for (int col = col0; col <= col1; ++col) {
-      const kg_core::Cell cell{row, col};
-      if (!sight_.IsOpen(cell)) continue;
-      const bool coast = a.dead || b.dead || sight_.NearCoast(cell);
-      PaintCell(stride, a, b, sweep, cell, coast);
-      if (coast) FindCorners(stride, a, b, sweep, cell);
+      PaintCell(stride, a, b, sweep, {row, col}, coast);
+      if (coast) FindCorners(stride, a, b, sweep, {row, col});
     }
+  }
+}
+
+bool Fan::NearCoast(kg_core::Cell low, kg_core::Cell high) {
+  for (int row = low.row;; row = std::min(row + Sight::kBlock, high.row)) {
+    for (int col = low.col;; col = std::min(col + Sight::kBlock, high.col)) {
+      if (sight_.NearCoast({row, col})) return true;
+      if (col >= high.col) break;
+    }
+    if (row >= high.row) return false;
   }
 }
 
@@ -249,7 +262,7 @@ void Fan::PaintCell(const Stride& stride, const Strand& a, const Strand& b,
   const double time_s = stride.begin_s + sweep.Time_s(*share);
   if (!(time_s <= latest_s_)) return;
   Arrivals::Node& node = arrivals_.At(cell);
-  if (!(time_s < node.arrival_s)) return;
+  if (!(time_s < node.arrival_s) || !sight_.IsOpen(cell)) return;
   if (coast) {
     const Offset from = sweep.BeginAt(share->across);
     if (!sight_.IsClear({from.row, from.col}, {place.row, place.col})) return;
@@ -263,38 +276,81 @@ void Fan::PaintCell(const Stride& stride, const Strand& a, const Strand& b,
 
 void Fan::FindCorners(const Stride& stride, const Strand& a, const Strand& b,
                       const Sweep& sweep, kg_core::Cell cell) {
+  if (!sight_.IsOpen(cell)) return;
   const unsigned corners = sight_.Corners(cell);
   for (int k = 0; k < 4; ++k) {
-    const int key = 4 * static_cast<int>(grid_.Index(cell)) + k;
-    if (!(corners & (1u << k)) || rounded_.count(key)) continue;
+    if (!(corners & (1u << k))) continue;
     const kg_core::GridPoint at = Sight::CornerAt(cell, k);
     const auto share = sweep.Find({at.col, at.row});
     if (!share) continue;
-    const double time_s = stride.begin_s + sweep.Time_s(*share);
     const Offset from = sweep.BeginAt(share->across);
-    if (!(time_s < latest_s_) || !sight_.IsClear({from.row, from.col}, at)) {
-      continue;
-    }
-    // Going by it, neither towards the corner nor away from it.
-    const Offset go =
-        PlaceOf(a.end) - PlaceOf(a.begin) + (PlaceOf(b.end) - PlaceOf(b.begin));
-    const kg_core::Cell d = Sight::kDiagonals[static_cast<std::size_t>(k)];
-    const double slack = 0.25 * Length(go);
-    const double east = d.col * go.col, north = d.row * go.row;
-    if ((east > slack && north > slack) || (east < -slack && north < -slack)) {
-      continue;
-    }
-    const Extremal& nearer = share->across < 0.5 ? a.end : b.end;
-    const int side =
-        Cross(go, {static_cast<double>(d.col), static_cast<double>(d.row)}) > 0
-            ? 1
-            : -1;
-    restarts_.push_back(
-        {time_s, at, stride.root,
-         a.heading_rad + share->across * (b.heading_rad - a.heading_rad),
-         std::abs(b.heading_rad - a.heading_rad), HeadingOf(flow_, nearer),
-         side, key});
+    const double spread_rad = b.heading_rad - a.heading_rad;
+    AddCorner(stride,
+              {sweep.Time_s(*share), at, stride.root,
+               a.heading_rad + share->across * spread_rad, std::abs(spread_rad),
+               0.0, 0, 4 * static_cast<int>(grid_.Index(cell)) + k},
+              from, share->across < 0.5 ? a : b);
   }
+}
+
+// An extremal without a neighbour may pass a corner close by.
+void Fan::FindCornersBeside(const Stride& stride, const Strand& strand) {
+  const Offset from = PlaceOf(strand.begin);
+  const Offset go = PlaceOf(strand.end) - from;
+  const kg_core::Cell a = CellOf(grid_, {strand.begin.row, strand.begin.col});
+  const kg_core::Cell b = CellOf(grid_, {strand.end.row, strand.end.col});
+  if (strand.dead || !(Length(go) > 0.0) ||
+      (!sight_.NearCoast(a) && !sight_.NearCoast(b))) {
+    return;
+  }
+  for (int row = std::min(a.row, b.row) - 1; row <= std::max(a.row, b.row) + 1;
+       ++row) {
+    for (int col = std::min(a.col, b.col) - 1;
+         col <= std::max(a.col, b.col) + 1; ++col) {
+      if (!sight_.IsOpen({row, col})) continue;
+      const unsigned corners = sight_.Corners({row, col});
+      for (int k = 0; k < 4; ++k) {
+        if (!(corners & (1u << k))) continue;
+        const kg_core::GridPoint at = Sight::CornerAt({row, col}, k);
+        const Offset away = Offset{at.col, at.row} - from;
+        const double share = Dot(away, go) / Dot(go, go);
+        if (!(share >= 0.0 && share <= 1.0) ||
+            !(Length(away - share * go) < kBeside)) {
+          continue;
+        }
+        AddCorner(stride,
+                  {share * stride.step->length_s, at, stride.root,
+                   strand.heading_rad, kBesideSpread_rad, 0.0, 0,
+                   4 * static_cast<int>(grid_.Index({row, col})) + k},
+                  from, strand);
+      }
+    }
+  }
+}
+
+// `found` knows all but how one arrives, and its time from the step's begin.
+void Fan::AddCorner(const Stride& stride, Restart found, Offset from,
+                    const Strand& near) {
+  // Within the step, whatever the front's bow says.
+  found.time_s = stride.begin_s +
+                 std::clamp(found.time_s, 0.0, 0.999 * stride.step->length_s);
+  if (rounded_.count(found.key) || !(found.time_s < latest_s_) ||
+      !sight_.IsClear({from.row, from.col}, found.place)) {
+    return;
+  }
+  // Going by it, neither towards the corner nor away from it.
+  const Offset go = PlaceOf(near.end) - PlaceOf(near.begin);
+  const kg_core::Cell d =
+      Sight::kDiagonals[static_cast<std::size_t>(found.key % 4)];
+  const double slack = kHeadOn * Length(go);
+  const double east = d.col * go.col, north = d.row * go.row;
+  if ((east > slack && north > slack) || (east < -slack && north < -slack)) {
+    return;
+  }
+  const Offset corner{static_cast<double>(d.col), static_cast<double>(d.row)};
+  found.side = Cross(go, corner) > 0.0 ? 1 : -1;
+  found.arriving_rad = HeadingOf(flow_, near.end);
+  restarts_.push_back(found);
 }
 
 // The last that passes a wall beside one that hits it: unless it is about to
@@ -354,9 +410,7 @@ void Fan::Restarts(double end_s) {
         std::max_element(restarts_.begin(), restarts_.end(), later);
     const Restart restart = *first;
     restarts_.erase(first);
-    if (!rounded_.insert(restart.key).second || !(restart.time_s < end_s)) {
-      continue;
-    }
+    if (!rounded_.insert(restart.key).second) continue;
     const std::vector<Ray> rays = ShadowRays(restart);
     const Helm::Step step(flow_, restart.time_s, end_s - restart.time_s);
     first_steps_.push_back({step, steps_.size() + 1});

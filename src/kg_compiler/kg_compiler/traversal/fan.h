@@ -71,10 +71,14 @@ class Fan {
   bool IsWide(const Strand& a, const Strand& b, const Sweep& sweep);
   void Paint(const Stride& stride, const Strand& a, const Strand& b,
              const Sweep& sweep);
+  bool NearCoast(kg_core::Cell low, kg_core::Cell high);
   void PaintCell(const Stride& stride, const Strand& a, const Strand& b,
                  const Sweep& sweep, kg_core::Cell cell, bool coast);
   void FindCorners(const Stride& stride, const Strand& a, const Strand& b,
                    const Sweep& sweep, kg_core::Cell cell);
+  void FindCornersBeside(const Stride& stride, const Strand& strand);
+  void AddCorner(const Stride& stride, Restart found, Offset from,
+                 const Strand& near);
   void FindGraze(const Stride& stride, const Strand& alive, const Strand& dead);
   void Keep(const Stride& stride, const Strand& strand);
   std::vector<Ray> ShadowRays(const Restart& restart);

@@ -6,12 +6,45 @@
 #ifndef KG_COMPILER_TRAVERSAL_FLOW_H_
 #define KG_COMPILER_TRAVERSAL_FLOW_H_
 
+#include <algorithm>
 #include <climits>
+#include <cmath>
 #include <vector>
 
 #include "kg_compiler/traversal/traversal.h"
 
 namespace kg_compiler {
+
+// One component at the four centres around a position.
+struct FlowCorners {
+  double sw, se, nw, ne;
+
+  FlowCorners(const float* values, std::size_t cols)
+      : sw(values[0]), se(values[1]), nw(values[cols]), ne(values[cols + 1]) {}
+  void Towards(const float* later, std::size_t cols, double share) {
+    sw += share * (later[0] - sw);
+    se += share * (later[1] - se);
+    nw += share * (later[cols] - nw);
+    ne += share * (later[cols + 1] - ne);
+  }
+  void CalmWhereMissing() {
+    for (double* value : {&sw, &se, &nw, &ne}) {
+      if (std::isnan(*value)) *value = 0.0;
+    }
+  }
+  bool Missing() const { return std::isnan(sw + se + nw + ne); }
+};
+
+struct FlowSlope {
+  double value, east, north;
+};
+inline FlowSlope Bilinear(const FlowCorners& c, double north, double east) {
+  const double south_rise = c.se - c.sw, north_rise = c.ne - c.nw;
+  const double s = c.sw + east * south_rise;
+  const double n = c.nw + east * north_rise;
+  return {s + north * (n - s), south_rise + north * (north_rise - south_rise),
+          n - s};
+}
 
 class Flow {
  public:
@@ -38,12 +71,8 @@ class Flow {
   Sample operator()(const Moment& moment, double col, double row) const;
 
   // Degrees per cell step at a position.
-  double DegPerCol(double col) const {
-    return 1.0 / cols_per_deg_[Lower(col, cols_)];
-  }
-  double DegPerRow(double row) const {
-    return 1.0 / rows_per_deg_[Lower(row, rows_)];
-  }
+  double DegPerCol(double col) const { return deg_per_col_[Lower(col, cols_)]; }
+  double DegPerRow(double row) const { return deg_per_row_[Lower(row, rows_)]; }
   // Degrees per metre at a row.
   kg_core::LonLat Scale(double row) const;
 
@@ -65,11 +94,62 @@ class Flow {
   double epoch_s_;
   int rows_, cols_;
   std::vector<double> slice_s_;  // After the departure's time.
-  std::vector<double> cols_per_deg_, rows_per_deg_;  // By interval.
+  std::vector<double> deg_per_col_, deg_per_row_;  // By interval.
+  std::vector<double> cols_per_deg_, rows_per_deg_;
   // By row, made when first asked for (0 = not yet).
   mutable std::vector<double> lon_per_m_, lat_per_m_;
   mutable CellBox felt_{INT_MAX, 0, INT_MAX, 0};
 };
+
+// In the header: inlined, extremals take half the time.
+inline void Flow::Interpolate(const Moment& moment, std::size_t corner,
+                              double north, double east, Sample* at) const {
+  const std::size_t cols = static_cast<std::size_t>(cols_);
+  FlowCorners u(moment.east0 + corner, cols), v(moment.north0 + corner, cols);
+  if (u.Missing() || v.Missing()) {
+    u.CalmWhereMissing();
+    v.CalmWhereMissing();
+  }
+  if (moment.share > 0.0) {
+    u.Towards(moment.east1 + corner, cols, moment.share);
+    v.Towards(moment.north1 + corner, cols, moment.share);
+    if (u.Missing() || v.Missing()) {
+      u.CalmWhereMissing();
+      v.CalmWhereMissing();
+    }
+  }
+  const FlowSlope e = Bilinear(u, north, east), n = Bilinear(v, north, east);
+  at->east = gain_ * e.value;
+  at->east_col = gain_ * e.east;
+  at->east_row = gain_ * e.north;
+  at->north = gain_ * n.value;
+  at->north_col = gain_ * n.east;
+  at->north_row = gain_ * n.north;
+}
+
+inline Flow::Sample Flow::operator()(const Moment& moment, double col,
+                                     double row) const {
+  const int c = Lower(col, cols_), r = Lower(row, rows_);
+  const double east = col - c, north = row - r;
+  const double held_east = std::min(std::max(east, 0.0), 1.0);
+  const double held_north = std::min(std::max(north, 0.0), 1.0);
+  felt_ = {std::min(felt_.row, r), std::max(felt_.row_end, r + 2),
+           std::min(felt_.col, c), std::max(felt_.col_end, c + 2)};
+  Sample at;
+  Interpolate(moment, static_cast<std::size_t>(r) * cols_ + c, held_north,
+              held_east, &at);
+  if (held_east != east) at.east_col = at.north_col = 0.0;
+  if (held_north != north) at.east_row = at.north_row = 0.0;
+  if (lon_per_m_[r] == 0.0) FillScale(r);
+  if (lon_per_m_[r + 1] == 0.0) FillScale(r + 1);
+  at.lon_per_m_row = lon_per_m_[r + 1] - lon_per_m_[r];
+  at.lat_per_m_row = lat_per_m_[r + 1] - lat_per_m_[r];
+  at.lon_per_m = lon_per_m_[r] + north * at.lon_per_m_row;
+  at.lat_per_m = lat_per_m_[r] + north * at.lat_per_m_row;
+  at.cols_per_deg = cols_per_deg_[c];
+  at.rows_per_deg = rows_per_deg_[r];
+  return at;
+}
 
 }  // namespace kg_compiler
 

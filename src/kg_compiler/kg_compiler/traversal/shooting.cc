@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kg_compiler/traversal/leg.h"
+#include "kg_compiler/traversal/sight.h"
 #include "kg_compiler/traversal/sweep.h"
 
 namespace kg_compiler {
@@ -20,11 +21,6 @@ constexpr double kLeastSpread_rad = 1e-6;
 constexpr int kMostHalvings = 30;
 constexpr double kSolveStep_cells = 0.33;
 constexpr int kFewestSteps = 6;
-
-bool Within(const CellBox& a, const CellBox& b) {
-  return a.row >= b.row && a.row_end <= b.row_end && a.col >= b.col &&
-         a.col_end <= b.col_end;
-}
 
 // The point farthest from the chord in time between two kept points.
 struct Farthest {
@@ -89,7 +85,7 @@ std::optional<ShotAt> Shooter::Fire(const Leg& leg, double heading_rad) const {
   for (int i = 0; i < steps; ++i) {
     at = helm.Advance(at, Helm::Step(flow, time_s, step_s));
     time_s += step_s;
-    if (!Within(flow.felt(), reach_.read)) return std::nullopt;
+    if (!IsWithin(flow.felt(), reach_.read)) return std::nullopt;
   }
   const Offset target{leg.to.col, leg.to.row};
   for (int i = 0; i < kMostTimings; ++i) {
@@ -108,7 +104,7 @@ std::optional<ShotAt> Shooter::Fire(const Leg& leg, double heading_rad) const {
     if (!(time_s + shift_s > leg.begin_s)) return std::nullopt;
     at = helm.Advance(at, Helm::Step(flow, time_s, shift_s));
     time_s += shift_s;
-    if (!Within(flow.felt(), reach_.read)) return std::nullopt;
+    if (!IsWithin(flow.felt(), reach_.read)) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -197,7 +193,7 @@ bool Shooter::Trace(const Leg& leg, const ShotAt& shot, Course* course) const {
     const double time_s = leg.begin_s + i * step_s;
     course->push_back({{at.row, at.col}, time_s});
     at = helm.Advance(at, Helm::Step(flow, time_s, step_s));
-    if (!Within(flow.felt(), reach_.read)) return false;
+    if (!IsWithin(flow.felt(), reach_.read)) return false;
   }
   // What it misses by is made good evenly all along.
   const Offset miss = PlaceOf(at) - Offset{leg.to.col, leg.to.row};

@@ -15,6 +15,11 @@ inline bool Holds(const CellBox& box, kg_core::Cell cell) {
          cell.col < box.col_end;
 }
 
+inline bool IsWithin(const CellBox& a, const CellBox& b) {
+  return a.row >= b.row && a.row_end <= b.row_end && a.col >= b.col &&
+         a.col_end <= b.col_end;
+}
+
 // The cell a position lies in; held within the grid at its outer edges.
 inline kg_core::Cell CellOf(const kg_core::Grid& grid, kg_core::GridPoint at) {
   const int row = static_cast<int>(at.row + 0.5);

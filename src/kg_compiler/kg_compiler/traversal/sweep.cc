@@ -10,6 +10,7 @@ constexpr double kTouch = 1e-9;      // Shared edges belong to both sides.
 constexpr double kSteepest = 0.6;    // Of a front that a cubic follows.
 constexpr double kSlantest = 0.2;    // Share of the motion across the front.
 constexpr double kNoLength = 1e-12;  // [cells]
+constexpr double kRefined = 1e-3;    // [cells]
 
 double Clamp01(double x) { return std::min(std::max(x, 0.0), 1.0); }
 
@@ -76,10 +77,12 @@ Sweep::Sweep(const Flow& flow, const Strand& a, const Strand& b,
       begin_edge_(b0_ - a0_),
       motion_(a1_ - a0_),
       twist_((b1_ - a1_) - begin_edge_),
-      diagonal_det_a_(Cross(begin_edge_, b1_ - a0_)),
-      diagonal_det_b_(Cross(b1_ - a0_, motion_)),
       length_s_(length_s) {
   const Offset end_edge = b1_ - a1_;
+  const double det_a = Cross(begin_edge_, b1_ - a0_);
+  const double det_b = Cross(b1_ - a0_, motion_);
+  if (std::abs(det_a) > kNoLength) inverse_a_ = 1.0 / det_a;
+  if (std::abs(det_b) > kNoLength) inverse_b_ = 1.0 / det_b;
   motion_ = 0.5 * (motion_ + (b1_ - b0_));
   begin_bow_ =
       BowOf(begin_edge_, NormalOf(flow, a.begin), NormalOf(flow, b.begin));
@@ -113,17 +116,18 @@ Offset Sweep::high() const {
 // Two triangles, on either side of the diagonal from a0 to b1.
 std::optional<Sweep::Share> Sweep::Find(Offset place) const {
   const Offset d = place - a0_, diagonal = b1_ - a0_;
-  if (std::abs(diagonal_det_a_) > kNoLength) {
-    const double b0 = Cross(d, diagonal) / diagonal_det_a_;
-    const double b1 = Cross(begin_edge_, d) / diagonal_det_a_;
-    if (b0 >= -kTouch && b1 >= -kTouch && b0 + b1 <= 1.0 + kTouch) {
+  const double aside = Cross(d, diagonal);  // Which side of the diagonal?
+  const double b0 = aside * inverse_a_;
+  if (inverse_a_ != 0.0 && b0 >= -kTouch) {
+    const double b1 = Cross(begin_edge_, d) * inverse_a_;
+    if (b1 >= -kTouch && b0 + b1 <= 1.0 + kTouch) {
       return Refine(place, {b0 + b1, b1});
     }
   }
-  if (std::abs(diagonal_det_b_) > kNoLength) {
-    const double b1 = Cross(d, motion_) / diagonal_det_b_;
-    const double a1 = Cross(diagonal, d) / diagonal_det_b_;
-    if (b1 >= -kTouch && a1 >= -kTouch && b1 + a1 <= 1.0 + kTouch) {
+  const double a1 = -aside * inverse_b_;
+  if (inverse_b_ != 0.0 && a1 >= -kTouch) {
+    const double b1 = Cross(d, motion_) * inverse_b_;
+    if (b1 >= -kTouch && b1 + a1 <= 1.0 + kTouch) {
       return Refine(place, {b1, b1 + a1});
     }
   }

@@ -77,7 +77,9 @@ class Sweep {
 
   Offset a0_, a1_, b0_, b1_;
   Offset begin_edge_, motion_, twist_;
-  double diagonal_det_a_, diagonal_det_b_;
+  // Inverse determinants of the triangles on either side of the diagonal from
+  // a0 to b1; 0 = none.
+  double inverse_a_ = 0.0, inverse_b_ = 0.0;
   double length_s_;
   Bow begin_bow_, end_bow_;
   double s_per_cell_ = 0.0;  // 1 / v; 0 = no bow.

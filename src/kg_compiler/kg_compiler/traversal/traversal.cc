@@ -1,130 +1,92 @@
+// Traverse: the price decides how fast to go.
+
 #include "kg_compiler/traversal/traversal.h"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "kg_compiler/traversal/leg.h"
-#include "kg_compiler/traversal/shooting.h"
-#include "kg_compiler/traversal/sight.h"
+#include "kg_compiler/traversal/crossing.h"
+#include "kg_compiler/traversal/slower_reaches.h"
 
 namespace kg_compiler {
 namespace {
 
-constexpr int kSeedRadius_cells = 2;
-constexpr int kMostSeeds = 6;
-constexpr double kStep_cells = 0.5;
-constexpr double kFineStep_cells = 0.08;
-constexpr double kTolerance_cells = 0.05;
-constexpr double kSame = 1e-3;  // Of two courses' times.
-// Shares of the speed kept back from a course, for the flight along its legs:
-// where the current is the stronger, the very edge of what can be reached
-// leaves nothing to correct with.
-constexpr double kReserves[] = {0.0, 0.005, 0.02, 0.05};
+constexpr double kGolden = 0.6180339887498949;
+constexpr int kRefinements = 10;
 
-// The cells of a box whose flights read nothing outside of it.
-CellBox Inside(const CellBox& box, const kg_core::Grid& grid) {
-  return {box.row > 0 ? box.row + 1 : 0,
-          box.row_end < grid.rows() ? box.row_end - 1 : box.row_end,
-          box.col > 0 ? box.col + 1 : 0,
-          box.col_end < grid.cols() ? box.col_end - 1 : box.col_end};
-}
+// Shares of the full speed: those tried, with their reaches, fastest first.
+struct Choice {
+  double share = 1.0;
+  double cost = std::numeric_limits<double>::infinity();
+  std::optional<Flight> flight;
+};
 
-// Flights of one voyage to one place.
-class Crossing {
+class Pricing {
  public:
-  Crossing(const Voyage& voyage, const Reach& reach, kg_core::LonLat to,
-           kg_core::GridPoint at)
-      : voyage_(voyage),
-        reach_(reach),
-        grid_(voyage.world.field->grid),
-        inside_(Inside(reach.read, grid_)),
-        to_(to),
-        at_(at) {}
+  Pricing(const Voyage& voyage, const Reach& reach, kg_core::LonLat to,
+          kg_core::GridPoint at)
+      : voyage_(voyage), reach_(reach), to_(to), at_(at) {}
 
-  std::optional<Flight> Fastest() const {
-    std::optional<Flight> best = Fly({voyage_.departure.from, to_});
-    const std::vector<Shooter::Guess> guesses = Guesses();
-    for (const double reserve : kReserves) {
-      const Shooter shooter(voyage_, reach_,
-                            (1.0 - reserve) * voyage_.motion.cruise_mps);
-      std::vector<double> refused_s;
-      for (const Shooter::Guess& guess : guesses) {
-        std::optional<Flight> flight = Shoot(shooter, guess, &refused_s);
-        if (!flight) continue;
-        if (best && best->travel_s <= flight->travel_s) return best;
-        return flight;
-      }
+  std::optional<Flight> Cheapest() const {
+    Choice best = Try(1.0, reach_);
+    int chosen = -1;
+    bool between = false;  // May the cheapest lie next to the fastest?
+    for (int k = 0; k < SlowerReaches::kCount; ++k) {
+      Choice slower = Slower(SlowerReaches::kShares[k], k);
+      if (k == 0) between = !slower.flight && best.flight;
+      if (!(slower.cost < best.cost)) continue;
+      best = std::move(slower);
+      chosen = k;
+    }
+    if (chosen >= 0 || between) best = Refined(std::move(best), chosen);
+    return std::move(best.flight);
+  }
+
+ private:
+  Voyage At(double share) const {
+    Voyage voyage = voyage_;
+    voyage.motion.cruise_mps *= share;
+    return voyage;
+  }
+  Choice Try(double share, const Reach& reach) const {
+    const Voyage voyage = At(share);
+    Choice choice;
+    choice.share = share;
+    choice.flight = Crossing(voyage, reach, to_, at_).Fastest();
+    if (choice.flight) {
+      const FlightPrice& price = voyage_.price;
+      choice.cost = price.per_s * choice.flight->travel_s +
+                    price.per_j * choice.flight->energy_j +
+                    price.per_hazard_s * choice.flight->hazard_s;
+    }
+    return choice;
+  }
+  // At a speed close to the k-th slower one.
+  Choice Slower(double share, int k) const {
+    const Reach* reach = reach_.slower->At(k, voyage_, reach_.read);
+    return reach ? Try(share, *reach) : Choice{};
+  }
+  // Golden section between the speeds on either side of the one chosen, which
+  // has the least cost of the three; what cannot be flown costs infinitely.
+  Choice Refined(Choice best, int chosen) const {
+    const int last = SlowerReaches::kCount - 1;
+    double low = chosen == last ? 0.0 : SlowerReaches::kShares[chosen + 1];
+    double high = chosen <= 0 ? 1.0 : SlowerReaches::kShares[chosen - 1];
+    for (int i = 0; i < kRefinements; ++i) {
+      const bool up = high - best.share > best.share - low;
+      const double share =
+          up ? best.share + (1.0 - kGolden) * (high - best.share)
+             : best.share - (1.0 - kGolden) * (best.share - low);
+      Choice next = chosen < 0 ? Try(share, reach_) : Slower(share, chosen);
+      const bool better = next.cost < best.cost;
+      (up == better ? low : high) = better ? best.share : share;
+      if (better) best = std::move(next);
     }
     return best;
   }
 
- private:
-  std::optional<Flight> Fly(const std::vector<kg_core::LonLat>& via) const {
-    return FlyTrackWithin(voyage_, via, &inside_);
-  }
-  std::optional<Flight> Fly(const Course& course) const {
-    std::vector<kg_core::LonLat> via(1, voyage_.departure.from);
-    for (std::size_t i = 1; i + 1 < course.size(); ++i) {
-      const kg_core::LonLat at = grid_.Position(course[i].place);
-      if (at != via.back()) via.push_back(at);
-    }
-    if (to_ != via.back()) via.push_back(to_);
-    return Fly(via);
-  }
-
-  // Extremals through the cells around, the earliest first, the place's own
-  // cell before all others.
-  std::vector<Shooter::Guess> Guesses() const {
-    const kg_core::Cell target = CellOf(grid_, at_);
-    struct Seed {
-      double rank_s;
-      const ReachedCell* cell;
-    };
-    std::vector<Seed> seeds;
-    for (int dr = -kSeedRadius_cells; dr <= kSeedRadius_cells; ++dr) {
-      for (int dc = -kSeedRadius_cells; dc <= kSeedRadius_cells; ++dc) {
-        const kg_core::Cell cell{target.row + dr, target.col + dc};
-        if (!grid_.Contains(cell)) continue;
-        const ReachedCell* found =
-            reach_.Find(static_cast<int>(grid_.Index(cell)));
-        if (!found) continue;
-        const double away = std::hypot(cell.row - at_.row, cell.col - at_.col);
-        seeds.push_back({away, found});
-      }
-    }
-    std::stable_sort(
-        seeds.begin(), seeds.end(),
-        [](const Seed& a, const Seed& b) { return a.rank_s < b.rank_s; });
-    std::vector<Shooter::Guess> guesses;
-    for (const Seed& seed : seeds) {
-      if (guesses.size() == kMostSeeds) break;
-      guesses.push_back({seed.cell->root, seed.cell->heading_rad,
-                         seed.cell->spread_rad, seed.cell->arrival_s});
-    }
-    return guesses;
-  }
-
-  // Not again the course that was refused.
-  std::optional<Flight> Shoot(const Shooter& shooter,
-                              const Shooter::Guess& guess,
-                              std::vector<double>* refused_s) const {
-    const auto course = shooter.To(at_, guess, kStep_cells);
-    if (!course) return std::nullopt;
-    const double time_s = course->back().time_s;
-    for (const double known_s : *refused_s) {
-      if (std::abs(time_s - known_s) < kSame * time_s) return std::nullopt;
-    }
-    refused_s->push_back(time_s);
-    if (auto flight = Fly(Simplify(*course, kTolerance_cells))) return flight;
-    if (auto flight = Fly(*course)) return flight;
-    const auto fine = shooter.To(at_, guess, kFineStep_cells);
-    return fine ? Fly(*fine) : std::nullopt;
-  }
-
   const Voyage& voyage_;
   const Reach& reach_;
-  const kg_core::Grid& grid_;
-  CellBox inside_;
   kg_core::LonLat to_;
   kg_core::GridPoint at_;
 };
@@ -133,12 +95,12 @@ class Crossing {
 
 std::optional<Flight> Traverse(const Voyage& voyage, const Reach& reach,
                                kg_core::LonLat to) {
-  const kg_core::Grid& grid = voyage.world.field->grid;
-  const auto at = grid.Locate(to);
-  if (!at || !Holds(Inside(reach.read, grid), CellOf(grid, *at))) {
-    return std::nullopt;
+  const auto at = voyage.world.field->grid.Locate(to);
+  if (!at) return std::nullopt;
+  if (!(voyage.price.per_j > 0.0) || !reach.slower) {
+    return Crossing(voyage, reach, to, *at).Fastest();
   }
-  return Crossing(voyage, reach, to, *at).Fastest();
+  return Pricing(voyage, reach, to, *at).Cheapest();
 }
 
 }  // namespace kg_compiler

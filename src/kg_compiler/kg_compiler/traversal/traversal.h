@@ -21,6 +21,7 @@
 #define KG_COMPILER_TRAVERSAL_TRAVERSAL_H_
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -102,6 +103,8 @@ struct ReachRoot {
   double spread_rad = 0.0;   // between extremals so far apart.
 };
 
+class SlowerReaches;
+
 struct Reach {
   std::vector<ReachedCell> cells;  // By index.
   std::vector<ReachRoot> roots;    // The departure first.
@@ -110,6 +113,8 @@ struct Reach {
   // world's `open` or field outside of it. (Hazard at a cell in it depends on
   // what is open within HazardMap::kRanges ranges.)
   CellBox read;
+  // At slower speeds, made when first needed; null if energy has no price.
+  std::shared_ptr<SlowerReaches> slower;
 
   const ReachedCell* Find(int index) const;  // Null = not reached.
 };
@@ -132,8 +137,18 @@ double HoldableFrom_s(const Voyage& voyage, kg_core::LonLat place);
 std::optional<Flight> FlyTrack(const Voyage& voyage,
                                const std::vector<kg_core::LonLat>& via);
 
-// The flight from the departure to `to`, or nothing if none was found that can
-// be flown. `reach` is ComputeReach of the same voyage.
+// The flight from the departure to `to` with the least
+//   per_s travel_s + per_j energy_j + per_hazard_s hazard_s,
+// or nothing if none was found that can be flown. `reach` is ComputeReach of
+// the same voyage. The fastest, and never slower than straight there, unless
+// energy has a price: then slower speeds are tried, too (the shares of
+// SlowerReaches, and if one is cheaper, those around it to about 0.3 % of
+// cruise_mps), each on its fastest track (arriving
+// later than one could at that speed is not tried).
+//
+// The track is the extremal, simplified: linear interpolation in time between
+// its points stays within 0.05 cells of where the extremal is; what is flown
+// and claimed is the simplified track.
 std::optional<Flight> Traverse(const Voyage& voyage, const Reach& reach,
                                kg_core::LonLat to);
 

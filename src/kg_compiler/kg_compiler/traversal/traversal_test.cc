@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "kg_compiler/test_world.h"
+#include "kg_compiler/traversal/sight.h"
 #include "kg_compiler/traversal/test_sea.h"
 #include "kg_core/geo/geodesy.h"
 
@@ -368,6 +369,147 @@ TEST(HoldableFrom, IsTheLastMomentTheCurrentIsTooStrong) {
     }
   }
   EXPECT_GT(inside, 5);
+}
+
+// Whatever lies outside of what a reach read may change.
+TEST(ComputeReach, ReadsNothingOutsideOfItsBoxNorDoItsFlights) {
+  std::mt19937 rng(39);
+  int flown = 0, inside = 0;
+  for (int round = 0; round < 16; ++round) {
+    Sea sea(RandomFlow(rng, TestGrid(), round % 2 ? 0.3 : 0.9, 10800, kDay_s));
+    sea.open = RandomMask(rng, sea.field.grid.size(), 0.97);
+    Voyage voyage = sea.From(
+        Glider(0.3),
+        {sea.field.grid.Position({Uniform(rng, 15, 35), Uniform(rng, 15, 35)}),
+         0.0, 0.4 * kDay_s});
+    if (round % 4 == 0) voyage.price = {1e-5, 1e-6, 0.0};
+    const Reach reach = ComputeReach(voyage);
+    Sea other(sea.field);
+    other.open = sea.open;
+    for (int i = 0; i < static_cast<int>(other.open.size()); ++i) {
+      if (Holds(reach.read, {i / 50, i % 50})) {
+        ++inside;
+        continue;
+      }
+      other.open[i] = Uniform(rng, 0, 1) < 0.5;
+      for (kg_core::FieldSlice& slice : other.field.slices) {
+        slice.east_mps[i] =
+            round % 3 ? static_cast<float>(Uniform(rng, -2, 2)) : kGap;
+      }
+    }
+    Voyage elsewhere = voyage;
+    elsewhere.world = {&other.field, &other.open, nullptr};
+    const Reach again = ComputeReach(elsewhere);
+    ASSERT_EQ(reach.cells.size(), again.cells.size());
+    for (std::size_t i = 0; i < reach.cells.size(); ++i) {
+      ASSERT_EQ(reach.cells[i].index, again.cells[i].index);
+      ASSERT_EQ(reach.cells[i].arrival_s, again.cells[i].arrival_s);
+    }
+    for (int k = 0; k < 25; ++k) {
+      if (reach.cells.empty()) break;
+      const int index = reach.cells[rng() % reach.cells.size()].index;
+      const LonLat to =
+          sea.field.grid.Position({index / 50 + Uniform(rng, -0.5, 0.5),
+                                   index % 50 + Uniform(rng, -0.5, 0.5)});
+      const auto a = Traverse(voyage, reach, to);
+      const auto b = Traverse(elsewhere, reach, to);
+      ASSERT_EQ(a.has_value(), b.has_value());
+      if (!a) continue;
+      ++flown;
+      ASSERT_EQ(a->travel_s, b->travel_s);
+      ASSERT_EQ(a->energy_j, b->energy_j);
+      ASSERT_EQ(a->track.size(), b->track.size());
+    }
+  }
+  EXPECT_GT(flown, 20);
+  EXPECT_GT(inside, 1000);
+}
+
+// |D/T - c| is the least speed through water that brings one to D by T in a
+// steady uniform current; later there is nothing to hold against.
+TEST(Traverse, SpendsTheLeastEnergyThatAUniformCurrentAsksFor) {
+  std::mt19937 rng(40);
+  int flown = 0;
+  for (int round = 0; round < 60; ++round) {
+    const double east = Uniform(rng, -0.4, 0.4),
+                 north = Uniform(rng, -0.4, 0.4);
+    const Sea sea(UniformFlow(TestGrid(), east, north));
+    const LonLat from{-90.0, 25.0};
+    const double bearing = Uniform(rng, 0, 2 * kg_core::kPi);
+    const double d = Uniform(rng, 5e3, 30e3);
+    const LonLat to = kg_core::Destination(from, bearing, d);
+    const double least_mps = std::hypot(d * std::sin(bearing) / kDay_s - east,
+                                        d * std::cos(bearing) / kDay_s - north);
+    if (!(least_mps > 0.05 && least_mps < 0.48)) continue;
+    // Else that speed brings one there before T already, and the current past.
+    const double x = d * std::sin(bearing), y = d * std::cos(bearing);
+    if (!(x * (x / kDay_s - east) + y * (y / kDay_s - north) > 0.0)) continue;
+    Voyage voyage = sea.From(Glider(0.5), {from, 0.0, kDay_s});
+    const auto fastest = Traverse(voyage, ComputeReach(voyage), to);
+    voyage.price.per_j = 1.0;
+    const auto cheapest = Traverse(voyage, ComputeReach(voyage), to);
+    ASSERT_TRUE(cheapest);
+    const double hotel_j = 3.0 * kDay_s, least_j = 2.0 * least_mps * kDay_s;
+    EXPECT_GE(cheapest->energy_j - hotel_j, 0.999 * least_j);
+    EXPECT_LE(cheapest->energy_j - hotel_j, 1.05 * least_j);
+    EXPECT_LT(cheapest->speed_mps, 0.5);
+    if (fastest) {
+      EXPECT_EQ(0.5, fastest->speed_mps);
+      EXPECT_LE(cheapest->energy_j, fastest->energy_j);
+      EXPECT_LE(fastest->travel_s, cheapest->travel_s);
+    }
+    ++flown;
+  }
+  EXPECT_GT(flown, 6);
+}
+
+TEST(Traverse, DriftsWhereTheCurrentGoesAnyway) {
+  const Sea sea(UniformFlow(TestGrid(), 0.3, 0.1));
+  const LonLat from{-90.6, 24.6};
+  const kg_core::DegreesPerMetre scale = kg_core::LocalScale(24.65);
+  const LonLat to{from.lon_deg + 0.3 * kDay_s * scale.lon_deg,
+                  from.lat_deg + 0.1 * kDay_s * scale.lat_deg};
+  Voyage voyage = sea.From(Glider(0.5), {from, 0.0, kDay_s});
+  voyage.price.per_j = 1.0;
+  const auto flight = Traverse(voyage, ComputeReach(voyage), to);
+  ASSERT_TRUE(flight);
+  EXPECT_LT(flight->energy_j - 3.0 * kDay_s, 0.1 * 2.0 * 0.316 * kDay_s);
+  EXPECT_LT(flight->speed_mps, 0.05);
+}
+
+// The flight chosen never costs more than the fastest one.
+TEST(Traverse, ChoosesByThePrice) {
+  std::mt19937 rng(41);
+  int slower = 0, asked = 0;
+  for (int round = 0; round < 8; ++round) {
+    const Sea sea(RandomFlow(rng, TestGrid(), 0.5, 7200, kDay_s));
+    const LonLat from = sea.field.grid.Position({25, 25});
+    const Voyage fast = sea.From(Glider(0.5), {from, 0.0, kDay_s});
+    Voyage priced = fast;
+    priced.price = {Uniform(rng, 0, 5e-6), 1e-5, 0.0};
+    const Reach fast_reach = ComputeReach(fast), reach = ComputeReach(priced);
+    const auto cost = [&](const Flight& f) {
+      return priced.price.per_s * f.travel_s + priced.price.per_j * f.energy_j;
+    };
+    for (int k = 0; k < 6; ++k) {
+      const LonLat to =
+          sea.field.grid.Position({Uniform(rng, 18, 32), Uniform(rng, 18, 32)});
+      const auto a = Traverse(fast, fast_reach, to);
+      const auto b = Traverse(priced, reach, to);
+      if (!a) continue;
+      ASSERT_TRUE(b);
+      EXPECT_LE(cost(*b), cost(*a));
+      slower += b->speed_mps < 0.5;
+      ++asked;
+      MotionModel motion = fast.motion;
+      motion.cruise_mps = b->speed_mps;
+      const auto again = Refly(sea, motion).Fly(*b);
+      ASSERT_TRUE(again);
+      EXPECT_NEAR(1.0, b->travel_s / *again, 0.005);
+    }
+  }
+  EXPECT_GT(asked, 20);
+  EXPECT_GT(slower, 5);
 }
 
 }  // namespace

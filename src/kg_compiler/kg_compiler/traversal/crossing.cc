@@ -1,0 +1,150 @@
+#include "kg_compiler/traversal/crossing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "kg_compiler/traversal/leg.h"
+#include "kg_compiler/traversal/sight.h"
+
+namespace kg_compiler {
+namespace {
+
+constexpr int kSeedRadius_cells = 2;
+constexpr int kMostSeeds = 6;
+constexpr double kStep_cells = 0.5;
+constexpr double kFineStep_cells = 0.08;
+constexpr double kTolerance_cells = 0.05;
+constexpr double kExpected = 0.005;  // Later than the fan: look further.
+constexpr double kNearCells = 1.0;
+constexpr double kSame = 1e-3;  // Of two courses' times.
+// Shares of the speed kept back from a course, for the flight along its legs:
+// where the current is the stronger, the very edge of what can be reached
+// leaves nothing to correct with.
+constexpr double kReserves[] = {0.0, 0.005, 0.02, 0.05};
+
+// The cells of a box whose flights read nothing outside of it.
+CellBox Inside(const CellBox& box, const kg_core::Grid& grid) {
+  return {box.row > 0 ? box.row + 1 : 0,
+          box.row_end < grid.rows() ? box.row_end - 1 : box.row_end,
+          box.col > 0 ? box.col + 1 : 0,
+          box.col_end < grid.cols() ? box.col_end - 1 : box.col_end};
+}
+
+void KeepFaster(std::optional<Flight> flight, std::optional<Flight>* best) {
+  if (!flight || (*best && (*best)->travel_s <= flight->travel_s)) return;
+  *best = std::move(flight);
+}
+
+}  // namespace
+
+Crossing::Crossing(const Voyage& voyage, const Reach& reach, kg_core::LonLat to,
+                   kg_core::GridPoint at)
+    : voyage_(voyage),
+      reach_(reach),
+      grid_(voyage.world.field->grid),
+      inside_(Inside(reach.read, grid_)),
+      to_(to),
+      at_(at) {}
+
+std::optional<Flight> Crossing::Fastest() const {
+  if (!Holds(inside_, CellOf(grid_, at_))) return std::nullopt;
+  std::optional<Flight> best = Fly({voyage_.departure.from, to_});
+  const std::vector<Shooter::Guess> guesses = Guesses();
+  for (const double reserve : kReserves) {
+    const Shooter shooter(voyage_, reach_,
+                          (1.0 - reserve) * voyage_.motion.cruise_mps);
+    std::vector<double> refused_s;
+    for (const Shooter::Guess& guess : guesses) {
+      KeepFaster(Shoot(shooter, guess, &refused_s), &best);
+      if (best && IsExpected(best->travel_s, guesses.front())) return best;
+    }
+  }
+  for (const Shooter::Guess& guess : guesses) {
+    if (guess.root > 0) KeepFaster(Fly(Corners(guess.root)), &best);
+  }
+  return best;
+}
+
+// About as early as the fan says of a cell as far away.
+bool Crossing::IsExpected(double travel_s, const Shooter::Guess& guess) const {
+  const double near_s = kNearCells / reach_.cells_per_s;
+  return travel_s <= (1.0 + kExpected) * guess.arrival_s + near_s;
+}
+
+// Straight from corner to corner.
+std::vector<kg_core::LonLat> Crossing::Corners(int root) const {
+  std::vector<kg_core::LonLat> via(1, to_);
+  for (; root > 0; root = reach_.roots[root].parent) {
+    via.push_back(grid_.Position(reach_.roots[root].place));
+  }
+  via.push_back(voyage_.departure.from);
+  std::reverse(via.begin(), via.end());
+  return via;
+}
+
+std::optional<Flight> Crossing::Fly(
+    const std::vector<kg_core::LonLat>& via) const {
+  return FlyTrackWithin(voyage_, via, &inside_);
+}
+
+std::optional<Flight> Crossing::Fly(const Course& course) const {
+  std::vector<kg_core::LonLat> via(1, voyage_.departure.from);
+  for (std::size_t i = 1; i + 1 < course.size(); ++i) {
+    const kg_core::LonLat at = grid_.Position(course[i].place);
+    if (at != via.back()) via.push_back(at);
+  }
+  if (to_ != via.back()) via.push_back(to_);
+  return Fly(via);
+}
+
+// Extremals through the cells around, the earliest first, the place's own
+// cell before all others.
+std::vector<Shooter::Guess> Crossing::Guesses() const {
+  const kg_core::Cell target = CellOf(grid_, at_);
+  struct Seed {
+    double rank_s;
+    const ReachedCell* cell;
+  };
+  std::vector<Seed> seeds;
+  for (int dr = -kSeedRadius_cells; dr <= kSeedRadius_cells; ++dr) {
+    for (int dc = -kSeedRadius_cells; dc <= kSeedRadius_cells; ++dc) {
+      const kg_core::Cell cell{target.row + dr, target.col + dc};
+      if (!grid_.Contains(cell)) continue;
+      const ReachedCell* found =
+          reach_.Find(static_cast<int>(grid_.Index(cell)));
+      if (!found) continue;
+      const double away = std::hypot(cell.row - at_.row, cell.col - at_.col);
+      seeds.push_back({away, found});
+    }
+  }
+  std::stable_sort(
+      seeds.begin(), seeds.end(),
+      [](const Seed& a, const Seed& b) { return a.rank_s < b.rank_s; });
+  std::vector<Shooter::Guess> guesses;
+  for (const Seed& seed : seeds) {
+    if (guesses.size() == kMostSeeds) break;
+    guesses.push_back({seed.cell->root, seed.cell->heading_rad,
+                       seed.cell->spread_rad, seed.cell->arrival_s});
+  }
+  return guesses;
+}
+
+// Not again the course that was refused.
+std::optional<Flight> Crossing::Shoot(const Shooter& shooter,
+                                      const Shooter::Guess& guess,
+                                      std::vector<double>* refused_s) const {
+  const auto course = shooter.To(at_, guess, kStep_cells);
+  if (!course) return std::nullopt;
+  const double time_s = course->back().time_s;
+  for (const double known_s : *refused_s) {
+    if (std::abs(time_s - known_s) < kSame * time_s) return std::nullopt;
+  }
+  refused_s->push_back(time_s);
+  if (auto flight = Fly(Simplify(*course, kTolerance_cells))) return flight;
+  if (auto flight = Fly(*course)) return flight;
+  const auto fine = shooter.To(at_, guess, kFineStep_cells);
+  return fine ? Fly(*fine) : std::nullopt;
+}
+
+}  // namespace kg_compiler

@@ -1,0 +1,44 @@
+// The fastest flight of one voyage to one place: courses by shooting, flown.
+
+#ifndef KG_COMPILER_TRAVERSAL_CROSSING_H_
+#define KG_COMPILER_TRAVERSAL_CROSSING_H_
+
+#include <optional>
+#include <vector>
+
+#include "kg_compiler/traversal/shooting.h"
+#include "kg_compiler/traversal/traversal.h"
+
+namespace kg_compiler {
+
+class Crossing {
+ public:
+  // `reach` is that of the voyage, or of one at nearly its speed; all must
+  // outlive it. `at` is `to` in cell units.
+  Crossing(const Voyage& voyage, const Reach& reach, kg_core::LonLat to,
+           kg_core::GridPoint at);
+
+  // Never slower than straight there.
+  std::optional<Flight> Fastest() const;
+
+ private:
+  std::optional<Flight> Fly(const std::vector<kg_core::LonLat>& via) const;
+  std::optional<Flight> Fly(const Course& course) const;
+  std::vector<Shooter::Guess> Guesses() const;
+  bool IsExpected(double travel_s, const Shooter::Guess& guess) const;
+  std::vector<kg_core::LonLat> Corners(int root) const;
+  std::optional<Flight> Shoot(const Shooter& shooter,
+                              const Shooter::Guess& guess,
+                              std::vector<double>* refused_s) const;
+
+  const Voyage& voyage_;
+  const Reach& reach_;
+  const kg_core::Grid& grid_;
+  CellBox inside_;  // Flights in it read nothing that the reach did not.
+  kg_core::LonLat to_;
+  kg_core::GridPoint at_;
+};
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_TRAVERSAL_CROSSING_H_

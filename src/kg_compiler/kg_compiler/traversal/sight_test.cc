@@ -1,0 +1,74 @@
+#include "kg_compiler/traversal/sight.h"
+
+#include <gtest/gtest.h>
+
+#include "kg_compiler/test_world.h"
+#include "kg_compiler/traversal/test_sea.h"
+
+namespace kg_compiler {
+namespace {
+
+TEST(Sight, SeesEveryCellThatALineTouches) {
+  std::mt19937 rng(1);
+  int clear = 0, blocked = 0;
+  for (int round = 0; round < 3000; ++round) {
+    Sea sea(UniformFlow(EvenGrid(-91, 24, 0.04, 20, 20), 0, 0));
+    sea.open = RandomMask(rng, 400, 0.9);
+    const Voyage voyage = sea.From(Glider(1), {{-91, 24}, 0, 1});
+    const Sight sight(voyage.world, {0, 20, 0, 20});
+    const kg_core::GridPoint a{Uniform(rng, 0, 19), Uniform(rng, 0, 19)};
+    const kg_core::GridPoint b{Uniform(rng, 0, 19), Uniform(rng, 0, 19)};
+    const kg_core::Cell first = CellOf(sea.field.grid, a);
+    bool open = true;
+    for (int k = 0; k <= 5000; ++k) {
+      const kg_core::Cell cell =
+          CellOf(sea.field.grid, {a.row + (b.row - a.row) * k / 5000,
+                                  a.col + (b.col - a.col) * k / 5000});
+      open = open && (cell == first || sea.open[sea.field.grid.Index(cell)]);
+    }
+    const bool got = sight.IsClear(a, b);
+    if (!open) {
+      ASSERT_FALSE(got);
+    } else if (!got) {
+      // A sliver between two looks: then a line a little aside is blocked, too.
+      bool sliver = false;
+      for (const double d : {-2e-3, 2e-3}) {
+        sliver = sliver ||
+                 !sight.IsClear({a.row + d, a.col}, {b.row + d, b.col}) ||
+                 !sight.IsClear({a.row, a.col + d}, {b.row, b.col + d});
+      }
+      ASSERT_TRUE(sliver);
+    }
+    ++(got ? clear : blocked);
+  }
+  EXPECT_GT(clear, 300);
+  EXPECT_GT(blocked, 300);
+}
+
+TEST(Sight, DoesNotSlipThroughACorner) {
+  Sea sea(UniformFlow(EvenGrid(-91, 24, 0.04, 5, 5), 0, 0));
+  const Voyage voyage = sea.From(Glider(1), {{-91, 24}, 0, 1});
+  const Sight sight(voyage.world, {0, 5, 0, 5});
+  EXPECT_TRUE(sight.IsClear({1, 1}, {3, 3}));
+  sea.open[1 * 5 + 2] = 0;
+  EXPECT_FALSE(sight.IsClear({1, 1}, {3, 3}));
+  EXPECT_FALSE(sight.IsClear({3, 3}, {1, 1}));
+}
+
+TEST(Sight, FindsCornersToGoRoundAndWhatIsNearTheCoast) {
+  Sea sea(UniformFlow(EvenGrid(-91, 24, 0.04, 20, 20), 0, 0));
+  sea.open[10 * 20 + 10] = 0;
+  const Voyage voyage = sea.From(Glider(1), {{-91, 24}, 0, 1});
+  Sight sight(voyage.world, {0, 20, 0, 20});
+  EXPECT_EQ(1u, sight.Corners({9, 9}));
+  EXPECT_EQ(0u, sight.Corners({9, 10}));
+  EXPECT_EQ(8u, sight.Corners({11, 11}));
+  EXPECT_TRUE(sight.NearCoast({8, 8}));
+  EXPECT_FALSE(sight.NearCoast({2, 2}));
+  sea.open[9 * 20 + 10] = 0;  // Now a wall, two cells long.
+  EXPECT_EQ(0u, sight.Corners({9, 9}));
+  EXPECT_EQ(1u, sight.Corners({8, 9}));
+}
+
+}  // namespace
+}  // namespace kg_compiler

@@ -1,0 +1,33 @@
+// Reaches at slower speeds through water, made when first asked for: slower may
+// be cheaper. Threads may ask at the same time.
+
+#ifndef KG_COMPILER_TRAVERSAL_SLOWER_REACHES_H_
+#define KG_COMPILER_TRAVERSAL_SLOWER_REACHES_H_
+
+#include <array>
+#include <mutex>
+
+#include "kg_compiler/traversal/traversal.h"
+
+namespace kg_compiler {
+
+class SlowerReaches {
+ public:
+  static constexpr int kCount = 5;
+  // Of the full speed; descending.
+  static constexpr std::array<double, kCount> kShares = {0.75, 0.5, 0.3, 0.15,
+                                                         0.05};
+
+  // The k-th; null if it reads anything outside of `read`. The voyage (at full
+  // speed) and `read` must be the same at every call.
+  const Reach* At(int k, const Voyage& voyage, const CellBox& read);
+
+ private:
+  std::array<std::once_flag, kCount> made_;
+  std::array<Reach, kCount> reaches_;
+  std::array<bool, kCount> stays_within_{};
+};
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_TRAVERSAL_SLOWER_REACHES_H_
