@@ -1,8 +1,6 @@
 #include "kg_compiler/control_plane/cropped_recurrence.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -14,19 +12,6 @@ namespace kg_compiler {
 namespace {
 
 constexpr double kMostRadius_m = 500e3;  // Larger discs see the whole grid.
-
-// Of values >= 0, whose bits are in their order.
-float Largest(const kg_core::Raster& values) {
-  std::int32_t most = 0;
-  for (const float value : values) {
-    std::int32_t bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    most = std::max(most, bits);
-  }
-  float largest;
-  std::memcpy(&largest, &most, sizeof largest);
-  return largest;
-}
 
 CellBox BoxOf(const std::vector<int>& cells, int cols) {
   CellBox box{cells.front() / cols, cells.back() / cols + 1, cols, 0};
@@ -77,59 +62,21 @@ std::vector<T> Cut(const std::vector<T>& whole, int cols, const CellBox& box) {
   return cut;
 }
 
-// A part of a grid, its utility and what is allowed of it.
-struct Part {
-  kg_core::Grid grid;
-  kg_core::Raster utility;
-  kg_core::Mask allowed;
-};
-
-// Sums are rounded by the largest utility there is (Quantise). Where that lies
-// outside of the part, it is put into a row of its own, farther away than any
-// disc sees.
-void AddLargest(float most, double radius_m, Part* part) {
-  const int cols = part->grid.cols();
-  std::vector<double> lat = part->grid.lat_deg();
-  const double away_deg =
-      2.0 * radius_m * kg_core::LocalScale(0.0).lat_deg + 0.1;
-  const bool above = lat.back() < 0.0;  // Towards the equator.
-  const double row_deg = above ? lat.back() + away_deg : lat.front() - away_deg;
-  lat.insert(above ? lat.end() : lat.begin(), row_deg);
-  kg_core::Raster row(cols, 0.0f);
-  row[0] = most;
-  part->utility.insert(above ? part->utility.end() : part->utility.begin(),
-                       row.begin(), row.end());
-  part->allowed.insert(above ? part->allowed.end() : part->allowed.begin(),
-                       cols, 0);
-  part->grid = kg_core::Grid(part->grid.lon_deg(), std::move(lat));
-}
-
 // The picks of the part, named as cells of the whole.
 std::vector<Pick> PicksOf(const kg_core::Grid& grid, const PickMemo& memo) {
   const auto axis = [](const std::vector<double>& whole, int begin, int end) {
     return std::vector<double>(whole.begin() + begin, whole.begin() + end);
   };
   const CellBox& box = memo.box;
-  Part part{{axis(grid.lon_deg(), box.col, box.col_end),
-             axis(grid.lat_deg(), box.row, box.row_end)},
-            memo.utility,
-            memo.allowed};
-  int first_row = box.row;
-  if (Largest(memo.utility) < memo.most) {
-    const int rows = part.grid.rows();
-    AddLargest(memo.most, memo.options.radius_m, &part);
-    if (part.grid.lat_deg()[rows] == grid.lat_deg()[box.row_end - 1]) {
-      --first_row;  // The row was put in front.
-    }
-  }
+  const kg_core::Grid part(axis(grid.lon_deg(), box.col, box.col_end),
+                           axis(grid.lat_deg(), box.row, box.row_end));
   std::vector<Pick> picks =
-      ProximalRecurrence(part.grid, part.utility, part.allowed, memo.options);
-  const int cols = part.grid.cols();
+      ProximalRecurrence(part, memo.utility, memo.allowed, memo.options);
   for (Pick& pick : picks) {
-    pick.cell = {pick.cell.row + first_row, pick.cell.col + box.col};
+    pick.cell = {pick.cell.row + box.row, pick.cell.col + box.col};
     for (int& cell : pick.footprint) {
-      cell = static_cast<int>(
-          grid.Index({cell / cols + first_row, cell % cols + box.col}));
+      cell = static_cast<int>(grid.Index(
+          {cell / part.cols() + box.row, cell % part.cols() + box.col}));
     }
   }
   return picks;
@@ -143,9 +90,8 @@ auto Tie(const CellBox& b) {
 }
 
 bool SameInputs(const PickMemo& a, const PickMemo& b) {
-  return Tie(a.box) == Tie(b.box) && a.most == b.most &&
-         Tie(a.options) == Tie(b.options) && a.allowed == b.allowed &&
-         a.utility == b.utility;
+  return Tie(a.box) == Tie(b.box) && Tie(a.options) == Tie(b.options) &&
+         a.allowed == b.allowed && a.utility == b.utility;
 }
 
 // Grids have two rows and two columns at least.
@@ -171,7 +117,6 @@ const std::vector<Pick>& RecurrenceWithin(const kg_core::Grid& grid,
   PickMemo now;
   now.options = options;
   if (!allowed.empty()) {
-    now.most = Largest(utility);
     now.box = SeenFrom(BoxOf(allowed, grid.cols()), grid, options.radius_m);
     now.utility = Cut(utility, grid.cols(), now.box);
     kg_core::Mask mask(grid.size(), 0);

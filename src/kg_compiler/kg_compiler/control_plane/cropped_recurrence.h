@@ -15,7 +15,6 @@ namespace kg_compiler {
 // What the last picks were made from.
 struct PickMemo {
   CellBox box;
-  float most = 0.0f;  // Largest utility of the whole grid.
   kg_core::Raster utility;
   kg_core::Mask allowed;
   RecurrenceOptions options;
