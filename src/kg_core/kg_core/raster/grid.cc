@@ -28,11 +28,18 @@ bool AlmostEqualAxes(const Axis& a, const Axis& b, double tolerance) {
 
 }  // namespace
 
+Grid::Grid() {
+  static const auto empty = std::make_shared<const Axis>();
+  lon_ = empty;
+  lat_ = empty;
+}
+
 Grid::Grid(std::vector<double> lon_deg, std::vector<double> lat_deg)
-    : lon_(std::move(lon_deg)), lat_(std::move(lat_deg)) {}
+    : lon_(std::make_shared<const Axis>(std::move(lon_deg))),
+      lat_(std::make_shared<const Axis>(std::move(lat_deg))) {}
 
 LonLat Grid::Position(GridPoint point) const {
-  return {lon_.At(point.col), lat_.At(point.row)};
+  return {lon_->At(point.col), lat_->At(point.row)};
 }
 
 std::optional<Cell> Grid::CellAt(LonLat position) const {
@@ -41,21 +48,21 @@ std::optional<Cell> Grid::CellAt(LonLat position) const {
   return Cell{NearestCell(at->row, rows()), NearestCell(at->col, cols())};
 }
 
-double Grid::west_deg() const { return lon_.low(); }
-double Grid::east_deg() const { return lon_.high(); }
-double Grid::south_deg() const { return lat_.low(); }
-double Grid::north_deg() const { return lat_.high(); }
+double Grid::west_deg() const { return lon_->low(); }
+double Grid::east_deg() const { return lon_->high(); }
+double Grid::south_deg() const { return lat_->low(); }
+double Grid::north_deg() const { return lat_->high(); }
 
 LonLat Grid::Middle() const {
   return {0.5 * (west_deg() + east_deg()), 0.5 * (south_deg() + north_deg())};
 }
 
 double Grid::MetresPerRow(double row) const {
-  return lat_.Spacing(row) / LocalScale(lat_.At(row)).lat_deg;
+  return lat_->Spacing(row) / LocalScale(lat_->At(row)).lat_deg;
 }
 
 double Grid::MetresPerCol(double row, double col) const {
-  return lon_.Spacing(col) / LocalScale(lat_.At(row)).lon_deg;
+  return lon_->Spacing(col) / LocalScale(lat_->At(row)).lon_deg;
 }
 
 std::string Grid::Hash() const {
@@ -75,8 +82,8 @@ std::string Grid::Text() const {
 }
 
 bool Grid::AlmostEquals(const Grid& other, double tolerance) const {
-  return AlmostEqualAxes(lon_, other.lon_, tolerance) &&
-         AlmostEqualAxes(lat_, other.lat_, tolerance);
+  return AlmostEqualAxes(*lon_, *other.lon_, tolerance) &&
+         AlmostEqualAxes(*lat_, *other.lat_, tolerance);
 }
 
 bool operator==(const Grid& a, const Grid& b) {

@@ -13,6 +13,7 @@
 #define KG_CORE_RASTER_GRID_H_
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,7 +40,7 @@ struct GridPoint {
 
 class Grid {
  public:
-  Grid() = default;
+  Grid();  // Of no cells.
   // Both axes strictly ascending with at least two entries; throws
   // std::logic_error otherwise (files are checked by their reader).
   Grid(std::vector<double> lon_deg, std::vector<double> lat_deg);
@@ -47,10 +48,10 @@ class Grid {
   int rows() const { return static_cast<int>(lat_deg().size()); }
   int cols() const { return static_cast<int>(lon_deg().size()); }
   std::size_t size() const { return lon_deg().size() * lat_deg().size(); }
-  const std::vector<double>& lon_deg() const { return lon_.centres(); }
-  const std::vector<double>& lat_deg() const { return lat_.centres(); }
-  const Axis& lon_axis() const { return lon_; }
-  const Axis& lat_axis() const { return lat_; }
+  const std::vector<double>& lon_deg() const { return lon_->centres(); }
+  const std::vector<double>& lat_deg() const { return lat_->centres(); }
+  const Axis& lon_axis() const { return *lon_; }
+  const Axis& lat_axis() const { return *lat_; }
 
   std::size_t Index(Cell cell) const {
     return static_cast<std::size_t>(cell.row) * lon_deg().size() +
@@ -67,8 +68,8 @@ class Grid {
   // Piecewise linear between centres; extends half a cell beyond the outer
   // centres, nothing outside of that (or for NaN).
   std::optional<GridPoint> Locate(LonLat position) const {
-    const std::optional<double> col = lon_.Locate(position.lon_deg);
-    const std::optional<double> row = lat_.Locate(position.lat_deg);
+    const std::optional<double> col = lon_->Locate(position.lon_deg);
+    const std::optional<double> row = lat_->Locate(position.lat_deg);
     if (!col || !row) return std::nullopt;
     return GridPoint{*row, *col};
   }
@@ -95,8 +96,8 @@ class Grid {
   bool AlmostEquals(const Grid& other, double tolerance = 0.01) const;
 
  private:
-  Axis lon_;
-  Axis lat_;
+  std::shared_ptr<const Axis> lon_;  // Copies of a grid share its axes.
+  std::shared_ptr<const Axis> lat_;
 };
 
 bool operator==(const Grid& a, const Grid& b);
