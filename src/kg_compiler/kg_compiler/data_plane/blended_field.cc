@@ -29,32 +29,74 @@ Overlap Meet(const GridBox& box, kg_core::Cell first, int n) {
   return {begin, end, first.col + begin - box.col};
 }
 
-// The blend before its masks.
-void BlendStretch(const WindowRasters& rasters, const BlendedField& field,
-                  const Stretch& at, float* v) {
-  if (field.table) {
-    field.table->Blend(rasters.value, field.recipe.weights, at.first, at.n, v);
-  } else {
-    std::fill(v, v + at.n, 0.0f);
-  }
-  for (const WeightedPatch& prior : field.recipe.priors) {
-    const Overlap part = Meet(prior.patch->box, at.first, at.n);
+// Sums and products that more than one prior or zone go into.
+struct Sums {
+  float p[kTileCols];
+  float s[kTileCols];
+};
+
+// The one item that is there and covers the stretch, else null. `count` says
+// how many are there.
+template <typename T>
+const T* OnlyCover(const std::vector<T>& items, const Stretch& at, int* count) {
+  const T* only = nullptr;
+  *count = 0;
+  for (const T& item : items) {
+    const Overlap part = Meet(item.patch->box, at.first, at.n);
     if (part.empty()) continue;
-    AddWeighted(prior.patch->Row(at.first.row) + part.from, prior.weight,
-                part.end - part.begin, v + part.begin);
+    ++*count;
+    only = part.end - part.begin == at.n ? &item : nullptr;
   }
+  return *count == 1 ? only : nullptr;
 }
+
+void SetPriors(const BlendRecipe& recipe, const Stretch& at, Sums* sums,
+               PassRow* row) {
+  int count = 0;
+  const WeightedPatch* only = OnlyCover(recipe.priors, at, &count);
+  if (count == 0) return;
+  if (only) {
+    row->priors =
+        only->patch->Row(at.first.row) + (at.first.col - only->patch->box.col);
+    row->weight = only->weight;
+    return;
+  }
+  PriorsOfRow(recipe, at.first, at.n, sums->p);
+  row->priors = sums->p;
+  row->weight = 1.0f;
+}
+
+void SetSoftness(const BlendRecipe& recipe, const Stretch& at, Sums* sums,
+                 PassRow* row) {
+  int count = 0;
+  const SoftZone* only = OnlyCover(recipe.soft, at, &count);
+  if (count == 0) return;
+  if (only) {
+    row->inside =
+        only->patch->Row(at.first.row) + (at.first.col - only->patch->box.col);
+    row->factor = only->factor;
+    return;
+  }
+  SoftnessOfRow(recipe, at.first, at.n, sums->s);
+  row->softness = sums->s;
+}
+
+constexpr float kNoLayer[kTileCols] = {};
 
 // V' to `y`; the extremes of the stretch's open cells.
 Extremes ComputeStretch(const WindowRasters& rasters, const BlendedField& field,
                         const Stretch& at, float* y) {
-  float v[kTileCols], s[kTileCols];
-  BlendStretch(rasters, field, at, v);
-  const unsigned char* state = field.state.Row(at.first.row) + at.first.col;
-  if (SoftnessOfRow(field.recipe, at.first, at.n, s)) {
-    return Finish(v, s, state, at.n, y);
+  Sums sums;
+  PassRow row;
+  SetPriors(field.recipe, at, &sums, &row);
+  SetSoftness(field.recipe, at, &sums, &row);
+  row.state = field.state.Row(at.first.row) + at.first.col;
+  if (field.table) {
+    return field.table->Pass(rasters.value, field.recipe.weights, at.first,
+                             at.n, row, y);
   }
-  return FinishPlain(v, state, at.n, y);
+  row.values = kNoLayer;
+  return PassBase(row, at.n, y);
 }
 
 bool IsStreamed(const BlendedField& field) {
