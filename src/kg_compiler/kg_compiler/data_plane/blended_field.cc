@@ -164,11 +164,12 @@ void ComputeRows(const WindowRasters& rasters, int row, int row_end,
                  BlendedField* field) {
   const Tiling& tiling = field->tiling;
   const bool is_streamed = IsStreamed(*field);
+  const int width = tiling.width();
   for (int r = row; r < row_end; ++r) {
     float* to = field->masked.RowToWrite(r);
     for (int t = 0; t < tiling.across(); ++t) {
-      const int col = t * kTileCols;
-      const Stretch at{{r, col}, std::min(kTileCols, tiling.cols - col)};
+      const int col = t * width;
+      const Stretch at{{r, col}, std::min(width, tiling.cols - col)};
       alignas(kRowAlignment) float y[kTileCols];
       float* made = is_streamed ? y : to + col;
       const Extremes found = ComputeStretch(rasters, *field, at, made);
@@ -183,10 +184,11 @@ void ComputeRows(const WindowRasters& rasters, int row, int row_end,
 
 void ComputeBox(const WindowRasters& rasters, const GridBox& box,
                 BlendedField* field) {
+  const int width = field->tiling.width();
   for (int r = box.row; r < box.row_end; ++r) {
     float* to = field->masked.RowToWrite(r);
     for (int col = box.col; col < box.col_end;) {
-      const int tile_end = (col / kTileCols + 1) * kTileCols;
+      const int tile_end = (col / width + 1) * width;
       const Stretch at{{r, col}, std::min(tile_end, box.col_end) - col};
       ComputeStretch(rasters, *field, at, to + col);
       col += at.n;
@@ -197,10 +199,11 @@ void ComputeBox(const WindowRasters& rasters, const GridBox& box,
 void MeasureTiles(const GridBox& box, BlendedField* field) {
   const Tiling& tiling = field->tiling;
   if (box.empty()) return;
+  const int width = tiling.width();
   const int first_band = Bands<float>::BandOf(box.row);
   const int last_band = Bands<float>::BandOf(box.row_end - 1);
   for (int band = first_band; band <= last_band; ++band) {
-    for (int t = box.col / kTileCols; t <= (box.col_end - 1) / kTileCols; ++t) {
+    for (int t = box.col / width; t <= (box.col_end - 1) / width; ++t) {
       const int i = band * tiling.across() + t;
       const GridBox tile = tiling.Box(i);
       field->extremes[i] = {};

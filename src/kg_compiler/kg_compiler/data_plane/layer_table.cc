@@ -76,9 +76,9 @@ PassRow Shifted(PassRow row, int cols) {
 
 GridBox Tiling::Box(int tile) const {
   const int row = tile / across() * kBandRows;
-  const int col = tile % across() * kTileCols;
+  const int col = tile % across() * width();
   return {row, std::min(row + kBandRows, rows), col,
-          std::min(col + kTileCols, cols)};
+          std::min(col + width(), cols)};
 }
 
 LayerTable::LayerTable(const kg_core::Grid& grid, const kg_core::Raster& value)
@@ -98,6 +98,7 @@ LayerTable::LayerTable(const kg_core::Grid& grid, const kg_core::Raster& value)
 
 void LayerTable::FindGaps(const kg_core::Raster& value) {
   const int across = tiling_.across(), cols = tiling_.cols;
+  const int width = tiling_.width();
   std::vector<unsigned char> own(static_cast<std::size_t>(tiling_.rows) *
                                  across);
   gaps_.assign(own.size(), 1);
@@ -105,7 +106,7 @@ void LayerTable::FindGaps(const kg_core::Raster& value) {
   for (int r = 0; r < tiling_.rows; ++r) {
     const float* row = &value[static_cast<std::size_t>(r) * cols];
     for (int t = 0; t < across; ++t) {
-      const int begin = t * kTileCols, end = std::min(begin + kTileCols, cols);
+      const int begin = t * width, end = std::min(begin + width, cols);
       const int first = std::max(begin - 1, 0), last = std::min(end + 1, cols);
       own[r * across + t] = !AllFinite(row + first, last - first);
       const Magnitudes found = MagnitudesOf(row + begin, end - begin);
@@ -158,10 +159,10 @@ const LayerTable::GapFronts& LayerTable::GapFrontsOf(
     for (int r = 0; r < tiling_.rows; ++r) {
       make(r, 0, 1, &gaps.first[r]);
       make(r, cols - 1, 1, &gaps.last[r]);
-      for (int col = 0; col < cols; col += kTileCols) {
+      for (int col = 0; col < cols; col += tiling_.width()) {
         gaps.begin.push_back(gaps.values.size());
         if (!HasGaps(r, col)) continue;
-        const int n = std::min(kTileCols, cols - col);
+        const int n = std::min(tiling_.width(), cols - col);
         make(r, col, n, f);
         gaps.values.insert(gaps.values.end(), f, f + n);
       }
@@ -182,8 +183,8 @@ Extremes LayerTable::Pass(const kg_core::Raster& value, const Weights& weights,
   if (HasGaps(first.row, first.col)) {
     const std::size_t begin =
         gaps.begin[static_cast<std::size_t>(first.row) * tiling_.across() +
-                   first.col / kTileCols];
-    row.fronts = &gaps.values[begin + first.col % kTileCols];
+                   first.col / tiling_.width()];
+    row.fronts = &gaps.values[begin + first.col % tiling_.width()];
     return PassStored(row, n, y);
   }
   // The outermost columns have a neighbour on one side only.
@@ -214,8 +215,8 @@ void LayerTable::Fronts(const kg_core::Raster& value, kg_core::FrontOperator op,
   if (HasGaps(first.row, first.col)) {
     const std::size_t begin =
         gaps.begin[static_cast<std::size_t>(first.row) * tiling_.across() +
-                   first.col / kTileCols] +
-        first.col % kTileCols;
+                   first.col / tiling_.width()] +
+        first.col % tiling_.width();
     std::copy(&gaps.values[begin], &gaps.values[begin] + n, f);
     return;
   }

@@ -18,12 +18,17 @@
 
 namespace kg_compiler {
 
-// How a grid is cut into tiles: kBandRows rows by kTileCols columns.
+// How a grid is cut into tiles: kBandRows rows by at most kTileCols columns, as
+// even as whole vectors allow.
 struct Tiling {
   int rows = 0;
   int cols = 0;
   int bands() const { return (rows + kBandRows - 1) / kBandRows; }
-  int across() const { return (cols + kTileCols - 1) / kTileCols; }
+  int width() const {
+    const int wanted = (cols + kTileCols - 1) / kTileCols;
+    return ((cols + wanted - 1) / wanted + 31) / 32 * 32;
+  }
+  int across() const { return (cols + width() - 1) / width(); }
   int size() const { return bands() * across(); }
   GridBox Box(int tile) const;
 };
@@ -74,7 +79,7 @@ class LayerTable {
               kg_core::Cell first, int n, float* f) const;
   bool HasGaps(int row, int col) const {
     return gaps_[static_cast<std::size_t>(row) * tiling_.across() +
-                 col / kTileCols] != 0;
+                 col / tiling_.width()] != 0;
   }
   template <typename Evaluate>
   float Most(const Tiles& tiles, const Bands<unsigned char>& state,

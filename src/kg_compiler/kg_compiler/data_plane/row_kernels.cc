@@ -152,11 +152,43 @@ KG_INLINE Extremes Loop(const PassRow& in, int n, float* __restrict y) {
   return OfBits(least, most);
 }
 
+// The same row from a later column on.
+KG_INLINE PassRow From(PassRow row, int c) {
+  if (row.rows.middle) {
+    row.rows.south += c;
+    row.rows.middle += c;
+    row.rows.north += c;
+    row.rows.per_deg += c;
+  }
+  if (row.values) row.values += c;
+  if (row.fronts) row.fronts += c;
+  if (row.priors) row.priors += c;
+  if (row.inside) row.inside += c;
+  if (row.softness) row.softness += c;
+  row.state += c;
+  return row;
+}
+
+// In blocks that fill the vectors. What is left over is done as a block that
+// begins earlier: cells that are made twice are the same both times.
+constexpr int kBlock = 32;
+
+template <Front kind, bool has_priors, Soft soft>
+KG_INLINE Extremes Blocks(const PassRow& row, int n, float* y) {
+  if (n < kBlock) return Loop<kind, has_priors, soft>(row, n, y);
+  const int whole = n / kBlock * kBlock;
+  const Extremes found = Loop<kind, has_priors, soft>(row, whole, y);
+  if (whole == n) return found;
+  const int last = n - kBlock;
+  return Both(found,
+              Loop<kind, has_priors, soft>(From(row, last), kBlock, y + last));
+}
+
 template <Front kind, bool has_priors>
 KG_INLINE Extremes LoopBySoft(const PassRow& row, int n, float* y) {
-  if (row.inside) return Loop<kind, has_priors, Soft::kInside>(row, n, y);
-  if (row.softness) return Loop<kind, has_priors, Soft::kSoftness>(row, n, y);
-  return Loop<kind, has_priors, Soft::kNone>(row, n, y);
+  if (row.inside) return Blocks<kind, has_priors, Soft::kInside>(row, n, y);
+  if (row.softness) return Blocks<kind, has_priors, Soft::kSoftness>(row, n, y);
+  return Blocks<kind, has_priors, Soft::kNone>(row, n, y);
 }
 
 template <Front kind>
@@ -316,6 +348,22 @@ KG_WIDE Extremes OpenExtremes(const float* __restrict y,
   return OfBits(least, most);
 }
 
+namespace {
+
+KG_INLINE void FuseLoop(const float* __restrict y,
+                        const unsigned char* __restrict state,
+                        const RowScale& n, int count, float* __restrict u) {
+  const float scale = n.scale, low = n.low, range = n.range, after = n.after;
+  for (int c = 0; c < count; ++c) {
+    const float x = (scale * y[c] - low) / range;
+    const float positive = x > 0.0f ? x : 0.0f;
+    const float held = after * (positive < 1.0f ? positive : 1.0f);
+    u[c] = state[c] == kOpen ? held : 0.0f;
+  }
+}
+
+}  // namespace
+
 KG_WIDE void Normalise(const float* __restrict y, const RowScale& n, int count,
                        float* __restrict u) {
   const float scale = n.scale, low = n.low, range = n.range, after = n.after;
@@ -330,20 +378,17 @@ KG_WIDE void Normalise(const float* __restrict y, const RowScale& n, int count,
   }
 }
 
-KG_WIDE void NormaliseOpen(const float* __restrict y,
-                           const unsigned char* __restrict state,
-                           const RowScale& n, int count, float* __restrict u) {
-  const float scale = n.scale, low = n.low, range = n.range, after = n.after;
-  if (!(range > 0.0f)) {
+KG_WIDE void NormaliseOpen(const float* y, const unsigned char* state,
+                           const RowScale& n, int count, float* u) {
+  if (!(n.range > 0.0f)) {
     std::fill(u, u + count, 0.0f);
     return;
   }
-  for (int c = 0; c < count; ++c) {
-    const float x = (scale * y[c] - low) / range;
-    const float positive = x > 0.0f ? x : 0.0f;
-    const float held = after * (positive < 1.0f ? positive : 1.0f);
-    u[c] = state[c] == kOpen ? held : 0.0f;
-  }
+  const int whole = count / kBlock * kBlock;
+  const int first = count < kBlock ? 0 : count - kBlock;
+  FuseLoop(y, state, n, whole, u);
+  if (whole == count) return;
+  FuseLoop(y + first, state + first, n, count - first, u + first);
 }
 
 KG_WIDE bool AllFinite(const float* __restrict values, int n) {
