@@ -164,10 +164,10 @@ void ComputeRows(const WindowRasters& rasters, int row, int row_end,
                  BlendedField* field) {
   const Tiling& tiling = field->tiling;
   const bool is_streamed = IsStreamed(*field);
-  const int width = tiling.width();
+  const int width = tiling.width;
   for (int r = row; r < row_end; ++r) {
     float* to = field->masked.RowToWrite(r);
-    for (int t = 0; t < tiling.across(); ++t) {
+    for (int t = 0; t < tiling.across; ++t) {
       const int col = t * width;
       const Stretch at{{r, col}, std::min(width, tiling.cols - col)};
       alignas(kRowAlignment) float y[kTileCols];
@@ -175,7 +175,7 @@ void ComputeRows(const WindowRasters& rasters, int row, int row_end,
       const Extremes found = ComputeStretch(rasters, *field, at, made);
       if (is_streamed) Stream(y, at.n, to + col);
       Extremes& tile =
-          field->extremes[Bands<float>::BandOf(r) * tiling.across() + t];
+          field->extremes[Bands<float>::BandOf(r) * tiling.across + t];
       tile = r % kBandRows == 0 ? found : Both(tile, found);
     }
   }
@@ -184,7 +184,7 @@ void ComputeRows(const WindowRasters& rasters, int row, int row_end,
 
 void ComputeBox(const WindowRasters& rasters, const GridBox& box,
                 BlendedField* field) {
-  const int width = field->tiling.width();
+  const int width = field->tiling.width;
   for (int r = box.row; r < box.row_end; ++r) {
     float* to = field->masked.RowToWrite(r);
     for (int col = box.col; col < box.col_end;) {
@@ -199,12 +199,12 @@ void ComputeBox(const WindowRasters& rasters, const GridBox& box,
 void MeasureTiles(const GridBox& box, BlendedField* field) {
   const Tiling& tiling = field->tiling;
   if (box.empty()) return;
-  const int width = tiling.width();
+  const int width = tiling.width;
   const int first_band = Bands<float>::BandOf(box.row);
   const int last_band = Bands<float>::BandOf(box.row_end - 1);
   for (int band = first_band; band <= last_band; ++band) {
     for (int t = box.col / width; t <= (box.col_end - 1) / width; ++t) {
-      const int i = band * tiling.across() + t;
+      const int i = band * tiling.across + t;
       const GridBox tile = tiling.Box(i);
       field->extremes[i] = {};
       for (int r = tile.row; r < tile.row_end; ++r) {

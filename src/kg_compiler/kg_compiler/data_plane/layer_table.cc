@@ -75,10 +75,10 @@ PassRow Shifted(PassRow row, int cols) {
 }  // namespace
 
 GridBox Tiling::Box(int tile) const {
-  const int row = tile / across() * kBandRows;
-  const int col = tile % across() * width();
+  const int row = tile / across * kBandRows;
+  const int col = tile % across * width;
   return {row, std::min(row + kBandRows, rows), col,
-          std::min(col + width(), cols)};
+          std::min(col + width, cols)};
 }
 
 LayerTable::LayerTable(const kg_core::Grid& grid, const kg_core::Raster& value)
@@ -97,8 +97,8 @@ LayerTable::LayerTable(const kg_core::Grid& grid, const kg_core::Raster& value)
 }
 
 void LayerTable::FindGaps(const kg_core::Raster& value) {
-  const int across = tiling_.across(), cols = tiling_.cols;
-  const int width = tiling_.width();
+  const int across = tiling_.across, cols = tiling_.cols;
+  const int width = tiling_.width;
   std::vector<unsigned char> own(static_cast<std::size_t>(tiling_.rows) *
                                  across);
   gaps_.assign(own.size(), 1);
@@ -159,10 +159,10 @@ const LayerTable::GapFronts& LayerTable::GapFrontsOf(
     for (int r = 0; r < tiling_.rows; ++r) {
       make(r, 0, 1, &gaps.first[r]);
       make(r, cols - 1, 1, &gaps.last[r]);
-      for (int col = 0; col < cols; col += tiling_.width()) {
+      for (int col = 0; col < cols; col += tiling_.width) {
         gaps.begin.push_back(gaps.values.size());
         if (!HasGaps(r, col)) continue;
-        const int n = std::min(tiling_.width(), cols - col);
+        const int n = std::min(tiling_.width, cols - col);
         make(r, col, n, f);
         gaps.values.insert(gaps.values.end(), f, f + n);
       }
@@ -182,9 +182,9 @@ Extremes LayerTable::Pass(const kg_core::Raster& value, const Weights& weights,
   const GapFronts& gaps = GapFrontsOf(value, weights.op);
   if (HasGaps(first.row, first.col)) {
     const std::size_t begin =
-        gaps.begin[static_cast<std::size_t>(first.row) * tiling_.across() +
-                   first.col / tiling_.width()];
-    row.fronts = &gaps.values[begin + first.col % tiling_.width()];
+        gaps.begin[static_cast<std::size_t>(first.row) * tiling_.across +
+                   first.col / tiling_.width];
+    row.fronts = &gaps.values[begin + first.col % tiling_.width];
     return PassStored(row, n, y);
   }
   // The outermost columns have a neighbour on one side only.
@@ -214,9 +214,9 @@ void LayerTable::Fronts(const kg_core::Raster& value, kg_core::FrontOperator op,
   const GapFronts& gaps = GapFrontsOf(value, op);
   if (HasGaps(first.row, first.col)) {
     const std::size_t begin =
-        gaps.begin[static_cast<std::size_t>(first.row) * tiling_.across() +
-                   first.col / tiling_.width()] +
-        first.col % tiling_.width();
+        gaps.begin[static_cast<std::size_t>(first.row) * tiling_.across +
+                   first.col / tiling_.width] +
+        first.col % tiling_.width;
     std::copy(&gaps.values[begin], &gaps.values[begin] + n, f);
     return;
   }

@@ -21,16 +21,20 @@ namespace kg_compiler {
 // How a grid is cut into tiles: kBandRows rows by at most kTileCols columns, as
 // even as whole vectors allow.
 struct Tiling {
+  Tiling() = default;
+  Tiling(int grid_rows, int grid_cols) : rows(grid_rows), cols(grid_cols) {
+    const int wanted = (cols + kTileCols - 1) / kTileCols;
+    width = ((cols + wanted - 1) / wanted + 31) / 32 * 32;
+    across = (cols + width - 1) / width;
+  }
+  int bands() const { return (rows + kBandRows - 1) / kBandRows; }
+  int size() const { return bands() * across; }
+  GridBox Box(int tile) const;
+
   int rows = 0;
   int cols = 0;
-  int bands() const { return (rows + kBandRows - 1) / kBandRows; }
-  int width() const {
-    const int wanted = (cols + kTileCols - 1) / kTileCols;
-    return ((cols + wanted - 1) / wanted + 31) / 32 * 32;
-  }
-  int across() const { return (cols + width() - 1) / width(); }
-  int size() const { return bands() * across(); }
-  GridBox Box(int tile) const;
+  int width = 0;   // Of a tile, in columns.
+  int across = 0;  // Tiles in a row.
 };
 
 class LayerTable {
@@ -78,8 +82,8 @@ class LayerTable {
   void Fronts(const kg_core::Raster& value, kg_core::FrontOperator op,
               kg_core::Cell first, int n, float* f) const;
   bool HasGaps(int row, int col) const {
-    return gaps_[static_cast<std::size_t>(row) * tiling_.across() +
-                 col / tiling_.width()] != 0;
+    return gaps_[static_cast<std::size_t>(row) * tiling_.across +
+                 col / tiling_.width] != 0;
   }
   template <typename Evaluate>
   float Most(const Tiles& tiles, const Bands<unsigned char>& state,

@@ -75,10 +75,6 @@ void Pad(const float* row, GapEnds ends, int n, Padded* padded) {
 
 }  // namespace
 
-Extremes Both(const Extremes& a, const Extremes& b) {
-  return {std::min(a.least, b.least), std::max(a.most, b.most)};
-}
-
 namespace {
 
 // F of one cell of a row, by kind of kernel.

@@ -23,7 +23,10 @@ struct Extremes {
   float least = std::numeric_limits<float>::infinity();
   float most = -std::numeric_limits<float>::infinity();
 };
-Extremes Both(const Extremes& a, const Extremes& b);
+inline Extremes Both(const Extremes& a, const Extremes& b) {
+  return {a.least < b.least ? a.least : b.least,
+          a.most > b.most ? a.most : b.most};
+}
 
 // Three rows of B around the middle one; [c] is the same column in all. What is
 // not on the grid is null (gaps only).
