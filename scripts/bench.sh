@@ -43,9 +43,20 @@ find_peers() {
   export KG_STORE_BENCH_PEERS=${KG_STORE_BENCH_PEERS#;}
 }
 
+# find_numpy: sets KG_TENSOR_BENCH_NUMPY, if numpy is there.
+find_numpy() {
+  if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
+    KG_TENSOR_BENCH_NUMPY="/usr/bin/python3 '$repository/scripts/bench_tensor_numpy.py'"
+    export KG_TENSOR_BENCH_NUMPY
+  else
+    echo "bench:   no numpy (python3-numpy), not compared"
+  fi
+}
+
 processor=$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -n 1)
 for program in "${programs[@]}"; do
   [[ $program == */store_bench ]] && find_peers
+  [[ $program == */tensor_bench ]] && find_numpy
   echo "bench:   $(basename "$program") on $(nproc) cores, $processor"
   "$program" "${arguments[@]}"
 done

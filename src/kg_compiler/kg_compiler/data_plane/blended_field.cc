@@ -29,32 +29,74 @@ Overlap Meet(const GridBox& box, kg_core::Cell first, int n) {
   return {begin, end, first.col + begin - box.col};
 }
 
-// The blend before its masks.
-void BlendStretch(const WindowRasters& rasters, const BlendedField& field,
-                  const Stretch& at, float* v) {
-  if (field.table) {
-    field.table->Blend(rasters.value, field.recipe.weights, at.first, at.n, v);
-  } else {
-    std::fill(v, v + at.n, 0.0f);
-  }
-  for (const WeightedPatch& prior : field.recipe.priors) {
-    const Overlap part = Meet(prior.patch->box, at.first, at.n);
+// Sums and products that more than one prior or zone go into.
+struct Sums {
+  float p[kTileCols];
+  float s[kTileCols];
+};
+
+// The one item that is there and covers the stretch, else null. `count` says
+// how many are there.
+template <typename T>
+const T* OnlyCover(const std::vector<T>& items, const Stretch& at, int* count) {
+  const T* only = nullptr;
+  *count = 0;
+  for (const T& item : items) {
+    const Overlap part = Meet(item.patch->box, at.first, at.n);
     if (part.empty()) continue;
-    AddWeighted(prior.patch->Row(at.first.row) + part.from, prior.weight,
-                part.end - part.begin, v + part.begin);
+    ++*count;
+    only = part.end - part.begin == at.n ? &item : nullptr;
   }
+  return *count == 1 ? only : nullptr;
 }
+
+void SetPriors(const BlendRecipe& recipe, const Stretch& at, Sums* sums,
+               PassRow* row) {
+  int count = 0;
+  const WeightedPatch* only = OnlyCover(recipe.priors, at, &count);
+  if (count == 0) return;
+  if (only) {
+    row->priors =
+        only->patch->Row(at.first.row) + (at.first.col - only->patch->box.col);
+    row->weight = only->weight;
+    return;
+  }
+  PriorsOfRow(recipe, at.first, at.n, sums->p);
+  row->priors = sums->p;
+  row->weight = 1.0f;
+}
+
+void SetSoftness(const BlendRecipe& recipe, const Stretch& at, Sums* sums,
+                 PassRow* row) {
+  int count = 0;
+  const SoftZone* only = OnlyCover(recipe.soft, at, &count);
+  if (count == 0) return;
+  if (only) {
+    row->inside =
+        only->patch->Row(at.first.row) + (at.first.col - only->patch->box.col);
+    row->factor = only->factor;
+    return;
+  }
+  SoftnessOfRow(recipe, at.first, at.n, sums->s);
+  row->softness = sums->s;
+}
+
+constexpr float kNoLayer[kTileCols] = {};
 
 // V' to `y`; the extremes of the stretch's open cells.
 Extremes ComputeStretch(const WindowRasters& rasters, const BlendedField& field,
                         const Stretch& at, float* y) {
-  float v[kTileCols], s[kTileCols];
-  BlendStretch(rasters, field, at, v);
-  const unsigned char* state = field.state.Row(at.first.row) + at.first.col;
-  if (SoftnessOfRow(field.recipe, at.first, at.n, s)) {
-    return Finish(v, s, state, at.n, y);
+  Sums sums;
+  PassRow row;
+  SetPriors(field.recipe, at, &sums, &row);
+  SetSoftness(field.recipe, at, &sums, &row);
+  row.state = field.state.Row(at.first.row) + at.first.col;
+  if (field.table) {
+    return field.table->Pass(rasters.value, field.recipe.weights, at.first,
+                             at.n, row, y);
   }
-  return FinishPlain(v, state, at.n, y);
+  row.values = kNoLayer;
+  return PassBase(row, at.n, y);
 }
 
 bool IsStreamed(const BlendedField& field) {
@@ -122,17 +164,18 @@ void ComputeRows(const WindowRasters& rasters, int row, int row_end,
                  BlendedField* field) {
   const Tiling& tiling = field->tiling;
   const bool is_streamed = IsStreamed(*field);
+  const int width = tiling.width;
   for (int r = row; r < row_end; ++r) {
     float* to = field->masked.RowToWrite(r);
-    for (int t = 0; t < tiling.across(); ++t) {
-      const int col = t * kTileCols;
-      const Stretch at{{r, col}, std::min(kTileCols, tiling.cols - col)};
+    for (int t = 0; t < tiling.across; ++t) {
+      const int col = t * width;
+      const Stretch at{{r, col}, std::min(width, tiling.cols - col)};
       alignas(kRowAlignment) float y[kTileCols];
       float* made = is_streamed ? y : to + col;
       const Extremes found = ComputeStretch(rasters, *field, at, made);
       if (is_streamed) Stream(y, at.n, to + col);
       Extremes& tile =
-          field->extremes[Bands<float>::BandOf(r) * tiling.across() + t];
+          field->extremes[Bands<float>::BandOf(r) * tiling.across + t];
       tile = r % kBandRows == 0 ? found : Both(tile, found);
     }
   }
@@ -141,10 +184,11 @@ void ComputeRows(const WindowRasters& rasters, int row, int row_end,
 
 void ComputeBox(const WindowRasters& rasters, const GridBox& box,
                 BlendedField* field) {
+  const int width = field->tiling.width;
   for (int r = box.row; r < box.row_end; ++r) {
     float* to = field->masked.RowToWrite(r);
     for (int col = box.col; col < box.col_end;) {
-      const int tile_end = (col / kTileCols + 1) * kTileCols;
+      const int tile_end = (col / width + 1) * width;
       const Stretch at{{r, col}, std::min(tile_end, box.col_end) - col};
       ComputeStretch(rasters, *field, at, to + col);
       col += at.n;
@@ -155,11 +199,12 @@ void ComputeBox(const WindowRasters& rasters, const GridBox& box,
 void MeasureTiles(const GridBox& box, BlendedField* field) {
   const Tiling& tiling = field->tiling;
   if (box.empty()) return;
+  const int width = tiling.width;
   const int first_band = Bands<float>::BandOf(box.row);
   const int last_band = Bands<float>::BandOf(box.row_end - 1);
   for (int band = first_band; band <= last_band; ++band) {
-    for (int t = box.col / kTileCols; t <= (box.col_end - 1) / kTileCols; ++t) {
-      const int i = band * tiling.across() + t;
+    for (int t = box.col / width; t <= (box.col_end - 1) / width; ++t) {
+      const int i = band * tiling.across + t;
       const GridBox tile = tiling.Box(i);
       field->extremes[i] = {};
       for (int r = tile.row; r < tile.row_end; ++r) {

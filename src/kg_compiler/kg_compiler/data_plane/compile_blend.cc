@@ -40,7 +40,7 @@ class Compiler {
     field_->recipe =
         WriteRecipe(*in_.mission, policy_, active_, rasters_,
                     previous_ ? &previous_->recipe : nullptr, in_.cache);
-    field_->tiling = {rasters_.grid.rows(), rasters_.grid.cols()};
+    field_->tiling = Tiling(rasters_.grid.rows(), rasters_.grid.cols());
     has_same_sea_ =
         previous_ && previous_->recipe.land_hash == field_->recipe.land_hash;
     if (policy_.paper_literal) return Slowly();

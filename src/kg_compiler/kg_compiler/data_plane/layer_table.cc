@@ -58,13 +58,27 @@ bool IsAllOpen(const Bands<unsigned char>& state, const GridBox& box) {
   return true;
 }
 
+int IndexOf(kg_core::FrontOperator op) {
+  return op == kg_core::FrontOperator::kSobel ? 0 : 1;
+}
+
+// The same row from a later column on.
+PassRow Shifted(PassRow row, int cols) {
+  row.values += cols;
+  row.state += cols;
+  if (row.priors) row.priors += cols;
+  if (row.inside) row.inside += cols;
+  if (row.softness) row.softness += cols;
+  return row;
+}
+
 }  // namespace
 
 GridBox Tiling::Box(int tile) const {
-  const int row = tile / across() * kBandRows;
-  const int col = tile % across() * kTileCols;
+  const int row = tile / across * kBandRows;
+  const int col = tile % across * width;
   return {row, std::min(row + kBandRows, rows), col,
-          std::min(col + kTileCols, cols)};
+          std::min(col + width, cols)};
 }
 
 LayerTable::LayerTable(const kg_core::Grid& grid, const kg_core::Raster& value)
@@ -83,7 +97,8 @@ LayerTable::LayerTable(const kg_core::Grid& grid, const kg_core::Raster& value)
 }
 
 void LayerTable::FindGaps(const kg_core::Raster& value) {
-  const int across = tiling_.across(), cols = tiling_.cols;
+  const int across = tiling_.across, cols = tiling_.cols;
+  const int width = tiling_.width;
   std::vector<unsigned char> own(static_cast<std::size_t>(tiling_.rows) *
                                  across);
   gaps_.assign(own.size(), 1);
@@ -91,7 +106,7 @@ void LayerTable::FindGaps(const kg_core::Raster& value) {
   for (int r = 0; r < tiling_.rows; ++r) {
     const float* row = &value[static_cast<std::size_t>(r) * cols];
     for (int t = 0; t < across; ++t) {
-      const int begin = t * kTileCols, end = std::min(begin + kTileCols, cols);
+      const int begin = t * width, end = std::min(begin + width, cols);
       const int first = std::max(begin - 1, 0), last = std::min(end + 1, cols);
       own[r * across + t] = !AllFinite(row + first, last - first);
       const Magnitudes found = MagnitudesOf(row + begin, end - begin);
@@ -128,48 +143,104 @@ FrontRows LayerTable::RowsAt(const kg_core::Raster& value, int row,
   return rows;
 }
 
-void LayerTable::Blend(const kg_core::Raster& value, const Weights& weights,
-                       kg_core::Cell first, int n, float* v) const {
-  const int row = first.row, col = first.col;
-  const FrontRows rows = RowsAt(value, row, col);
-  if (weights.front == 0.0f) {
-    BlendBase(rows.middle, weights.base, n, v);
-    return;
-  }
-  const bool is_sobel = weights.op == kg_core::FrontOperator::kSobel;
-  const auto with_gaps = [&](int begin, int end) {
-    const FrontRows part = RowsAt(value, row, col + begin);
-    BlendWithGaps(part, is_sobel, {col + begin > 0, col + end < tiling_.cols},
-                  weights.base, weights.front, end - begin, v + begin);
-  };
-  if (gaps_[row * tiling_.across() + col / kTileCols]) {
-    with_gaps(0, n);
-    return;
+const LayerTable::GapFronts& LayerTable::GapFrontsOf(
+    const kg_core::Raster& value, kg_core::FrontOperator op) const {
+  GapFronts& gaps = gap_fronts_[IndexOf(op)];
+  std::call_once(gaps.made, [&] {
+    const bool is_sobel = op == kg_core::FrontOperator::kSobel;
+    const int cols = tiling_.cols;
+    const auto make = [&](int row, int col, int n, float* f) {
+      FrontWithGaps(RowsAt(value, row, col), is_sobel,
+                    {col > 0, col + n < cols}, n, f);
+    };
+    gaps.first.resize(tiling_.rows);
+    gaps.last.resize(tiling_.rows);
+    float f[kTileCols];
+    for (int r = 0; r < tiling_.rows; ++r) {
+      make(r, 0, 1, &gaps.first[r]);
+      make(r, cols - 1, 1, &gaps.last[r]);
+      for (int col = 0; col < cols; col += tiling_.width) {
+        gaps.begin.push_back(gaps.values.size());
+        if (!HasGaps(r, col)) continue;
+        const int n = std::min(tiling_.width, cols - col);
+        make(r, col, n, f);
+        gaps.values.insert(gaps.values.end(), f, f + n);
+      }
+    }
+  });
+  return gaps;
+}
+
+Extremes LayerTable::Pass(const kg_core::Raster& value, const Weights& weights,
+                          kg_core::Cell first, int n, PassRow row,
+                          float* y) const {
+  row.base = weights.base;
+  row.front = weights.front;
+  row.values =
+      &value[static_cast<std::size_t>(first.row) * tiling_.cols + first.col];
+  if (weights.front == 0.0f) return PassBase(row, n, y);
+  const GapFronts& gaps = GapFrontsOf(value, weights.op);
+  if (HasGaps(first.row, first.col)) {
+    const std::size_t begin =
+        gaps.begin[static_cast<std::size_t>(first.row) * tiling_.across +
+                   first.col / tiling_.width];
+    row.fronts = &gaps.values[begin + first.col % tiling_.width];
+    return PassStored(row, n, y);
   }
   // The outermost columns have a neighbour on one side only.
-  const int begin = col == 0 ? 1 : 0;
-  const int end = col + n == tiling_.cols ? n - 1 : n;
-  if (begin > 0) with_gaps(0, 1);
-  if (end < n && end >= begin) with_gaps(end, n);
-  if (begin >= end) return;
-  const FrontRows inner = begin > 0 ? RowsAt(value, row, col + begin) : rows;
-  if (is_sobel) {
-    BlendSobel(inner, weights.base, weights.front, end - begin, v + begin);
-  } else {
-    BlendCentral(inner, weights.base, weights.front, end - begin, v + begin);
+  Extremes found;
+  int begin = 0, end = n;
+  if (first.col == 0) {
+    row.fronts = &gaps.first[first.row];
+    found = PassStored(row, 1, y);
+    begin = 1;
   }
+  if (first.col + n == tiling_.cols && end > begin) {
+    --end;
+    PassRow last = Shifted(row, end);
+    last.fronts = &gaps.last[first.row];
+    found = Both(found, PassStored(last, 1, y + end));
+  }
+  if (begin >= end) return found;
+  PassRow inner = Shifted(row, begin);
+  inner.rows = RowsAt(value, first.row, first.col + begin);
+  const bool is_sobel = weights.op == kg_core::FrontOperator::kSobel;
+  return Both(found, (is_sobel ? PassSobel : PassCentral)(inner, end - begin,
+                                                          y + begin));
+}
+
+void LayerTable::Fronts(const kg_core::Raster& value, kg_core::FrontOperator op,
+                        kg_core::Cell first, int n, float* f) const {
+  const GapFronts& gaps = GapFrontsOf(value, op);
+  if (HasGaps(first.row, first.col)) {
+    const std::size_t begin =
+        gaps.begin[static_cast<std::size_t>(first.row) * tiling_.across +
+                   first.col / tiling_.width] +
+        first.col % tiling_.width;
+    std::copy(&gaps.values[begin], &gaps.values[begin] + n, f);
+    return;
+  }
+  const int begin = first.col == 0 ? 1 : 0;
+  const int end = first.col + n == tiling_.cols ? n - 1 : n;
+  const bool is_sobel = op == kg_core::FrontOperator::kSobel;
+  if (begin < end) {
+    (is_sobel ? Sobel : Central)(RowsAt(value, first.row, first.col + begin),
+                                 end - begin, f + begin);
+  }
+  if (end < n) f[n - 1] = gaps.last[first.row];
+  if (begin > 0) f[0] = gaps.first[first.row];
 }
 
 const LayerTable::Tiles& LayerTable::FrontTiles(
     const kg_core::Raster& value, kg_core::FrontOperator op) const {
-  const int k = op == kg_core::FrontOperator::kSobel ? 0 : 1;
+  const int k = IndexOf(op);
   std::call_once(made_[k], [&] {
     fronts_[k].assign(tiling_.size(), 0.0f);
     kg_core::ForEachInParallel(tiling_.size(), [&](std::size_t tile) {
       const GridBox box = tiling_.Box(static_cast<int>(tile));
       float f[kTileCols];
       for (int r = box.row; r < box.row_end; ++r) {
-        Blend(value, {0.0f, 1.0f, op}, {r, box.col}, box.cols(), f);
+        Fronts(value, op, {r, box.col}, box.cols(), f);
         fronts_[k][tile] = std::max(fronts_[k][tile], MostOf(f, box.cols()));
       }
     });
@@ -219,7 +290,7 @@ float LayerTable::MostFront(const kg_core::Raster& value,
     float most = 0.0f;
     float f[kTileCols];
     for (int r = box.row; r < box.row_end; ++r) {
-      Blend(value, {0.0f, 1.0f, op}, {r, box.col}, box.cols(), f);
+      Fronts(value, op, {r, box.col}, box.cols(), f);
       most = std::max(most, MostOpen(f, state.Row(r) + box.col, box.cols()));
     }
     return most;

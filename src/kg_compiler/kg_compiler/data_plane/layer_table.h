@@ -18,14 +18,23 @@
 
 namespace kg_compiler {
 
-// How a grid is cut into tiles: kBandRows rows by kTileCols columns.
+// How a grid is cut into tiles: kBandRows rows by at most kTileCols columns, as
+// even as whole vectors allow.
 struct Tiling {
+  Tiling() = default;
+  Tiling(int grid_rows, int grid_cols) : rows(grid_rows), cols(grid_cols) {
+    const int wanted = (cols + kTileCols - 1) / kTileCols;
+    width = ((cols + wanted - 1) / wanted + 31) / 32 * 32;
+    across = (cols + width - 1) / width;
+  }
+  int bands() const { return (rows + kBandRows - 1) / kBandRows; }
+  int size() const { return bands() * across; }
+  GridBox Box(int tile) const;
+
   int rows = 0;
   int cols = 0;
-  int bands() const { return (rows + kBandRows - 1) / kBandRows; }
-  int across() const { return (cols + kTileCols - 1) / kTileCols; }
-  int size() const { return bands() * across(); }
-  GridBox Box(int tile) const;
+  int width = 0;   // Of a tile, in columns.
+  int across = 0;  // Tiles in a row.
 };
 
 class LayerTable {
@@ -37,15 +46,15 @@ class LayerTable {
   // The largest |B|, 0 if there is none.
   float largest() const { return largest_; }
 
-  // v = base max(0, B) + front F for columns [col, col + n) of a row, within
-  // one tile.
+  // What a pass is made of beyond the layers, see PassRow; all at its first
+  // column. Columns [col, col + n) of a row, within one tile.
   struct Weights {
     float base = 0.0f;
     float front = 0.0f;
     kg_core::FrontOperator op = kg_core::FrontOperator::kSobel;
   };
-  void Blend(const kg_core::Raster& value, const Weights& weights,
-             kg_core::Cell first, int n, float* v) const;
+  Extremes Pass(const kg_core::Raster& value, const Weights& weights,
+                kg_core::Cell first, int n, PassRow row, float* y) const;
 
   // The largest B or F of an open cell, 0 if none is positive.
   float MostValue(const kg_core::Raster& value,
@@ -57,8 +66,25 @@ class LayerTable {
   using Tiles = std::vector<float>;  // The largest in each, wherever.
   void FindGaps(const kg_core::Raster& value);
   FrontRows RowsAt(const kg_core::Raster& value, int row, int col) const;
+  // F where the neighbourhood has gaps, made once: row after row of the tiles
+  // with gaps, and the first and the last column.
+  struct GapFronts {
+    std::once_flag made;
+    std::vector<std::size_t> begin;  // By row and tile across.
+    std::vector<float> values;
+    std::vector<float> first, last;  // By row.
+  };
+  const GapFronts& GapFrontsOf(const kg_core::Raster& value,
+                               kg_core::FrontOperator op) const;
   const Tiles& FrontTiles(const kg_core::Raster& value,
                           kg_core::FrontOperator op) const;
+  // F of columns [col, col + n) of a row, within one tile.
+  void Fronts(const kg_core::Raster& value, kg_core::FrontOperator op,
+              kg_core::Cell first, int n, float* f) const;
+  bool HasGaps(int row, int col) const {
+    return gaps_[static_cast<std::size_t>(row) * tiling_.across +
+                 col / tiling_.width] != 0;
+  }
   template <typename Evaluate>
   float Most(const Tiles& tiles, const Bands<unsigned char>& state,
              const Evaluate& evaluate) const;
@@ -74,6 +100,7 @@ class LayerTable {
   Tiles values_;
   mutable std::once_flag made_[2];  // By operator, when first asked for.
   mutable Tiles fronts_[2];
+  mutable GapFronts gap_fronts_[2];
 };
 
 }  // namespace kg_compiler

@@ -19,6 +19,8 @@
 #define KG_WIDE
 #endif
 
+#define KG_INLINE inline __attribute__((always_inline))
+
 namespace kg_compiler {
 namespace {
 
@@ -73,48 +75,147 @@ void Pad(const float* row, GapEnds ends, int n, Padded* padded) {
 
 }  // namespace
 
-Extremes Both(const Extremes& a, const Extremes& b) {
-  return {std::min(a.least, b.least), std::max(a.most, b.most)};
-}
+namespace {
 
-KG_WIDE void BlendSobel(const FrontRows& rows, float base, float front, int n,
-                        float* __restrict v) {
-  const float* __restrict s = rows.south;
-  const float* __restrict m = rows.middle;
-  const float* __restrict t = rows.north;
-  const float* __restrict per_deg = rows.per_deg;
-  // The weights' quarter and half are exact.
+// F of one cell of a row, by kind of kernel.
+enum class Front { kNone, kStored, kSobel, kCentral };
+
+// The weights' quarter and half are exact.
+KG_INLINE float SobelAt(const FrontRows& rows, int c) {
+  const float* s = rows.south;
+  const float* m = rows.middle;
+  const float* t = rows.north;
   const float ks = 0.25f * rows.south_deg_per_km;
   const float km = 0.5f * rows.middle_deg_per_km;
   const float kt = 0.25f * rows.north_deg_per_km;
   const float ky = 0.25f * rows.per_km;
-  for (int c = 0; c < n; ++c) {
-    const float west_s = s[c - 1], west_m = m[c - 1], west_t = t[c - 1];
-    const float east_s = s[c + 1], east_m = m[c + 1], east_t = t[c + 1];
-    const float gx = (((east_s - west_s) * ks + (east_t - west_t) * kt) +
-                      (east_m - west_m) * km) *
-                     per_deg[c];
-    const float middle = t[c] - s[c];
-    const float gy =
-        (((west_t - west_s) + (east_t - east_s)) + (middle + middle)) * ky;
-    const float b = m[c];
-    v[c] = base * (b > 0.0f ? b : 0.0f) + front * std::sqrt(gx * gx + gy * gy);
-  }
+  const float east = ((s[c + 1] - s[c - 1]) * ks + (t[c + 1] - t[c - 1]) * kt) +
+                     (m[c + 1] - m[c - 1]) * km;
+  const float gx = east * rows.per_deg[c];
+  const float middle = t[c] - s[c];
+  const float gy =
+      (((t[c - 1] - s[c - 1]) + (t[c + 1] - s[c + 1])) + (middle + middle)) *
+      ky;
+  return std::sqrt(gx * gx + gy * gy);
 }
 
-KG_WIDE void BlendCentral(const FrontRows& rows, float base, float front, int n,
-                          float* __restrict v) {
-  const float* __restrict s = rows.south;
-  const float* __restrict m = rows.middle;
-  const float* __restrict t = rows.north;
-  const float* __restrict per_deg = rows.per_deg;
-  const float kx = rows.middle_deg_per_km, ky = rows.per_km;
-  for (int c = 0; c < n; ++c) {
-    const float gx = (m[c + 1] - m[c - 1]) * kx * per_deg[c];
-    const float gy = (t[c] - s[c]) * ky;
-    const float b = m[c];
-    v[c] = base * (b > 0.0f ? b : 0.0f) + front * std::sqrt(gx * gx + gy * gy);
+KG_INLINE float CentralAt(const FrontRows& rows, int c) {
+  const float gx = (rows.middle[c + 1] - rows.middle[c - 1]) *
+                   rows.middle_deg_per_km * rows.per_deg[c];
+  const float gy = (rows.north[c] - rows.south[c]) * rows.per_km;
+  return std::sqrt(gx * gx + gy * gy);
+}
+
+template <Front kind>
+KG_INLINE float LayersAt(const PassRow& row, int c) {
+  if constexpr (kind == Front::kNone) {
+    return row.base * Positive(row.values[c]);
   }
+  if constexpr (kind == Front::kStored) {
+    return row.base * Positive(row.values[c]) + row.front * row.fronts[c];
+  }
+  const float b = row.rows.middle[c];
+  const float base = row.base * (b > 0.0f ? b : 0.0f);
+  if constexpr (kind == Front::kSobel) {
+    return base + row.front * SobelAt(row.rows, c);
+  }
+  return base + row.front * CentralAt(row.rows, c);
+}
+
+enum class Soft { kNone, kInside, kSoftness };
+
+template <Front kind, bool has_priors, Soft soft>
+KG_INLINE Extremes Loop(const PassRow& in, int n, float* __restrict y) {
+  const PassRow row = in;  // Its own: nothing in it changes with y.
+  std::int32_t least = kNoneLeast, most = -1;
+  for (int c = 0; c < n; ++c) {
+    float v = LayersAt<kind>(row, c);
+    if constexpr (has_priors) {
+      const float p = row.priors[c];
+      v += row.weight * (std::abs(p) <= kMost ? p : 0.0f);
+    }
+    float value = v > 0.0f ? v : 0.0f;
+    if constexpr (soft == Soft::kInside) {
+      value *= row.inside[c] ? row.factor : 1.0f;
+    }
+    if constexpr (soft == Soft::kSoftness) value *= row.softness[c];
+    y[c] = value;
+    const std::int32_t high = Bits(value) | -(row.state[c] != kOpen);
+    const std::int32_t low = high & kNoneLeast;
+    most = high > most ? high : most;
+    least = low < least ? low : least;
+  }
+  return OfBits(least, most);
+}
+
+// The same row from a later column on.
+KG_INLINE PassRow From(PassRow row, int c) {
+  if (row.rows.middle) {
+    row.rows.south += c;
+    row.rows.middle += c;
+    row.rows.north += c;
+    row.rows.per_deg += c;
+  }
+  if (row.values) row.values += c;
+  if (row.fronts) row.fronts += c;
+  if (row.priors) row.priors += c;
+  if (row.inside) row.inside += c;
+  if (row.softness) row.softness += c;
+  row.state += c;
+  return row;
+}
+
+// In blocks that fill the vectors. What is left over is done as a block that
+// begins earlier: cells that are made twice are the same both times.
+constexpr int kBlock = 32;
+
+template <Front kind, bool has_priors, Soft soft>
+KG_INLINE Extremes Blocks(const PassRow& row, int n, float* y) {
+  if (n < kBlock) return Loop<kind, has_priors, soft>(row, n, y);
+  const int whole = n / kBlock * kBlock;
+  const Extremes found = Loop<kind, has_priors, soft>(row, whole, y);
+  if (whole == n) return found;
+  const int last = n - kBlock;
+  return Both(found,
+              Loop<kind, has_priors, soft>(From(row, last), kBlock, y + last));
+}
+
+template <Front kind, bool has_priors>
+KG_INLINE Extremes LoopBySoft(const PassRow& row, int n, float* y) {
+  if (row.inside) return Blocks<kind, has_priors, Soft::kInside>(row, n, y);
+  if (row.softness) return Blocks<kind, has_priors, Soft::kSoftness>(row, n, y);
+  return Blocks<kind, has_priors, Soft::kNone>(row, n, y);
+}
+
+template <Front kind>
+KG_INLINE Extremes PassOf(const PassRow& row, int n, float* y) {
+  return row.priors ? LoopBySoft<kind, true>(row, n, y)
+                    : LoopBySoft<kind, false>(row, n, y);
+}
+
+}  // namespace
+
+KG_WIDE Extremes PassBase(const PassRow& row, int n, float* y) {
+  return PassOf<Front::kNone>(row, n, y);
+}
+KG_WIDE Extremes PassStored(const PassRow& row, int n, float* y) {
+  return PassOf<Front::kStored>(row, n, y);
+}
+KG_WIDE Extremes PassSobel(const PassRow& row, int n, float* y) {
+  return PassOf<Front::kSobel>(row, n, y);
+}
+KG_WIDE Extremes PassCentral(const PassRow& row, int n, float* y) {
+  return PassOf<Front::kCentral>(row, n, y);
+}
+
+KG_WIDE void Sobel(const FrontRows& in, int n, float* __restrict f) {
+  const FrontRows rows = in;
+  for (int c = 0; c < n; ++c) f[c] = SobelAt(rows, c);
+}
+
+KG_WIDE void Central(const FrontRows& in, int n, float* __restrict f) {
+  const FrontRows rows = in;
+  for (int c = 0; c < n; ++c) f[c] = CentralAt(rows, c);
 }
 
 namespace {
@@ -170,8 +271,8 @@ float Mean(float sum, float weight) {
 
 }  // namespace
 
-void BlendWithGaps(const FrontRows& rows, bool is_sobel, GapEnds ends,
-                   float base, float front, int n, float* v) {
+void FrontWithGaps(const FrontRows& rows, bool is_sobel, GapEnds ends, int n,
+                   float* f) {
   Padded south, middle, north;
   Pad(rows.south, ends, n, &south);
   Pad(rows.middle, ends, n, &middle);
@@ -205,14 +306,8 @@ void BlendWithGaps(const FrontRows& rows, bool is_sobel, GapEnds ends,
         Mean(2.0f * sum[c] + side * (sum[c - 1] + sum[c + 1]),
              2.0f * weight[c] + side * (weight[c - 1] + weight[c + 1]));
     const float b = middle.at[c + 1];
-    const float steep = b == b ? std::sqrt(gx * gx + gy * gy) : 0.0f;
-    v[c] = base * (b > 0.0f ? b : 0.0f) + front * steep;
+    f[c] = b == b ? std::sqrt(gx * gx + gy * gy) : 0.0f;
   }
-}
-
-KG_WIDE void BlendBase(const float* __restrict values, float base, int n,
-                       float* __restrict v) {
-  for (int c = 0; c < n; ++c) v[c] = base * Positive(values[c]);
 }
 
 KG_WIDE void AddWeighted(const float* __restrict p, float weight, int n,
@@ -236,38 +331,6 @@ KG_WIDE void AttenuateToLeast(const unsigned char* __restrict inside,
   }
 }
 
-KG_WIDE Extremes Finish(const float* __restrict v, const float* __restrict s,
-                        const unsigned char* __restrict state, int n,
-                        float* __restrict y) {
-  std::int32_t least = kNoneLeast, most = -1;
-  for (int c = 0; c < n; ++c) {
-    const float value = (v[c] > 0.0f ? v[c] : 0.0f) * s[c];
-    y[c] = value;
-    const std::int32_t bits = Bits(value);
-    const std::int32_t high = bits | -(state[c] != kOpen);
-    const std::int32_t low = high & kNoneLeast;
-    most = high > most ? high : most;
-    least = low < least ? low : least;
-  }
-  return OfBits(least, most);
-}
-
-KG_WIDE Extremes FinishPlain(const float* __restrict v,
-                             const unsigned char* __restrict state, int n,
-                             float* __restrict y) {
-  std::int32_t least = kNoneLeast, most = -1;
-  for (int c = 0; c < n; ++c) {
-    const float value = v[c] > 0.0f ? v[c] : 0.0f;
-    y[c] = value;
-    const std::int32_t bits = Bits(value);
-    const std::int32_t high = bits | -(state[c] != kOpen);
-    const std::int32_t low = high & kNoneLeast;
-    most = high > most ? high : most;
-    least = low < least ? low : least;
-  }
-  return OfBits(least, most);
-}
-
 KG_WIDE Extremes OpenExtremes(const float* __restrict y,
                               const unsigned char* __restrict state, int n) {
   std::int32_t least = kNoneLeast, most = -1;
@@ -280,6 +343,22 @@ KG_WIDE Extremes OpenExtremes(const float* __restrict y,
   }
   return OfBits(least, most);
 }
+
+namespace {
+
+KG_INLINE void FuseLoop(const float* __restrict y,
+                        const unsigned char* __restrict state,
+                        const RowScale& n, int count, float* __restrict u) {
+  const float scale = n.scale, low = n.low, range = n.range, after = n.after;
+  for (int c = 0; c < count; ++c) {
+    const float x = (scale * y[c] - low) / range;
+    const float positive = x > 0.0f ? x : 0.0f;
+    const float held = after * (positive < 1.0f ? positive : 1.0f);
+    u[c] = state[c] == kOpen ? held : 0.0f;
+  }
+}
+
+}  // namespace
 
 KG_WIDE void Normalise(const float* __restrict y, const RowScale& n, int count,
                        float* __restrict u) {
@@ -295,20 +374,17 @@ KG_WIDE void Normalise(const float* __restrict y, const RowScale& n, int count,
   }
 }
 
-KG_WIDE void NormaliseOpen(const float* __restrict y,
-                           const unsigned char* __restrict state,
-                           const RowScale& n, int count, float* __restrict u) {
-  const float scale = n.scale, low = n.low, range = n.range, after = n.after;
-  if (!(range > 0.0f)) {
+KG_WIDE void NormaliseOpen(const float* y, const unsigned char* state,
+                           const RowScale& n, int count, float* u) {
+  if (!(n.range > 0.0f)) {
     std::fill(u, u + count, 0.0f);
     return;
   }
-  for (int c = 0; c < count; ++c) {
-    const float x = (scale * y[c] - low) / range;
-    const float positive = x > 0.0f ? x : 0.0f;
-    const float held = after * (positive < 1.0f ? positive : 1.0f);
-    u[c] = state[c] == kOpen ? held : 0.0f;
-  }
+  const int whole = count / kBlock * kBlock;
+  const int first = count < kBlock ? 0 : count - kBlock;
+  FuseLoop(y, state, n, whole, u);
+  if (whole == count) return;
+  FuseLoop(y + first, state + first, n, count - first, u + first);
 }
 
 KG_WIDE bool AllFinite(const float* __restrict values, int n) {

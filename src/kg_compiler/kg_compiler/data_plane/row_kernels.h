@@ -23,7 +23,10 @@ struct Extremes {
   float least = std::numeric_limits<float>::infinity();
   float most = -std::numeric_limits<float>::infinity();
 };
-Extremes Both(const Extremes& a, const Extremes& b);
+inline Extremes Both(const Extremes& a, const Extremes& b) {
+  return {a.least < b.least ? a.least : b.least,
+          a.most > b.most ? a.most : b.most};
+}
 
 // Three rows of B around the middle one; [c] is the same column in all. What is
 // not on the grid is null (gaps only).
@@ -42,22 +45,41 @@ struct FrontRows {
   const float* per_deg_after = nullptr;
 };
 
-// v = base max(0, B) + front F, where all values of the three rows are finite
-// from the column before the first to the one after the last.
-void BlendSobel(const FrontRows& rows, float base, float front, int n,
-                float* v);
-void BlendCentral(const FrontRows& rows, float base, float front, int n,
-                  float* v);
-// The same wherever there are gaps. `has_before`, `has_after`: is there a
-// column before the first, after the last? n <= kTileCols.
+// F where all values of the three rows are finite from the column before the
+// first to the one after the last.
+void Sobel(const FrontRows& rows, int n, float* f);
+void Central(const FrontRows& rows, int n, float* f);
+// The same wherever there are gaps; 0 where B has no data. `has_before`,
+// `has_after`: is there a column before the first, after the last?
+// n <= kTileCols.
 struct GapEnds {
   bool has_before = true;
   bool has_after = true;
 };
-void BlendWithGaps(const FrontRows& rows, bool is_sobel, GapEnds ends,
-                   float base, float front, int n, float* v);
-// v = base max(0, B); 0 where B has no data.
-void BlendBase(const float* values, float base, int n, float* v);
+void FrontWithGaps(const FrontRows& rows, bool is_sobel, GapEnds ends, int n,
+                   float* f);
+
+// A stretch of the pass:
+//   y = max(0, base max(0, B) + front F + weight p) s
+struct PassRow {
+  FrontRows rows;                 // PassSobel, PassCentral: free of gaps.
+  const float* values = nullptr;  // B, PassBase and PassStored.
+  const float* fronts = nullptr;  // F, PassStored.
+  float base = 0.0f;
+  float front = 0.0f;
+  const float* priors = nullptr;  // p; without data it counts 0. Or null.
+  float weight = 0.0f;
+  // s: `factor` where inside, 1 elsewhere; or `softness`; or, both null, 1.
+  const unsigned char* inside = nullptr;
+  float factor = 1.0f;
+  const float* softness = nullptr;
+  const unsigned char* state = nullptr;
+};
+// Each gives the extremes of y over the cells whose state is kOpen.
+Extremes PassBase(const PassRow& row, int n, float* y);
+Extremes PassStored(const PassRow& row, int n, float* y);
+Extremes PassSobel(const PassRow& row, int n, float* y);
+Extremes PassCentral(const PassRow& row, int n, float* y);
 
 // v += weight p; p without data counts 0.
 void AddWeighted(const float* p, float weight, int n, float* v);
@@ -65,12 +87,6 @@ void AddWeighted(const float* p, float weight, int n, float* v);
 void Attenuate(const unsigned char* inside, float factor, int n, float* s);
 void AttenuateToLeast(const unsigned char* inside, float factor, int n,
                       float* s);
-// y = max(0, v) s. Extremes over the cells whose state is kOpen.
-Extremes Finish(const float* v, const float* s, const unsigned char* state,
-                int n, float* y);
-// The same without s.
-Extremes FinishPlain(const float* v, const unsigned char* state, int n,
-                     float* y);
 // Extremes over the cells whose state is kOpen; values must be >= 0.
 Extremes OpenExtremes(const float* y, const unsigned char* state, int n);
 
