@@ -1,10 +1,9 @@
 // Getting from one place to others in time-varying currents within a deadline.
 //
 // Velocity over ground = water velocity (speed V, free heading) + boost_gain *
-// current(x, t): Zermelo's navigation problem [1]. The search behind Traverse()
-// is a bounded, time-dependent Dijkstra over many grid neighbours whose paths
-// are straightened and flown again through the field; what cannot be flown is
-// refused. A better search replaces it here and nowhere else.
+// current(x, t): Zermelo's navigation problem [1], solved by extremals. A fan
+// of them (fan.h) gives the earliest arrivals, shooting (shooting.h) the track
+// to a place, also where the current is stronger than the agent.
 //
 // What counts is the flight: FlyTrack() integrates a track with sub-cell steps,
 // crabbing into the cross current, and every figure of a Flight comes from it.
@@ -40,9 +39,7 @@ struct TimedPoint {
 };
 
 // A flown path: from the departure through its turning points to the arrival,
-// then at rest there until the deadline. Points are at most 30 min apart while
-// moving, so that linear interpolation in time stays close to the flight:
-// separation between agents is judged on it.
+// then at rest there until the deadline.
 struct Flight {
   std::vector<TimedPoint> track;  // Ends with arrival and, if later, deadline.
   double travel_s = 0.0;          // Departure to arrival.
@@ -132,8 +129,9 @@ double HoldableFrom_s(const Voyage& voyage, kg_core::LonLat place);
 // latitude), holding V = cruise_mps through water on every leg. Nothing if a
 // leg cannot be held in the current, leaves the open cells (every cell the leg
 // touches counts, both beside a corner it passes), the deadline passes, or
-// station cannot be held then. A leg is held where 98 % of V make up for the
-// cross current and at least 2 % of V are left over ground.
+// station cannot be held then. A leg is held where 99.8 % of V make up for the
+// cross current and at least 0.2 % of V are left over ground, looked at every
+// 0.05 cells.
 std::optional<Flight> FlyTrack(const Voyage& voyage,
                                const std::vector<kg_core::LonLat>& via);
 

@@ -113,6 +113,7 @@ void ReportSpeed(bool quick) {
          PairedRatio(
              rounds, [&] { ComputeReach(voyage); },
              [&] { GridSearch(voyage, 32); }));
+  std::printf("          OMPL's RRT* is not built in: not compared\n");
   const Sea gulf(GulfLikeFlow(1, 0, kDay_s, 10800));
   for (const double cruise_mps : {0.3, 0.5, 1.0}) {
     const Voyage day =
