@@ -47,6 +47,7 @@ void HashRaster(const Mission& mission, const kg_core::RasterRef& ref,
   hash->Add(file == mission.files.end() ? ref.file_iri : file->second.sha256);
   hash->Add(ref.variable);
   hash->Add(static_cast<double>(ref.time_index));
+  hash->Add(static_cast<double>(ref.resampling));
 }
 
 void HashConstraints(const Mission& mission, const ActiveFacts& active,

@@ -22,7 +22,8 @@ std::string FileKey(const kg_core::Mission& mission,
   const std::string name =
       file == mission.files.end() ? ref.file_iri : file->second.sha256;
   return "file " + name + " " + ref.variable + " " +
-         std::to_string(ref.time_index);
+         std::to_string(ref.time_index) + "\n" +
+         std::to_string(static_cast<int>(ref.resampling));
 }
 
 // Different for different numbers.
