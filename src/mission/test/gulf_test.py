@@ -19,7 +19,7 @@ import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
 from kg_msgs.msg import (AgentState, FactUpdate, MissionTensor, UpdateReport,
                          World)
-from kg_msgs.srv import Export, WhatIf, Why, WhyRequest
+from kg_msgs.srv import Check, Export, WhatIf, Why, WhyRequest
 from mission_test import (CHANGE_S, ROOT, Heard, MissionTestCase, by_agent, main,
                           track_deg, wait_until)
 from nav_msgs.msg import OccupancyGrid, Path
@@ -46,11 +46,16 @@ TOPICS = {
     'tf': 'tf2_msgs/TFMessage',
     'tf_static': 'tf2_msgs/TFMessage',
 }
+LAYERS = ('REWARD', 'UNCERTAINTY', 'POLICY', 'ATTENUATION', 'FEASIBILITY',
+          'FUSED', 'REACH', 'WORK', 'FUSED_VIEW')
 AGENT_TOPICS = {
     'tensors': 'kg_msgs/MissionTensor',
     'seam_rules': 'kg_msgs/SeamRules',
     'heatmap': 'nav_msgs/OccupancyGrid',
     'path': 'nav_msgs/Path',
+    'work': 'visualization_msgs/Marker',
+    'work_clicked': 'visualization_msgs/Marker',
+    **{'layer/' + name: 'nav_msgs/OccupancyGrid' for name in LAYERS},
 }
 SERVICES = {
     'kg/update': 'kg_msgs/UpdateFacts',
@@ -60,6 +65,7 @@ SERVICES = {
     'kg/what_if': 'kg_msgs/WhatIf',
     'kg/validate': 'kg_msgs/Validate',
     'kg/export': 'kg_msgs/Export',
+    'kg/check': 'kg_msgs/Check',
 }
 TO_SAFE = ('{author: operator, set: [{subject: "ex:alpha", '
            'property: "ex:usesPolicy", value: "ex:safe"}]}')
@@ -484,6 +490,18 @@ class GulfTest(MissionTestCase):
                 track_deg(by_agent(plan)[agent]))), agent)
         self.assert_no_violation(self.house.verdict(
             lambda v: v['world_version'] == report.world_version))
+
+    def test_6_what_it_holds_is_what_compiling_anew_gives(self):
+        """After a policy, an area and whatever else the tests changed."""
+        _, plan = self.house.wait_for_plan()
+        rospy.wait_for_service('kg/check', CHANGE_S)
+        answer = rospy.ServiceProxy('kg/check', Check)()
+        self.assertEqual(([], []), (answer.errors, answer.differs), answer.text)
+        self.assertTrue(answer.ok, answer.text)
+        self.assertEqual(plan.world_version, answer.world_version)
+        # Fields, tensors, rules and the team's rules.
+        self.assertEqual(WINDOWS + len(AGENTS) * (WINDOWS + 1) + 1,
+                         answer.compared)
 
     def test_7_shows_the_window_that_is_asked_for(self):
         heatmap = Heard('kg/alpha/heatmap', OccupancyGrid)

@@ -90,8 +90,8 @@ class ReadmeTest(SmallMissionTestCase):
                 stated[name.strip().strip('`')] = kind.strip('`')
         known = {name: kind for name, kind in TOPICS.items()
                  if name.startswith('kg/')}
-        known.update({'kg/<agent>/' + name: kind
-                      for name, kind in AGENT_TOPICS.items()})
+        known.update({'kg/<agent>/' + re.sub('^layer/.*', 'layer/<NAME>', name):
+                      kind for name, kind in AGENT_TOPICS.items()})
         known.update(SERVICES)
         self.assertEqual(set(known), set(stated))
         for name, kind in stated.items():

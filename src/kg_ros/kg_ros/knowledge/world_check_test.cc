@@ -66,7 +66,9 @@ TEST_F(WorldCheckTest, NamesWhatIsHeldOtherwise) {
   present.compiler = kg_compiler::MissionCompiler(kg_compiler::RasterReaders{
       [&](const kg_core::Mission& mission, const kg_core::WorkFieldRef& ref) {
         kg_core::VectorField field = files.field(mission, ref);
-        if (ref.window == 1) field.slices[0].east_mps.back() += 0.25f;
+        if (ref.window == 1) {
+          field.slices[0].east_mps[field.grid.size() - 1] += 0.25f;
+        }
         return field;
       },
       files.value});
