@@ -81,6 +81,12 @@ void SetSoftness(const BlendRecipe& recipe, const Stretch& at, Sums* sums,
   row->softness = sums->s;
 }
 
+bool IsStreamed(const BlendedField& field) {
+  return static_cast<std::size_t>(field.tiling.rows) * field.tiling.cols *
+             sizeof(float) >=
+         kStreamFrom_bytes;
+}
+
 constexpr float kNoLayer[kTileCols] = {};
 
 // V' to `y`; the extremes of the stretch's open cells.
@@ -91,18 +97,13 @@ Extremes ComputeStretch(const WindowRasters& rasters, const BlendedField& field,
   SetPriors(field.recipe, at, &sums, &row);
   SetSoftness(field.recipe, at, &sums, &row);
   row.state = field.state.Row(at.first.row) + at.first.col;
+  row.is_far = IsStreamed(field);
   if (field.table) {
     return field.table->Pass(rasters.value, field.recipe.weights, at.first,
                              at.n, row, y);
   }
   row.values = kNoLayer;
   return PassBase(row, at.n, y);
-}
-
-bool IsStreamed(const BlendedField& field) {
-  return static_cast<std::size_t>(field.tiling.rows) * field.tiling.cols *
-             sizeof(float) >=
-         kStreamFrom_bytes;
 }
 
 }  // namespace

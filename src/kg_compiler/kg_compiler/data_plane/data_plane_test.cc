@@ -510,6 +510,131 @@ TEST(DataPlane, HashCoversWhatIsReadAndNothingElse) {
   }
 }
 
+// Every option, where it makes a difference and where it does not.
+TEST(DataPlane, HashCoversAnOptionWhereItMatters) {
+  std::mt19937 rng(31);
+  const kg_core::Grid grid = UnevenGrid(rng, 8, 8);
+  const Mission base = RandomMission(rng, grid);
+  WindowRasters rasters = RandomRasters(rng, grid);
+  rasters.full_scale = 3.0;
+  rasters.front_full_scale = 0.5;
+  using Change = std::function<void(Mission*, WindowRasters*)>;
+  const auto hash = [&](const Change& where, const Change& what) {
+    Mission mission = base;
+    WindowRasters in = rasters;
+    where(&mission, &in);
+    what(&mission, &in);
+    return TensorHash(mission, mission.agents[0], mission.windows[0], in);
+  };
+  const auto policy = [](const std::function<void(kg_core::Policy*)>& change) {
+    return
+        [change](Mission* m, WindowRasters*) { change(&m->agents[0].policy); };
+  };
+  const Change nothing = [](Mission*, WindowRasters*) {};
+  const Change no_front =
+      policy([](kg_core::Policy* p) { p->gamma_front = 0.0; });
+  const Change no_value =
+      policy([](kg_core::Policy* p) { p->gamma_front = p->alpha_base = 0.0; });
+  const Change literal =
+      policy([](kg_core::Policy* p) { p->paper_literal = true; });
+  const Change central = policy([](kg_core::Policy* p) {
+    p->front_operator = kg_core::FrontOperator::kCentral;
+  });
+  const Change unscaled = policy(
+      [](kg_core::Policy* p) { p->layer_scale = kg_core::LayerScale::kNone; });
+  const Change fixed = policy(
+      [](kg_core::Policy* p) { p->layer_scale = kg_core::LayerScale::kFixed; });
+  const Change minmax = policy([](kg_core::Policy* p) {
+    p->normalisation = kg_core::Normalisation::kMinMax;
+  });
+  const Change full_scale = [](Mission*, WindowRasters* r) {
+    r->full_scale = 4.0;
+  };
+  const Change front_full_scale = [](Mission*, WindowRasters* r) {
+    r->front_full_scale = 4.0;
+  };
+  const auto fixed_and = [&](const Change& also) -> Change {
+    return [&fixed, also](Mission* m, WindowRasters* r) {
+      fixed(m, r);
+      also(m, r);
+    };
+  };
+  const Change square = [](Mission* m, WindowRasters*) {
+    m->constraints[3].buffer_metric = kg_core::BufferMetric::kChebyshev;
+  };
+  const Change square_without_buffer = [](Mission* m, WindowRasters*) {
+    m->constraints[0].buffer_metric = kg_core::BufferMetric::kChebyshev;
+  };
+  const Change least = policy(
+      [](kg_core::Policy* p) { p->soft_overlap = kg_core::SoftOverlap::kMin; });
+  const Change two_zones = [](Mission* m, WindowRasters*) {
+    m->constraints[2].windows.clear();
+  };
+  struct Case {
+    const char* name;
+    Change where, what;
+    bool matters;
+  };
+  const std::vector<Case> cases = {
+      {"literal", nothing, literal, true},
+      {"normalisation", nothing, minmax, true},
+      {"normalisation, literal", literal, minmax, false},
+      {"operator", nothing, central, true},
+      {"operator without F", no_front, central, false},
+      {"scale", nothing, unscaled, true},
+      {"scale without B and F", no_value, unscaled, false},
+      {"scale, literal", literal, unscaled, false},
+      {"full scale of windows", nothing, full_scale, false},
+      {"full scale, fixed", fixed, full_scale, true},
+      {"front's full scale of windows", nothing, front_full_scale, false},
+      {"front's full scale, fixed", fixed, front_full_scale, true},
+      {"front's full scale without F", fixed_and(no_front), front_full_scale,
+       false},
+      {"buffer's metric", nothing, square, true},
+      {"metric of no buffer", nothing, square_without_buffer, false},
+      {"overlap of two zones", two_zones, least, true},
+      {"hazard range", nothing,
+       policy([](kg_core::Policy* p) { p->hazard_range_m = 1.0; }), false},
+      {"isolation", nothing,
+       policy([](kg_core::Policy* p) { p->isolation_weight = 9.0; }), false}};
+  for (const Case& c : cases) {
+    EXPECT_EQ(c.matters, hash(c.where, nothing) != hash(c.where, c.what))
+        << c.name;
+  }
+}
+
+// A raster is known by its file's contents and what is taken of it.
+TEST(DataPlane, HashCoversWhatARasterIsReadFrom) {
+  std::mt19937 rng(32);
+  const kg_core::Grid grid = UnevenGrid(rng, 8, 8);
+  Mission base = RandomMission(rng, grid);
+  const WindowRasters rasters = RandomRasters(rng, grid);
+  base.files["ex:f"] = {"ex:f", "a.nc", "1234"};
+  base.files["ex:copy"] = {"ex:copy", "b.nc", "1234"};
+  base.priors[0].area.reset();
+  base.priors[0].raster = kg_core::RasterRef{"ex:f", "p", 0};
+  base.constraints[0].area.reset();
+  base.constraints[0].mask = kg_core::RasterRef{"ex:f", "m", 0};
+  const auto hash = [&](const std::function<void(Mission*)>& change) {
+    Mission mission = base;
+    change(&mission);
+    return TensorHash(mission, mission.agents[0], mission.windows[0], rasters);
+  };
+  const std::string same = hash([](Mission*) {});
+  const auto refs = {+[](Mission* m) { return &*m->priors[0].raster; },
+                     +[](Mission* m) { return &*m->constraints[0].mask; }};
+  for (const auto& ref : refs) {
+    EXPECT_EQ(same, hash([&](Mission* m) { ref(m)->file_iri = "ex:copy"; }));
+    EXPECT_NE(same, hash([&](Mission* m) { ref(m)->variable = "other"; }));
+    EXPECT_NE(same, hash([&](Mission* m) { ref(m)->time_index = 1; }));
+    EXPECT_NE(same, hash([&](Mission* m) {
+                ref(m)->resampling = kg_core::Resampling::kNearest;
+              }));
+  }
+  EXPECT_NE(same, hash([](Mission* m) { m->files["ex:f"].sha256 = "5678"; }));
+  EXPECT_EQ(same, hash([](Mission* m) { m->files["ex:f"].path = "c.nc"; }));
+}
+
 TEST(DataPlane, DerivesFromExactlyTheFactsItRead) {
   std::mt19937 rng(13);
   const kg_core::Grid grid = UnevenGrid(rng, 8, 8);
