@@ -61,17 +61,17 @@ inline kg_core::VectorField Field(
   field.grid = EvenGrid(-0.27, -0.192, 0.001, 385, 541);
   const kg_core::DegreesPerMetre scale = kg_core::LocalScale(0.0);
   for (const double time_s : times_s) {
-    kg_core::FieldSlice slice{time_s, {}, {}};
+    kg_core::Raster east_mps, north_mps;
     for (int r = 0; r < 385; ++r) {
       for (int c = 0; c < 541; ++c) {
         const kg_core::LonLat at = field.grid.Centre({r, c});
         const Metres v = flow(
             {at.lon_deg / scale.lon_deg, at.lat_deg / scale.lat_deg}, time_s);
-        slice.east_mps.push_back(static_cast<float>(v.x));
-        slice.north_mps.push_back(static_cast<float>(v.y));
+        east_mps.push_back(static_cast<float>(v.x));
+        north_mps.push_back(static_cast<float>(v.y));
       }
     }
-    field.slices.push_back(std::move(slice));
+    field.slices.push_back({time_s, std::move(east_mps), std::move(north_mps)});
   }
   return field;
 }
