@@ -95,5 +95,40 @@ TEST(PriceWaysTest, AWayToAClosedPlaceOrOffTheGridHasNoPrice) {
   EXPECT_TRUE(prices[3]);
 }
 
+// The same sea, the same places: what a policy pays for decides how one goes.
+TEST(WindowSeaTest, TimeBuysSpeedAndEnergySavesIt) {
+  std::mt19937 rng(8);
+  const kg_core::Grid grid = EvenGrid(-92.0, 23.0, 0.05, 40, 40);
+  SeamRules hasty = TwoWindows();
+  hasty.weights = {1e-5, 0.0, 0.0, 0.0, 0.0};
+  SeamRules thrifty = hasty;
+  thrifty.weights = {0.0, 1e-6, 0.0, 0.0, 0.0};
+  int flown = 0;
+  for (int i = 0; i < 4; ++i) {
+    const MissionTensor tensor = RandomTensor(rng, grid);
+    const kg_core::VectorField field =
+        RandomFlow(rng, grid, 0.3, 21600.0, 172800.0);
+    const WindowWorld world{&tensor, &field};
+    const WindowSea by_time(hasty, hasty.windows[0], world);
+    const WindowSea by_energy(thrifty, thrifty.windows[0], world);
+    const Reach fast = by_time.ReachFrom(hasty.start);
+    const Reach cheap = by_energy.ReachFrom(hasty.start);
+    for (int k = 0; k < 10; ++k) {
+      const kg_core::LonLat to{Uniform(rng, -91.15, -90.85),
+                               Uniform(rng, 23.85, 24.15)};
+      const auto a = by_time.Fly(hasty.start, fast, to);
+      const auto b = by_energy.Fly(hasty.start, cheap, to);
+      if (!a) continue;
+      ASSERT_TRUE(b);
+      EXPECT_EQ(hasty.motion.cruise_mps, a->speed_mps);
+      EXPECT_LE(b->energy_j, a->energy_j);
+      EXPECT_LE(a->travel_s, b->travel_s * 1.001);
+      flown += b->speed_mps < a->speed_mps && b->energy_j < a->energy_j &&
+               b->travel_s > a->travel_s;
+    }
+  }
+  EXPECT_GT(flown, 10);
+}
+
 }  // namespace
 }  // namespace kg_compiler

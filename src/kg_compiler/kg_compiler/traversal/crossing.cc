@@ -47,18 +47,23 @@ Crossing::Crossing(const Voyage& voyage, const Reach& reach, kg_core::LonLat to,
       to_(to),
       at_(at) {}
 
-std::optional<Flight> Crossing::Fastest() const {
+std::optional<Flight> Crossing::Best(bool as_expected) const {
   if (!Holds(inside_, CellOf(grid_, at_))) return std::nullopt;
   std::optional<Flight> best = Fly({voyage_.departure.from, to_});
   const std::vector<Shooter::Guess> guesses = Guesses();
+  if (guesses.empty()) return best;
   for (const double reserve : kReserves) {
     const Shooter shooter(voyage_, reach_,
                           (1.0 - reserve) * voyage_.motion.cruise_mps);
     std::vector<double> refused_s;
     for (const Shooter::Guess& guess : guesses) {
       KeepFaster(Shoot(shooter, guess, &refused_s), &best);
-      if (best && IsExpected(best->travel_s, guesses.front())) return best;
+      if (!best) continue;
+      if (!as_expected || IsExpected(best->travel_s, guesses.front())) {
+        return best;
+      }
     }
+    if (refused_s.empty()) break;  // No course: none with less speed.
   }
   for (const Shooter::Guess& guess : guesses) {
     if (guess.root > 0) KeepFaster(Fly(Corners(guess.root)), &best);

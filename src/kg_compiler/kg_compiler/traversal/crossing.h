@@ -13,15 +13,19 @@ namespace kg_compiler {
 
 class Crossing {
  public:
-  // `reach` is that of the voyage, or of one at nearly its speed; all must
+  // `reach` is that of the voyage, or of one at about its speed; all must
   // outlive it. `at` is `to` in cell units.
   Crossing(const Voyage& voyage, const Reach& reach, kg_core::LonLat to,
            kg_core::GridPoint at);
 
   // Never slower than straight there.
-  std::optional<Flight> Fastest() const;
+  std::optional<Flight> Fastest() const { return Best(true); }
+  // The first found, for a reach at another speed, which does not tell when
+  // to expect it.
+  std::optional<Flight> First() const { return Best(false); }
 
  private:
+  std::optional<Flight> Best(bool as_expected) const;
   std::optional<Flight> Fly(const std::vector<kg_core::LonLat>& via) const;
   std::optional<Flight> Fly(const Course& course) const;
   std::vector<Shooter::Guess> Guesses() const;

@@ -10,9 +10,6 @@ namespace kg_compiler {
 namespace {
 
 constexpr int kFirstRays = 24;
-constexpr int kCornerRays = 10;
-constexpr double kCornerBegin_rad = -0.15;  // Across the arriving heading.
-constexpr double kCornerEnd_rad = 0.9 * kg_core::kPi;  // Into the shadow.
 constexpr int kDeepest = 7;  // Halvings between two neighbours in one step.
 constexpr std::size_t kMostRays = 20000;
 
@@ -28,12 +25,7 @@ constexpr double kWidestAtDead = 0.1;
 constexpr double kLate = 0.7;    // Share of a step by which a ray may be late.
 constexpr double kFillIn = 0.4;  // Gaps that the front's shape fills.
 constexpr std::size_t kMostReplayed = 50;  // Steps; beyond, it fills them all.
-constexpr double kBeside = 0.3;  // A corner passed so close is reached.
-constexpr double kBesideSpread_rad = 0.02;
-constexpr double kHeadOn = 0.4;  // Of a corner: sine of the angle to its walls.
-constexpr double kGrazeAhead = 1.5;  // Clear for so long: past the wall.
-constexpr double kGrazeAside = 0.8;
-constexpr double kWidestSharp = 0.4;  // ... where by this one,
+constexpr double kWidestSharp = 0.4;       // ... where by this one,
 constexpr double kSharp = 0.3;
 constexpr double kThinner = 1.0;   // One is left out between two so close
 constexpr double kThinBend = 0.2;  // whose front bends by less than this.
@@ -272,156 +264,6 @@ void Fan::PaintCell(const Stride& stride, const Strand& a, const Strand& b,
   node.heading_rad = static_cast<float>(
       a.heading_rad + share->across * (b.heading_rad - a.heading_rad));
   node.spread_rad = static_cast<float>(std::abs(b.heading_rad - a.heading_rad));
-}
-
-void Fan::FindCorners(const Stride& stride, const Strand& a, const Strand& b,
-                      const Sweep& sweep, kg_core::Cell cell) {
-  if (!sight_.IsOpen(cell)) return;
-  const unsigned corners = sight_.Corners(cell);
-  for (int k = 0; k < 4; ++k) {
-    if (!(corners & (1u << k))) continue;
-    const kg_core::GridPoint at = Sight::CornerAt(cell, k);
-    const auto share = sweep.Find({at.col, at.row});
-    if (!share) continue;
-    const Offset from = sweep.BeginAt(share->across);
-    const double spread_rad = b.heading_rad - a.heading_rad;
-    AddCorner(stride,
-              {sweep.Time_s(*share), at, stride.root,
-               a.heading_rad + share->across * spread_rad, std::abs(spread_rad),
-               0.0, 0, 4 * static_cast<int>(grid_.Index(cell)) + k},
-              from, share->across < 0.5 ? a : b);
-  }
-}
-
-// An extremal without a neighbour may pass a corner close by.
-void Fan::FindCornersBeside(const Stride& stride, const Strand& strand) {
-  const Offset from = PlaceOf(strand.begin);
-  const Offset go = PlaceOf(strand.end) - from;
-  const kg_core::Cell a = CellOf(grid_, {strand.begin.row, strand.begin.col});
-  const kg_core::Cell b = CellOf(grid_, {strand.end.row, strand.end.col});
-  if (strand.dead || !(Length(go) > 0.0) ||
-      (!sight_.NearCoast(a) && !sight_.NearCoast(b))) {
-    return;
-  }
-  for (int row = std::min(a.row, b.row) - 1; row <= std::max(a.row, b.row) + 1;
-       ++row) {
-    for (int col = std::min(a.col, b.col) - 1;
-         col <= std::max(a.col, b.col) + 1; ++col) {
-      if (!sight_.IsOpen({row, col})) continue;
-      const unsigned corners = sight_.Corners({row, col});
-      for (int k = 0; k < 4; ++k) {
-        if (!(corners & (1u << k))) continue;
-        const kg_core::GridPoint at = Sight::CornerAt({row, col}, k);
-        const Offset away = Offset{at.col, at.row} - from;
-        const double share = Dot(away, go) / Dot(go, go);
-        if (!(share >= 0.0 && share <= 1.0) ||
-            !(Length(away - share * go) < kBeside)) {
-          continue;
-        }
-        AddCorner(stride,
-                  {share * stride.step->length_s, at, stride.root,
-                   strand.heading_rad, kBesideSpread_rad, 0.0, 0,
-                   4 * static_cast<int>(grid_.Index({row, col})) + k},
-                  from, strand);
-      }
-    }
-  }
-}
-
-// `found` knows all but how one arrives, and its time from the step's begin.
-void Fan::AddCorner(const Stride& stride, Restart found, Offset from,
-                    const Strand& near) {
-  // Within the step, whatever the front's bow says.
-  found.time_s = stride.begin_s +
-                 std::clamp(found.time_s, 0.0, 0.999 * stride.step->length_s);
-  if (rounded_.count(found.key) || !(found.time_s < latest_s_) ||
-      !sight_.IsClear({from.row, from.col}, found.place)) {
-    return;
-  }
-  // Going by it, neither towards the corner nor away from it.
-  const Offset go = PlaceOf(near.end) - PlaceOf(near.begin);
-  const kg_core::Cell d =
-      Sight::kDiagonals[static_cast<std::size_t>(found.key % 4)];
-  const double slack = kHeadOn * Length(go);
-  const double east = d.col * go.col, north = d.row * go.row;
-  if ((east > slack && north > slack) || (east < -slack && north < -slack)) {
-    return;
-  }
-  const Offset corner{static_cast<double>(d.col), static_cast<double>(d.row)};
-  found.side = Cross(go, corner) > 0.0 ? 1 : -1;
-  found.arriving_rad = HeadingOf(flow_, near.end);
-  restarts_.push_back(found);
-}
-
-// The last that passes a wall beside one that hits it: unless it is about to
-// hit the wall itself, what lies behind is in its shadow.
-void Fan::FindGraze(const Stride& stride, const Strand& alive,
-                    const Strand& dead) {
-  const Offset end = PlaceOf(alive.end);
-  if (!sight_.Contains({dead.end.row, dead.end.col})) return;
-  const Offset go = end - PlaceOf(alive.begin);
-  const double length = Length(go);
-  if (!(length > 0.0)) return;
-  const Offset ahead = end + (kGrazeAhead / length) * go;
-  if (!sight_.Contains({ahead.row, ahead.col}) ||
-      !sight_.IsClear({end.row, end.col}, {ahead.row, ahead.col})) {
-    return;
-  }
-  const int side = Cross(go, PlaceOf(dead.end) - end) > 0.0 ? 1 : -1;
-  const Offset aside =
-      end + (side * kGrazeAside / length) * Offset{-go.row, go.col};
-  const kg_core::Cell shadow = CellOf(grid_, {aside.row, aside.col});
-  if (!sight_.IsOpen(shadow)) return;
-  grazes_.push_back({{stride.begin_s + stride.step->length_s,
-                      {end.row, end.col},
-                      stride.root,
-                      alive.heading_rad,
-                      std::abs(dead.heading_rad - alive.heading_rad),
-                      HeadingOf(flow_, alive.end),
-                      side,
-                      -1},
-                     shadow});
-}
-
-std::vector<Fan::Ray> Fan::ShadowRays(const Restart& restart) {
-  const int root = static_cast<int>(reach_.roots.size());
-  reach_.roots.push_back({restart.place, restart.time_s, restart.root,
-                          restart.heading_rad, restart.spread_rad});
-  std::vector<Ray> rays;
-  for (int i = 0; i < kCornerRays; ++i) {
-    const double turn_rad =
-        kCornerBegin_rad +
-        (kCornerEnd_rad - kCornerBegin_rad) * i / (kCornerRays - 1);
-    const double heading_rad = restart.arriving_rad + restart.side * turn_rad;
-    rays.push_back(
-        {SetOut(flow_, restart.place, heading_rad), heading_rad, root, true});
-  }
-  rays.back().linked = false;
-  return rays;
-}
-
-// Earliest first: a corner behind another is reached in the same step.
-void Fan::Restarts(double end_s) {
-  const auto later = [](const Restart& a, const Restart& b) {
-    return a.time_s > b.time_s || (a.time_s == b.time_s && a.key > b.key);
-  };
-  while (!restarts_.empty()) {
-    const auto first =
-        std::max_element(restarts_.begin(), restarts_.end(), later);
-    const Restart restart = *first;
-    restarts_.erase(first);
-    if (!rounded_.insert(restart.key).second) continue;
-    const std::vector<Ray> rays = ShadowRays(restart);
-    const Helm::Step step(flow_, restart.time_s, end_s - restart.time_s);
-    first_steps_.push_back({step, steps_.size() + 1});
-    AdvanceChain({&step, restart.time_s, rays[0].root}, rays, 0);
-  }
-  for (const Graze& graze : grazes_) {
-    if (std::isfinite(arrivals_.Arrival_s(graze.shadow))) continue;
-    const std::vector<Ray> rays = ShadowRays(graze.restart);
-    first_steps_.push_back({Helm::Step(flow_, end_s, 0.0), steps_.size() + 1});
-    next_.insert(next_.end(), rays.begin(), rays.end());
-  }
 }
 
 // Earlier at all four centres around, by more than a step: what sets out from

@@ -77,8 +77,9 @@ class Flow {
   kg_core::LonLat Scale(double row) const;
 
   const kg_core::Grid& grid() const { return field_.grid; }
-  // The cells that were asked for since it was made.
+  // The cells that were asked for since it was made, or last told to forget.
   const CellBox& felt() const { return felt_; }
+  void Forget() const { felt_ = kNothing; }
 
  private:
   static int Lower(double at, int size) {
@@ -98,7 +99,8 @@ class Flow {
   std::vector<double> cols_per_deg_, rows_per_deg_;
   // By row, made when first asked for (0 = not yet).
   mutable std::vector<double> lon_per_m_, lat_per_m_;
-  mutable CellBox felt_{INT_MAX, 0, INT_MAX, 0};
+  static constexpr CellBox kNothing{INT_MAX, 0, INT_MAX, 0};
+  mutable CellBox felt_ = kNothing;
 };
 
 // In the header: inlined, extremals take half the time.

@@ -10,7 +10,7 @@
 namespace kg_compiler {
 namespace {
 
-constexpr double kHit_cells = 3e-3;  // Near enough.
+constexpr double kHit_cells = 0.01;  // Near enough.
 constexpr double kBent_cells = 0.5;  // A course is bent by that, if need be.
 constexpr int kMostTimings = 10;     // Corrections of the time.
 constexpr double kTimed_cells = 1e-4;
@@ -19,7 +19,7 @@ constexpr double kFarthest_cells = 8.0;   // A shot that misses by more is void.
 constexpr int kWidenings = 4;             // Of the spread, each by three.
 constexpr double kLeastSpread_rad = 1e-6;
 constexpr int kMostHalvings = 30;
-constexpr double kSolveStep_cells = 0.33;
+constexpr double kSolveStep_cells = 0.75;
 constexpr int kFewestSteps = 6;
 
 // The point farthest from the chord in time between two kept points.
@@ -69,27 +69,26 @@ Course Simplify(const Course& course, double tolerance_cells) {
 }
 
 Shooter::Shooter(const Voyage& voyage, const Reach& reach, double speed_mps)
-    : voyage_(voyage),
-      reach_(reach),
-      speed_mps_(speed_mps),
+    : reach_(reach),
+      flow_(voyage),
+      helm_(flow_, speed_mps),
       latest_s_(LatestArrival_s(voyage.motion, voyage.departure)) {}
 
 // To the guessed time, then on or back until the front is at the target.
 std::optional<ShotAt> Shooter::Fire(const Leg& leg, double heading_rad) const {
-  const Flow flow(voyage_);
-  const Helm helm(flow, speed_mps_);
-  Extremal at = SetOut(flow, leg.from, heading_rad);
+  flow_.Forget();
+  Extremal at = SetOut(flow_, leg.from, heading_rad);
   const int steps = static_cast<int>(std::ceil(leg.duration_s / leg.step_s));
   const double step_s = leg.duration_s / steps;
   double time_s = leg.begin_s;
   for (int i = 0; i < steps; ++i) {
-    at = helm.Advance(at, Helm::Step(flow, time_s, step_s));
+    at = helm_.Advance(at, Helm::Step(flow_, time_s, step_s));
     time_s += step_s;
-    if (!IsWithin(flow.felt(), reach_.read)) return std::nullopt;
+    if (!IsWithin(flow_.felt(), reach_.read)) return std::nullopt;
   }
   const Offset target{leg.to.col, leg.to.row};
   for (int i = 0; i < kMostTimings; ++i) {
-    const Offset normal = NormalOf(flow, at);
+    const Offset normal = NormalOf(flow_, at);
     const Offset miss = PlaceOf(at) - target;
     const double ahead = Dot(normal, miss) / Length(normal);
     const double left = Cross(normal, miss) / Length(normal);
@@ -97,14 +96,14 @@ std::optional<ShotAt> Shooter::Fire(const Leg& leg, double heading_rad) const {
     if (std::abs(ahead) < kTimed_cells) {
       return ShotAt{heading_rad, time_s - leg.begin_s, left};
     }
-    const kg_core::GridPoint v = helm.Velocity(at, flow.At(time_s));
+    const kg_core::GridPoint v = helm_.Velocity(at, flow_.At(time_s));
     const double front = Dot(normal, {v.col, v.row}) / Length(normal);
     const double most_s = kMostShift_cells / std::max(std::abs(front), 1e-12);
     const double shift_s = std::min(std::max(-ahead / front, -most_s), most_s);
     if (!(time_s + shift_s > leg.begin_s)) return std::nullopt;
-    at = helm.Advance(at, Helm::Step(flow, time_s, shift_s));
+    at = helm_.Advance(at, Helm::Step(flow_, time_s, shift_s));
     time_s += shift_s;
-    if (!IsWithin(flow.felt(), reach_.read)) return std::nullopt;
+    if (!IsWithin(flow_.felt(), reach_.read)) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -160,16 +159,19 @@ std::optional<ShotAt> Shooter::Search(const Leg& leg) const {
   std::optional<ShotAt> low = Fire(leg, leg.heading_rad), high = low;
   std::optional<ShotAt> best = low;
   if (best && std::abs(best->left) < kHit_cells) return best;
-  double spread_rad = std::max(leg.spread_rad, kLeastSpread_rad);
-  for (int i = 0; i < kWidenings; ++i, spread_rad *= 3.0) {
-    const auto lower = Fire(leg, leg.heading_rad - spread_rad);
-    if (OnBothSides(lower, low)) return Between(leg, *lower, *low);
-    const auto higher = Fire(leg, leg.heading_rad + spread_rad);
-    if (OnBothSides(high, higher)) return Between(leg, *high, *higher);
-    KeepBetter(lower, &best);
-    KeepBetter(higher, &best);
-    low = lower;
-    high = higher;
+  // Where nothing has crossed, what lands left of the target sets out too far
+  // to the left: the other way first.
+  double turn_rad = std::max(leg.spread_rad, kLeastSpread_rad);
+  if (low && low->left > 0.0) turn_rad = -turn_rad;
+  for (int i = 0; i < kWidenings; ++i, turn_rad *= 3.0) {
+    const auto nearer = Fire(leg, leg.heading_rad + turn_rad);
+    if (OnBothSides(low, nearer)) return Between(leg, *low, *nearer);
+    const auto farther = Fire(leg, leg.heading_rad - turn_rad);
+    if (OnBothSides(high, farther)) return Between(leg, *high, *farther);
+    KeepBetter(nearer, &best);
+    KeepBetter(farther, &best);
+    low = nearer;
+    high = farther;
     if (!low && !high) break;
   }
   return best;
@@ -183,17 +185,16 @@ std::optional<ShotAt> Shooter::Solve(const Leg& leg) const {
 }
 
 bool Shooter::Trace(const Leg& leg, const ShotAt& shot, Course* course) const {
-  const Flow flow(voyage_);
-  const Helm helm(flow, speed_mps_);
-  Extremal at = SetOut(flow, leg.from, shot.heading_rad);
+  flow_.Forget();
+  Extremal at = SetOut(flow_, leg.from, shot.heading_rad);
   const int steps = static_cast<int>(std::ceil(shot.duration_s / leg.step_s));
   const double step_s = shot.duration_s / steps;
   const std::size_t first = course->size();
   for (int i = 0; i < steps; ++i) {
     const double time_s = leg.begin_s + i * step_s;
     course->push_back({{at.row, at.col}, time_s});
-    at = helm.Advance(at, Helm::Step(flow, time_s, step_s));
-    if (!IsWithin(flow.felt(), reach_.read)) return false;
+    at = helm_.Advance(at, Helm::Step(flow_, time_s, step_s));
+    if (!IsWithin(flow_.felt(), reach_.read)) return false;
   }
   // What it misses by is made good evenly all along.
   const Offset miss = PlaceOf(at) - Offset{leg.to.col, leg.to.row};

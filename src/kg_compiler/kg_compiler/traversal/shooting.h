@@ -73,9 +73,9 @@ class Shooter {
   // reach read.
   bool Trace(const Leg& leg, const ShotAt& shot, Course* course) const;
 
-  const Voyage& voyage_;
   const Reach& reach_;
-  double speed_mps_;
+  Flow flow_;
+  Helm helm_;
   double latest_s_;
 };
 

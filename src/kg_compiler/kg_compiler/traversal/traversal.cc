@@ -2,10 +2,13 @@
 
 #include "kg_compiler/traversal/traversal.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "kg_compiler/traversal/crossing.h"
+#include "kg_compiler/traversal/leg.h"
+#include "kg_compiler/traversal/sight.h"
 #include "kg_compiler/traversal/slower_reaches.h"
 
 namespace kg_compiler {
@@ -13,11 +16,36 @@ namespace {
 
 constexpr double kGolden = 0.6180339887498949;
 constexpr int kRefinements = 10;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kNear_cells = 2;
+constexpr double kHoldStep_s = 1800.0;
+constexpr double kWorth = 1e-3;  // Share of the cost that is worth trying for.
+constexpr double kSure = 0.9;    // Share of what is held, between the samples.
+
+// One cannot be at a place before this: the first arrival in the cells around,
+// among which it lies. Infinite if there is none within a cell more.
+double Earliest_s(const Reach& reach, const kg_core::Grid& grid,
+                  kg_core::Cell place) {
+  for (int around = 1; around <= kNear_cells; ++around) {
+    double earliest_s = kInfinity;
+    for (int dr = -around; dr <= around; ++dr) {
+      for (int dc = -around; dc <= around; ++dc) {
+        const kg_core::Cell cell{place.row + dr, place.col + dc};
+        if (!grid.Contains(cell)) continue;
+        const ReachedCell* found =
+            reach.Find(static_cast<int>(grid.Index(cell)));
+        if (found) earliest_s = std::min(earliest_s, found->arrival_s);
+      }
+    }
+    if (earliest_s < kInfinity) return earliest_s;
+  }
+  return kInfinity;
+}
 
 // Shares of the full speed: those tried, with their reaches, fastest first.
 struct Choice {
   double share = 1.0;
-  double cost = std::numeric_limits<double>::infinity();
+  double cost = kInfinity;
   std::optional<Flight> flight;
 };
 
@@ -25,14 +53,32 @@ class Pricing {
  public:
   Pricing(const Voyage& voyage, const Reach& reach, kg_core::LonLat to,
           kg_core::GridPoint at)
-      : voyage_(voyage), reach_(reach), to_(to), at_(at) {}
+      : voyage_(voyage), reach_(reach), to_(to), at_(at) {
+    const Departure& departure = voyage.departure;
+    const LegFlyer flyer(voyage);
+    whole_s_ = departure.deadline_s - departure.time_s;
+    const int steps = static_cast<int>(std::ceil(whole_s_ / kHoldStep_s));
+    for (int i = 0; i <= steps; ++i) {
+      const auto c = flyer.Current(at, whole_s_ * i / steps);
+      current_mps_.push_back(c ? std::hypot(c->east_mps, c->north_mps) : 0.0);
+    }
+  }
 
   std::optional<Flight> Cheapest() const {
     Choice best = Try(1.0, reach_);
+    double earliest_s = NotBefore(EarliestBy(reach_), best);
     int chosen = -1;
     bool between = false;  // May the cheapest lie next to the fastest?
     for (int k = 0; k < SlowerReaches::kCount; ++k) {
-      Choice slower = Slower(SlowerReaches::kShares[k], k);
+      const double share = SlowerReaches::kShares[k];
+      if (!IsWorthIt(share, earliest_s, best)) continue;
+      const Reach* reach = reach_.slower->At(k, voyage_, reach_.read);
+      Choice slower;
+      if (reach) {
+        earliest_s = std::max(earliest_s, EarliestBy(*reach));
+        if (IsWorthIt(share, earliest_s, best)) slower = Try(share, *reach);
+        earliest_s = NotBefore(earliest_s, slower);
+      }
       if (k == 0) between = !slower.flight && best.flight;
       if (!(slower.cost < best.cost)) continue;
       best = std::move(slower);
@@ -43,16 +89,52 @@ class Pricing {
   }
 
  private:
+  double EarliestBy(const Reach& reach) const {
+    const kg_core::Grid& grid = voyage_.world.field->grid;
+    return Earliest_s(reach, grid, CellOf(grid, at_));
+  }
+  // Less than this no flight at a speed v costs that arrives at `earliest_s` or
+  // later: whenever it does, each second until the deadline takes either v or
+  // the current's speed |c| to hold against.
+  double LeastCost(double share, double earliest_s) const {
+    if (!(earliest_s <= whole_s_)) return kInfinity;
+    const double own_mps = share * voyage_.motion.cruise_mps;
+    const double steps = static_cast<double>(current_mps_.size() - 1);
+    double held_m = 0.0;
+    for (std::size_t i = 0; i < current_mps_.size(); ++i) {
+      const double time_s = whole_s_ * static_cast<double>(i) / steps;
+      if (time_s < earliest_s + kHoldStep_s) continue;
+      held_m += std::min(own_mps, current_mps_[i]) * whole_s_ / steps;
+    }
+    const MotionModel& motion = voyage_.motion;
+    const double through_m = own_mps * earliest_s + kSure * held_m;
+    return voyage_.price.per_s * earliest_s +
+           voyage_.price.per_j * (motion.energy_per_m_j * through_m +
+                                  motion.hotel_load_w * whole_s_);
+  }
+  bool IsWorthIt(double share, double earliest_s, const Choice& best) const {
+    const double anyway =
+        voyage_.price.per_j * voyage_.motion.hotel_load_w * whole_s_;
+    const double least = LeastCost(share, earliest_s);
+    return least < kInfinity &&
+           (!best.flight || least < best.cost - kWorth * (best.cost - anyway));
+  }
+  // Who goes slower than that is not earlier.
+  static double NotBefore(double earliest_s, const Choice& faster) {
+    return faster.flight ? std::max(earliest_s, faster.flight->travel_s)
+                         : earliest_s;
+  }
   Voyage At(double share) const {
     Voyage voyage = voyage_;
     voyage.motion.cruise_mps *= share;
     return voyage;
   }
-  Choice Try(double share, const Reach& reach) const {
+  Choice Try(double share, const Reach& reach, bool is_its_own = true) const {
     const Voyage voyage = At(share);
     Choice choice;
     choice.share = share;
-    choice.flight = Crossing(voyage, reach, to_, at_).Fastest();
+    const Crossing crossing(voyage, reach, to_, at_);
+    choice.flight = is_its_own ? crossing.Fastest() : crossing.First();
     if (choice.flight) {
       const FlightPrice& price = voyage_.price;
       choice.cost = price.per_s * choice.flight->travel_s +
@@ -61,23 +143,22 @@ class Pricing {
     }
     return choice;
   }
-  // At a speed close to the k-th slower one.
-  Choice Slower(double share, int k) const {
-    const Reach* reach = reach_.slower->At(k, voyage_, reach_.read);
-    return reach ? Try(share, *reach) : Choice{};
-  }
   // Golden section between the speeds on either side of the one chosen, which
   // has the least cost of the three; what cannot be flown costs infinitely.
   Choice Refined(Choice best, int chosen) const {
     const int last = SlowerReaches::kCount - 1;
     double low = chosen == last ? 0.0 : SlowerReaches::kShares[chosen + 1];
+    const double fastest_s = EarliestBy(reach_);
+    const Reach& reach =
+        chosen < 0 ? reach_ : *reach_.slower->At(chosen, voyage_, reach_.read);
     double high = chosen <= 0 ? 1.0 : SlowerReaches::kShares[chosen - 1];
     for (int i = 0; i < kRefinements; ++i) {
       const bool up = high - best.share > best.share - low;
       const double share =
           up ? best.share + (1.0 - kGolden) * (high - best.share)
              : best.share - (1.0 - kGolden) * (best.share - low);
-      Choice next = chosen < 0 ? Try(share, reach_) : Slower(share, chosen);
+      if (!IsWorthIt(low, fastest_s, best)) break;
+      Choice next = Try(share, reach, false);
       const bool better = next.cost < best.cost;
       (up == better ? low : high) = better ? best.share : share;
       if (better) best = std::move(next);
@@ -89,6 +170,8 @@ class Pricing {
   const Reach& reach_;
   kg_core::LonLat to_;
   kg_core::GridPoint at_;
+  double whole_s_;
+  std::vector<double> current_mps_;  // At the place, in even steps of time.
 };
 
 }  // namespace

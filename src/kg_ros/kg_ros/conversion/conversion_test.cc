@@ -172,6 +172,7 @@ kg_compiler::NavGraph SmallGraph() {
   edge.flight.energy_j = 7.5;
   edge.flight.hazard_s = 0.125;
   edge.flight.through_water_m = 6.0;
+  edge.flight.speed_mps = 0.6875;
   edge.seam_cost = 0.375;
   edge.isolation_s = 0.0625;
   graph.edges = {edge};
@@ -209,6 +210,7 @@ TEST(ConversionTest, AWaypointGraphComesBackAsItWas) {
   EXPECT_EQ(a.flight.energy_j, b.flight.energy_j);
   EXPECT_EQ(a.flight.hazard_s, b.flight.hazard_s);
   EXPECT_EQ(a.flight.through_water_m, b.flight.through_water_m);
+  EXPECT_EQ(a.flight.speed_mps, b.flight.speed_mps);
   EXPECT_EQ(a.isolation_s, b.isolation_s);
   EXPECT_EQ(2u, b.flight.track.size());
   EXPECT_EQ(kg_compiler::MovementMode::kEdges, back.movement_mode);

@@ -49,6 +49,7 @@ TraverseEdge FromMessage(const kg_msgs::TraverseEdge& message) {
   edge.flight.energy_j = message.cost.energy_j;
   edge.flight.hazard_s = message.cost.hazard_s;
   edge.flight.through_water_m = message.cost.through_water_m;
+  edge.flight.speed_mps = message.cost.speed_mps;
   edge.seam_cost = message.cost.seam_cost;
   edge.isolation_s = message.cost.isolation_s;
   return edge;
@@ -78,6 +79,7 @@ kg_msgs::EdgeCost CostMessage(const TraverseEdge& edge) {
   cost.energy_j = edge.flight.energy_j;
   cost.hazard_s = edge.flight.hazard_s;
   cost.through_water_m = edge.flight.through_water_m;
+  cost.speed_mps = edge.flight.speed_mps;
   cost.isolation_s = edge.isolation_s;
   cost.seam_cost = edge.seam_cost;
   return cost;

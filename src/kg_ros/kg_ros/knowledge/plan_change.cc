@@ -125,7 +125,7 @@ class Comparison {
     } else {
       kg_msgs::EdgeCost& none = change.after;
       none.travel_s = none.energy_j = none.hazard_s = none.through_water_m =
-          none.isolation_s = none.seam_cost = kNone;
+          none.speed_mps = none.isolation_s = none.seam_cost = kNone;
     }
     return change;
   }
