@@ -126,7 +126,8 @@ std::string Normalise(std::string text, const std::string& folder) {
   text = std::regex_replace(text, std::regex("\r"), "");
   text =
       std::regex_replace(text, std::regex("/[^,\n]*/ontology/"), "ONTOLOGY/");
-  text = std::regex_replace(text, std::regex("[0-9a-f]{16,64}"), "HASH");
+  text = std::regex_replace(text, std::regex("(^|[^0-9a-f.])[0-9a-f]{16,64}"),
+                            "$1HASH");  // Not the decimals of a number.
   text = std::regex_replace(
       text, std::regex("(?!2026-06-0)[0-9]{4}-[0-9-]+T[0-9:.]+Z"), "TIME");
   std::istringstream lines(Round(text));
