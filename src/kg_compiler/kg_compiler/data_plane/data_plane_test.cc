@@ -510,96 +510,93 @@ TEST(DataPlane, HashCoversWhatIsReadAndNothingElse) {
   }
 }
 
+// What is changed of a mission, its first agent's policy, or the rasters.
+struct HashedWorld {
+  Mission mission;
+  WindowRasters rasters;
+  kg_core::Policy& policy() { return mission.agents[0].policy; }
+  std::string Hash() const {
+    return TensorHash(mission, mission.agents[0], mission.windows[0], rasters);
+  }
+};
+using Change = void (*)(HashedWorld*);
+
+void Nothing(HashedWorld*) {}
+void NoFront(HashedWorld* w) { w->policy().gamma_front = 0.0; }
+void NoValue(HashedWorld* w) {
+  w->policy().gamma_front = w->policy().alpha_base = 0.0;
+}
+void Literal(HashedWorld* w) { w->policy().paper_literal = true; }
+void Central(HashedWorld* w) {
+  w->policy().front_operator = kg_core::FrontOperator::kCentral;
+}
+void Unscaled(HashedWorld* w) {
+  w->policy().layer_scale = kg_core::LayerScale::kNone;
+}
+void Fixed(HashedWorld* w) {
+  w->policy().layer_scale = kg_core::LayerScale::kFixed;
+}
+void FixedWithoutFront(HashedWorld* w) {
+  Fixed(w);
+  NoFront(w);
+}
+void MinMax(HashedWorld* w) {
+  w->policy().normalisation = kg_core::Normalisation::kMinMax;
+}
+void Least(HashedWorld* w) {
+  w->policy().soft_overlap = kg_core::SoftOverlap::kMin;
+}
+void TwoZones(HashedWorld* w) { w->mission.constraints[2].windows.clear(); }
+void OneZone(HashedWorld* w) { w->mission.constraints[2].windows = {1}; }
+void FullScale(HashedWorld* w) { w->rasters.full_scale = 4.0; }
+void FrontFullScale(HashedWorld* w) { w->rasters.front_full_scale = 4.0; }
+void Square(HashedWorld* w) {
+  w->mission.constraints[3].buffer_metric = kg_core::BufferMetric::kChebyshev;
+}
+void SquareOfNothing(HashedWorld* w) {
+  w->mission.constraints[0].buffer_metric = kg_core::BufferMetric::kChebyshev;
+}
+void Hazard(HashedWorld* w) { w->policy().hazard_range_m = 1.0; }
+void Isolation(HashedWorld* w) { w->policy().isolation_weight = 9.0; }
+
 // Every option, where it makes a difference and where it does not.
 TEST(DataPlane, HashCoversAnOptionWhereItMatters) {
   std::mt19937 rng(31);
   const kg_core::Grid grid = UnevenGrid(rng, 8, 8);
-  const Mission base = RandomMission(rng, grid);
-  WindowRasters rasters = RandomRasters(rng, grid);
-  rasters.full_scale = 3.0;
-  rasters.front_full_scale = 0.5;
-  using Change = std::function<void(Mission*, WindowRasters*)>;
-  const auto hash = [&](const Change& where, const Change& what) {
-    Mission mission = base;
-    WindowRasters in = rasters;
-    where(&mission, &in);
-    what(&mission, &in);
-    return TensorHash(mission, mission.agents[0], mission.windows[0], in);
-  };
-  const auto policy = [](const std::function<void(kg_core::Policy*)>& change) {
-    return
-        [change](Mission* m, WindowRasters*) { change(&m->agents[0].policy); };
-  };
-  const Change nothing = [](Mission*, WindowRasters*) {};
-  const Change no_front =
-      policy([](kg_core::Policy* p) { p->gamma_front = 0.0; });
-  const Change no_value =
-      policy([](kg_core::Policy* p) { p->gamma_front = p->alpha_base = 0.0; });
-  const Change literal =
-      policy([](kg_core::Policy* p) { p->paper_literal = true; });
-  const Change central = policy([](kg_core::Policy* p) {
-    p->front_operator = kg_core::FrontOperator::kCentral;
-  });
-  const Change unscaled = policy(
-      [](kg_core::Policy* p) { p->layer_scale = kg_core::LayerScale::kNone; });
-  const Change fixed = policy(
-      [](kg_core::Policy* p) { p->layer_scale = kg_core::LayerScale::kFixed; });
-  const Change minmax = policy([](kg_core::Policy* p) {
-    p->normalisation = kg_core::Normalisation::kMinMax;
-  });
-  const Change full_scale = [](Mission*, WindowRasters* r) {
-    r->full_scale = 4.0;
-  };
-  const Change front_full_scale = [](Mission*, WindowRasters* r) {
-    r->front_full_scale = 4.0;
-  };
-  const auto fixed_and = [&](const Change& also) -> Change {
-    return [&fixed, also](Mission* m, WindowRasters* r) {
-      fixed(m, r);
-      also(m, r);
-    };
-  };
-  const Change square = [](Mission* m, WindowRasters*) {
-    m->constraints[3].buffer_metric = kg_core::BufferMetric::kChebyshev;
-  };
-  const Change square_without_buffer = [](Mission* m, WindowRasters*) {
-    m->constraints[0].buffer_metric = kg_core::BufferMetric::kChebyshev;
-  };
-  const Change least = policy(
-      [](kg_core::Policy* p) { p->soft_overlap = kg_core::SoftOverlap::kMin; });
-  const Change two_zones = [](Mission* m, WindowRasters*) {
-    m->constraints[2].windows.clear();
-  };
+  HashedWorld base{RandomMission(rng, grid), RandomRasters(rng, grid)};
+  base.rasters.full_scale = 3.0;
+  base.rasters.front_full_scale = 0.5;
   struct Case {
     const char* name;
     Change where, what;
     bool matters;
   };
   const std::vector<Case> cases = {
-      {"literal", nothing, literal, true},
-      {"normalisation", nothing, minmax, true},
-      {"normalisation, literal", literal, minmax, false},
-      {"operator", nothing, central, true},
-      {"operator without F", no_front, central, false},
-      {"scale", nothing, unscaled, true},
-      {"scale without B and F", no_value, unscaled, false},
-      {"scale, literal", literal, unscaled, false},
-      {"full scale of windows", nothing, full_scale, false},
-      {"full scale, fixed", fixed, full_scale, true},
-      {"front's full scale of windows", nothing, front_full_scale, false},
-      {"front's full scale, fixed", fixed, front_full_scale, true},
-      {"front's full scale without F", fixed_and(no_front), front_full_scale,
-       false},
-      {"buffer's metric", nothing, square, true},
-      {"metric of no buffer", nothing, square_without_buffer, false},
-      {"overlap of two zones", two_zones, least, true},
-      {"hazard range", nothing,
-       policy([](kg_core::Policy* p) { p->hazard_range_m = 1.0; }), false},
-      {"isolation", nothing,
-       policy([](kg_core::Policy* p) { p->isolation_weight = 9.0; }), false}};
+      {"literal", Nothing, Literal, true},
+      {"normalisation", Nothing, MinMax, true},
+      {"normalisation, literal", Literal, MinMax, false},
+      {"operator", Nothing, Central, true},
+      {"operator without F", NoFront, Central, false},
+      {"scale", Nothing, Unscaled, true},
+      {"scale without B and F", NoValue, Unscaled, false},
+      {"scale, literal", Literal, Unscaled, false},
+      {"full scale of windows", Nothing, FullScale, false},
+      {"full scale, fixed", Fixed, FullScale, true},
+      {"front's full scale of windows", Nothing, FrontFullScale, false},
+      {"front's full scale, fixed", Fixed, FrontFullScale, true},
+      {"that without F", FixedWithoutFront, FrontFullScale, false},
+      {"buffer's metric", Nothing, Square, true},
+      {"metric of no buffer", Nothing, SquareOfNothing, false},
+      {"overlap of two zones", TwoZones, Least, true},
+      {"overlap of one zone", OneZone, Least, false},
+      {"hazard range", Nothing, Hazard, false},
+      {"isolation", Nothing, Isolation, false}};
   for (const Case& c : cases) {
-    EXPECT_EQ(c.matters, hash(c.where, nothing) != hash(c.where, c.what))
-        << c.name;
+    HashedWorld before = base;
+    c.where(&before);
+    HashedWorld after = before;
+    c.what(&after);
+    EXPECT_EQ(c.matters, before.Hash() != after.Hash()) << c.name;
   }
 }
 

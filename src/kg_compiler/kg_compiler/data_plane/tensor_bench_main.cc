@@ -19,138 +19,19 @@
 #include <cstring>
 #include <fstream>
 #include <opencv2/imgproc.hpp>
-#include <random>
 #include <string>
 #include <thread>
 #include <vector>
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
-
 #include "kg_compiler/bench_report.h"
-#include "kg_compiler/data_plane/compiled_tensor.h"
-#include "kg_compiler/data_plane/data_plane.h"
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/data_plane/tensor_bench_peers.h"
+#include "kg_compiler/data_plane/tensor_bench_world.h"
 #include "kg_core/base/temporary_folder.h"
-#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
 
 constexpr double kBytesPerCell = 17.0;
-
-struct Size {
-  int rows;
-  int cols;
-  std::string Name() const {
-    return std::to_string(cols) + "x" + std::to_string(rows);
-  }
-};
-
-// The border is forbidden: there OpenCV and the pass differ by design.
-struct World {
-  explicit World(Size size)
-      : grid(EvenGrid(-98.0, 18.1, 21.6 / size.cols, size.rows, size.cols)) {
-    std::mt19937 rng(1);
-    kg_core::Raster value(grid.size()), prior(grid.size());
-    kg_core::Mask hard(grid.size(), 0), soft(grid.size(), 0);
-    for (int r = 0; r < size.rows; ++r) {
-      for (int c = 0; c < size.cols; ++c) {
-        const std::size_t i = grid.Index({r, c});
-        value[i] =
-            static_cast<float>(2.0 + std::sin(c * 0.02) + std::cos(r * 0.03) +
-                               0.1 * (rng() % 1000) / 1000.0);
-        prior[i] = static_cast<float>(0.3 * std::sin(c * 0.01 - r * 0.02));
-        hard[i] = r == 0 || c == 0 || r + 1 == size.rows ||
-                  c + 1 == size.cols || (r / 40 + c / 60) % 9 == 0;
-        soft[i] = (r / 30 + c / 50) % 3 == 0;
-      }
-    }
-    rasters = TestRasters(grid, value, kg_core::Mask(grid.size(), 0));
-    rasters.prior_rasters["ex:p"] =
-        std::make_shared<kg_core::Raster>(std::move(prior));
-    rasters.constraint_masks["ex:hard"] =
-        std::make_shared<kg_core::Mask>(std::move(hard));
-    rasters.constraint_masks["ex:soft"] =
-        std::make_shared<kg_core::Mask>(std::move(soft));
-    mission.windows = {TestWindow(0, 0.8)};
-    mission.agents = {TestAgent("alpha")};
-    kg_core::Policy& policy = mission.agents[0].policy;
-    policy.gamma_front = 0.5;
-    policy.beta = {{"ex:p", 0.7}};
-    policy.front_operator = kg_core::FrontOperator::kCentral;
-    mission.priors.push_back({"ex:p",
-                              "p",
-                              std::nullopt,
-                              0.0,
-                              {},
-                              {},
-                              kg_core::RasterRef{"ex:file", "p", 0}});
-    for (const char* iri : {"ex:hard", "ex:soft"}) {
-      kg_core::Constraint zone;
-      zone.iri = iri;
-      zone.mask = kg_core::RasterRef{"ex:file", iri, 0};
-      zone.kind = mission.constraints.empty() ? kg_core::ConstraintKind::kNoGo
-                                              : kg_core::ConstraintKind::kSoft;
-      zone.attenuation = 0.4;
-      mission.constraints.push_back(zone);
-    }
-    tensor = CompileTensor(Inputs(), nullptr);
-    field = *dynamic_cast<const CompiledTensor&>(*tensor.content).field();
-    field.masked = Bands<float>(size.rows, size.cols);
-    fused.resize(grid.size());
-  }
-
-  TensorInputs Inputs() const {
-    return {
-        &mission, &mission.agents[0], &mission.windows[0], &rasters, nullptr,
-        nullptr};
-  }
-
-  void Lazy(int row, int row_end) {
-    ComputeRows(rasters, row, row_end, &field);
-  }
-  void Lazy() { Lazy(0, grid.rows()); }
-  // The pass, and U as a raster.
-  void Materialised() {
-    Lazy();
-    RowScale n = FitScale(field, mission.agents[0].policy, 1.0f, nullptr);
-    n.after = 0.8f;
-    const bool is_large = grid.size() > 4'000'000;
-    for (int r = 0; r < grid.rows(); ++r) {
-      for (int c = 0; c < grid.cols(); c += kTileCols) {
-        const int count = std::min(kTileCols, grid.cols() - c);
-        float* to = &fused[grid.Index({r, c})];
-        float u[kTileCols];
-        NormaliseOpen(field.masked.Row(r) + c, field.state.Row(r) + c, n, count,
-                      is_large ? u : to);
-        if (is_large) Stream(u, count, to);
-      }
-    }
-    StreamEnd();
-  }
-
-  kg_core::Grid grid;
-  kg_core::Mission mission;
-  WindowRasters rasters;
-  MissionTensor tensor;
-  BlendedField field;
-  kg_core::Raster fused;
-};
-
-// Of this thread alone, so that other programs' turns do not count.
-template <typename Work>
-double CpuSeconds(const Work& work) {
-  const auto now = [] {
-    timespec time;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * time.tv_nsec;
-  };
-  const double begin = now();
-  work();
-  return now() - begin;
-}
 
 template <typename A, typename B>
 double PairedCpuRatio(int rounds, const A& a, const B& b) {
@@ -161,102 +42,6 @@ double PairedCpuRatio(int rounds, const A& a, const B& b) {
   }
   return Median(std::move(ratios));
 }
-
-// a = b + s c, the better of ordinary stores and those past the caches.
-class Triad {
- public:
-  explicit Triad(std::size_t size) : a_(size), b_(size, 1.0f), c_(size, 2.0f) {}
-  void Plain() {
-    float* __restrict a = a_.data();
-    const float* __restrict b = b_.data();
-    const float* __restrict c = c_.data();
-    for (std::size_t i = 0; i < a_.size(); ++i) a[i] = b[i] + 3.0f * c[i];
-  }
-  void PastCaches() {
-#if defined(__SSE2__)
-    const __m128 s = _mm_set1_ps(3.0f);
-    for (std::size_t i = 0; i + 4 <= a_.size(); i += 4) {
-      _mm_stream_ps(&a_[i], _mm_add_ps(_mm_loadu_ps(&b_[i]),
-                                       _mm_mul_ps(s, _mm_loadu_ps(&c_[i]))));
-    }
-    _mm_sfence();
-#endif
-  }
-  double Best_s() {
-    return std::min(CpuSeconds([this] { Plain(); }),
-                    CpuSeconds([this] { PastCaches(); }));
-  }
-
- private:
-  std::vector<float> a_, b_, c_;
-};
-
-// What a user of OpenCV writes, one call after the other.
-class OpenCvSteps {
- public:
-  explicit OpenCvSteps(const World& world) : w_(world) {
-    const kg_core::Grid& grid = w_.grid;
-    value_ = Of(w_.rasters.value);
-    prior_ = Of(*w_.rasters.prior_rasters.at("ex:p"));
-    const kg_core::Mask& soft = *w_.rasters.constraint_masks.at("ex:soft");
-    const kg_core::Mask& hard = *w_.rasters.constraint_masks.at("ex:hard");
-    soft_ = cv::Mat(grid.rows(), grid.cols(), CV_32F);
-    open_ = cv::Mat(grid.rows(), grid.cols(), CV_8U);
-    east_ = cv::Mat(grid.rows(), grid.cols(), CV_32F);
-    for (int r = 0; r < grid.rows(); ++r) {
-      const double lat_deg = grid.lat_deg()[r];
-      for (int c = 0; c < grid.cols(); ++c) {
-        const std::size_t i = grid.Index({r, c});
-        soft_.at<float>(r, c) = soft[i] ? 0.4f : 1.0f;
-        open_.at<unsigned char>(r, c) = hard[i] ? 0 : 255;
-        if (c == 0 || c + 1 == grid.cols()) continue;
-        east_.at<float>(r, c) =
-            static_cast<float>(1e3 * kg_core::LocalScale(lat_deg).lon_deg /
-                               (grid.lon_deg()[c + 1] - grid.lon_deg()[c - 1]));
-      }
-    }
-    north_ = cv::Mat(grid.rows(), grid.cols(), CV_32F, cv::Scalar(0));
-    for (int r = 1; r + 1 < grid.rows(); ++r) {
-      double km = 0.0;
-      for (const int s : {r - 1, r}) {
-        const double a = grid.lat_deg()[s], b = grid.lat_deg()[s + 1];
-        km += (b - a) / kg_core::LocalScale(0.5 * (a + b)).lat_deg / 1e3;
-      }
-      north_.row(r) = static_cast<float>(1.0 / km);
-    }
-    closed_ = open_ == 0;
-  }
-
-  const cv::Mat& Run() {
-    const cv::Mat step = (cv::Mat_<float>(1, 3) << -1.f, 0.f, 1.f);
-    cv::filter2D(value_, gx_, CV_32F, step);
-    cv::filter2D(value_, gy_, CV_32F, step.t());
-    cv::multiply(gx_, east_, gx_);
-    cv::multiply(gy_, north_, gy_);
-    cv::magnitude(gx_, gy_, front_);
-    double most_value = 0.0, most_front = 0.0, most = 0.0;
-    cv::minMaxLoc(value_, nullptr, &most_value, nullptr, nullptr, open_);
-    cv::minMaxLoc(front_, nullptr, &most_front, nullptr, nullptr, open_);
-    cv::addWeighted(value_, 1.0 / most_value, front_, 0.5 / most_front, 0.0,
-                    v_);
-    cv::scaleAdd(prior_, 0.7, v_, v_);
-    cv::max(v_, 0.0, v_);
-    cv::multiply(v_, soft_, v_);
-    cv::minMaxLoc(v_, nullptr, &most, nullptr, nullptr, open_);
-    v_.convertTo(u_, CV_32F, 0.8 / most);
-    u_.setTo(0.0, closed_);
-    return u_;
-  }
-
- private:
-  cv::Mat Of(const kg_core::Raster& raster) const {
-    return cv::Mat(w_.grid.rows(), w_.grid.cols(), CV_32F,
-                   const_cast<float*>(raster.data()));
-  }
-  const World& w_;
-  cv::Mat value_, prior_, soft_, open_, closed_, east_, north_;
-  cv::Mat gx_, gy_, front_, v_, u_;
-};
 
 double MaxDifference(const cv::Mat& a, const kg_core::Raster& b) {
   double most = 0.0;
