@@ -15,7 +15,7 @@ constexpr std::size_t kMostRays = 20000;
 
 // Lengths in cells.
 constexpr double kFirstStep = 0.75;
-constexpr double kLongestStep = 5.0;
+constexpr double kLongestStep = 6.0;
 constexpr double kStepsToOneCell = 40.0;  // Then they grow.
 constexpr double kWidest = 4.0;           // Between neighbours.
 constexpr double kWidestBent = 1.5;       // ... where the front bends by
