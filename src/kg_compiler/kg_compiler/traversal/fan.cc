@@ -15,7 +15,7 @@ constexpr std::size_t kMostRays = 20000;
 
 // Lengths in cells.
 constexpr double kFirstStep = 0.75;
-constexpr double kLongestStep = 5.0;
+constexpr double kLongestStep = 6.0;
 constexpr double kStepsToOneCell = 40.0;  // Then they grow.
 constexpr double kWidest = 4.0;           // Between neighbours.
 constexpr double kWidestBent = 1.5;       // ... where the front bends by
@@ -23,7 +23,7 @@ constexpr double kBent = 0.3;             // this slope,
 constexpr double kWidestAtCoast = 0.7;
 constexpr double kWidestAtDead = 0.1;
 constexpr double kLate = 0.7;    // Share of a step by which a ray may be late.
-constexpr double kFillIn = 0.4;  // Gaps that the front's shape fills.
+constexpr double kFillIn = 1.0;  // Gaps that the front's shape fills.
 constexpr std::size_t kMostReplayed = 50;  // Steps; beyond, it fills them all.
 constexpr double kWidestSharp = 0.4;       // ... where by this one,
 constexpr double kSharp = 0.3;
@@ -57,6 +57,8 @@ bool Fan::Begin() {
   for (int i = 0; i <= kFirstRays; ++i) {
     const double heading_rad = 2.0 * kg_core::kPi * i / kFirstRays;
     rays_.push_back({SetOut(flow_, *from, heading_rad), heading_rad, 0, true});
+    const kg_core::GridPoint v = helm_.Velocity(rays_.back().at, flow_.At(0.0));
+    fastest_ = std::max(fastest_, Length({v.col, v.row}));
   }
   rays_.back().linked = false;
   return true;
@@ -76,14 +78,10 @@ double Fan::StepLength_s() const {
 Reach Fan::Run() {
   if (Begin()) {
     while (!rays_.empty() && now_s_ < latest_s_) {
-      const Flow::Moment now = flow_.At(now_s_);
-      fastest_ = 1e-9;
-      for (const Ray& ray : rays_) {
-        const kg_core::GridPoint v = helm_.Velocity(ray.at, now);
-        fastest_ = std::max(fastest_, std::sqrt(v.row * v.row + v.col * v.col));
-      }
       reach_.cells_per_s = std::max(reach_.cells_per_s, fastest_);
-      Advance(StepLength_s());
+      const double length_s = StepLength_s();
+      fastest_ = 1e-9;
+      Advance(length_s);
     }
   }
   reach_.cells = arrivals_.Reached();
@@ -133,6 +131,10 @@ Strand Fan::Advance(const Stride& stride, const Extremal& from,
   strand.end.row = std::clamp(strand.end.row, -1.0, grid_.rows() + 0.0);
   Touch(PlaceOf(from));
   Touch(PlaceOf(strand.end));
+  if (stride.step->length_s > 0.0) {
+    const double cells = Length(PlaceOf(strand.end) - PlaceOf(from));
+    fastest_ = std::max(fastest_, cells / stride.step->length_s);
+  }
   const kg_core::GridPoint end{strand.end.row, strand.end.col};
   strand.dead =
       !sight_.Contains(end) || !sight_.IsClear({from.row, from.col}, end);

@@ -104,7 +104,7 @@ class Fan {
   };
   std::vector<FirstStep> first_steps_;  // By root, but for the departure.
   double margin_s_ = 0.0;               // By which a ray may be late and live.
-  double fastest_ = 0.0;                // [cells/s], of the rays now.
+  double fastest_ = 1e-9;               // [cells/s], in the last step.
   std::vector<Ray> rays_, next_;
   std::vector<Restart> restarts_;  // Found in this step, not yet begun.
   std::vector<Graze> grazes_;

@@ -19,7 +19,7 @@ constexpr double kFarthest_cells = 8.0;   // A shot that misses by more is void.
 constexpr int kWidenings = 4;             // Of the spread, each by three.
 constexpr double kLeastSpread_rad = 1e-6;
 constexpr int kMostHalvings = 30;
-constexpr double kSolveStep_cells = 0.75;
+constexpr double kSolveStep_cells = 0.5;
 constexpr int kFewestSteps = 6;
 
 // The point farthest from the chord in time between two kept points.

@@ -141,8 +141,8 @@ std::optional<Flight> FlyTrack(const Voyage& voyage,
 // the same voyage. The fastest, and never slower than straight there, unless
 // energy has a price: then slower speeds are tried, too (the shares of
 // SlowerReaches, and if one is cheaper, those around it to about 0.3 % of
-// cruise_mps), each on its fastest track (arriving
-// later than one could at that speed is not tried).
+// cruise_mps), where a lower bound of their cost leaves 0.1 % to gain, each on
+// its fastest track (arriving later than one could at that speed is not tried).
 //
 // The track is the extremal, simplified: linear interpolation in time between
 // its points stays within 0.05 cells of where the extremal is; what is flown
