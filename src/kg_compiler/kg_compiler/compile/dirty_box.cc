@@ -80,7 +80,7 @@ std::optional<CellBox> BoxOf(const kg_core::Constraint& constraint,
   const auto [col, col_end] =
       CellsOf(grid.lon_deg(), area.west_deg(), area.east_deg());
   const int buffer = static_cast<int>(std::ceil(constraint.buffer_cells));
-  return Grow({row, row_end, col, col_end}, buffer, buffer, grid);
+  return Grown({row, row_end, col, col_end}, buffer, buffer, grid);
 }
 
 }  // namespace

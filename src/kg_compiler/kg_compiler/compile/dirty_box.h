@@ -5,8 +5,8 @@
 
 #include <optional>
 
+#include "kg_compiler/data_plane/cell_box.h"
 #include "kg_compiler/data_plane/data_plane.h"
-#include "kg_compiler/traversal/cell_box.h"
 #include "kg_core/mission/mission.h"
 
 namespace kg_compiler {

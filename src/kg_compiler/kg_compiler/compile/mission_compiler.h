@@ -19,10 +19,10 @@
 
 #include "kg_compiler/compile/raster_store.h"
 #include "kg_compiler/control_plane/seam_rules.h"
+#include "kg_compiler/data_plane/cell_box.h"
 #include "kg_compiler/data_plane/data_plane.h"
 #include "kg_compiler/data_plane/data_plane_cache.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
-#include "kg_compiler/traversal/cell_box.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/mission.h"
 

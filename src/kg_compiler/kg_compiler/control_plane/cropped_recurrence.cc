@@ -101,7 +101,7 @@ CellBox SeenFrom(const CellBox& cells, const kg_core::Grid& grid,
   CellBox box = GrowBy_m(cells, grid, radius_m);
   if (box.row_end - box.row < 2) box.row > 0 ? --box.row : ++box.row_end;
   if (box.col_end - box.col < 2) box.col > 0 ? --box.col : ++box.col_end;
-  return Grow(box, 0, 0, grid);
+  return Grown(box, 0, 0, grid);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kg_compiler/control_plane/proximal_recurrence.h"
-#include "kg_compiler/traversal/cell_box.h"
+#include "kg_compiler/data_plane/cell_box.h"
 
 namespace kg_compiler {
 

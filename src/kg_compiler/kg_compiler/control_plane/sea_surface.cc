@@ -46,21 +46,6 @@ SeaSurface SurfaceOf(const MissionTensor& tensor) {
   return surface;
 }
 
-CellBox Join(const CellBox& a, const CellBox& b) {
-  if (IsEmpty(a)) return b;
-  if (IsEmpty(b)) return a;
-  return {std::min(a.row, b.row), std::max(a.row_end, b.row_end),
-          std::min(a.col, b.col), std::max(a.col_end, b.col_end)};
-}
-
-CellBox Grow(const CellBox& box, int rows, int cols,
-             const kg_core::Grid& grid) {
-  if (IsEmpty(box)) return {};
-  return {
-      std::max(0, box.row - rows), std::min(grid.rows(), box.row_end + rows),
-      std::max(0, box.col - cols), std::min(grid.cols(), box.col_end + cols)};
-}
-
 SurfacePatch::SurfacePatch(const SeaSurface& surface, const CellBox& box)
     : box_(box),
       open_(Cut(surface.open, surface.cols, box)),

@@ -4,8 +4,8 @@
 #ifndef KG_COMPILER_CONTROL_PLANE_SEA_SURFACE_H_
 #define KG_COMPILER_CONTROL_PLANE_SEA_SURFACE_H_
 
+#include "kg_compiler/data_plane/cell_box.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
-#include "kg_compiler/traversal/cell_box.h"
 #include "kg_core/raster/grid.h"
 
 namespace kg_compiler {
@@ -16,14 +16,6 @@ struct SeaSurface {
   kg_core::Raster attenuation;  // M_soft.
 };
 SeaSurface SurfaceOf(const MissionTensor& tensor);
-
-// The smallest box that holds both; an empty one counts for nothing.
-CellBox Join(const CellBox& a, const CellBox& b);
-// So many rows and columns more on every side, as far as the grid goes.
-CellBox Grow(const CellBox& box, int rows, int cols, const kg_core::Grid& grid);
-inline bool IsEmpty(const CellBox& box) {
-  return box.row >= box.row_end || box.col >= box.col_end;
-}
 
 // A box cut out of a surface.
 class SurfacePatch {

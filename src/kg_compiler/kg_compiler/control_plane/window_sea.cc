@@ -95,7 +95,7 @@ std::string WindowSea::Terms() const {
 CellBox WindowSea::HazardBox(const CellBox& read) const {
   const CellsFor far =
       CellsWithin(grid_, HazardMap::kRanges * rules_.hazard_range_m);
-  return Grow(read, far.rows, far.cols, grid_);
+  return Grown(read, far.rows, far.cols, grid_);
 }
 
 double WindowSea::Isolation(

@@ -22,11 +22,11 @@ bool Before(const T& a, const T& b) {
 }
 
 template <typename T>
-std::vector<GridBox> Changes(const std::vector<T>& a, const std::vector<T>& b) {
+std::vector<CellBox> Changes(const std::vector<T>& a, const std::vector<T>& b) {
   std::vector<T> changed;
   std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(),
                                 std::back_inserter(changed), Before<T>);
-  std::vector<GridBox> boxes;
+  std::vector<CellBox> boxes;
   for (const T& item : changed) {
     if (!item.patch->box.empty()) boxes.push_back(item.patch->box);
   }
@@ -121,13 +121,13 @@ BlendRecipe WriteRecipe(const kg_core::Mission& mission,
   return recipe;
 }
 
-std::vector<GridBox> HardChanges(const BlendRecipe& a, const BlendRecipe& b) {
+std::vector<CellBox> HardChanges(const BlendRecipe& a, const BlendRecipe& b) {
   return Changes(a.hard, b.hard);
 }
-std::vector<GridBox> SoftChanges(const BlendRecipe& a, const BlendRecipe& b) {
+std::vector<CellBox> SoftChanges(const BlendRecipe& a, const BlendRecipe& b) {
   return Changes(a.soft, b.soft);
 }
-std::vector<GridBox> PriorChanges(const BlendRecipe& a, const BlendRecipe& b) {
+std::vector<CellBox> PriorChanges(const BlendRecipe& a, const BlendRecipe& b) {
   return Changes(a.priors, b.priors);
 }
 

@@ -49,9 +49,9 @@ BlendRecipe WriteRecipe(const kg_core::Mission& mission,
                         const BlendRecipe* known, DataPlaneCache* cache);
 
 // The boxes in which two recipes of one land differ.
-std::vector<GridBox> HardChanges(const BlendRecipe& a, const BlendRecipe& b);
-std::vector<GridBox> SoftChanges(const BlendRecipe& a, const BlendRecipe& b);
-std::vector<GridBox> PriorChanges(const BlendRecipe& a, const BlendRecipe& b);
+std::vector<CellBox> HardChanges(const BlendRecipe& a, const BlendRecipe& b);
+std::vector<CellBox> SoftChanges(const BlendRecipe& a, const BlendRecipe& b);
+std::vector<CellBox> PriorChanges(const BlendRecipe& a, const BlendRecipe& b);
 
 }  // namespace kg_compiler
 

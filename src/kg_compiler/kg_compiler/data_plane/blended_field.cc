@@ -22,7 +22,7 @@ struct Overlap {
   bool empty() const { return begin >= end; }
 };
 
-Overlap Meet(const GridBox& box, kg_core::Cell first, int n) {
+Overlap Meet(const CellBox& box, kg_core::Cell first, int n) {
   if (!box.HasRow(first.row)) return {};
   const int begin = std::max(box.col - first.col, 0);
   const int end = std::min(box.col_end - first.col, n);
@@ -142,7 +142,7 @@ bool SoftnessOfRow(const BlendRecipe& recipe, kg_core::Cell first, int n,
 }
 
 void CloseCells(const kg_core::Mask& land, const BlendRecipe& recipe,
-                const GridBox& box, Bands<unsigned char>* state) {
+                const CellBox& box, Bands<unsigned char>* state) {
   for (int r = box.row; r < box.row_end; ++r) {
     const unsigned char* dry =
         &land[static_cast<std::size_t>(r) * state->cols()];
@@ -183,7 +183,7 @@ void ComputeRows(const WindowRasters& rasters, int row, int row_end,
   if (is_streamed) StreamEnd();
 }
 
-void ComputeBox(const WindowRasters& rasters, const GridBox& box,
+void ComputeBox(const WindowRasters& rasters, const CellBox& box,
                 BlendedField* field) {
   const int width = field->tiling.width;
   for (int r = box.row; r < box.row_end; ++r) {
@@ -197,7 +197,7 @@ void ComputeBox(const WindowRasters& rasters, const GridBox& box,
   }
 }
 
-void MeasureTiles(const GridBox& box, BlendedField* field) {
+void MeasureTiles(const CellBox& box, BlendedField* field) {
   const Tiling& tiling = field->tiling;
   if (box.empty()) return;
   const int width = tiling.width;
@@ -206,7 +206,7 @@ void MeasureTiles(const GridBox& box, BlendedField* field) {
   for (int band = first_band; band <= last_band; ++band) {
     for (int t = box.col / width; t <= (box.col_end - 1) / width; ++t) {
       const int i = band * tiling.across + t;
-      const GridBox tile = tiling.Box(i);
+      const CellBox tile = tiling.Box(i);
       field->extremes[i] = {};
       for (int r = tile.row; r < tile.row_end; ++r) {
         field->extremes[i] =

@@ -33,7 +33,7 @@ struct BlendedField {
 
 // M_hard by the recipe's hard zones.
 void CloseCells(const kg_core::Mask& land, const BlendRecipe& recipe,
-                const GridBox& box, Bands<unsigned char>* state);
+                const CellBox& box, Bands<unsigned char>* state);
 
 // V' and the extremes of rows [row, row_end) of a field whose recipe and state
 // are there and whose rows are its own. Rows may be computed by several
@@ -41,9 +41,9 @@ void CloseCells(const kg_core::Mask& land, const BlendRecipe& recipe,
 void ComputeRows(const WindowRasters& rasters, int row, int row_end,
                  BlendedField* field);
 // The same for a box, V' only.
-void ComputeBox(const WindowRasters& rasters, const GridBox& box,
+void ComputeBox(const WindowRasters& rasters, const CellBox& box,
                 BlendedField* field);
-void MeasureTiles(const GridBox& box, BlendedField* field);
+void MeasureTiles(const CellBox& box, BlendedField* field);
 
 // sum beta P at columns [col, col + n) of a row, and M_soft.
 void PriorsOfRow(const BlendRecipe& recipe, kg_core::Cell first, int n,

@@ -53,7 +53,7 @@ double Gaussian(double distance_m, double sigma_m) {
   return std::exp(-0.5 * z * z);
 }
 
-GridBox BoxWithin(const kg_core::Grid& grid, const GridBox& box,
+CellBox BoxWithin(const kg_core::Grid& grid, const CellBox& box,
                   double reach_m) {
   const double south_deg = grid.lat_deg()[box.row];
   const double north_deg = grid.lat_deg()[box.row_end - 1];
@@ -69,16 +69,16 @@ GridBox BoxWithin(const kg_core::Grid& grid, const GridBox& box,
   return Grown({rows.first, rows.end, cols.first, cols.end}, 1, grid);
 }
 
-GridBox BumpBox(const kg_core::Grid& grid, const kg_core::Event& event) {
+CellBox BumpBox(const kg_core::Grid& grid, const kg_core::Event& event) {
   const Span rows = BumpRows(grid, event);
-  GridBox box{rows.first, rows.end, grid.cols(), 0};
+  CellBox box{rows.first, rows.end, grid.cols(), 0};
   for (int r = rows.first; r < rows.end; ++r) {
     const BumpRow row = RowOf(grid, event, r);
     if (row.cols.first >= row.cols.end) continue;
     box.col = std::min(box.col, row.cols.first);
     box.col_end = std::max(box.col_end, row.cols.end);
   }
-  return box.empty() ? GridBox{} : box;
+  return box.empty() ? CellBox{} : box;
 }
 
 void ForEachBumpCell(const kg_core::Grid& grid, const kg_core::Event& event,

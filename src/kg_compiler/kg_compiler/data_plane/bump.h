@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "kg_compiler/data_plane/grid_box.h"
+#include "kg_compiler/data_plane/cell_box.h"
 #include "kg_core/mission/mission.h"
 
 namespace kg_compiler {
@@ -16,13 +16,13 @@ inline constexpr double kBumpReach_sigmas = 7.0;  // exp(-24.5) = 2e-11 beyond.
 double Gaussian(double distance_m, double sigma_m);
 
 // The box and all cells within `reach_m` of it; at least two rows and columns.
-GridBox BoxWithin(const kg_core::Grid& grid, const GridBox& box,
+CellBox BoxWithin(const kg_core::Grid& grid, const CellBox& box,
                   double reach_m);
 
 // Calls add(cell, bump) for the cells of an event's bump, all in BumpBox().
 // Distances by the scale at the middle latitude: within 1e-6 of the geodesic at
 // a bump's width.
-GridBox BumpBox(const kg_core::Grid& grid, const kg_core::Event& event);
+CellBox BumpBox(const kg_core::Grid& grid, const kg_core::Event& event);
 void ForEachBumpCell(const kg_core::Grid& grid, const kg_core::Event& event,
                      const std::function<void(kg_core::Cell, double)>& add);
 

@@ -70,7 +70,7 @@ class Compiler {
     if (has_same_sea_) {
       hard_changes_ = HardChanges(previous_->recipe, field_->recipe);
       field_->state = previous_->state;
-      for (const GridBox& box : hard_changes_) {
+      for (const CellBox& box : hard_changes_) {
         field_->state.Renew(box.row, box.row_end);
         CloseCells(rasters_.land, field_->recipe, box, &field_->state);
       }
@@ -134,15 +134,15 @@ class Compiler {
                                  old.weights.op == now.weights.op;
     if (!has_same_layers) return false;
     changes_ = SoftChanges(old, now);
-    const std::vector<GridBox> priors = PriorChanges(old, now);
+    const std::vector<CellBox> priors = PriorChanges(old, now);
     changes_.insert(changes_.end(), priors.begin(), priors.end());
     return Cells() < rasters_.grid.size();
   }
 
   std::size_t Cells() const {
     std::size_t cells = 0;
-    for (const GridBox& box : changes_) cells += box.size();
-    for (const GridBox& box : hard_changes_) cells += box.size();
+    for (const CellBox& box : changes_) cells += box.size();
+    for (const CellBox& box : hard_changes_) cells += box.size();
     return cells;
   }
 
@@ -150,12 +150,12 @@ class Compiler {
     if (Cells() == 0) return {previous_, 0};
     field_->masked = previous_->masked;
     field_->extremes = previous_->extremes;
-    for (const GridBox& box : changes_) {
+    for (const CellBox& box : changes_) {
       field_->masked.Renew(box.row, box.row_end);
       ComputeBox(rasters_, box, field_.get());
     }
-    for (const GridBox& box : changes_) MeasureTiles(box, field_.get());
-    for (const GridBox& box : hard_changes_) MeasureTiles(box, field_.get());
+    for (const CellBox& box : changes_) MeasureTiles(box, field_.get());
+    for (const CellBox& box : hard_changes_) MeasureTiles(box, field_.get());
     return Checked(Cells());
   }
 
@@ -196,7 +196,7 @@ class Compiler {
   }
 
   void FillTile(const Blend& blend, int tile) {
-    const GridBox box = field_->tiling.Box(tile);
+    const CellBox box = field_->tiling.Box(tile);
     Extremes& extremes = field_->extremes[tile];
     for (int r = box.row; r < box.row_end; ++r) {
       float* row = field_->masked.RowToWrite(r);
@@ -229,8 +229,8 @@ class Compiler {
   const std::shared_ptr<const BlendedField>& previous_;
   std::shared_ptr<BlendedField> field_ = std::make_shared<BlendedField>();
   bool has_same_sea_ = false;
-  std::vector<GridBox> changes_;  // Of soft zones, priors, events.
-  std::vector<GridBox> hard_changes_;
+  std::vector<CellBox> changes_;  // Of soft zones, priors, events.
+  std::vector<CellBox> hard_changes_;
 };
 
 }  // namespace

@@ -48,7 +48,7 @@ std::vector<double> ColSteps_deg(const kg_core::Grid& grid) {
   return steps;
 }
 
-bool IsAllOpen(const Bands<unsigned char>& state, const GridBox& box) {
+bool IsAllOpen(const Bands<unsigned char>& state, const CellBox& box) {
   for (int r = box.row; r < box.row_end; ++r) {
     const unsigned char* row = state.Row(r);
     for (int c = box.col; c < box.col_end; ++c) {
@@ -74,7 +74,7 @@ PassRow Shifted(PassRow row, int cols) {
 
 }  // namespace
 
-GridBox Tiling::Box(int tile) const {
+CellBox Tiling::Box(int tile) const {
   const int row = tile / across * kBandRows;
   const int col = tile % across * width;
   return {row, std::min(row + kBandRows, rows), col,
@@ -237,7 +237,7 @@ const LayerTable::Tiles& LayerTable::FrontTiles(
   std::call_once(made_[k], [&] {
     fronts_[k].assign(tiling_.size(), 0.0f);
     kg_core::ForEachInParallel(tiling_.size(), [&](std::size_t tile) {
-      const GridBox box = tiling_.Box(static_cast<int>(tile));
+      const CellBox box = tiling_.Box(static_cast<int>(tile));
       float f[kTileCols];
       for (int r = box.row; r < box.row_end; ++r) {
         Fronts(value, op, {r, box.col}, box.cols(), f);
@@ -263,7 +263,7 @@ float LayerTable::Most(const Tiles& tiles, const Bands<unsigned char>& state,
     const int tile = order.front();
     std::pop_heap(order.begin(), order.end(), below);
     order.pop_back();
-    const GridBox box = tiling_.Box(tile);
+    const CellBox box = tiling_.Box(tile);
     most = std::max(most, IsAllOpen(state, box) ? tiles[tile] : evaluate(box));
   }
   return most;
@@ -271,7 +271,7 @@ float LayerTable::Most(const Tiles& tiles, const Bands<unsigned char>& state,
 
 float LayerTable::MostValue(const kg_core::Raster& value,
                             const Bands<unsigned char>& state) const {
-  return Most(values_, state, [&](const GridBox& box) {
+  return Most(values_, state, [&](const CellBox& box) {
     float most = 0.0f;
     for (int r = box.row; r < box.row_end; ++r) {
       const std::size_t first =
@@ -286,7 +286,7 @@ float LayerTable::MostValue(const kg_core::Raster& value,
 float LayerTable::MostFront(const kg_core::Raster& value,
                             kg_core::FrontOperator op,
                             const Bands<unsigned char>& state) const {
-  return Most(FrontTiles(value, op), state, [&](const GridBox& box) {
+  return Most(FrontTiles(value, op), state, [&](const CellBox& box) {
     float most = 0.0f;
     float f[kTileCols];
     for (int r = box.row; r < box.row_end; ++r) {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "kg_compiler/data_plane/bands.h"
-#include "kg_compiler/data_plane/grid_box.h"
+#include "kg_compiler/data_plane/cell_box.h"
 #include "kg_compiler/data_plane/row_kernels.h"
 #include "kg_core/mission/mission.h"
 #include "kg_core/raster/grid.h"
@@ -29,7 +29,7 @@ struct Tiling {
   }
   int bands() const { return (rows + kBandRows - 1) / kBandRows; }
   int size() const { return bands() * across; }
-  GridBox Box(int tile) const;
+  CellBox Box(int tile) const;
 
   int rows = 0;
   int cols = 0;

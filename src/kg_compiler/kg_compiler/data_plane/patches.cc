@@ -35,7 +35,7 @@ std::string Digits(double x) {
 
 // Two cells beyond the centres that lie within: the edges of what is touched
 // are then the whole grid's.
-GridBox BoxAround(const Grid& grid, const kg_core::Geometry& area) {
+CellBox BoxAround(const Grid& grid, const kg_core::Geometry& area) {
   const auto range = [](const std::vector<double>& centres, double low,
                         double high) {
     const auto first = std::lower_bound(centres.begin(), centres.end(), low);
@@ -45,7 +45,7 @@ GridBox BoxAround(const Grid& grid, const kg_core::Geometry& area) {
   };
   const auto rows = range(grid.lat_deg(), area.south_deg(), area.north_deg());
   const auto cols = range(grid.lon_deg(), area.west_deg(), area.east_deg());
-  GridBox box =
+  CellBox box =
       Grown({rows.first, rows.second, cols.first, cols.second}, 2, grid);
   box.row = std::min(box.row, grid.rows() - 2);
   box.col = std::min(box.col, grid.cols() - 2);
@@ -54,7 +54,7 @@ GridBox BoxAround(const Grid& grid, const kg_core::Geometry& area) {
   return box;
 }
 
-Grid Within(const Grid& grid, const GridBox& box) {
+Grid Within(const Grid& grid, const CellBox& box) {
   const auto part = [](const std::vector<double>& all, int first, int end) {
     return std::vector<double>(all.begin() + first, all.begin() + end);
   };
@@ -63,8 +63,8 @@ Grid Within(const Grid& grid, const GridBox& box) {
 }
 
 // Of what is set; empty if nothing is.
-GridBox Tight(const GridBox& box, const Mask& inside) {
-  GridBox tight{box.row_end, box.row, box.col_end, box.col};
+CellBox Tight(const CellBox& box, const Mask& inside) {
+  CellBox tight{box.row_end, box.row, box.col_end, box.col};
   for (int r = box.row; r < box.row_end; ++r) {
     const unsigned char* row =
         inside.data() + static_cast<std::size_t>(r - box.row) * box.cols();
@@ -80,13 +80,13 @@ GridBox Tight(const GridBox& box, const Mask& inside) {
     tight.col_end =
         std::max(tight.col_end, box.col + static_cast<int>(last - row) + 1);
   }
-  return tight.empty() ? GridBox{} : tight;
+  return tight.empty() ? CellBox{} : tight;
 }
 
 // The part of a box's mask that lies in another one; 0 outside of the first.
-Mask Cut(const GridBox& from, const Mask& inside, const GridBox& to) {
+Mask Cut(const CellBox& from, const Mask& inside, const CellBox& to) {
   Mask part(to.size(), 0);
-  const GridBox common = Common(from, to);
+  const CellBox common = Common(from, to);
   if (common.empty()) return part;
   for (int r = common.row; r < common.row_end; ++r) {
     const auto source =
@@ -105,7 +105,7 @@ Mask Cut(const GridBox& from, const Mask& inside, const GridBox& to) {
 MaskPatch Bare(const WindowRasters& rasters,
                const ActiveConstraint& constraint) {
   const kg_core::Constraint& fact = *constraint.fact;
-  const GridBox whole = WholeGrid(rasters.grid);
+  const CellBox whole = WholeGrid(rasters.grid);
   if (fact.is_land) return {"", whole, rasters.land};
   if (fact.mask) {
     const auto mask = rasters.constraint_masks.find(fact.iri);
@@ -116,7 +116,7 @@ MaskPatch Bare(const WindowRasters& rasters,
     return {"", whole, *mask->second};
   }
   if (!fact.area) return {};
-  const GridBox box = BoxAround(rasters.grid, *fact.area);
+  const CellBox box = BoxAround(rasters.grid, *fact.area);
   const Grid part = Within(rasters.grid, box);
   return {"", box,
           constraint.hard ? kg_core::RasteriseTouched(*fact.area, part)
@@ -143,14 +143,14 @@ MaskPatch ConstraintPatch(const WindowRasters& rasters,
                           const ActiveConstraint& constraint, std::string key) {
   const kg_core::Constraint& fact = *constraint.fact;
   MaskPatch bare = Bare(rasters, constraint);
-  const GridBox tight = Tight(bare.box, bare.inside);
+  const CellBox tight = Tight(bare.box, bare.inside);
   if (tight.empty()) return {std::move(key), {}, {}};
   if (!(fact.buffer_cells > 0.0)) {
     return {std::move(key), tight, Cut(bare.box, bare.inside, tight)};
   }
   const double reach = std::min<double>(
       fact.buffer_cells, rasters.grid.rows() + rasters.grid.cols());
-  const GridBox grown =
+  const CellBox grown =
       Grown(tight, static_cast<int>(std::ceil(reach)), rasters.grid);
   Mask inside =
       GrowByCells(grown.rows(), grown.cols(), Cut(bare.box, bare.inside, grown),
@@ -178,11 +178,11 @@ ValuePatch PriorPatch(const WindowRasters& rasters,
   }
   auto values = std::make_shared<kg_core::Raster>();
   if (!prior.area) return {std::move(key), {}, values};
-  const GridBox box = BoxAround(grid, *prior.area);
+  const CellBox box = BoxAround(grid, *prior.area);
   const Mask inside = kg_core::RasteriseCentres(*prior.area, Within(grid, box));
-  const GridBox tight = Tight(box, inside);
+  const CellBox tight = Tight(box, inside);
   if (tight.empty()) return {std::move(key), {}, values};
-  const GridBox reached =
+  const CellBox reached =
       prior.edge_m > 0.0
           ? BoxWithin(grid, tight, kBumpReach_sigmas * prior.edge_m)
           : tight;
@@ -204,7 +204,7 @@ std::string BumpKey(const kg_core::Event& event) {
 
 ValuePatch BumpPatch(const Grid& grid, const kg_core::Event& event,
                      std::string key) {
-  const GridBox box = BumpBox(grid, event);
+  const CellBox box = BumpBox(grid, event);
   auto values = std::make_shared<kg_core::Raster>(box.size(), 0.0f);
   ForEachBumpCell(grid, event, [&](kg_core::Cell cell, double bump) {
     const std::size_t row = static_cast<std::size_t>(cell.row - box.row);

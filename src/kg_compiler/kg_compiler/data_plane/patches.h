@@ -12,7 +12,7 @@
 #include <string>
 
 #include "kg_compiler/data_plane/active_facts.h"
-#include "kg_compiler/data_plane/grid_box.h"
+#include "kg_compiler/data_plane/cell_box.h"
 #include "kg_compiler/data_plane/window_rasters.h"
 #include "kg_core/mission/mission.h"
 
@@ -20,7 +20,7 @@ namespace kg_compiler {
 
 struct MaskPatch {
   std::string key;
-  GridBox box;
+  CellBox box;
   kg_core::Mask inside;  // Of the box, row by row: 1 = inside.
 
   // The box's first column is [0].
@@ -31,7 +31,7 @@ struct MaskPatch {
 
 struct ValuePatch {
   std::string key;
-  GridBox box;
+  CellBox box;
   // Of the box, row by row. NaN = no data, counts 0.
   std::shared_ptr<const kg_core::Raster> values;
 

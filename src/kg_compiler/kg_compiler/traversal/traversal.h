@@ -24,7 +24,7 @@
 #include <optional>
 #include <vector>
 
-#include "kg_compiler/traversal/cell_box.h"
+#include "kg_compiler/data_plane/cell_box.h"
 #include "kg_compiler/traversal/hazard_map.h"
 #include "kg_compiler/traversal/motion.h"
 #include "kg_core/geo/lon_lat.h"

@@ -1,0 +1,61 @@
+// A rectangle of cells, half open: what sparse masks, updates, reaches and what
+// is kept of them are about.
+
+#ifndef KG_COMPILER_DATA_PLANE_CELL_BOX_H_
+#define KG_COMPILER_DATA_PLANE_CELL_BOX_H_
+
+#include <algorithm>
+#include <cstddef>
+
+#include "kg_core/raster/grid.h"
+
+namespace kg_compiler {
+
+struct CellBox {
+  int row = 0;
+  int row_end = 0;
+  int col = 0;
+  int col_end = 0;
+
+  int rows() const { return row_end - row; }
+  int cols() const { return col_end - col; }
+  bool empty() const { return !(rows() > 0 && cols() > 0); }
+  std::size_t size() const {
+    return empty() ? 0 : static_cast<std::size_t>(rows()) * cols();
+  }
+  bool HasRow(int r) const { return r >= row && r < row_end; }
+};
+
+inline CellBox WholeGrid(const kg_core::Grid& grid) {
+  return {0, grid.rows(), 0, grid.cols()};
+}
+
+inline CellBox Common(const CellBox& a, const CellBox& b) {
+  return {std::max(a.row, b.row), std::min(a.row_end, b.row_end),
+          std::max(a.col, b.col), std::min(a.col_end, b.col_end)};
+}
+
+// The smallest box that holds both; an empty one counts for nothing.
+inline CellBox Join(const CellBox& a, const CellBox& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {std::min(a.row, b.row), std::max(a.row_end, b.row_end),
+          std::min(a.col, b.col), std::max(a.col_end, b.col_end)};
+}
+
+// So many rows and columns more on every side, as far as the grid goes. A box
+// of no rows grows, too: it is a line between cells.
+inline CellBox Grown(const CellBox& box, int rows, int cols,
+                     const kg_core::Grid& grid) {
+  if (box.empty()) return {};
+  return Common(
+      {box.row - rows, box.row_end + rows, box.col - cols, box.col_end + cols},
+      WholeGrid(grid));
+}
+inline CellBox Grown(const CellBox& box, int cells, const kg_core::Grid& grid) {
+  return Grown(box, cells, cells, grid);
+}
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_DATA_PLANE_CELL_BOX_H_
