@@ -22,6 +22,7 @@ done
 "$repository/scripts/build.sh"
 use_workspace
 shopt -s nullglob
+export KG_SHARED_DATA=${KG_SHARED_DATA:-$repository/../shared/data}
 programs=("$repository"/devel/lib/*/*"$only"*_bench)
 
 # find_peers: sets KG_STORE_BENCH_PEERS; says which store is not compared.
