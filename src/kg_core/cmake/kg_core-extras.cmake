@@ -23,7 +23,8 @@ set(KG_SANITIZE "" CACHE STRING "Sanitizers to build with: address,undefined")
 if(KG_SANITIZE)
   # gcc 12 sees uninitialised values in instrumented std::function that are none.
   add_compile_options(-fsanitize=${KG_SANITIZE} -fno-sanitize-recover=all
-                      -fno-omit-frame-pointer -Wno-maybe-uninitialized)
+                      -fno-omit-frame-pointer
+                      $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   add_link_options(-fsanitize=${KG_SANITIZE})
 endif()
 if(KG_FUZZ)
