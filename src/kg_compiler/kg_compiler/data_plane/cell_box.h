@@ -47,7 +47,6 @@ inline CellBox Join(const CellBox& a, const CellBox& b) {
 // of no rows grows, too: it is a line between cells.
 inline CellBox Grown(const CellBox& box, int rows, int cols,
                      const kg_core::Grid& grid) {
-  if (box.empty()) return {};
   return Common(
       {box.row - rows, box.row_end + rows, box.col - cols, box.col_end + cols},
       WholeGrid(grid));
