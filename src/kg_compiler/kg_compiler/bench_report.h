@@ -50,15 +50,20 @@ double Seconds(const Work& work) {
 }
 
 // Median of the ratios seconds(b) / seconds(a), a and b timed in turn, so that
-// what else the machine does touches both alike.
-template <typename A, typename B>
-double PairedRatio(int rounds, const A& a, const B& b) {
+// what else the machine does touches both alike. `seconds` times one of them.
+template <typename Clock, typename A, typename B>
+double PairedRatioBy(const Clock& seconds, int rounds, const A& a, const B& b) {
   std::vector<double> ratios;
   for (int i = 0; i < rounds; ++i) {
-    const double a_s = Seconds(a);
-    ratios.push_back(Seconds(b) / a_s);
+    const double a_s = seconds(a);
+    ratios.push_back(seconds(b) / a_s);
   }
   return Median(std::move(ratios));
+}
+template <typename A, typename B>
+double PairedRatio(int rounds, const A& a, const B& b) {
+  return PairedRatioBy([](const auto& work) { return Seconds(work); }, rounds,
+                       a, b);
 }
 
 }  // namespace kg_compiler

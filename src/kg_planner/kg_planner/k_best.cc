@@ -117,6 +117,13 @@ double BoundOffset(const Search& search, const ScoreGrid& grid, double price) {
          4e-16 * stages * price * limit;
 }
 
+KBest Proven(std::vector<Path> paths) {
+  KBest found;
+  if (!paths.empty()) found.bound = paths.front().score();
+  found.paths = std::move(paths);
+  return found;
+}
+
 KBest Enumerate(const Search& search, double price, int paths,
                 std::size_t limit) {
   const ScoreGrid grid = PricedGrid(search, price);
@@ -125,11 +132,12 @@ KBest Enumerate(const Search& search, double price, int paths,
   Shortlist shortlist(paths);
   for (std::size_t looked_at = 0;; ++looked_at) {
     const auto next = enumerator.Next();
-    if (!next) return {shortlist.Paths(), true};
+    if (!next) return Proven(shortlist.Paths());
     Found found = Evaluate(search.trellis, search.grid, next->seams);
     if (shortlist.ClosedTo(next->bound + offset, found))
-      return {shortlist.Paths(), true};
-    if (looked_at >= limit) return {shortlist.Paths(), false};
+      return Proven(shortlist.Paths());
+    if (looked_at >= limit)
+      return {shortlist.Paths(), false, next->bound + offset, {}};
     if (found.path.resource <= search.trellis.resource_limit)
       shortlist.Add(std::move(found));
   }

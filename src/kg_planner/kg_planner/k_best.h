@@ -19,6 +19,7 @@
 #define KG_PLANNER_K_BEST_H_
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "kg_planner/trellis.h"
@@ -30,6 +31,8 @@ struct Path {
   double reward = 0.0;     // With tokens, each earned once.
   double cost = 0.0;
   double resource = 0.0;
+  std::vector<double> more_resources = {};
+  std::vector<int> seams = {};  // Index in the stage's seams, one a stage.
   double score() const { return reward - cost; }
 };
 
@@ -42,6 +45,7 @@ struct SeamMask {
   int stage = 0;  // The stage the seam leads into.
   int from = 0;
   int to = 0;
+  std::vector<int> via = {};
 };
 struct Masks {
   std::vector<NodeMask> nodes;
@@ -56,6 +60,11 @@ struct KBestOptions {
 struct KBest {
   std::vector<Path> paths;  // Best first; fewer than asked if there are fewer.
   bool proven = true;       // False: the enumeration limit was hit first.
+  // No allowed path scores more; -infinity = there is none.
+  double bound = -std::numeric_limits<double>::infinity();
+  // If there is no path, but for one limit there would be: by how much the
+  // thriftiest is above it, by resource; empty otherwise.
+  std::vector<double> above_limits = {};
 };
 
 // Empty if no path crosses all stages, or there are none. Throws as Check()

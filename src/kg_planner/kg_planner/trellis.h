@@ -4,8 +4,11 @@
 //   maximise  J = sum of rewards of the nodes visited - sum of seam costs
 //
 // one node a stage, from the start through every stage. A token is a reward
-// that several nodes offer but a path earns once. A resource is used by seams
+// that several nodes offer but a path earns once. Resources are used by seams
 // and limited over the whole path.
+//
+// A seam may visit nodes of its stage on the way (`via`): the path earns their
+// rewards and tokens, too. So there may be several seams of one pair of nodes.
 
 #ifndef KG_PLANNER_TRELLIS_H_
 #define KG_PLANNER_TRELLIS_H_
@@ -34,13 +37,19 @@ struct Seam {
 
 struct Stage {
   std::vector<Node> nodes;
-  std::vector<Seam> seams;  // Into this stage; at most one per (from, to).
+  std::vector<Seam> seams;  // Into this stage; one per (from, to, via).
+  // By seam, the nodes of this stage visited on the way; empty = no seam of
+  // this stage has any.
+  std::vector<std::vector<int>> via = {};
+  // By resource after the first, by seam, >= 0; as many as `more_limits`.
+  std::vector<std::vector<double>> more_resources = {};
 };
 
 struct Trellis {
   std::vector<Stage> stages;
   // Of the sum over a path's seams, in their order.
   double resource_limit = std::numeric_limits<double>::infinity();
+  std::vector<double> more_limits = {};  // Of the resources after the first.
 };
 
 // Throws std::invalid_argument naming stage and seam if indices are out of

@@ -101,6 +101,12 @@ const char* Name(ConflictKind kind) {
       return "separation";
     case ConflictKind::kCapacity:
       return "capacity";
+    case ConflictKind::kEnergy:
+      return "energy";
+    case ConflictKind::kExpired:
+      return "expired";
+    case ConflictKind::kOutbid:
+      return "outbid";
   }
   return "";
 }

@@ -36,8 +36,18 @@ struct TeamRules {
   // Soft: reward lost per metre that the closest approach to each committed
   // agent lies below separation_m.
   double separation_weight_per_m = 0.0;
-  std::string mode = "greedy";
-  int max_rounds = 8;  // Of planning, the first included.
+  std::string mode = "greedy";  // "greedy", "auction", "priced", "exact".
+  int max_rounds = 8;           // Of planning, the first included.
+  // Modes with prices stop when the plan is this close to its bound (a share).
+  double gap_goal = 0.01;
+  double auction_epsilon = 0.05;      // Least raise of a price [reward].
+  double time_limit_s = 2.0;          // Of choosing among the candidates.
+  std::string fairness = "scarcity";  // "scarcity", "balance", "max_min".
+  double fairness_weight = 0.0;       // Of what "balance" evens out [reward].
+  // What an agent may use up; absent = not limited. By its name in the team.
+  std::map<std::string, double> energy_budget_j;
+  // Windows in which an event rewards; absent = any.
+  std::map<std::string, std::set<int>> event_windows;
   // By window index [Unix s]. If absent, a conflict's window is unknown (-1),
   // and agents may not begin too close together.
   std::map<int, double> window_end_s;
@@ -48,15 +58,18 @@ constexpr double kSamePlace_m = 1.0;
 // What no two tracks may come closer than [m].
 double HardSeparation_m(const TeamRules& rules);
 
-enum class ConflictKind { kSeparation, kCapacity };
-const char* Name(ConflictKind kind);  // "separation", "capacity"
+enum class ConflictKind { kSeparation, kCapacity, kEnergy, kExpired, kOutbid };
+// "separation", "capacity", "energy", "expired", "outbid"
+const char* Name(ConflictKind kind);
 
 struct Conflict {
   ConflictKind kind = ConflictKind::kSeparation;
-  std::string with_agent;    // Who was committed before.
-  int window = -1;           // Where it happens.
-  std::string event;         // kCapacity: the event that is full.
-  double margin = 0.0;       // Metres missing, or visits too many (negative).
+  std::string with_agent;  // Who was committed before.
+  int window = -1;         // Where it happens.
+  std::string event;       // kCapacity: the event that is full.
+  // Metres missing, visits too many (negative), joules above the budget,
+  // windows too late, or reward by which others were worth more.
+  double margin = 0.0;
   std::string Line() const;  // For a person, one line.
 };
 

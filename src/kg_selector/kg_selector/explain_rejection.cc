@@ -32,6 +32,11 @@ class RejectionExplainer {
       case ConflictKind::kCapacity:
         AddCapacity();
         break;
+      case ConflictKind::kEnergy:
+      case ConflictKind::kExpired:
+      case ConflictKind::kOutbid:
+        AddMargin();
+        break;
     }
     explanation_.text = "A path of " + AbbreviateIri(rejection_.pathlet.agent) +
                         " worth " + Short(rejection_.pathlet.score()) +
@@ -87,6 +92,14 @@ class RejectionExplainer {
              AbbreviateIri(conflict_.with_agent) + "'s"},
         {-1.0, "- itself", facts_.Quote({rejection_.pathlet.agent, {"ex:id"}}),
          "the path itself"}};
+  }
+
+  void AddMargin() {
+    explanation_.unit = conflict_.kind == ConflictKind::kEnergy    ? "J"
+                        : conflict_.kind == ConflictKind::kExpired ? "windows"
+                                                                   : "reward";
+    explanation_.parts = {
+        {conflict_.margin, Name(conflict_.kind), Winner(), rejection_.reason}};
   }
 
   const PlannedWorld& world_;

@@ -10,24 +10,31 @@ namespace {
 
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
+// An agent without a path adds nothing.
+double BoundOf(const Candidates& candidates) {
+  return candidates.pathlets.empty() && candidates.proven ? 0.0
+                                                          : candidates.bound;
+}
+
 }  // namespace
 
 GreedyTeam::GreedyTeam(TeamRules rules, std::vector<std::string> agents)
     : rules_(std::move(rules)), waiting_(agents.begin(), agents.end()) {}
 
-void GreedyTeam::Offer(const std::string& agent,
-                       std::vector<Pathlet> pathlets) {
+void GreedyTeam::Offer(const std::string& agent, Candidates candidates) {
   if (waiting_.count(agent) == 0 && offers_.count(agent) == 0) return;
-  for (Pathlet& pathlet : pathlets) pathlet.agent = agent;
-  offers_[agent] = std::move(pathlets);
+  for (Pathlet& pathlet : candidates.pathlets) pathlet.agent = agent;
+  if (round_ == 0) bounds_[agent] = BoundOf(candidates);
+  offers_[agent] = std::move(candidates.pathlets);
   waiting_.erase(agent);
 }
 
 void GreedyTeam::Drop(const std::string& agent, const std::string& why) {
   if (waiting_.count(agent) == 0 && offers_.count(agent) == 0) return;
   offers_.erase(agent);
+  bounds_.erase(agent);
   waiting_.erase(agent);
-  unassigned_[agent] = why;
+  outcome_.unassigned[agent] = why;
 }
 
 bool GreedyTeam::Advance() {
@@ -38,17 +45,22 @@ bool GreedyTeam::Advance() {
     Commit(agent, FavouriteOf(offers_.at(agent)).index);
     SendBackConflicting();
   }
-  if (waiting_.empty()) return true;
-  if (round_ + 1 < rules_.max_rounds) {
-    ++round_;
+  if (!waiting_.empty() && round_ + 1 < rules_.max_rounds) {
+    outcome_.rounds = ++round_ + 1;
     return false;
   }
-  CommitFromOffers();
+  if (!waiting_.empty()) CommitFromOffers();
+  outcome_.bound = 0.0;  // What each could have alone.
+  for (const auto& [agent, bound] : bounds_) outcome_.bound += bound;
   return true;
 }
 
+Ask GreedyTeam::AskOf(const std::string& /*agent*/) const {
+  return AskAround(rules_, outcome_.committed);
+}
+
 double GreedyTeam::Value(const Pathlet& pathlet) const {
-  return pathlet.score() - SoftPenalty(rules_, committed_, pathlet);
+  return pathlet.score() - SoftPenalty(rules_, outcome_.committed, pathlet);
 }
 
 GreedyTeam::Favourite GreedyTeam::FavouriteOf(
@@ -67,7 +79,7 @@ double GreedyTeam::SecondChoice(const std::vector<Pathlet>& offer,
   for (std::size_t i = 0; i < offer.size(); ++i) {
     const double value = Value(offer[i]);
     if (i != favourite && value > second &&
-        !FindConflict(rules_, committed_, offer[i]))
+        !FindConflict(rules_, outcome_.committed, offer[i]))
       second = value;
   }
   return second;
@@ -79,9 +91,9 @@ void GreedyTeam::RetireTheEmptyHanded() {
       ++offer;
       continue;
     }
-    unassigned_[offer->first] = committed_.empty()
-                                    ? "found no path"
-                                    : "found no path around those committed";
+    outcome_.unassigned[offer->first] =
+        outcome_.committed.empty() ? "found no path"
+                                   : "found no path around those committed";
     offer = offers_.erase(offer);
   }
 }
@@ -91,9 +103,10 @@ void GreedyTeam::SendBackConflicting() {
   for (const auto& [agent, offer] : offers_) {
     if (waiting_.count(agent) > 0) continue;
     const Pathlet& favourite = offer[FavouriteOf(offer).index];
-    const auto conflict = FindConflict(rules_, committed_, favourite);
+    const auto conflict = FindConflict(rules_, outcome_.committed, favourite);
     if (!conflict) continue;
-    rejections_.push_back({favourite, *conflict, conflict->Line(), round_});
+    outcome_.rejections.push_back(
+        {favourite, *conflict, conflict->Line(), round_});
     waiting_.insert(agent);
   }
 }
@@ -127,7 +140,7 @@ std::string GreedyTeam::Next() const {
 }
 
 void GreedyTeam::Commit(const std::string& agent, std::size_t index) {
-  committed_.push_back(std::move(offers_.at(agent)[index]));
+  outcome_.committed.push_back(std::move(offers_.at(agent)[index]));
   offers_.erase(agent);
   waiting_.erase(agent);
 }
@@ -141,15 +154,15 @@ void GreedyTeam::CommitFromOffers() {
       for (std::size_t i = 0; i < offer.size(); ++i) {
         const double value = Value(offer[i]);
         if (value > std::get<0>(best) &&
-            !FindConflict(rules_, committed_, offer[i]))
+            !FindConflict(rules_, outcome_.committed, offer[i]))
           best = {value, agent, i};
       }
     if (std::get<1>(best).empty()) break;
     Commit(std::get<1>(best), std::get<2>(best));
   }
   for (const auto& [agent, offer] : offers_)
-    unassigned_[agent] = "offered nothing without a conflict in " +
-                         std::to_string(rounds()) + " rounds";
+    outcome_.unassigned[agent] = "offered nothing without a conflict in " +
+                                 std::to_string(outcome_.rounds) + " rounds";
   offers_.clear();
   waiting_.clear();
 }

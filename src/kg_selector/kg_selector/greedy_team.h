@@ -7,13 +7,6 @@
 // conflicts with nobody needs no new plan (masks only take paths away), so a
 // team of A agents needs at most A rounds.
 //
-//   GreedyTeam team(rules, {"a", "b", "c"});
-//   team.Offer("a", pathlets_a); ...           // Round 0: unmasked.
-//   while (!team.Advance()) {
-//     for (agent : team.waiting_for()) team.Offer(agent,
-//     PlanAround(team.committed()));
-//   }
-//
 // Ties: the agent whose second choice is worse goes first (scarcity), then IRI.
 // A second choice is the best other path offered that conflicts with nobody.
 //
@@ -35,42 +28,23 @@
 #include <vector>
 
 #include "kg_selector/conflict.h"
+#include "kg_selector/coordinator.h"
 #include "kg_selector/pathlet.h"
 
 namespace kg_selector {
 
-struct Rejection {
-  Pathlet pathlet;
-  Conflict conflict;   // Meaningful unless reason says otherwise.
-  std::string reason;  // One line for a person.
-  int round = 0;
-};
-
-class GreedyTeam {
+class GreedyTeam : public Coordinator {
  public:
   GreedyTeam(TeamRules rules, std::vector<std::string> agents);
 
-  // An agent's paths, best first; empty = it found none. Replaces an earlier
-  // offer of an agent that is not yet committed; ignored for one that is, was
-  // dropped or is unknown.
-  void Offer(const std::string& agent, std::vector<Pathlet> pathlets);
-  // Gives up on an agent (dead, or past the deadline): planned without it.
-  void Drop(const std::string& agent, const std::string& why);
-
-  // Commits what can be committed. True when nobody is waited for any more.
-  bool Advance();
-
-  // Who must offer (again) before Advance() can go on.
-  const std::set<std::string>& waiting_for() const { return waiting_; }
-  // The team plan so far, in order of commitment.
-  const std::vector<Pathlet>& committed() const { return committed_; }
-  const std::vector<Rejection>& rejections() const { return rejections_; }
-  // Agents that got no path, with the reason.
-  const std::map<std::string, std::string>& unassigned() const {
-    return unassigned_;
-  }
-  // Of planning, the first included.
-  int rounds() const { return round_ + 1; }
+  void Offer(const std::string& agent, Candidates candidates) override;
+  void Drop(const std::string& agent, const std::string& why) override;
+  // Commits what can be committed.
+  bool Advance() override;
+  const std::set<std::string>& waiting_for() const override { return waiting_; }
+  Ask AskOf(const std::string& agent) const override;
+  // While it goes on: the plan so far.
+  const TeamOutcome& outcome() const override { return outcome_; }
 
  private:
   struct Favourite {
@@ -92,9 +66,8 @@ class GreedyTeam {
   TeamRules rules_;
   std::map<std::string, std::vector<Pathlet>> offers_;  // Not committed.
   std::set<std::string> waiting_;
-  std::vector<Pathlet> committed_;
-  std::vector<Rejection> rejections_;
-  std::map<std::string, std::string> unassigned_;
+  std::map<std::string, double> bounds_;  // Of round 0, by agent.
+  TeamOutcome outcome_;
   int round_ = 0;  // The one offers are wanted for.
 };
 

@@ -165,6 +165,7 @@ Pathlet ToPathlet(const SeamRules& rules, const NavGraphs& graphs,
   pathlet.rank = rank;
   pathlet.reward = path.reward;
   pathlet.seam_cost = path.cost;
+  pathlet.energy_j = path.resource;
   const std::vector<double> ends_s = EndsOf(graphs);
   int from = 0;
   for (std::size_t s = 0; s < path.nodes.size(); ++s) {

@@ -29,7 +29,8 @@ std::vector<Pathlet> Others(const TeamRules& rules,
                             const std::vector<TeamMember>& members) {
   std::vector<Pathlet> committed;
   for (std::size_t i = 1; i < members.size(); ++i) {
-    const Candidates found = PlanAround(rules, members[i], committed);
+    const Candidates found =
+        PlanUnder(rules, members[i], AskAround(rules, committed));
     if (!found.pathlets.empty()) committed.push_back(found.pathlets.front());
   }
   return committed;
@@ -59,7 +60,8 @@ void CheckMasks(const TeamRules& rules, const std::vector<TeamMember>& members,
     ASSERT_EQ(masked, FindConflict(rules, committed, pathlet).has_value());
     ++(masked ? counts->masked : counts->open);
   }
-  for (const Pathlet& pathlet : PlanAround(rules, member, committed).pathlets) {
+  for (const Pathlet& pathlet :
+       PlanUnder(rules, member, AskAround(rules, committed)).pathlets) {
     ASSERT_FALSE(FindConflict(rules, committed, pathlet));
     ++counts->planned;
   }

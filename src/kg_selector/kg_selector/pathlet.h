@@ -13,12 +13,19 @@
 
 namespace kg_selector {
 
+struct Stop {
+  int waypoint = 0;  // Id in the agent's NavGraph of the window.
+  kg_core::LonLat position;
+};
+
+// One window: stops on the way, then the place where it ends.
 struct Visit {
   int window = 0;
   int waypoint = 0;  // Id in the agent's NavGraph of that window.
   kg_core::LonLat position;
-  double reward = 0.0;
-  std::vector<std::string> events;  // IRIs of events that reward this visit.
+  double reward = 0.0;              // Of the window, stops included.
+  std::vector<std::string> events;  // IRIs of events that reward the window.
+  std::vector<Stop> via = {};
 };
 
 struct Pathlet {
@@ -26,6 +33,7 @@ struct Pathlet {
   int rank = 0;       // In the agent's own order, 0 = best.
   double reward = 0.0;
   double seam_cost = 0.0;
+  double energy_j = 0.0;
   std::vector<Visit> visits;                   // One a window, ascending.
   std::vector<kg_compiler::TimedPoint> track;  // Where it is when.
   double score() const { return reward - seam_cost; }

@@ -18,25 +18,26 @@ const char* NoPathNote(const bool alone) {
                : "no path is left beside the others'";
 }
 
-Candidates PlanAround(const TeamRules& rules, const TeamMember& member,
-                      const std::vector<Pathlet>& committed) {
+Candidates PlanUnder(const TeamRules& rules, const TeamMember& member,
+                     const Ask& ask) {
   if (member.graphs.empty()) return {};
   const kg_compiler::SeamRules open =
-      CloseEvents(member.rules, FullEvents(rules, committed));
+      CloseEvents(member.rules, ask.full_events);
   kg_planner::KBestOptions options;
   options.paths = std::max(1, open.candidates);
   const kg_planner::KBest best = kg_planner::FindKBest(
       ToTrellis(open, member.graphs),
-      MaskCommitted(rules, member.graphs, committed), options);
+      MaskCommitted(rules, member.graphs, ask.around), options);
   Candidates candidates;
   candidates.proven = best.proven;
+  candidates.bound = best.bound;
   for (const kg_planner::Path& path : best.paths) {
     candidates.pathlets.push_back(
         ToPathlet(open, member.graphs, path,
                   static_cast<int>(candidates.pathlets.size())));
     candidates.pathlets.back().agent = NameOf(member);
   }
-  if (best.paths.empty()) candidates.note = NoPathNote(committed.empty());
+  if (best.paths.empty()) candidates.note = NoPathNote(ask.around.empty());
   return candidates;
 }
 
@@ -56,21 +57,18 @@ TeamPlan PlanTeam(TeamRules rules, const std::vector<TeamMember>& members) {
       rules.window_end_s.emplace(window.window, window.end_s);
   }
   TeamPlan plan;
-  GreedyTeam team(rules, agents);
-  while (!team.Advance()) {
-    const std::set<std::string> waiting = team.waiting_for();
+  const std::unique_ptr<Coordinator> team = MakeCoordinator(rules, agents);
+  while (!team->Advance()) {
+    const std::set<std::string> waiting = team->waiting_for();
     for (const std::string& agent : waiting) {
-      Candidates found = PlanAround(rules, *by_agent[agent], team.committed());
+      Candidates found = PlanUnder(rules, *by_agent[agent], team->AskOf(agent));
       plan.proven = plan.proven && found.proven;
       plan.notes.erase(agent);
       if (!found.note.empty()) plan.notes[agent] = found.note;
-      team.Offer(agent, std::move(found.pathlets));
+      team->Offer(agent, std::move(found));
     }
   }
-  plan.committed = team.committed();
-  plan.rejections = team.rejections();
-  plan.unassigned = team.unassigned();
-  plan.rounds = team.rounds();
+  static_cast<TeamOutcome&>(plan) = team->outcome();
   return plan;
 }
 

@@ -11,7 +11,7 @@
 #include "kg_compiler/control_plane/nav_graphs.h"
 #include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_selector/conflict.h"
-#include "kg_selector/greedy_team.h"
+#include "kg_selector/coordinator.h"
 #include "kg_selector/pathlet.h"
 
 namespace kg_selector {
@@ -26,24 +26,15 @@ struct TeamMember {
 // IRI of who has none.
 const std::string& NameOf(const TeamMember& member);
 
-struct Candidates {
-  std::vector<Pathlet> pathlets;  // Best first; at most rules.candidates.
-  bool proven = true;
-  std::string note;  // One line; why there is no path, or "".
-};
-
 // What a planner says that found no path, alone or around those committed.
 const char* NoPathNote(bool alone);
 
-// One agent's best paths around those committed; none has a hard conflict.
-Candidates PlanAround(const TeamRules& rules, const TeamMember& member,
-                      const std::vector<Pathlet>& committed);
+// One agent's best paths, its prices taken off, around those committed; none
+// has a hard conflict with them.
+Candidates PlanUnder(const TeamRules& rules, const TeamMember& member,
+                     const Ask& ask);
 
-struct TeamPlan {
-  std::vector<Pathlet> committed;  // In order of commitment.
-  std::vector<Rejection> rejections;
-  std::map<std::string, std::string> unassigned;  // Agent to reason.
-  int rounds = 0;
+struct TeamPlan : TeamOutcome {
   bool proven = true;  // Every path was proven best for its agent.
   // What those without a path said with their last offer, if anything.
   std::map<std::string, std::string> notes{};

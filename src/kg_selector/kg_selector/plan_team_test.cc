@@ -8,6 +8,7 @@
 
 #include "gtest/gtest.h"
 #include "kg_core/geo/geodesy.h"
+#include "kg_selector/greedy_team.h"
 #include "kg_selector/masking.h"
 #include "kg_selector/random_team.h"
 
@@ -200,7 +201,7 @@ TEST(PlanTeamTest, TwoHundredRandomTeamsKeepTheRules) {
     EXPECT_EQ(plan.committed.size() + plan.unassigned.size(), members.size());
     std::vector<Pathlet> selfish;
     for (const TeamMember& member : members) {
-      auto found = PlanAround(rules, member, {});
+      auto found = PlanUnder(rules, member, {});
       if (!found.pathlets.empty()) selfish.push_back(found.pathlets.front());
     }
     would_violate += Violations(rules, selfish, from_s) > 0;
@@ -226,15 +227,14 @@ TeamPlan PlanInRandomOrder(const TeamRules& rules,
                                    team.waiting_for().end());
     std::shuffle(order.begin(), order.end(), *prng);
     for (const std::string& agent : order) {
-      team.Offer(
-          agent,
-          PlanAround(rules, *by_agent[agent], team.committed()).pathlets);
+      team.Offer(agent, PlanUnder(rules, *by_agent[agent], team.AskOf(agent)));
       if (team.waiting_for().empty()) break;
       EXPECT_FALSE(team.Advance());
     }
   }
-  return {team.committed(), team.rejections(), team.unassigned(), team.rounds(),
-          true};
+  TeamPlan plan;
+  static_cast<TeamOutcome&>(plan) = team.outcome();
+  return plan;
 }
 
 TEST(PlanTeamTest, TheOrderOfAnswersDoesNotMatter) {

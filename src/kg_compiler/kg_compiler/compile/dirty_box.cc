@@ -4,14 +4,14 @@
 #include <cmath>
 #include <vector>
 
-#include "kg_compiler/control_plane/sea_surface.h"
 #include "kg_compiler/data_plane/active_facts.h"
+#include "kg_compiler/data_plane/data_plane.h"
 
 namespace kg_compiler {
 namespace {
 
 // All that is not constraints, by the one list of what is read: the hash.
-std::string HashOfTheRest(const TensorOrigin& origin) {
+std::string HashOfTheRest(const TensorInputs& origin) {
   kg_core::Mission bare;
   bare.windows = origin.mission->windows;
   bare.priors = origin.mission->priors;
@@ -85,8 +85,8 @@ std::optional<CellBox> BoxOf(const kg_core::Constraint& constraint,
 
 }  // namespace
 
-std::optional<CellBox> DirtyBox(const TensorOrigin& before,
-                                const TensorOrigin& after) {
+std::optional<CellBox> DirtyBox(const TensorInputs& before,
+                                const TensorInputs& after) {
   if (HashOfTheRest(before) != HashOfTheRest(after)) return std::nullopt;
   const ActiveFacts was =
       FindActiveFacts(*before.mission, *before.agent, *before.window);

@@ -6,26 +6,16 @@
 #include <optional>
 
 #include "kg_compiler/data_plane/cell_box.h"
-#include "kg_compiler/data_plane/data_plane.h"
-#include "kg_core/mission/mission.h"
+#include "kg_compiler/data_plane/tensor_inputs.h"
 
 namespace kg_compiler {
-
-// What a tensor is made from. `horizon` may be null.
-struct TensorOrigin {
-  const kg_core::Mission* mission = nullptr;
-  const kg_core::Agent* agent = nullptr;
-  const kg_core::TimeWindow* window = nullptr;
-  const WindowRasters* rasters = nullptr;
-  const HorizonScale* horizon = nullptr;
-};
 
 // The box around the areas, buffers included, of the constraints that only one
 // of the two has in force (or has otherwise), if that is all they differ in:
 // outside of it masks and priors are the same, and the blend's values but for
 // the scale of N. Nothing if they may differ anywhere.
-std::optional<CellBox> DirtyBox(const TensorOrigin& before,
-                                const TensorOrigin& after);
+std::optional<CellBox> DirtyBox(const TensorInputs& before,
+                                const TensorInputs& after);
 
 }  // namespace kg_compiler
 

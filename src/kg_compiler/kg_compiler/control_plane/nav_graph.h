@@ -55,12 +55,14 @@ struct Waypoint {
 // A directed edge to a waypoint of this graph's window, with its cost
 // (ex:EdgeCost).
 struct TraverseEdge {
-  int from = 0;  // Waypoint id of the window before; 0 = the start if first.
-                 // Of an inner edge: of this window.
-  int to = 0;    // Waypoint id of this window.
-  Flight flight;
+  int from = 0;   // Waypoint id of the window before; 0 = the start if first.
+                  // Of an inner edge: of this window.
+  int to = 0;     // Waypoint id of this window.
+  Flight flight;  // The whole way, stops included.
   double seam_cost = 0.0;    // S, in reward units.
   double isolation_s = 0.0;  // I.
+  // Waypoints of this window visited on the way, in order: a walk.
+  std::vector<int> via = {};
 };
 
 struct NavGraph {
@@ -68,7 +70,7 @@ struct NavGraph {
   int window = 0;
   MovementMode movement_mode = MovementMode::kHops;
   std::vector<Waypoint> waypoints;
-  std::vector<TraverseEdge> edges;  // By (from, to).
+  std::vector<TraverseEdge> edges;  // By (from, to, via).
   // Mode "edges": between waypoints of this window, by (from, to).
   std::vector<TraverseEdge> inner_edges;
   // Of everything it is made of: the rules it follows, the tensor, the field

@@ -6,6 +6,8 @@
 #define KG_COMPILER_CONTROL_PLANE_SEAM_RULES_H_
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +58,8 @@ struct WindowRules {
   std::vector<EventRule> events;
   std::string tensor_hash;  // The inputs these rules go with.
   std::string field_hash;
+  // Where the plan in force says that this window ends, if the policy minds.
+  std::optional<kg_core::LonLat> committed = std::nullopt;
 };
 
 struct SeamRules {
@@ -65,10 +69,17 @@ struct SeamRules {
   MotionModel motion;
   SeamWeights weights;
   double energy_budget_j = 0.0;  // What is left for all windows below.
+  // Of hazard_s + isolation_s over all windows below.
+  double hazard_budget_s = std::numeric_limits<double>::infinity();
   double sensor_radius_m = 0.0;  // Footprint of a visit: PR's disc.
   double spacing_m = 0.0;        // Least distance between waypoints.
   int max_waypoints = 20;        // Per window.
   int candidates = 10;           // K.
+  bool diverse = false;          // K paths that differ, not the K best.
+  int minimum_difference = 1;    // Windows in which two of them do.
+  // Taken off for every window that ends spacing_m or more from `committed`;
+  // in proportion nearer. In reward units.
+  double churn_weight = 0.0;
   double hazard_range_m = 10e3;  // Hazard falls to 1/e at this distance.
   MovementMode movement_mode = MovementMode::kHops;
   kg_core::LonLat start;             // Where the agent is at the first begin_s.

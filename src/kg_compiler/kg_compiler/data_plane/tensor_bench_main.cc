@@ -35,12 +35,8 @@ constexpr double kBytesPerCell = 17.0;
 
 template <typename A, typename B>
 double PairedCpuRatio(int rounds, const A& a, const B& b) {
-  std::vector<double> ratios;
-  for (int i = 0; i < rounds; ++i) {
-    const double a_s = CpuSeconds(a);
-    ratios.push_back(CpuSeconds(b) / a_s);
-  }
-  return Median(std::move(ratios));
+  return PairedRatioBy([](const auto& work) { return CpuSeconds(work); },
+                       rounds, a, b);
 }
 
 double MaxDifference(const cv::Mat& a, const kg_core::Raster& b) {

@@ -74,6 +74,11 @@ struct Policy {
   bool paper_literal = false;
   double hazard_range_m = 10e3;    // ex:hazardRangeKm: hazard falls to 1/e.
   double isolation_weight = 0.05;  // ex:isolationWeight (A20), of the hazard.
+  // ex:riskBudgetHours: most hours weighted by hazard, over the horizon.
+  std::optional<double> hazard_budget_s = std::nullopt;
+  bool diverse_paths = false;  // ex:pathChoice "diverse", else "best".
+  int minimum_difference = 1;  // ex:minimumDifference [windows], when diverse.
+  double churn_weight = 0.0;   // ex:churnWeight (A34), reward a window.
 };
 
 // ex:Agent with its policy and capabilities.
@@ -183,7 +188,15 @@ struct SourceFile {
 
 // Team rules: ex:Mission's own properties.
 struct CoordinationFacts {
-  std::string mode = "greedy";      // ex:teamMode.
+  // ex:teamMode: "greedy", "auction", "priced" or "exact".
+  std::string mode = "greedy";
+  // ex:gapGoal: share of the bound at which no further round is asked.
+  double gap_goal = 0.01;
+  double auction_epsilon = 0.05;  // ex:auctionEpsilon, reward.
+  double select_limit_s = 2.0;    // ex:selectTimeLimitS.
+  // ex:fairness: "scarcity", "balance" or "max_min".
+  std::string fairness = "scarcity";
+  double fairness_weight = 0.0;     // ex:fairnessWeight, reward.
   double separation_m = 0.0;        // ex:minimumSeparationKm.
   bool separation_is_hard = true;   // ex:separationIsHard.
   double separation_weight = 0.0;   // ex:separationWeight, when soft.

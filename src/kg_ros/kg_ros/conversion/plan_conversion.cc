@@ -233,7 +233,10 @@ kg_msgs::Rejection ToMessage(const kg_selector::Rejection& rejection,
 kg_msgs::Assignments ToMessage(const kg_selector::PlannedMission& planned) {
   kg_msgs::Assignments message;
   message.rounds = planned.plan.rounds - 1;  // Of planning again.
-  message.bound = std::numeric_limits<double>::quiet_NaN();
+  message.mode = planned.rules.mode;
+  message.bound = planned.plan.bound;
+  message.stability = message.displacement_m =
+      std::numeric_limits<double>::quiet_NaN();
   for (const kg_selector::Pathlet& pathlet : planned.plan.committed) {
     const kg_selector::TeamMember* member = planned.FindMember(pathlet.agent);
     kg_msgs::Assignment assignment;

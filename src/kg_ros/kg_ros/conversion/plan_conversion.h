@@ -16,7 +16,7 @@
 #include "kg_msgs/Pathlet.h"
 #include "kg_msgs/Rejection.h"
 #include "kg_msgs/TimedPoint.h"
-#include "kg_selector/greedy_team.h"
+#include "kg_selector/coordinator.h"
 #include "kg_selector/pathlet.h"
 #include "kg_selector/plan_mission.h"
 

@@ -142,6 +142,7 @@ kg_msgs::Candidates PlannerServer::Stitch(
       kg_selector::MaskCommitted(team, graphs_, committed), options);
   kg_msgs::Candidates candidates;
   candidates.proven = best.proven;
+  candidates.bound = best.bound;
   for (std::size_t i = 0; i < best.paths.size(); ++i) {
     candidates.pathlets.push_back(
         ToMessage(kg_selector::ToPathlet(open, graphs_, best.paths[i],
@@ -189,6 +190,7 @@ PlannerAnswer PlannerServer::Plan() {
   answer.candidates.pathlets = stitched.pathlets;
   answer.candidates.note = stitched.note;
   answer.candidates.proven = stitched.proven;
+  answer.candidates.bound = stitched.bound;
   answer.candidates.stages = {
       Stage("nav_graphs", graphs_s, CountEdges(graphs_)),
       Stage("stitch", Seconds(begin) - graphs_s, stitched.pathlets.size())};
@@ -218,6 +220,7 @@ std::vector<PlannerAnswer> PlannerServer::PlanAround(
   answer.candidates.pathlets = stitched.pathlets;
   answer.candidates.note = stitched.note;
   answer.candidates.proven = stitched.proven;
+  answer.candidates.bound = stitched.bound;
   answer.candidates.stages = {
       Stage("stitch", Seconds(begin), stitched.pathlets.size())};
   return {answer};

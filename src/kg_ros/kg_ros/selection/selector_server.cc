@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 #include <utility>
 
 #include "kg_core/base/input_error.h"
@@ -58,8 +57,7 @@ SelectorAnswer SelectorServer::Take(const kg_msgs::CoordinationRules& message) {
 }
 
 void SelectorServer::Begin() {
-  team_ =
-      std::make_unique<kg_selector::GreedyTeam>(team_rules_, rules_->agents);
+  team_ = kg_selector::MakeCoordinator(team_rules_, rules_->agents);
   run_ = last_run_ + 1;
   round_ = 0;
   finished_ = false;
@@ -91,7 +89,12 @@ SelectorAnswer SelectorServer::Take(const kg_msgs::Candidates& message) {
 }
 
 void SelectorServer::Offer(const kg_msgs::Candidates& message) {
-  team_->Offer(message.agent, FromMessage(message));
+  kg_selector::Candidates candidates;
+  candidates.pathlets = FromMessage(message);
+  candidates.proven = message.proven;
+  candidates.bound = message.bound;
+  candidates.note = message.note;
+  team_->Offer(message.agent, std::move(candidates));
   offered_[message.agent] = message;
   waiting_since_s_ = Now_s();
 }
@@ -129,10 +132,9 @@ kg_msgs::Rejections SelectorServer::Ask() {
   kg_msgs::Rejections message = Header<kg_msgs::Rejections>();
   message.round = ++round_;
   waiting_since_s_ = Now_s();
-  const std::set<std::string> full =
-      kg_selector::FullEvents(team_rules_, team_->committed());
   for (const std::string& agent : team_->waiting_for()) {
-    for (const Pathlet& pathlet : team_->committed()) {
+    const kg_selector::Ask ask = team_->AskOf(agent);
+    for (const Pathlet& pathlet : ask.around) {
       kg_msgs::Cooling cooling;
       cooling.agent = agent;
       cooling.by_agent = pathlet.agent;
@@ -141,7 +143,8 @@ kg_msgs::Rejections SelectorServer::Ask() {
       cooling.factor = 0.0;
       cooling.expires = message.header.stamp;
       cooling.track = ToMessage(pathlet.track);
-      cooling.full_events.assign(full.begin(), full.end());
+      cooling.full_events.assign(ask.full_events.begin(),
+                                 ask.full_events.end());
       message.cooling.push_back(cooling);
     }
   }
@@ -151,7 +154,7 @@ kg_msgs::Rejections SelectorServer::Ask() {
 kg_msgs::Rejections SelectorServer::End() const {
   kg_msgs::Rejections message = Header<kg_msgs::Rejections>();
   message.round = 0;
-  for (const Rejection& rejection : team_->rejections()) {
+  for (const Rejection& rejection : team_->outcome().rejections) {
     const auto offered = offered_.find(rejection.pathlet.agent);
     message.rejections.push_back(ToMessage(
         rejection, offered == offered_.end() ? "" : offered->second.agent_iri));
@@ -162,8 +165,11 @@ kg_msgs::Rejections SelectorServer::End() const {
 kg_msgs::Assignments SelectorServer::Plan() const {
   kg_msgs::Assignments plan = Header<kg_msgs::Assignments>();
   plan.rounds = round_;
-  plan.bound = std::numeric_limits<double>::quiet_NaN();
-  for (const Pathlet& pathlet : team_->committed()) {
+  plan.mode = team_rules_.mode;
+  plan.bound = team_->outcome().bound;
+  plan.stability = plan.displacement_m =
+      std::numeric_limits<double>::quiet_NaN();
+  for (const Pathlet& pathlet : team_->outcome().committed) {
     const kg_msgs::Candidates& offered = offered_.at(pathlet.agent);
     kg_msgs::Assignment assignment;
     assignment.agent = pathlet.agent;
@@ -173,7 +179,7 @@ kg_msgs::Assignments SelectorServer::Plan() const {
     plan.seam_cost += assignment.pathlet.seam_cost;
     plan.assignments.push_back(assignment);
   }
-  for (const auto& [agent, why] : team_->unassigned()) {
+  for (const auto& [agent, why] : team_->outcome().unassigned) {
     const auto offered = offered_.find(agent);
     const bool has_note =
         offered != offered_.end() && !offered->second.note.empty();

@@ -15,7 +15,7 @@
 #include "kg_msgs/Candidates.h"
 #include "kg_msgs/CoordinationRules.h"
 #include "kg_msgs/Rejections.h"
-#include "kg_selector/greedy_team.h"
+#include "kg_selector/coordinator.h"
 
 namespace kg_ros {
 
@@ -53,7 +53,7 @@ class SelectorServer {
 
   std::optional<kg_msgs::CoordinationRules> rules_;
   kg_selector::TeamRules team_rules_;
-  std::unique_ptr<kg_selector::GreedyTeam> team_;
+  std::unique_ptr<kg_selector::Coordinator> team_;
   // Round 0 of the newest cycle heard of, by agent: kept for a fresh start.
   std::map<std::string, kg_msgs::Candidates> unmasked_;
   // The message behind every pathlet that was offered, by agent.

@@ -1,0 +1,22 @@
+#include "kg_selector/coordinator.h"
+
+#include <utility>
+
+#include "kg_core/base/input_error.h"
+#include "kg_selector/greedy_team.h"
+
+namespace kg_selector {
+
+Ask AskAround(const TeamRules& rules, const std::vector<Pathlet>& committed) {
+  return {committed, FullEvents(rules, committed), {}, {}};
+}
+
+std::unique_ptr<Coordinator> MakeCoordinator(const TeamRules& rules,
+                                             std::vector<std::string> agents) {
+  if (rules.mode == "greedy")
+    return std::make_unique<GreedyTeam>(rules, std::move(agents));
+  throw kg_core::InputError("team mode '" + rules.mode +
+                            "': expected 'greedy'");
+}
+
+}  // namespace kg_selector
