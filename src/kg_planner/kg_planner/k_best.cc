@@ -1,111 +1,40 @@
 #include "kg_planner/k_best.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <utility>
 
+#include "kg_planner/limited_search.h"
 #include "kg_planner/path_enumerator.h"
-#include "kg_planner/reduction.h"
+#include "kg_planner/path_value.h"
 #include "kg_planner/resource_prices.h"
 #include "kg_planner/score_grid.h"
-#include "kg_planner/search_trellis.h"
 #include "kg_planner/survey.h"
-#include "kg_planner/token_unrolling.h"
 
 namespace kg_planner {
 namespace {
 
-// Larger than what unrolled tokens ask of any sensible trellis; 40 MB.
-constexpr std::size_t kMaxUnrolledSeams = 500000;
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 // Looked at before the resources get prices.
 constexpr std::size_t kUnpricedPaths = 500;
-
-struct Found {
-  double score = 0.0;       // On the grid.
-  std::vector<int> places;  // Of its seams, in the order of ties.
-  Path path;
-};
-
-bool Better(const Found& a, const Found& b) {
-  if (a.score != b.score) return a.score > b.score;
-  return a.places < b.places;
-}
-
-// What a path over these seams is truly worth.
-class Evaluator {
- public:
-  Evaluator(const Trellis& trellis, const ScoreGrid& grid)
-      : trellis_(trellis), grid_(grid) {}
-
-  Found Evaluate(const SearchTrellis& search,
-                 const std::vector<int>& seams) const {
-    Found found;
-    found.path.more_resources.assign(trellis_.more_limits.size(), 0.0);
-    std::vector<TokenReward> met;
-    for (std::size_t s = 0; s < seams.size(); ++s) {
-      const int seam = search.stages[s].Origin(seams[s]);
-      found.places.push_back(search.stages[s].Place(seams[s]));
-      found.path.seams.push_back(seam);
-      AddSeam(trellis_.stages[s], seam, &found, &met);
-    }
-    for (const TokenReward& token : Distinct(std::move(met))) {
-      found.path.reward += token.reward;
-      found.score += grid_.Round(token.reward);
-    }
-    return found;
-  }
-
- private:
-  void AddNode(const Node& node, Found* found,
-               std::vector<TokenReward>* met) const {
-    found->path.reward += node.reward;
-    found->score += grid_.Round(node.reward);
-    met->insert(met->end(), node.tokens.begin(), node.tokens.end());
-  }
-  void AddSeam(const Stage& stage, int index, Found* found,
-               std::vector<TokenReward>* met) const {
-    const Seam& seam = stage.seams[index];
-    for (const int node : ViaOf(stage, index))
-      AddNode(stage.nodes[node], found, met);
-    AddNode(stage.nodes[seam.to], found, met);
-    found->path.nodes.push_back(seam.to);
-    found->path.cost += seam.cost;
-    found->score -= grid_.Round(seam.cost);
-    found->path.resource += seam.resource;
-    for (std::size_t r = 0; r < found->path.more_resources.size(); ++r)
-      found->path.more_resources[r] += stage.more_resources[r][index];
-  }
-
-  const Trellis& trellis_;
-  ScoreGrid grid_;
-};
-
-bool IsWithinLimits(const Trellis& trellis, const Path& path) {
-  if (!(path.resource <= trellis.resource_limit)) return false;
-  for (std::size_t r = 0; r < path.more_resources.size(); ++r)
-    if (!(path.more_resources[r] <= trellis.more_limits[r])) return false;
-  return true;
-}
 
 // The best of those looked at, at most `paths`.
 class Shortlist {
  public:
   explicit Shortlist(int paths) : paths_(paths) {}
 
-  void Add(Found found) {
+  void Add(ValuedPath found) {
     const auto place =
-        std::lower_bound(found_.begin(), found_.end(), found, Better);
-    if (place != found_.end() && !Better(found, *place)) return;  // Known.
+        std::lower_bound(found_.begin(), found_.end(), found, IsBetter);
+    if (place != found_.end() && !IsBetter(found, *place)) return;  // Known.
     found_.insert(place, std::move(found));
     if (found_.size() > paths_) found_.pop_back();
   }
   // Nothing from here on, in order of bounds, can enter the list.
-  bool ClosedTo(double bound, const Found& found) const {
+  bool ClosedTo(double bound, const ValuedPath& found) const {
     if (found_.size() < paths_) return false;
-    const Found& last = found_.back();
+    const ValuedPath& last = found_.back();
     if (bound != last.score) return bound < last.score;
     return last.places < found.places;
   }
@@ -114,7 +43,7 @@ class Shortlist {
     KBest best;
     best.proven = proven;
     best.bound = bound;
-    for (Found& found : found_) {
+    for (ValuedPath& found : found_) {
       best.bound = std::max(best.bound, found.path.score());
       best.paths.push_back(std::move(found.path));
     }
@@ -123,21 +52,18 @@ class Shortlist {
 
  private:
   std::size_t paths_;
-  std::vector<Found> found_;
+  std::vector<ValuedPath> found_;
 };
 
 class Search {
  public:
   Search(const Trellis& trellis, const LimitedSearch& limited, int paths)
-      : trellis_(trellis),
-        limited_(limited),
-        evaluator_(trellis, limited.grid),
-        shortlist_(paths) {}
+      : trellis_(trellis), limited_(limited), shortlist_(paths) {}
 
   KBest Find(std::size_t enumeration_limit) {
     const std::size_t unpriced =
-        IsLimited() ? std::min(kUnpricedPaths, enumeration_limit)
-                    : enumeration_limit;
+        limited_.IsLimited() ? std::min(kUnpricedPaths, enumeration_limit)
+                             : enumeration_limit;
     const auto left = Enumerate({}, unpriced);
     if (!left) return shortlist_.Result(true, kNone);
     if (unpriced == enumeration_limit) return shortlist_.Result(false, *left);
@@ -150,12 +76,11 @@ class Search {
   }
 
  private:
-  bool IsLimited() const {
-    return std::any_of(limited_.limits.begin(), limited_.limits.end(),
-                       [](double limit) { return limit < kNoLimit; });
+  ValuedPath Value(const std::vector<int>& seams) const {
+    return Evaluate(trellis_, limited_.grid, limited_.search, seams);
   }
   void Look(const std::vector<int>& seams) {
-    Found found = evaluator_.Evaluate(limited_.search, seams);
+    ValuedPath found = Value(seams);
     if (IsWithinLimits(trellis_, found.path)) shortlist_.Add(std::move(found));
   }
 
@@ -167,7 +92,7 @@ class Search {
     for (std::size_t looked_at = 0;; ++looked_at) {
       const auto next = enumerator.Next();
       if (!next) return std::nullopt;
-      Found found = evaluator_.Evaluate(limited_.search, next->seams);
+      ValuedPath found = Value(next->seams);
       const double bound = next->bound + offset;
       if (shortlist_.ClosedTo(bound, found)) return std::nullopt;
       if (looked_at >= limit) return bound + Slack();
@@ -183,29 +108,13 @@ class Search {
 
   const Trellis& trellis_;
   const LimitedSearch& limited_;
-  Evaluator evaluator_;
   Shortlist shortlist_;
 };
 
-SearchTrellis Unroll(SearchTrellis search, const ScoreGrid& grid) {
-  std::vector<int> tokens = RepeatedTokens(search);
-  for (; !tokens.empty(); tokens.pop_back()) {
-    auto unrolled = UnrollTokens(search, tokens, grid, kMaxUnrolledSeams);
-    if (unrolled) return std::move(*unrolled);
-  }
-  return search;
-}
-
 KBest FindWithinLimits(const Trellis& trellis, const Masks& masks,
                        const KBestOptions& options) {
-  const Survey survey = CheckAndSurvey(trellis);
-  const ScoreGrid grid(survey.largest_total);
-  SearchTrellis search = ToSearch(trellis, masks, grid);
+  const LimitedSearch limited = MakeSearch(trellis, masks);
   if (trellis.stages.empty()) return {};
-  const std::vector<double> limits = LimitsOf(trellis);
-  DropUnaffordable(limits, &search);
-  search = Unroll(std::move(search), grid);
-  const LimitedSearch limited{search, grid, survey.largest_total, limits};
   KBest found = Search(trellis, limited, std::max(options.paths, 1))
                     .Find(options.enumeration_limit);
   if (options.paths <= 0) found.paths.clear();

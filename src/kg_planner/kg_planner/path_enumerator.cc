@@ -23,13 +23,6 @@ PathEnumerator::PathEnumerator(const SearchTrellis& search,
   for (std::size_t s = stages; s-- > 0;) RelaxStage(s);
 }
 
-double PathEnumerator::Price(const SearchStage& stage, int seam) const {
-  double price = stage.seams[seam].cost;
-  for (std::size_t r = 0; r < prices_.size(); ++r)
-    if (prices_[r] > 0.0) price += prices_[r] * stage.Resource(seam, r);
-  return grid_.Round(price);
-}
-
 // The best rest from every node before the stage.
 void PathEnumerator::RelaxStage(std::size_t s) {
   const SearchStage& stage = search_.stages[s];
@@ -105,8 +98,8 @@ void PathEnumerator::PushNext(std::size_t s, NodeRests* rests) {
   const int to = stage.seams[last.seam].to;
   const Rest* next = Get(s + 1, to, last.rank + 1);
   if (next == nullptr) return;
-  const double weight = stage.Gain(last.seam) - Price(stage, last.seam);
-  rests->heap.push_back({next->score + weight, last.seam, last.rank + 1});
+  rests->heap.push_back(
+      {next->score + Weight(stage, last.seam), last.seam, last.rank + 1});
   std::push_heap(rests->heap.begin(), rests->heap.end(), Worse);
 }
 

@@ -19,9 +19,6 @@
 
 namespace kg_planner {
 
-// By resource; empty = no prices.
-using Prices = std::vector<double>;
-
 class PathEnumerator {
  public:
   struct BoundedPath {
@@ -58,11 +55,12 @@ class PathEnumerator {
 
   static bool Worse(const Rest& a, const Rest& b);
   void RelaxStage(std::size_t s);
-  double Price(const SearchStage& stage, int seam) const;
+  double Weight(const SearchStage& stage, int seam) const {
+    return stage.Gain(seam) - PricedCost(stage, seam, grid_, prices_);
+  }
   double Onward(std::size_t s, int seam) const {
     const SearchStage& stage = search_.stages[s];
-    return levels_[s + 1].best[stage.seams[seam].to] + stage.Gain(seam) -
-           Price(stage, seam);
+    return levels_[s + 1].best[stage.seams[seam].to] + Weight(stage, seam);
   }
   NodeRests* Rests(std::size_t s, int node);
   // Null if there are not that many. Level s = before stage s.

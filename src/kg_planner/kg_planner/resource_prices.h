@@ -17,18 +17,11 @@
 
 #include <vector>
 
+#include "kg_planner/limited_search.h"
 #include "kg_planner/path_enumerator.h"
 #include "kg_planner/score_grid.h"
-#include "kg_planner/search_trellis.h"
 
 namespace kg_planner {
-
-struct LimitedSearch {
-  const SearchTrellis& search;
-  ScoreGrid grid;
-  double largest_total = 0.0;
-  std::vector<double> limits;  // By resource; infinity = none.
-};
 
 // Scores of paths under prices, for which the grid may be too fine.
 ScoreGrid PricedGrid(const LimitedSearch& search, const Prices& prices);

@@ -51,6 +51,18 @@ struct SearchStage {
   void UseOwn();
 };
 
+// By resource; empty = no prices.
+using Prices = std::vector<double>;
+
+// What seam `i` of `stage` takes off a path's bound.
+inline double PricedCost(const SearchStage& stage, int i, const ScoreGrid& grid,
+                         const Prices& prices) {
+  double cost = stage.seams[i].cost;
+  for (std::size_t r = 0; r < prices.size(); ++r)
+    if (prices[r] > 0.0) cost += prices[r] * stage.Resource(i, r);
+  return grid.Round(cost);
+}
+
 struct SearchTrellis {
   std::vector<SearchStage> stages;
 
