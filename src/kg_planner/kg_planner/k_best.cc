@@ -57,8 +57,8 @@ class Shortlist {
 
 class Search {
  public:
-  Search(const Trellis& trellis, const LimitedSearch& limited, int paths)
-      : trellis_(trellis), limited_(limited), shortlist_(paths) {}
+  Search(const Trellis& trellis, LimitedSearch limited, int paths)
+      : trellis_(trellis), limited_(std::move(limited)), shortlist_(paths) {}
 
   KBest Find(std::size_t enumeration_limit) {
     const std::size_t unpriced =
@@ -88,7 +88,8 @@ class Search {
   std::optional<double> Enumerate(const Prices& prices, std::size_t limit) {
     const ScoreGrid grid = PricedGrid(limited_, prices);
     const double offset = BoundOffset(limited_, grid, prices);
-    PathEnumerator enumerator(limited_.search, grid, prices);
+    PathEnumerator enumerator(limited_.search, grid, prices,
+                              std::exchange(limited_.levels, {}));
     for (std::size_t looked_at = 0;; ++looked_at) {
       const auto next = enumerator.Next();
       if (!next) return std::nullopt;
@@ -107,15 +108,15 @@ class Search {
   }
 
   const Trellis& trellis_;
-  const LimitedSearch& limited_;
+  LimitedSearch limited_;
   Shortlist shortlist_;
 };
 
 KBest FindWithinLimits(const Trellis& trellis, const Masks& masks,
                        const KBestOptions& options) {
-  const LimitedSearch limited = MakeSearch(trellis, masks);
+  LimitedSearch limited = MakeSearch(trellis, masks);
   if (trellis.stages.empty()) return {};
-  KBest found = Search(trellis, limited, std::max(options.paths, 1))
+  KBest found = Search(trellis, std::move(limited), std::max(options.paths, 1))
                     .Find(options.enumeration_limit);
   if (options.paths <= 0) found.paths.clear();
   return found;

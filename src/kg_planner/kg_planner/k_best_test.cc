@@ -8,6 +8,7 @@
 #include "kg_planner/path_enumerator.h"
 #include "kg_planner/random_trellis.h"
 #include "kg_planner/search_trellis.h"
+#include "kg_planner/survey.h"
 
 namespace kg_planner {
 namespace {
@@ -422,7 +423,8 @@ TEST(PathEnumeratorTest, YieldsEveryPathOnceInOrderOfItsBound) {
   for (int i = 0; i < 300; ++i) {
     const Trellis trellis = random.Make();
     const ScoreGrid grid(1000.0);
-    const SearchTrellis search = ToSearch(trellis, {}, grid);
+    const SearchTrellis search =
+        ToSearch(trellis, CheckAndSurvey(trellis).sorted, {}, grid);
     PathEnumerator enumerator(search, grid, {0.5, 0.25});
     std::vector<std::vector<int>> found;
     double last = kInfinity;

@@ -29,6 +29,17 @@ void Unroll(LimitedSearch* limited) {
   }
 }
 
+LimitedSearch MakePlain(const Trellis& trellis, PlainPass pass) {
+  const ScoreGrid grid(pass.largest_total);
+  const std::vector<char> sorted(trellis.stages.size(), 1);
+  return {ToSearch(trellis, sorted, {}, grid),
+          grid,
+          pass.largest_total,
+          LimitsOf(trellis),
+          true,
+          std::move(pass.levels)};
+}
+
 }  // namespace
 
 bool LimitedSearch::IsLimited() const {
@@ -38,9 +49,12 @@ bool LimitedSearch::IsLimited() const {
 }
 
 LimitedSearch MakeSearch(const Trellis& trellis, const Masks& masks) {
+  if (masks.nodes.empty() && masks.seams.empty())
+    if (auto pass = PassPlain(trellis))
+      return MakePlain(trellis, std::move(*pass));
   const Survey survey = CheckAndSurvey(trellis);
   const ScoreGrid grid(survey.largest_total);
-  LimitedSearch limited{ToSearch(trellis, masks, grid), grid,
+  LimitedSearch limited{ToSearch(trellis, survey.sorted, masks, grid), grid,
                         survey.largest_total, LimitsOf(trellis), true};
   DropUnaffordable(limited.limits, &limited.search);
   Unroll(&limited);

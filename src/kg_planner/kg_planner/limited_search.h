@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kg_planner/k_best.h"
+#include "kg_planner/plain_pass.h"
 #include "kg_planner/score_grid.h"
 #include "kg_planner/search_trellis.h"
 #include "kg_planner/trellis.h"
@@ -20,6 +21,9 @@ struct LimitedSearch {
   std::vector<double> limits;  // By resource; infinity = none.
   // Without limits, a path's bound without prices is its score on the grid.
   bool tokens_are_exact = true;
+
+  // Without prices, if the pass that checked the trellis made it; else empty.
+  std::vector<ViterbiLevel> levels = {};
 
   bool IsLimited() const;
 };

@@ -12,22 +12,28 @@ constexpr double kNone = -std::numeric_limits<double>::infinity();
 }  // namespace
 
 PathEnumerator::PathEnumerator(const SearchTrellis& search,
-                               const ScoreGrid& grid, Prices prices)
-    : search_(search), grid_(grid), prices_(std::move(prices)) {
+                               const ScoreGrid& grid, Prices prices,
+                               std::vector<ViterbiLevel> levels)
+    : search_(search),
+      grid_(grid),
+      prices_(std::move(prices)),
+      levels_(std::move(levels)) {
   const std::size_t stages = search.stages.size();
+  rests_.resize(stages + 1);
+  for (std::size_t s = 0; s <= stages; ++s)
+    rests_[s].index.assign(search.NodesBefore(s), -1);
+  if (!levels_.empty()) return;
   levels_.resize(stages + 1);
-  for (std::size_t s = 0; s <= stages; ++s) {
-    levels_[s].best.assign(search.NodesBefore(s), s == stages ? 0.0 : kNone);
-    levels_[s].rests.assign(search.NodesBefore(s), -1);
-  }
+  levels_[stages].best.assign(search.NodesBefore(stages), 0.0);
   for (std::size_t s = stages; s-- > 0;) RelaxStage(s);
 }
 
 // The best rest from every node before the stage.
 void PathEnumerator::RelaxStage(std::size_t s) {
   const SearchStage& stage = search_.stages[s];
-  Level& level = levels_[s];
+  ViterbiLevel& level = levels_[s];
   const int nodes = search_.NodesBefore(s);
+  level.best.resize(nodes);
   level.first_seam.resize(nodes + 1);
   int i = 0;
   for (int u = 0; u < nodes; ++u) {
@@ -48,11 +54,12 @@ bool PathEnumerator::Worse(const Rest& a, const Rest& b) {
 
 // With the best rest, if there is one; ties to the first seam.
 PathEnumerator::NodeRests* PathEnumerator::Rests(std::size_t s, int node) {
-  Level& level = levels_[s];
-  int& index = level.rests[node];
-  if (index >= 0) return &level.pool[index];
-  index = static_cast<int>(level.pool.size());
-  NodeRests& rests = level.pool.emplace_back();
+  const ViterbiLevel& level = levels_[s];
+  LevelRests& made = rests_[s];
+  int& index = made.index[node];
+  if (index >= 0) return &made.pool[index];
+  index = static_cast<int>(made.pool.size());
+  NodeRests& rests = made.pool.emplace_back();
   const double best = level.best[node];
   if (!(best > kNone)) return &rests;
   rests.best.push_back({best, -1, 0});

@@ -14,6 +14,7 @@
 #include <optional>
 #include <vector>
 
+#include "kg_planner/plain_pass.h"
 #include "kg_planner/score_grid.h"
 #include "kg_planner/search_trellis.h"
 
@@ -26,9 +27,10 @@ class PathEnumerator {
     std::vector<int> seams;  // Index of the seam into each stage.
   };
 
-  // `search` must outlive this.
+  // `search` must outlive this. `levels`: of its backward pass under these
+  // prices, if there was one.
   PathEnumerator(const SearchTrellis& search, const ScoreGrid& grid,
-                 Prices prices);
+                 Prices prices, std::vector<ViterbiLevel> levels = {});
 
   std::optional<BoundedPath> Next();
 
@@ -45,11 +47,9 @@ class PathEnumerator {
     std::vector<Rest> heap;  // Candidates for the next.
     bool expanded = false;
   };
-  // What leads on from the nodes before a stage.
-  struct Level {
-    std::vector<double> best;     // By node, of the best rest; -infinity: none.
-    std::vector<int> first_seam;  // By node, and one more.
-    std::vector<int> rests;       // By node, in `pool`; -1 = none yet.
+  // Of the nodes before a stage.
+  struct LevelRests {
+    std::vector<int> index;  // By node, in `pool`; -1 = none yet.
     std::vector<NodeRests> pool;
   };
 
@@ -71,7 +71,8 @@ class PathEnumerator {
   const SearchTrellis& search_;
   ScoreGrid grid_;
   Prices prices_;
-  std::vector<Level> levels_;
+  std::vector<ViterbiLevel> levels_;
+  std::vector<LevelRests> rests_;
   int next_rank_ = 0;
 };
 

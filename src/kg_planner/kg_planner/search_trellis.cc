@@ -67,17 +67,11 @@ bool IsForbidden(const Stage& stage, std::size_t i, const StageMasks* before,
                             SeamName(seam.from, seam.to, ViaOf(stage, i)));
 }
 
-bool Ascends(const Stage& stage) {
-  for (std::size_t i = 1; i < stage.seams.size(); ++i)
-    if (!StandsBefore(stage, i - 1, i)) return false;
-  return true;
-}
-
 // All seams in the order of ties.
-std::vector<int> InOrder(const Stage& stage) {
+std::vector<int> InOrder(const Stage& stage, bool sorted) {
   std::vector<int> order(stage.seams.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  if (!Ascends(stage))
+  if (!sorted)
     std::sort(order.begin(), order.end(),
               [&](int a, int b) { return StandsBefore(stage, a, b); });
   return order;
@@ -96,9 +90,9 @@ double SeamGain(const ScoreGrid& grid, const Stage& stage, int seam) {
   return gain + Gain(grid, TokensMet(stage, seam));
 }
 
-void KeepSome(const Stage& stage, const StageMasks* before,
+void KeepSome(const std::vector<int>& order, const StageMasks* before,
               const StageMasks& here, SearchStage* search) {
-  const std::vector<int> order = InOrder(stage);
+  const Stage& stage = *search->stage;
   for (std::size_t place = 0; place < order.size(); ++place) {
     const int i = order[place];
     if (IsForbidden(stage, i, before, here)) continue;
@@ -151,8 +145,8 @@ std::vector<TokenReward> TokensMet(const Stage& stage, std::size_t i) {
   return Distinct(std::move(tokens));
 }
 
-SearchTrellis ToSearch(const Trellis& trellis, const Masks& masks,
-                       const ScoreGrid& grid) {
+SearchTrellis ToSearch(const Trellis& trellis, const std::vector<char>& sorted,
+                       const Masks& masks, const ScoreGrid& grid) {
   CheckMasks(trellis, masks);
   const std::vector<StageMasks> by_stage = ByStage(trellis, masks);
   const bool masked = !masks.nodes.empty() || !masks.seams.empty();
@@ -164,8 +158,9 @@ SearchTrellis ToSearch(const Trellis& trellis, const Masks& masks,
     made.nodes = static_cast<int>(stage.nodes.size());
     made.seams = stage.seams.data();
     made.seam_count = static_cast<int>(stage.seams.size());
-    if (masked || !Ascends(stage))
-      KeepSome(stage, s > 0 ? &by_stage[s - 1] : nullptr, by_stage[s], &made);
+    if (masked || !sorted[s])
+      KeepSome(InOrder(stage, sorted[s]), s > 0 ? &by_stage[s - 1] : nullptr,
+               by_stage[s], &made);
     for (const Node& node : stage.nodes)
       made.node_gain.push_back(grid.Round(node.reward) +
                                Gain(grid, Distinct(node.tokens)));

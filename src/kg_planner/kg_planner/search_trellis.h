@@ -83,10 +83,11 @@ std::vector<TokenReward> Distinct(std::vector<TokenReward> tokens);
 std::vector<TokenReward> TokensMet(const Stage& stage, std::size_t i);
 
 // Without what `masks` forbid. `trellis` must be checked and outlive the
-// result. Throws std::invalid_argument if a mask names a stage or node that is
-// not there; a seam mask without a seam forbids nothing.
-SearchTrellis ToSearch(const Trellis& trellis, const Masks& masks,
-                       const ScoreGrid& grid);
+// result; `sorted`: by stage, its seams stand in order. Throws
+// std::invalid_argument if a mask names a stage or node that is not there; a
+// seam mask without a seam forbids nothing.
+SearchTrellis ToSearch(const Trellis& trellis, const std::vector<char>& sorted,
+                       const Masks& masks, const ScoreGrid& grid);
 
 }  // namespace kg_planner
 
