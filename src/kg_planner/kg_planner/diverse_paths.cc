@@ -1,11 +1,13 @@
 #include "kg_planner/diverse_paths.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "kg_planner/detours.h"
 #include "kg_planner/limited_search.h"
 #include "kg_planner/max_marginals.h"
 #include "kg_planner/path_value.h"
@@ -17,6 +19,8 @@ namespace {
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 // Of the dual prices; the last so high that only thrift counts.
+// Between penalties that are tried.
+constexpr double kPenaltyStep = 1.1;
 constexpr double kPriceFactors[] = {0.0, 1.0, 2.0, 4.0, 1e4};
 
 // The best path through a node of the caller's trellis.
@@ -41,16 +45,20 @@ class DiverseSearch {
       : trellis_(trellis),
         limited_(limited),
         paths_(static_cast<std::size_t>(std::max(options.paths, 1))),
-        minimum_difference_(std::max(options.minimum_difference, 1)) {}
+        minimum_difference_(std::max(options.minimum_difference, 1)),
+        good_enough_(options.good_enough),
+        detours_(options.detours) {}
 
   // Without limits and with exact tokens.
   KBest FindExact() {
-    tables_.emplace_back(limited_.search, limited_.grid, Prices());
+    MakeTable({});
     for (std::size_t s = 0; s < limited_.search.stages.size(); ++s)
       AddCandidates(s, [&](int node) { return Exact(s, node); });
     Take();
-    if (!found_.paths.empty()) found_.bound = found_.paths.front().score();
-    return std::move(found_);
+    if (taken_.empty()) return std::move(found_);
+    found_.bound = taken_.front().path.score();
+    AddDetours();
+    return Result();
   }
 
   // After the best path of all.
@@ -60,13 +68,14 @@ class DiverseSearch {
     MakePricedTables();
     for (std::size_t s = 0; s < limited_.search.stages.size(); ++s)
       AddCandidates(s, [&](int node) { return Allowed(s, node); });
-    Close(found_.paths.front());
+    TakeThis(ValueOf(found_.paths.front()));
     Take();
     const double last =
-        found_.paths.size() < paths_ ? kNone : found_.paths.back().score();
+        taken_.size() < paths_ ? Floor() : taken_.back().path.score();
     found_.proven =
         found_.proven && limited_.tokens_are_exact && !(most_uncertain_ > last);
-    return std::move(found_);
+    AddDetours();
+    return Result();
   }
 
  private:
@@ -115,6 +124,11 @@ class DiverseSearch {
         tables_[candidate.table].Seams(candidate.stage, candidate.node));
   }
 
+  void MakeTable(Prices prices) {
+    grids_.push_back(PricedGrid(limited_, prices));
+    tables_.emplace_back(limited_.search, grids_.back(), prices);
+    prices_.push_back(std::move(prices));
+  }
   void MakePricedTables() {
     Prices dual = FindPrices(limited_).prices;
     dual.resize(limited_.limits.size(), 0.0);
@@ -126,35 +140,103 @@ class DiverseSearch {
     for (const double factor : kPriceFactors) {
       Prices prices = dual;
       for (double& price : prices) price *= factor;
-      tables_.emplace_back(limited_.search, PricedGrid(limited_, prices),
-                           prices);
+      MakeTable(std::move(prices));
     }
   }
 
-  void Close(const Path& path) {
+  // Of a path of the caller's trellis; where it stands among equals does not
+  // matter, as it is the best.
+  ValuedPath ValueOf(const Path& path) const {
+    return {kNoLimit, std::vector<int>(path.nodes.size(), -1), path};
+  }
+
+  // What a path must score.
+  double Floor() const {
+    if (taken_.empty() || !(good_enough_ > kNone)) return kNone;
+    const double best = taken_.front().path.score();
+    return best - (1.0 - good_enough_) * std::abs(best);
+  }
+
+  void TakeThis(ValuedPath value) {
     for (MaxMarginals& table : tables_)
-      table.CloseNear(path.nodes, minimum_difference_);
+      table.CloseNear(value.path.nodes, minimum_difference_);
+    taken_.push_back(std::move(value));
   }
 
   // Takes candidates that differ enough, best first.
   void Take() {
     std::sort(candidates_.begin(), candidates_.end(), ComesFirst);
     for (const Candidate& candidate : candidates_) {
-      if (found_.paths.size() >= paths_) return;
-      if (tables_[candidate.table].IsClosed(candidate.stage, candidate.node))
-        continue;
-      found_.paths.push_back(Value(candidate).path);
-      Close(found_.paths.back());
+      if (taken_.size() >= paths_ || candidate.score < Floor()) return;
+      if (!tables_[candidate.table].IsClosed(candidate.stage, candidate.node))
+        TakeThis(Value(candidate));
     }
+  }
+
+  bool Differs(const Path& path) const {
+    return std::all_of(taken_.begin(), taken_.end(),
+                       [&](const ValuedPath& other) {
+                         int stages = 0;
+                         for (std::size_t s = 0; s < path.nodes.size(); ++s)
+                           stages += path.nodes[s] != other.path.nodes[s];
+                         return stages >= minimum_difference_;
+                       });
+  }
+
+  void AddDetours() {
+    if (!detours_ || taken_.size() >= paths_) return;
+    const std::size_t t = tables_.size() > 1 ? 1 : 0;
+    Detours detours(limited_.search, grids_[t], prices_[t], tables_[t]);
+    for (const ValuedPath& value : taken_) detours.Take(value.path.nodes);
+    double penalty = limited_.largest_total * 0x1p-8 /
+                     static_cast<double>(trellis_.stages.size());
+    while (taken_.size() < paths_) {
+      auto detour = NextDetour(detours, &penalty);
+      if (!detour) return;
+      detours.Take(detour->path.nodes);
+      taken_.push_back(std::move(*detour));
+    }
+  }
+
+  // From a little below the last penalty on: the more there are to differ from,
+  // the less each has to weigh.
+  std::optional<ValuedPath> NextDetour(const Detours& detours,
+                                       double* penalty) const {
+    const double floor = Floor();
+    for (*penalty /= kPenaltyStep * kPenaltyStep;
+         *penalty < limited_.largest_total; *penalty *= kPenaltyStep) {
+      ValuedPath value = Evaluate(trellis_, limited_.grid, limited_.search,
+                                  detours.Best(*penalty));
+      if (value.path.score() < floor) return std::nullopt;
+      if (IsWithinLimits(trellis_, value.path) && Differs(value.path))
+        return value;
+    }
+    return std::nullopt;
+  }
+
+  KBest Result() {
+    std::stable_sort(taken_.begin(), taken_.end(),
+                     [](const ValuedPath& a, const ValuedPath& b) {
+                       return a.score > b.score;
+                     });
+    found_.paths.clear();
+    for (ValuedPath& value : taken_)
+      found_.paths.push_back(std::move(value.path));
+    return std::move(found_);
   }
 
   const Trellis& trellis_;
   const LimitedSearch& limited_;
   std::size_t paths_;
   int minimum_difference_;
-  std::vector<MaxMarginals> tables_;  // By price.
+  double good_enough_;
+  bool detours_;
+  std::vector<Prices> prices_;  // Tried, and what is found under them.
+  std::vector<ScoreGrid> grids_;
+  std::vector<MaxMarginals> tables_;
   std::vector<Candidate> candidates_;
   double most_uncertain_ = kNone;  // Of nodes whose best path is not known.
+  std::vector<ValuedPath> taken_;
   KBest found_;
 };
 

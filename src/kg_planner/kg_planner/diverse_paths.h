@@ -4,7 +4,13 @@
 // The first is the best path of all.
 //
 // They are read off two Viterbi passes (max_marginals.h) [1]. Tokens that a
-// path can meet twice are unrolled there, so each is counted once.
+// path can meet twice are unrolled there, so each is counted once. Paths worth
+// less than `good_enough` of the best are not taken.
+//
+// A path through one other node soon comes back to the best. If fewer differ
+// enough than asked for, the rest are detours at several places (detours.h):
+// the best path under a penalty for nodes already used, raised in steps of a
+// tenth until it differs enough.
 //
 // With limits the best path through a node is found under prices of the
 // resources: without any, then the dual prices, then multiples of them up to
@@ -21,6 +27,7 @@
 #define KG_PLANNER_DIVERSE_PATHS_H_
 
 #include <cstddef>
+#include <limits>
 
 #include "kg_planner/k_best.h"
 #include "kg_planner/trellis.h"
@@ -29,12 +36,17 @@ namespace kg_planner {
 
 struct DiverseOptions {
   int paths = 10;
-  int minimum_difference = 1;              // [stages]; at least 1.
+  int minimum_difference = 1;  // [stages]; at least 1.
+  // A path may score this share of |best| less than the best, at most:
+  // 1 - good_enough; -infinity = anything.
+  double good_enough = -std::numeric_limits<double>::infinity();
+  bool detours = true;
   std::size_t enumeration_limit = 100000;  // For the best path within limits.
 };
 
-// Best first; fewer than asked if no more differ enough. Throws as FindKBest()
-// does. `bound` and `above_limits` are those of the best path.
+// Best first; fewer than asked if no more are found. Throws as FindKBest()
+// does. `bound` and `above_limits` are those of the best path; `proven` does
+// not speak of detours.
 KBest FindDiverse(const Trellis& trellis, const Masks& masks,
                   const DiverseOptions& options);
 

@@ -27,16 +27,21 @@ MaxMarginals::MaxMarginals(const SearchTrellis& search, const ScoreGrid& grid,
       seams->assign(nodes, -1);
     level.closed.assign(nodes, 0);
   }
-  for (std::size_t s = stages; s-- > 0;) RelaxBackward(grid, prices, s);
+  std::vector<double> weights;
+  for (std::size_t s = stages; s-- > 0;) {
+    Weigh(search.stages[s], grid, prices, &weights);
+    RelaxBackward(weights, s);
+  }
   std::vector<int> order{0};
   for (std::size_t s = 0; s < stages; ++s) {
-    RelaxForward(grid, prices, order, s);
+    Weigh(search.stages[s], grid, prices, &weights);
+    RelaxForward(weights, order, s);
     order = OrderOfTies(s, order);
   }
 }
 
 // Of equal rests the first seam's: seams from one node stand in that order.
-void MaxMarginals::RelaxBackward(const ScoreGrid& grid, const Prices& prices,
+void MaxMarginals::RelaxBackward(const std::vector<double>& weights,
                                  std::size_t s) {
   const SearchStage& stage = search_.stages[s];
   const std::vector<double>& behind = levels_[s + 1].behind;
@@ -48,8 +53,7 @@ void MaxMarginals::RelaxBackward(const ScoreGrid& grid, const Prices& prices,
     double most = kNone;
     int best = -1;
     for (; i < stage.seam_count && stage.seams[i].from == u; ++i) {
-      const double score = behind[stage.seams[i].to] + stage.Gain(i) -
-                           PricedCost(stage, i, grid, prices);
+      const double score = behind[stage.seams[i].to] + weights[i];
       if (!(score > most)) continue;
       most = score;
       best = i;
@@ -63,7 +67,7 @@ void MaxMarginals::RelaxBackward(const ScoreGrid& grid, const Prices& prices,
 
 // Of equal ways the first in the order of ties, in which `order` has the nodes
 // before.
-void MaxMarginals::RelaxForward(const ScoreGrid& grid, const Prices& prices,
+void MaxMarginals::RelaxForward(const std::vector<double>& weights,
                                 const std::vector<int>& order, std::size_t s) {
   const SearchStage& stage = search_.stages[s];
   Level& next = levels_[s + 1];
@@ -71,8 +75,7 @@ void MaxMarginals::RelaxForward(const ScoreGrid& grid, const Prices& prices,
     const double so_far = levels_[s].before[u];
     for (int i = first_seam_[s][u]; i < first_seam_[s][u + 1]; ++i) {
       const int to = stage.seams[i].to;
-      const double score =
-          so_far + stage.Gain(i) - PricedCost(stage, i, grid, prices);
+      const double score = so_far + weights[i];
       if (!(score > next.before[to])) continue;
       next.before[to] = score;
       next.seam_into[to] = i;

@@ -47,9 +47,8 @@ class MaxMarginals {
     std::vector<char> closed;
   };
 
-  void RelaxBackward(const ScoreGrid& grid, const Prices& prices,
-                     std::size_t s);
-  void RelaxForward(const ScoreGrid& grid, const Prices& prices,
+  void RelaxBackward(const std::vector<double>& weights, std::size_t s);
+  void RelaxForward(const std::vector<double>& weights,
                     const std::vector<int>& order, std::size_t s);
   std::vector<int> OrderOfTies(std::size_t s,
                                const std::vector<int>& order_before) const;

@@ -110,6 +110,11 @@ class Passer {
       if (begin == end) continue;
       const Seam* row = &stage.seams[begin];
       if (row->to < 0 || stage.seams[end - 1].to >= rest.nodes) return false;
+      // Where the next row ends, which is looked at before the row is read.
+      const std::size_t next_end =
+          std::min(2 * end - begin, stage.seams.size());
+      __builtin_prefetch(stage.seams.data() + next_end - 1);
+      __builtin_prefetch(stage.seams.data() + next_end);
       const RowScan scan = ScanRow(row, static_cast<int>(end - begin), rest);
       if (!scan.sound) return false;
       level.best[u] = scan.best;

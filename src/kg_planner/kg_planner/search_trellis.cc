@@ -115,6 +115,21 @@ void SearchStage::UseOwn() {
   seam_count = static_cast<int>(own.size());
 }
 
+void Weigh(const SearchStage& stage, const ScoreGrid& grid,
+           const Prices& prices, std::vector<double>* weights) {
+  weights->resize(stage.seam_count);
+  double* weight = weights->data();
+  if (!stage.seam_gain.empty() || !prices.empty()) {
+    for (int i = 0; i < stage.seam_count; ++i)
+      weight[i] = stage.Gain(i) - PricedCost(stage, i, grid, prices);
+    return;
+  }
+  const double* gain = stage.node_gain.data();
+  const Seam* seams = stage.seams;
+  for (int i = 0; i < stage.seam_count; ++i)
+    weight[i] = gain[seams[i].to] - grid.Round(seams[i].cost);
+}
+
 std::vector<double> LimitsOf(const Trellis& trellis) {
   std::vector<double> limits{trellis.resource_limit};
   limits.insert(limits.end(), trellis.more_limits.begin(),

@@ -63,6 +63,10 @@ inline double PricedCost(const SearchStage& stage, int i, const ScoreGrid& grid,
   return grid.Round(cost);
 }
 
+// By seam: its gain less its priced cost.
+void Weigh(const SearchStage& stage, const ScoreGrid& grid,
+           const Prices& prices, std::vector<double>* weights);
+
 struct SearchTrellis {
   std::vector<SearchStage> stages;
 
