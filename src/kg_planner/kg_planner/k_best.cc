@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "kg_planner/k_best_memory.h"
 #include "kg_planner/limited_search.h"
 #include "kg_planner/path_enumerator.h"
 #include "kg_planner/path_value.h"
@@ -57,20 +58,26 @@ class Shortlist {
 
 class Search {
  public:
-  Search(const Trellis& trellis, LimitedSearch limited, int paths)
-      : trellis_(trellis), limited_(std::move(limited)), shortlist_(paths) {}
+  // `memory` may be null.
+  Search(const Trellis& trellis, LimitedSearch limited, int paths,
+         KBestMemory* memory)
+      : trellis_(trellis),
+        limited_(std::move(limited)),
+        shortlist_(paths),
+        memory_(memory) {}
 
   KBest Find(std::size_t enumeration_limit) {
     const std::size_t unpriced =
         limited_.IsLimited() ? std::min(kUnpricedPaths, enumeration_limit)
                              : enumeration_limit;
-    const auto left = Enumerate({}, unpriced);
+    const auto left = EnumerateUnpriced(unpriced);
     if (!left) return shortlist_.Result(true, kNone);
     if (unpriced == enumeration_limit) return shortlist_.Result(false, *left);
     const PricedSearch priced = FindPrices(limited_);
     if (priced.none_allowed) return shortlist_.Result(true, kNone);
     for (const std::vector<int>& seams : priced.tried) Look(seams);
-    const auto rest = Enumerate(priced.prices, enumeration_limit - unpriced);
+    const auto rest =
+        EnumerateUnder(priced.prices, enumeration_limit - unpriced);
     if (!rest) return shortlist_.Result(true, kNone);
     return shortlist_.Result(false, std::min(*left, *rest));
   }
@@ -84,14 +91,27 @@ class Search {
     if (IsWithinLimits(trellis_, found.path)) shortlist_.Add(std::move(found));
   }
 
-  // A bound of the paths that are left if `limit` paths were not enough.
-  std::optional<double> Enumerate(const Prices& prices, std::size_t limit) {
+  std::optional<double> EnumerateUnpriced(std::size_t limit) {
+    PathEnumerator::Tables tables;
+    if (memory_) tables = memory_->Recall(limited_.search, limited_.grid);
+    if (!limited_.levels.empty()) tables.levels = std::move(limited_.levels);
+    PathEnumerator enumerator(limited_.search, limited_.grid, {},
+                              std::move(tables));
+    const auto left = Enumerate(&enumerator, limit, 0.0);
+    if (memory_) memory_->Keep(enumerator.Release());
+    return left;
+  }
+  std::optional<double> EnumerateUnder(const Prices& prices,
+                                       std::size_t limit) {
     const ScoreGrid grid = PricedGrid(limited_, prices);
-    const double offset = BoundOffset(limited_, grid, prices);
-    PathEnumerator enumerator(limited_.search, grid, prices,
-                              std::exchange(limited_.levels, {}));
+    PathEnumerator enumerator(limited_.search, grid, prices);
+    return Enumerate(&enumerator, limit, BoundOffset(limited_, grid, prices));
+  }
+  // A bound of the paths that are left if `limit` paths were not enough.
+  std::optional<double> Enumerate(PathEnumerator* enumerator, std::size_t limit,
+                                  double offset) {
     for (std::size_t looked_at = 0;; ++looked_at) {
-      const auto next = enumerator.Next();
+      const auto next = enumerator->Next();
       if (!next) return std::nullopt;
       ValuedPath found = Value(next->seams);
       const double bound = next->bound + offset;
@@ -110,14 +130,16 @@ class Search {
   const Trellis& trellis_;
   LimitedSearch limited_;
   Shortlist shortlist_;
+  KBestMemory* memory_;
 };
 
 KBest FindWithinLimits(const Trellis& trellis, const Masks& masks,
-                       const KBestOptions& options) {
+                       const KBestOptions& options, KBestMemory* memory) {
   LimitedSearch limited = MakeSearch(trellis, masks);
   if (trellis.stages.empty()) return {};
-  KBest found = Search(trellis, std::move(limited), std::max(options.paths, 1))
-                    .Find(options.enumeration_limit);
+  KBest found =
+      Search(trellis, std::move(limited), std::max(options.paths, 1), memory)
+          .Find(options.enumeration_limit);
   if (options.paths <= 0) found.paths.clear();
   return found;
 }
@@ -141,8 +163,8 @@ std::vector<double> AboveLimits(const Trellis& trellis, const Masks& masks,
   bool any = false;
   for (std::size_t r = 0; r < limits.size(); ++r) {
     if (!(limits[r] < kNoLimit)) continue;
-    const KBest thriftiest = FindWithinLimits(ThriftOf(trellis, r), masks,
-                                              {1, options.enumeration_limit});
+    const KBest thriftiest = FindWithinLimits(
+        ThriftOf(trellis, r), masks, {1, options.enumeration_limit}, nullptr);
     if (!(thriftiest.bound > kNone)) continue;
     above[r] = -thriftiest.bound - limits[r];
     any = true;
@@ -155,7 +177,12 @@ std::vector<double> AboveLimits(const Trellis& trellis, const Masks& masks,
 
 KBest FindKBest(const Trellis& trellis, const Masks& masks,
                 const KBestOptions& options) {
-  KBest found = FindWithinLimits(trellis, masks, options);
+  return FindKBest(trellis, masks, options, nullptr);
+}
+
+KBest FindKBest(const Trellis& trellis, const Masks& masks,
+                const KBestOptions& options, KBestMemory* memory) {
+  KBest found = FindWithinLimits(trellis, masks, options, memory);
   if (found.bound == kNone)
     found.above_limits = AboveLimits(trellis, masks, options);
   return found;

@@ -75,6 +75,12 @@ struct KBest {
 KBest FindKBest(const Trellis& trellis, const Masks& masks,
                 const KBestOptions& options);
 
+// The same, to the bit, with what `memory` keeps of the last such call
+// (k_best_memory.h): for a trellis whose end did not change since.
+class KBestMemory;
+KBest FindKBest(const Trellis& trellis, const Masks& masks,
+                const KBestOptions& options, KBestMemory* memory);
+
 }  // namespace kg_planner
 
 #endif  // KG_PLANNER_K_BEST_H_

@@ -13,25 +13,26 @@ constexpr double kNone = -std::numeric_limits<double>::infinity();
 
 PathEnumerator::PathEnumerator(const SearchTrellis& search,
                                const ScoreGrid& grid, Prices prices,
-                               std::vector<ViterbiLevel> levels)
+                               Tables tables)
     : search_(search),
       grid_(grid),
       prices_(std::move(prices)),
-      levels_(std::move(levels)) {
+      tables_(std::move(tables)) {
   const std::size_t stages = search.stages.size();
-  rests_.resize(stages + 1);
+  tables_.levels.resize(stages + 1);
+  tables_.rests.resize(stages + 1);
   for (std::size_t s = 0; s <= stages; ++s)
-    rests_[s].index.assign(search.NodesBefore(s), -1);
-  if (!levels_.empty()) return;
-  levels_.resize(stages + 1);
-  levels_[stages].best.assign(search.NodesBefore(stages), 0.0);
-  for (std::size_t s = stages; s-- > 0;) RelaxStage(s);
+    if (tables_.rests[s].index.empty())
+      tables_.rests[s].index.assign(search.NodesBefore(s), -1);
+  tables_.levels[stages].best.assign(search.NodesBefore(stages), 0.0);
+  for (std::size_t s = stages; s-- > 0;)
+    if (tables_.levels[s].best.empty()) RelaxStage(s);
 }
 
 // The best rest from every node before the stage.
 void PathEnumerator::RelaxStage(std::size_t s) {
   const SearchStage& stage = search_.stages[s];
-  ViterbiLevel& level = levels_[s];
+  ViterbiLevel& level = tables_.levels[s];
   const int nodes = search_.NodesBefore(s);
   level.best.resize(nodes);
   level.first_seam.resize(nodes + 1);
@@ -54,8 +55,8 @@ bool PathEnumerator::Worse(const Rest& a, const Rest& b) {
 
 // With the best rest, if there is one; ties to the first seam.
 PathEnumerator::NodeRests* PathEnumerator::Rests(std::size_t s, int node) {
-  const ViterbiLevel& level = levels_[s];
-  LevelRests& made = rests_[s];
+  const ViterbiLevel& level = tables_.levels[s];
+  LevelRests& made = tables_.rests[s];
   int& index = made.index[node];
   if (index >= 0) return &made.pool[index];
   index = static_cast<int>(made.pool.size());
@@ -88,8 +89,8 @@ const PathEnumerator::Rest* PathEnumerator::Get(std::size_t s, int node,
 // The best rest over every seam but the one the best of all takes.
 void PathEnumerator::Expand(std::size_t s, int node, NodeRests* rests) {
   const int taken = rests->best.front().seam;
-  const int end = levels_[s].first_seam[node + 1];
-  for (int i = levels_[s].first_seam[node]; i < end; ++i) {
+  const int end = tables_.levels[s].first_seam[node + 1];
+  for (int i = tables_.levels[s].first_seam[node]; i < end; ++i) {
     const double score = Onward(s, i);
     if (i != taken && score > kNone) rests->heap.push_back({score, i, 0});
   }

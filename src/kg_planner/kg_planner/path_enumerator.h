@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "kg_planner/plain_pass.h"
@@ -27,14 +28,6 @@ class PathEnumerator {
     std::vector<int> seams;  // Index of the seam into each stage.
   };
 
-  // `search` must outlive this. `levels`: of its backward pass under these
-  // prices, if there was one.
-  PathEnumerator(const SearchTrellis& search, const ScoreGrid& grid,
-                 Prices prices, std::vector<ViterbiLevel> levels = {});
-
-  std::optional<BoundedPath> Next();
-
- private:
   // A rest of a path, from a node on: over `seam`, then the `rank`-th best
   // rest from where it leads.
   struct Rest {
@@ -52,7 +45,23 @@ class PathEnumerator {
     std::vector<int> index;  // By node, in `pool`; -1 = none yet.
     std::vector<NodeRests> pool;
   };
+  // What is worked out, level s before stage s. A level's depends on what comes
+  // behind it only. Levels that are empty are not known yet.
+  struct Tables {
+    std::vector<ViterbiLevel> levels;
+    std::vector<LevelRests> rests;
+  };
 
+  // `search` must outlive this. `tables`: of the same search and prices.
+  PathEnumerator(const SearchTrellis& search, const ScoreGrid& grid,
+                 Prices prices, Tables tables = {});
+
+  std::optional<BoundedPath> Next();
+
+  // Ends the enumeration.
+  Tables Release() { return std::move(tables_); }
+
+ private:
   static bool Worse(const Rest& a, const Rest& b);
   void RelaxStage(std::size_t s);
   double Weight(const SearchStage& stage, int seam) const {
@@ -60,7 +69,8 @@ class PathEnumerator {
   }
   double Onward(std::size_t s, int seam) const {
     const SearchStage& stage = search_.stages[s];
-    return levels_[s + 1].best[stage.seams[seam].to] + Weight(stage, seam);
+    return tables_.levels[s + 1].best[stage.seams[seam].to] +
+           Weight(stage, seam);
   }
   NodeRests* Rests(std::size_t s, int node);
   // Null if there are not that many. Level s = before stage s.
@@ -71,8 +81,7 @@ class PathEnumerator {
   const SearchTrellis& search_;
   ScoreGrid grid_;
   Prices prices_;
-  std::vector<ViterbiLevel> levels_;
-  std::vector<LevelRests> rests_;
+  Tables tables_;
   int next_rank_ = 0;
 };
 
