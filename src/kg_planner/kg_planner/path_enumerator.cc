@@ -90,7 +90,9 @@ const PathEnumerator::Rest* PathEnumerator::Get(std::size_t s, int node,
 void PathEnumerator::Expand(std::size_t s, int node, NodeRests* rests) {
   const int taken = rests->best.front().seam;
   const int end = tables_.levels[s].first_seam[node + 1];
-  for (int i = tables_.levels[s].first_seam[node]; i < end; ++i) {
+  const int begin = tables_.levels[s].first_seam[node];
+  rests->heap.reserve(end - begin);
+  for (int i = begin; i < end; ++i) {
     const double score = Onward(s, i);
     if (i != taken && score > kNone) rests->heap.push_back({score, i, 0});
   }

@@ -13,6 +13,9 @@ class Valuation {
   Valuation(const Trellis& trellis, const ScoreGrid& grid)
       : trellis_(trellis), grid_(grid) {
     value_.path.more_resources.assign(trellis.more_limits.size(), 0.0);
+    value_.path.nodes.reserve(trellis.stages.size());
+    value_.path.seams.reserve(trellis.stages.size());
+    value_.places.reserve(trellis.stages.size());
   }
 
   void AddSeam(std::size_t s, int index, int place) {

@@ -103,16 +103,16 @@ class Passer {
     level.best.assign(nodes, kNone);
     costs_[s] = 0.0;
     std::size_t begin = 0;
-    std::size_t end = 0;
-    for (int u = 0; u < nodes; ++u, begin = end) {
+    std::size_t length = 0;
+    for (int u = 0; u < nodes; ++u, begin += length) {
       level.first_seam.push_back(static_cast<int>(begin));
-      end = EndOfRow(stage.seams, u, begin, end - begin);
-      if (begin == end) continue;
+      const std::size_t end = EndOfRow(stage.seams, u, begin, length);
+      length = end - begin;
+      if (length == 0) continue;
       const Seam* row = &stage.seams[begin];
       if (row->to < 0 || stage.seams[end - 1].to >= rest.nodes) return false;
       // Where the next row ends, which is looked at before the row is read.
-      const std::size_t next_end =
-          std::min(2 * end - begin, stage.seams.size());
+      const std::size_t next_end = std::min(end + length, stage.seams.size());
       __builtin_prefetch(stage.seams.data() + next_end - 1);
       __builtin_prefetch(stage.seams.data() + next_end);
       const RowScan scan = ScanRow(row, static_cast<int>(end - begin), rest);
