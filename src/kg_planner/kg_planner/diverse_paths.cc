@@ -126,7 +126,10 @@ class DiverseSearch {
 
   void MakeTable(Prices prices) {
     grids_.push_back(PricedGrid(limited_, prices));
-    tables_.emplace_back(limited_.search, grids_.back(), prices);
+    // Those of the pass that checked are without prices.
+    tables_.emplace_back(
+        limited_.search, grids_.back(), prices,
+        prices.empty() ? limited_.levels : std::vector<ViterbiLevel>());
     prices_.push_back(std::move(prices));
   }
   void MakePricedTables() {

@@ -12,7 +12,8 @@ constexpr double kNone = -std::numeric_limits<double>::infinity();
 }  // namespace
 
 MaxMarginals::MaxMarginals(const SearchTrellis& search, const ScoreGrid& grid,
-                           const Prices& prices)
+                           const Prices& prices,
+                           const std::vector<ViterbiLevel>& levels)
     : search_(search) {
   const std::size_t stages = search.stages.size();
   levels_.resize(stages + 1);
@@ -28,13 +29,18 @@ MaxMarginals::MaxMarginals(const SearchTrellis& search, const ScoreGrid& grid,
     level.closed.assign(nodes, 0);
   }
   std::vector<double> weights;
-  for (std::size_t s = stages; s-- > 0;) {
+  for (std::size_t s = stages; s-- > 0 && levels.empty();) {
     Weigh(search.stages[s], grid, prices, &weights);
     RelaxBackward(weights, s);
+  }
+  for (std::size_t s = 0; s < stages && !levels.empty(); ++s) {
+    levels_[s].behind = levels[s].best;
+    first_seam_[s] = levels[s].first_seam;
   }
   std::vector<int> order{0};
   for (std::size_t s = 0; s < stages; ++s) {
     Weigh(search.stages[s], grid, prices, &weights);
+    if (!levels.empty()) FindSeamsOn(weights, s);
     RelaxForward(weights, order, s);
     order = OrderOfTies(s, order);
   }
@@ -63,6 +69,21 @@ void MaxMarginals::RelaxBackward(const std::vector<double>& weights,
     if (best >= 0) level.node_behind[u] = stage.seams[best].to;
   }
   first_seam_[s].push_back(i);
+}
+
+void MaxMarginals::FindSeamsOn(const std::vector<double>& weights,
+                               std::size_t s) {
+  const SearchStage& stage = search_.stages[s];
+  const std::vector<double>& behind = levels_[s + 1].behind;
+  Level& level = levels_[s];
+  for (std::size_t u = 0; u < level.behind.size(); ++u) {
+    const double best = level.behind[u];
+    if (!(best > kNone)) continue;
+    int i = first_seam_[s][u];
+    while (behind[stage.seams[i].to] + weights[i] != best) ++i;
+    level.seam_on[u] = i;
+    level.node_behind[u] = stage.seams[i].to;
+  }
 }
 
 // Of equal ways the first in the order of ties, in which `order` has the nodes

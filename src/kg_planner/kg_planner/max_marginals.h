@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "kg_planner/plain_pass.h"
 #include "kg_planner/score_grid.h"
 #include "kg_planner/search_trellis.h"
 
@@ -18,9 +19,11 @@ namespace kg_planner {
 
 class MaxMarginals {
  public:
-  // `search` must outlive this.
+  // `search` must outlive this. `levels`: of the backward pass under these
+  // prices, if there was one.
   MaxMarginals(const SearchTrellis& search, const ScoreGrid& grid,
-               const Prices& prices);
+               const Prices& prices,
+               const std::vector<ViterbiLevel>& levels = {});
 
   // -infinity if no path leads through the node.
   double Of(std::size_t stage, int node) const;
@@ -47,6 +50,8 @@ class MaxMarginals {
     std::vector<char> closed;
   };
 
+  // The first seam of the best rest, where that is known.
+  void FindSeamsOn(const std::vector<double>& weights, std::size_t s);
   void RelaxBackward(const std::vector<double>& weights, std::size_t s);
   void RelaxForward(const std::vector<double>& weights,
                     const std::vector<int>& order, std::size_t s);
