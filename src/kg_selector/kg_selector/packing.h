@@ -39,7 +39,7 @@ struct Column {
   int agent = 0;
   double score = 0.0;
   std::vector<int> rows = {};  // Of each it uses one unit; none twice.
-  double load = 0.0;           // >= 0; read only for fairness.
+  double load = 0.0;           // Read only for fairness.
 };
 
 enum class Fairness { kNone, kMaxMin, kBalance };
@@ -77,8 +77,8 @@ struct Chosen {
 Chosen SolvePacking(const Packing& packing, const PackingOptions& options);
 
 // What a unit of each row, and each agent, is worth at the optimum of the
-// linear relaxation (>= 0): a column is worth adding only if its score is above
-// its agent's price and those of its rows.
+// linear relaxation (>= 0): a further column, in conflict with none, is worth
+// adding only if its score is above its agent's price and those of its rows.
 struct PackingPrices {
   std::vector<double> rows;
   std::vector<double> agents;
