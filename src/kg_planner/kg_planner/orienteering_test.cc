@@ -41,7 +41,7 @@ Orienteering RandomProblem(const Shape& shape, unsigned seed) {
           shape.plane ? std::hypot(x[i] - x[j], y[i] - y[j]) : unit(prng));
     }
   }
-  problem.limit = 2.0 * unit(prng);
+  problem.limit = 0.2 + 2.0 * unit(prng);
   problem.tours = shape.tours;
   return problem;
 }

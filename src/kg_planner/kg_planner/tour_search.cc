@@ -90,7 +90,7 @@ void TourSearch::Restart(const std::vector<Tour>& tours) {
     now_.reward += tours[t].reward;
   }
   Locate();
-  if (!useful_.empty()) Repair();
+  std::fill(touched_.begin(), touched_.end(), 1);
   kept_ = now_;
   Accept(0.0);
 }
