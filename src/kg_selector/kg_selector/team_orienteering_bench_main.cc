@@ -54,18 +54,21 @@ void CompareModes(const Data& data, double seconds, std::size_t step) {
   }
 }
 
+void Measure(const Data& data, double seconds, std::size_t step, double goal) {
+  TeamTourOptions options;
+  options.seconds = seconds;
+  char what[64];
+  std::snprintf(what, sizeof what, "Team Orienteering, exact, %g s an instance",
+                seconds);
+  kg_compiler::Report({12, what, goal, true, "%"},
+                      ShareOf(data, options, step));
+}
+
 void Run(const Data& data, bool quick) {
   const std::size_t step = quick ? 40 : 1;
   CompareModes(data, quick ? 0.05 : 0.5, quick ? step : 10);
-  TeamTourOptions options;
-  options.seconds = quick ? 0.05 : 0.5;
-  kg_compiler::Report(
-      {12, "Team Orienteering, exact, 0.5 s an instance", 99.5, true, "%"},
-      ShareOf(data, options, step));
-  options.seconds = quick ? 0.1 : 2.0;
-  kg_compiler::Report(
-      {12, "Team Orienteering, exact, 2 s an instance", 99.8, true, "%"},
-      ShareOf(data, options, step));
+  Measure(data, quick ? 0.05 : 0.5, step, 99.5);
+  Measure(data, quick ? 0.1 : 2.0, step, 99.8);
 }
 
 }  // namespace
