@@ -72,8 +72,10 @@ struct Chosen {
 
 // Throws std::invalid_argument naming the column or row if an index is out of
 // range, a number not finite or negative where it may not be, a row twice in
-// one column, `start` no packing, or fairness asked for between agents of which
-// there are several.
+// one column, or fairness asked for between agents of which there are several.
+void Check(const Packing& packing);
+
+// Throws as Check() does, and if `start` is no packing.
 Chosen SolvePacking(const Packing& packing, const PackingOptions& options);
 
 // What a unit of each row, and each agent, is worth at the optimum of the
