@@ -69,7 +69,7 @@ void TourSearch::Locate() {
   }
 }
 
-void TourSearch::Run(std::size_t steps, double temperature) {
+void TourSearch::Run(std::size_t steps, double tolerance) {
   if (useful_.empty()) return;
   for (std::size_t step = 0; step < steps; ++step) {
     now_ = kept_;
@@ -77,7 +77,7 @@ void TourSearch::Run(std::size_t steps, double temperature) {
     std::fill(touched_.begin(), touched_.end(), 0);
     Destroy();
     Repair();
-    Accept(temperature);
+    Accept(tolerance);
   }
 }
 
@@ -123,12 +123,12 @@ bool TourSearch::Remeasure() {
   return true;
 }
 
-// A loss is accepted up to the temperature times a number that is mostly small
+// A loss is accepted up to the tolerance times a number that is mostly small
 // and now and then up to 4.
-void TourSearch::Accept(double temperature) {
+void TourSearch::Accept(double tolerance) {
   if (!Remeasure()) return;
   const double chance = Unit();
-  const double loss = temperature * (1.0 - chance) / (chance + 0.25);
+  const double loss = tolerance * (1.0 - chance) / (chance + 0.25);
   if (now_.reward + loss < kept_.reward) return;
   kept_ = now_;
   Remember(now_);

@@ -4,19 +4,19 @@
 // leave again until the limit is kept, so that a tour can move somewhere else
 // as a whole. What a point counts is blurred by chance, and that of a whole
 // neighbourhood is raised in some steps. Tours touched are put in better order.
-// The outcome is kept if it is better, or not much worse (`temperature`).
+// The outcome is kept if it is better, or not much worse (`tolerance`).
 //
 //   TourSearch search(problem, seed);
 //   for (double t = 0.04; t > 0.004; t *= 0.9)
 //     search.Run(1000, t * search.reward());
 //   search.best(), search.pool()
 //
-// The same steps, temperatures and restarts give the same answer wherever it
+// The same steps, tolerances and restarts give the same answer wherever it
 // runs. Symmetric or not, lengths need not be those of a plane; but insertion
 // thinks little of detours that save length.
 //
-// [1] J. Christiaens and G. Vanden Berghe, "Slack Induction by String Removals
-//     for Vehicle Routing Problems", Transportation Science 54 (2020), 417-433.
+// [1] J. Christiaens and G. Vanden Berghe, "Slack Induction by String Removals"
+//     (2020), doi:10.1287/trsc.2019.0914.
 
 #ifndef KG_PLANNER_TOUR_SEARCH_H_
 #define KG_PLANNER_TOUR_SEARCH_H_
@@ -42,8 +42,8 @@ class TourSearch {
   // Throws as Check() does. Without any tour within the limit all stay empty.
   TourSearch(const Orienteering& problem, unsigned seed);
 
-  // So many steps; `temperature` is about what a step may lose [reward].
-  void Run(std::size_t steps, double temperature);
+  // So many steps; `tolerance` is about what a step may lose [reward].
+  void Run(std::size_t steps, double tolerance);
   // Goes on from these; they must keep the limit and share no point.
   void Restart(const std::vector<Tour>& tours);
 
@@ -72,7 +72,7 @@ class TourSearch {
   void Locate();
   bool Better(const Solution& a, const Solution& b) const;
   bool Remeasure();
-  void Accept(double temperature);
+  void Accept(double tolerance);
 
   int Visited() const;
   void Destroy();

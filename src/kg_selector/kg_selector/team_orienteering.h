@@ -80,7 +80,7 @@ class TimeBudget {
 // What all points that can be visited are worth together.
 double AllRewards(const kg_planner::Orienteering& problem);
 
-// Runs the search until `until_s` of the budget, the temperature falling from
+// Runs the search until `until_s` of the budget, the tolerance falling from
 // `hot` to `cold` (shares of the reward); less if all there is was found.
 struct Cooling {
   double until_s = 0.0;
