@@ -106,7 +106,7 @@ TEST(PlanUnderTest, PricesOfNothingChangeNothing) {
   const Candidates priced = PlanUnder({}, member, free);
   ASSERT_EQ(plain.pathlets.size(), priced.pathlets.size());
   for (std::size_t i = 0; i < plain.pathlets.size(); ++i) {
-    EXPECT_NEAR(plain.pathlets[i].score(), priced.pathlets[i].score(), 1e-9); priced.pathlets[i].score());
+    EXPECT_NEAR(plain.pathlets[i].score(), priced.pathlets[i].score(), 1e-9);
     EXPECT_EQ(EarnedBy(plain.pathlets[i]), EarnedBy(priced.pathlets[i]));
   }
 }

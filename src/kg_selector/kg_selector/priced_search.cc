@@ -1,0 +1,170 @@
+#include "kg_selector/priced_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace kg_selector {
+namespace {
+
+// Of the rounds, how many may go into prices.
+constexpr double kPriceShare = 0.5;
+// Columns of an agent that are tried: every round, and at the end of a phase.
+constexpr int kFewColumns = 15;
+constexpr int kManyColumns = 100;
+// Groups may lead this share of an agent's part below the best plan, at first.
+constexpr double kSlack = 0.03;
+
+std::vector<int> ColumnsOf(const TeamChoice& choice) {
+  std::vector<int> columns;
+  for (const int column : choice)
+    if (column != kNobody) columns.push_back(column);
+  return columns;
+}
+
+}  // namespace
+
+void PricedSearch::Drop(int agent) {
+  dropped_.insert(agent);
+  losers_.erase(agent);
+  prices_.Drop(agent);
+  groups_.Drop(agent);
+  for (TeamChoice* choice : {&best_, &current_, &partial_})
+    if (!choice->empty()) (*choice)[agent] = kNobody;
+}
+
+ColumnAsks PricedSearch::Next(const TeamColumns& pool,
+                              const ColumnAnswers& answers) {
+  if (best_.empty()) best_.assign(pool.agents(), kNobody);
+  ++rounds_;
+  switch (phase_) {
+    case Phase::kPrices:
+      return AfterPrices(pool, answers);
+    case Phase::kRepair:
+      return AfterRepair(pool, answers);
+    case Phase::kGroups:
+      return AfterGroups(pool, answers);
+    case Phase::kUnserved:
+      Keep(pool, best_, kManyColumns);
+      return AskUnserved(pool);
+  }
+  return {};
+}
+
+ColumnAsks PricedSearch::AfterPrices(const TeamColumns& pool,
+                                     const ColumnAnswers& answers) {
+  LearnPrices(pool, answers);
+  partial_.assign(pool.agents(), kNobody);
+  Fit(pool, answers);
+  Keep(pool, partial_, kFewColumns);
+  if (IsCloseEnough(pool)) return AskUnserved(pool);
+  if (rounds_ < kPriceShare * options_.max_rounds && !prices_.settled())
+    return AskAtPrices(pool);
+  return AfterRepair(pool, {});
+}
+
+ColumnAsks PricedSearch::AfterRepair(const TeamColumns& pool,
+                                     const ColumnAnswers& answers) {
+  Fit(pool, answers);
+  if (!losers_.empty() && rounds_ + 1 < options_.max_rounds) {
+    phase_ = Phase::kRepair;
+    ColumnAsks asks;
+    for (const int agent : losers_)
+      asks[agent] = {prices_.prices(), ColumnsOf(partial_)};
+    return asks;
+  }
+  Keep(pool, partial_, kManyColumns);
+  current_ = best_;
+  return AskGroups(pool);
+}
+
+ColumnAsks PricedSearch::AfterGroups(const TeamColumns& pool,
+                                     const ColumnAnswers& answers) {
+  ColumnAsks asks = groups_.Next(answers);
+  if (!asks.empty() && rounds_ + 1 < options_.max_rounds) return asks;
+  const double left = 1.0 - 1.0 * rounds_ / options_.max_rounds;
+  const double slack =
+      kSlack * left * std::abs(pool.Score(best_)) / pool.agents();
+  current_ = groups_.End(pool, pool.Worth(best_), slack);
+  if (IsMore(pool.Worth(current_), pool.Worth(best_))) best_ = current_;
+  return AskGroups(pool);
+}
+
+void PricedSearch::LearnPrices(const TeamColumns& pool,
+                               const ColumnAnswers& answers) {
+  TeamPrices::Answers learnt;
+  learnt.bounds.assign(pool.agents(), 0.0);
+  learnt.usage.assign(pool.capacities().size(), 0);
+  for (const auto& [agent, answer] : answers) {
+    learnt.bounds[agent] = answer.bound;
+    if (answer.columns.empty()) continue;
+    for (const int row : pool.columns()[answer.columns.front()].rows)
+      ++learnt.usage[row];
+  }
+  prices_.Learn(pool.capacities(), learnt);
+}
+
+// Who has the most to lose keeps what it has.
+void PricedSearch::Fit(const TeamColumns& pool, const ColumnAnswers& answers) {
+  std::vector<std::pair<double, int>> order;
+  for (const auto& [agent, answer] : answers)
+    if (!answer.columns.empty())
+      order.emplace_back(
+          -pool.Reduced(answer.columns.front(), prices_.prices()),
+          answer.columns.front());
+  std::sort(order.begin(), order.end());
+  if (!answers.empty()) losers_.clear();
+  for (const auto& [value, column] : order) {
+    const int agent = pool.columns()[column].agent;
+    TeamChoice with = partial_;
+    with[agent] = column;
+    if (pool.IsAllowed(with))
+      partial_ = std::move(with);
+    else
+      losers_.insert(agent);
+  }
+}
+
+void PricedSearch::Keep(const TeamColumns& pool, TeamChoice choice,
+                        int columns) {
+  choice = Exchange(pool, prices_.best_prices(), std::move(choice),
+                    {columns, columns / 5});
+  if (IsMore(pool.Worth(choice), pool.Worth(best_))) best_ = std::move(choice);
+}
+
+bool PricedSearch::IsCloseEnough(const TeamColumns& pool) const {
+  const double plan = pool.Score(best_);
+  return bound() - plan <= options_.gap_goal * std::abs(bound());
+}
+
+ColumnAsks PricedSearch::AskAtPrices(const TeamColumns& pool) {
+  phase_ = Phase::kPrices;
+  prices_.Step(pool.Score(best_));
+  ColumnAsks asks;
+  for (int agent = 0; agent < pool.agents(); ++agent)
+    if (dropped_.count(agent) == 0) asks[agent] = {prices_.prices(), {}};
+  return asks;
+}
+
+ColumnAsks PricedSearch::AskGroups(const TeamColumns& pool) {
+  if (rounds_ + 2 >= options_.max_rounds || IsCloseEnough(pool)) {
+    Keep(pool, best_, kManyColumns);
+    return AskUnserved(pool);
+  }
+  phase_ = Phase::kGroups;
+  ColumnAsks asks = groups_.Begin(pool, current_, prices_.best_prices());
+  return asks.empty() ? AskUnserved(pool) : asks;
+}
+
+ColumnAsks PricedSearch::AskUnserved(const TeamColumns& pool) {
+  phase_ = Phase::kUnserved;
+  if (rounds_ >= options_.max_rounds || !asked_unserved_.insert(best_).second)
+    return {};
+  ColumnAsks asks;
+  for (int agent = 0; agent < pool.agents(); ++agent)
+    if (best_[agent] == kNobody && dropped_.count(agent) == 0)
+      asks[agent] = {{}, ColumnsOf(best_)};
+  return asks;
+}
+
+}  // namespace kg_selector
