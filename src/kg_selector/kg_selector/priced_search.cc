@@ -15,13 +15,6 @@ constexpr int kManyColumns = 100;
 // Groups may lead this share of an agent's part below the best plan, at first.
 constexpr double kSlack = 0.03;
 
-std::vector<int> ColumnsOf(const TeamChoice& choice) {
-  std::vector<int> columns;
-  for (const int column : choice)
-    if (column != kNobody) columns.push_back(column);
-  return columns;
-}
-
 }  // namespace
 
 void PricedSearch::Drop(int agent) {
@@ -46,18 +39,18 @@ ColumnAsks PricedSearch::Next(const TeamColumns& pool,
       return AfterGroups(pool, answers);
     case Phase::kUnserved:
       Keep(pool, best_, kManyColumns);
-      return AskUnserved(pool);
+      return AskUnserved();
   }
   return {};
 }
 
 ColumnAsks PricedSearch::AfterPrices(const TeamColumns& pool,
                                      const ColumnAnswers& answers) {
-  LearnPrices(pool, answers);
+  prices_.Learn(pool.capacities(), AnswersOf(pool, answers));
   partial_.assign(pool.agents(), kNobody);
   Fit(pool, answers);
   Keep(pool, partial_, kFewColumns);
-  if (IsCloseEnough(pool)) return AskUnserved(pool);
+  if (IsCloseEnough(pool)) return AskUnserved();
   if (rounds_ < kPriceShare * options_.max_rounds && !prices_.settled())
     return AskAtPrices(pool);
   return AfterRepair(pool, {});
@@ -88,20 +81,6 @@ ColumnAsks PricedSearch::AfterGroups(const TeamColumns& pool,
   current_ = groups_.End(pool, pool.Worth(best_), slack);
   if (IsMore(pool.Worth(current_), pool.Worth(best_))) best_ = current_;
   return AskGroups(pool);
-}
-
-void PricedSearch::LearnPrices(const TeamColumns& pool,
-                               const ColumnAnswers& answers) {
-  TeamPrices::Answers learnt;
-  learnt.bounds.assign(pool.agents(), 0.0);
-  learnt.usage.assign(pool.capacities().size(), 0);
-  for (const auto& [agent, answer] : answers) {
-    learnt.bounds[agent] = answer.bound;
-    if (answer.columns.empty()) continue;
-    for (const int row : pool.columns()[answer.columns.front()].rows)
-      ++learnt.usage[row];
-  }
-  prices_.Learn(pool.capacities(), learnt);
 }
 
 // Who has the most to lose keeps what it has.
@@ -140,31 +119,24 @@ bool PricedSearch::IsCloseEnough(const TeamColumns& pool) const {
 ColumnAsks PricedSearch::AskAtPrices(const TeamColumns& pool) {
   phase_ = Phase::kPrices;
   prices_.Step(pool.Score(best_));
-  ColumnAsks asks;
-  for (int agent = 0; agent < pool.agents(); ++agent)
-    if (dropped_.count(agent) == 0) asks[agent] = {prices_.prices(), {}};
-  return asks;
+  return AskAllAt(prices_.prices(), pool.agents(), dropped_);
 }
 
 ColumnAsks PricedSearch::AskGroups(const TeamColumns& pool) {
   if (rounds_ + 2 >= options_.max_rounds || IsCloseEnough(pool)) {
     Keep(pool, best_, kManyColumns);
-    return AskUnserved(pool);
+    return AskUnserved();
   }
   phase_ = Phase::kGroups;
   ColumnAsks asks = groups_.Begin(pool, current_, prices_.best_prices());
-  return asks.empty() ? AskUnserved(pool) : asks;
+  return asks.empty() ? AskUnserved() : asks;
 }
 
-ColumnAsks PricedSearch::AskUnserved(const TeamColumns& pool) {
+ColumnAsks PricedSearch::AskUnserved() {
   phase_ = Phase::kUnserved;
   if (rounds_ >= options_.max_rounds || !asked_unserved_.insert(best_).second)
     return {};
-  ColumnAsks asks;
-  for (int agent = 0; agent < pool.agents(); ++agent)
-    if (best_[agent] == kNobody && dropped_.count(agent) == 0)
-      asks[agent] = {{}, ColumnsOf(best_)};
-  return asks;
+  return AskUnservedBeside(best_, dropped_);
 }
 
 }  // namespace kg_selector

@@ -44,7 +44,6 @@ class PricedSearch : public TeamSearch {
  private:
   enum class Phase { kPrices, kRepair, kGroups, kUnserved };
 
-  void LearnPrices(const TeamColumns& pool, const ColumnAnswers& answers);
   void Fit(const TeamColumns& pool, const ColumnAnswers& answers);
   void Keep(const TeamColumns& pool, TeamChoice choice, int columns);
   bool IsCloseEnough(const TeamColumns& pool) const;
@@ -53,7 +52,7 @@ class PricedSearch : public TeamSearch {
   ColumnAsks AfterGroups(const TeamColumns& pool, const ColumnAnswers& answers);
   ColumnAsks AskAtPrices(const TeamColumns& pool);
   ColumnAsks AskGroups(const TeamColumns& pool);
-  ColumnAsks AskUnserved(const TeamColumns& pool);
+  ColumnAsks AskUnserved();
 
   SearchOptions options_;
   TeamPrices prices_;

@@ -13,26 +13,6 @@ bool IsFinite(kg_core::LonLat place) {
   return std::isfinite(place.lon_deg) && std::isfinite(place.lat_deg);
 }
 
-bool SamePath(const Pathlet& a, const Pathlet& b) {
-  const auto same_visit = [](const Visit& x, const Visit& y) {
-    return x.window == y.window && x.waypoint == y.waypoint &&
-           x.events == y.events &&
-           std::equal(x.via.begin(), x.via.end(), y.via.begin(), y.via.end(),
-                      [](const Stop& s, const Stop& t) {
-                        return s.waypoint == t.waypoint;
-                      });
-  };
-  const auto same_point = [](const TimedPoint& x, const TimedPoint& y) {
-    return x.time_s == y.time_s && x.position.lon_deg == y.position.lon_deg &&
-           x.position.lat_deg == y.position.lat_deg;
-  };
-  return a.score() == b.score() && a.energy_j == b.energy_j &&
-         std::equal(a.visits.begin(), a.visits.end(), b.visits.begin(),
-                    b.visits.end(), same_visit) &&
-         std::equal(a.track.begin(), a.track.end(), b.track.begin(),
-                    b.track.end(), same_point);
-}
-
 std::string MalformedVisits(const TeamRules& rules, const Pathlet& pathlet) {
   for (std::size_t i = 0; i < pathlet.visits.size(); ++i) {
     const Visit& visit = pathlet.visits[i];
@@ -59,6 +39,26 @@ std::string MalformedTrack(const std::vector<TimedPoint>& track) {
 }
 
 }  // namespace
+
+bool SamePath(const Pathlet& a, const Pathlet& b) {
+  const auto same_visit = [](const Visit& x, const Visit& y) {
+    return x.window == y.window && x.waypoint == y.waypoint &&
+           x.events == y.events &&
+           std::equal(x.via.begin(), x.via.end(), y.via.begin(), y.via.end(),
+                      [](const Stop& s, const Stop& t) {
+                        return s.waypoint == t.waypoint;
+                      });
+  };
+  const auto same_point = [](const TimedPoint& x, const TimedPoint& y) {
+    return x.time_s == y.time_s && x.position.lon_deg == y.position.lon_deg &&
+           x.position.lat_deg == y.position.lat_deg;
+  };
+  return a.score() == b.score() && a.energy_j == b.energy_j &&
+         std::equal(a.visits.begin(), a.visits.end(), b.visits.begin(),
+                    b.visits.end(), same_visit) &&
+         std::equal(a.track.begin(), a.track.end(), b.track.begin(),
+                    b.track.end(), same_point);
+}
 
 std::string Malformed(const TeamRules& rules, const Pathlet& pathlet) {
   if (!std::isfinite(pathlet.reward) || !std::isfinite(pathlet.seam_cost) ||

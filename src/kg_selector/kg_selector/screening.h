@@ -28,6 +28,9 @@ Screened Screen(const TeamRules& rules, const std::string& agent,
 // Why `pathlet` cannot be weighed at all; empty if it can.
 std::string Malformed(const TeamRules& rules, const Pathlet& pathlet);
 
+// The same visits, worth the same, along the same track.
+bool SamePath(const Pathlet& a, const Pathlet& b);
+
 }  // namespace kg_selector
 
 #endif  // KG_SELECTOR_SCREENING_H_

@@ -66,6 +66,11 @@ double TeamColumns::Score(const TeamChoice& choice) const {
   return sum;
 }
 
+double TeamColumns::LoadOf(int column) const {
+  if (fairness == Fairness::kMaxMin) return columns_[column].score - unserved_;
+  return columns_[column].load;
+}
+
 TeamWorth TeamColumns::Worth(const TeamChoice& choice) const {
   TeamWorth worth{0.0, Score(choice)};
   double least = std::numeric_limits<double>::infinity();
@@ -74,7 +79,7 @@ TeamWorth TeamColumns::Worth(const TeamChoice& choice) const {
     if (of_agent_[a].empty()) continue;
     const bool served = choice[a] != kNobody;
     if (!served) worth.second += unserved_;
-    const double load = served ? columns_[choice[a]].load : 0.0;
+    const double load = served ? LoadOf(choice[a]) : 0.0;
     least = std::min(least, load);
     most = std::max(most, load);
   }

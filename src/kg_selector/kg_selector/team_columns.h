@@ -63,6 +63,8 @@ class TeamColumns {
   bool IsAllowed(const TeamChoice& choice) const;
   bool Conflict(int a, int b) const { return conflict && conflict(a, b); }
   double Penalty(int a, int b) const { return penalty ? penalty(a, b) : 0.0; }
+  // What fairness looks at: of kMaxMin what it is worth beyond unserved().
+  double LoadOf(int column) const;
   // The score less the prices of its rows.
   double Reduced(int column, const std::vector<double>& prices) const;
 

@@ -80,4 +80,18 @@ void TeamPrices::Step(double plan) {
     prices_[r] = std::max(0.0, centre_[r] + length * excess[r]);
 }
 
+TeamPrices::Answers AnswersOf(const TeamColumns& pool,
+                              const ColumnAnswers& answers) {
+  TeamPrices::Answers learnt;
+  learnt.bounds.assign(pool.agents(), 0.0);
+  learnt.usage.assign(pool.capacities().size(), 0);
+  for (const auto& [agent, answer] : answers) {
+    learnt.bounds[agent] = answer.bound;
+    if (answer.columns.empty()) continue;
+    for (const int row : pool.columns()[answer.columns.front()].rows)
+      ++learnt.usage[row];
+  }
+  return learnt;
+}
+
 }  // namespace kg_selector

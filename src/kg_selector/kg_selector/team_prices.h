@@ -25,7 +25,10 @@
 #define KG_SELECTOR_TEAM_PRICES_H_
 
 #include <limits>
+#include <utility>
 #include <vector>
+
+#include "kg_selector/team_search.h"
 
 namespace kg_selector {
 
@@ -41,6 +44,9 @@ class TeamPrices {
 
   // The prices to ask for next, given what a plan is known to be worth.
   void Step(double plan);
+
+  // Other prices to ask for next.
+  void Set(std::vector<double> prices) { prices_ = std::move(prices); }
 
   const std::vector<double>& prices() const { return prices_; }
   // Those of the least L so far, and it; infinite if there was none.
@@ -65,6 +71,10 @@ class TeamPrices {
   std::vector<double> bounds_;  // By round, the least until then.
   int in_vain_ = 0;
 };
+
+// What a round at common prices taught.
+TeamPrices::Answers AnswersOf(const TeamColumns& pool,
+                              const ColumnAnswers& answers);
 
 }  // namespace kg_selector
 

@@ -14,6 +14,7 @@
 
 #include <limits>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "kg_selector/team_columns.h"
@@ -58,8 +59,18 @@ class TeamSearch {
 struct SearchOptions {
   int max_rounds = 8;  // Of asking, the first included.
   double gap_goal = 0.01;
-  double epsilon = 0.05;  // Least raise of a price.
+  double epsilon = 0.05;      // Least raise of a price.
+  double time_limit_s = 2.0;  // Of an exact choice.
 };
+
+// The columns that are chosen.
+std::vector<int> ColumnsOf(const TeamChoice& choice);
+// What everybody without a column is asked: the best beside all that have one.
+ColumnAsks AskUnservedBeside(const TeamChoice& choice,
+                             const std::set<int>& dropped);
+// Everybody, at the same prices.
+ColumnAsks AskAllAt(const std::vector<double>& prices, int agents,
+                    const std::set<int>& dropped);
 
 }  // namespace kg_selector
 
