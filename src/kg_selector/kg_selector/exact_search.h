@@ -23,9 +23,10 @@ struct ExactChoice {
   TeamChoice choice;
   bool optimal = false;  // Among the columns, soft separation aside.
 };
-// The best choice of a pool; from `start`, which is allowed. Ends after about
-// `time_limit_s`, then with the best so far.
+// The best choice of a pool; from `start`, which is allowed. Good `prices` of
+// rows spare work. Ends after about `time_limit_s`, then with the best so far.
 ExactChoice ChooseExactly(const TeamColumns& pool, const TeamChoice& start,
+                          const std::vector<double>& prices,
                           double time_limit_s);
 
 class ExactSearch : public TeamSearch {
