@@ -1,12 +1,22 @@
 #include "kg_selector/auction_search.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace kg_selector {
+namespace {
+
+// Of the rounds, how many may go into bids.
+constexpr double kBidShare = 0.6;
+// Waves of groups that find nothing better, before they are given up.
+constexpr int kWavesInVain = 10;
+
+}  // namespace
 
 void AuctionSearch::Drop(int agent) {
   dropped_.insert(agent);
   relaxation_.Drop(agent);
+  groups_.Drop(agent);
   for (TeamChoice* choice : {&held_, &best_})
     if (!choice->empty()) (*choice)[agent] = kNobody;
 }
@@ -19,21 +29,62 @@ ColumnAsks AuctionSearch::Next(const TeamColumns& pool,
     best_ = held_;
     relaxation_.Learn(pool.capacities(), AnswersOf(pool, answers));
   }
-  if (phase_ == Phase::kBids) {
-    TakeBids(pool, answers);
-    ColumnAsks asks = AskBidders(pool);
-    if (!asks.empty() && rounds_ + 2 < options_.max_rounds) return asks;
-    phase_ = Phase::kFinal;
-    relaxation_.Set(prices_);
-    if (rounds_ < options_.max_rounds)
-      return AskAllAt(prices_, pool.agents(), dropped_);
-  } else if (phase_ == Phase::kFinal) {
-    relaxation_.Learn(pool.capacities(), AnswersOf(pool, answers));
+  switch (phase_) {
+    case Phase::kBids:
+      return AfterBids(pool, answers);
+    case Phase::kFinal:
+      relaxation_.Learn(pool.capacities(), AnswersOf(pool, answers));
+      return AfterAuction(pool);
+    case Phase::kGroups:
+      return AfterGroups(pool, answers);
+    case Phase::kUnserved:
+      Keep(pool, best_);
+      return AskUnserved();
   }
-  phase_ = Phase::kUnserved;
+  return {};
+}
+
+ColumnAsks AuctionSearch::AfterBids(const TeamColumns& pool,
+                                    const ColumnAnswers& answers) {
+  TakeBids(pool, answers);
+  ColumnAsks asks = AskBidders(pool);
+  if (!asks.empty() && rounds_ + 2 < kBidShare * options_.max_rounds)
+    return asks;
+  if (rounds_ >= options_.max_rounds) return AfterAuction(pool);
+  phase_ = Phase::kFinal;
+  relaxation_.Set(prices_);
+  return AskAllAt(prices_, pool.agents(), dropped_);
+}
+
+ColumnAsks AuctionSearch::AfterAuction(const TeamColumns& pool) {
   Keep(pool, held_);
   Keep(pool, ChooseGreedily(pool, {}));
+  return AskGroups(pool);
+}
+
+ColumnAsks AuctionSearch::AfterGroups(const TeamColumns& pool,
+                                      const ColumnAnswers& answers) {
+  ColumnAsks asks = groups_.Next(answers);
+  if (!asks.empty() && rounds_ + 1 < options_.max_rounds) return asks;
+  const TeamChoice choice = groups_.End(pool, pool.Worth(best_), 0.0);
+  const bool better = IsMore(pool.Worth(choice), pool.Worth(best_));
+  in_vain_ = better ? 0 : in_vain_ + 1;
+  if (better) best_ = choice;
+  return AskGroups(pool);
+}
+
+ColumnAsks AuctionSearch::AskGroups(const TeamColumns& pool) {
+  phase_ = Phase::kGroups;
+  if (in_vain_ <= kWavesInVain && rounds_ + 2 < options_.max_rounds) {
+    ColumnAsks asks = groups_.Begin(pool, best_, prices_);
+    if (!asks.empty()) return asks;
+  }
+  phase_ = Phase::kUnserved;
   Keep(pool, best_);
+  return AskUnserved();
+}
+
+ColumnAsks AuctionSearch::AskUnserved() {
   if (rounds_ >= options_.max_rounds || !asked_unserved_.insert(best_).second)
     return {};
   return AskUnservedBeside(best_, dropped_);

@@ -18,8 +18,10 @@
 // Printed is the bound found, not this one.
 //
 // The plan is the auction's, or what greedy choice gives from the same columns
-// if that is worth more, after Exchange(). Paths that come too close without
-// sharing a row have no price: who is in another's way like that plans around.
+// if that is worth more, after Exchange(); groups make it better as long as
+// they can (group_exchange.h) and rounds are left. Paths that come too close
+// without sharing a row have no price: who is in another's way like that plans
+// around.
 //
 // [1] D. P. Bertsekas, "The auction algorithm: a distributed relaxation method
 //     for the assignment problem", Annals of Operations Research 14 (1988).
@@ -31,6 +33,7 @@
 #include <utility>
 #include <vector>
 
+#include "kg_selector/group_exchange.h"
 #include "kg_selector/team_prices.h"
 #include "kg_selector/team_search.h"
 
@@ -49,8 +52,13 @@ class AuctionSearch : public TeamSearch {
   int rounds() const { return rounds_; }
 
  private:
-  enum class Phase { kBids, kFinal, kUnserved };
+  enum class Phase { kBids, kFinal, kGroups, kUnserved };
 
+  ColumnAsks AfterBids(const TeamColumns& pool, const ColumnAnswers& answers);
+  ColumnAsks AfterAuction(const TeamColumns& pool);
+  ColumnAsks AfterGroups(const TeamColumns& pool, const ColumnAnswers& answers);
+  ColumnAsks AskGroups(const TeamColumns& pool);
+  ColumnAsks AskUnserved();
   void TakeBids(const TeamColumns& pool, const ColumnAnswers& answers);
   void TakeBid(const TeamColumns& pool, int agent, const ColumnAnswer& answer,
                std::set<int>* raised);
@@ -62,6 +70,7 @@ class AuctionSearch : public TeamSearch {
 
   SearchOptions options_;
   TeamPrices relaxation_;
+  GroupExchange groups_;
   std::vector<double> prices_;
   TeamChoice held_;
   TeamChoice best_;
@@ -71,6 +80,7 @@ class AuctionSearch : public TeamSearch {
   std::set<TeamChoice> asked_unserved_;
   Phase phase_ = Phase::kBids;
   int rounds_ = 0;
+  int in_vain_ = 0;
 };
 
 }  // namespace kg_selector

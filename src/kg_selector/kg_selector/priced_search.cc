@@ -12,8 +12,9 @@ constexpr double kPriceShare = 0.5;
 // Columns of an agent that are tried: every round, and at the end of a phase.
 constexpr int kFewColumns = 15;
 constexpr int kManyColumns = 100;
-// Groups may lead this share of an agent's part below the best plan, at first.
-constexpr double kSlack = 0.03;
+// Groups may lead so far below the best plan, at first: of the plan's score,
+// over the square of the number of agents. In large teams better moves abound.
+constexpr double kSlack = 0.3;
 
 }  // namespace
 
@@ -76,8 +77,8 @@ ColumnAsks PricedSearch::AfterGroups(const TeamColumns& pool,
   ColumnAsks asks = groups_.Next(answers);
   if (!asks.empty() && rounds_ + 1 < options_.max_rounds) return asks;
   const double left = 1.0 - 1.0 * rounds_ / options_.max_rounds;
-  const double slack =
-      kSlack * left * std::abs(pool.Score(best_)) / pool.agents();
+  const double slack = kSlack * left * std::abs(pool.Score(best_)) /
+                       (static_cast<double>(pool.agents()) * pool.agents());
   current_ = groups_.End(pool, pool.Worth(best_), slack);
   if (IsMore(pool.Worth(current_), pool.Worth(best_))) best_ = current_;
   return AskGroups(pool);

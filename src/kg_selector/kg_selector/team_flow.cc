@@ -44,8 +44,9 @@ struct Layer {
   std::vector<double> gain;
   std::vector<int> room;                  // Capacity left, by node.
   std::vector<std::vector<int>> flow_in;  // By node: seams with flow.
-  int in(int v) const { return first_node + 2 * v; }
-  int out(int v) const { return first_node + 2 * v + 1; }
+  int nodes() const { return static_cast<int>(gain.size()); }
+  int in(int v) const { return first_node + v; }
+  int out(int v) const { return first_node + nodes() + v; }
 };
 
 Layer ToLayer(const FlowStage& stage, int before, int first_node) {
@@ -202,13 +203,12 @@ class Solver {
       if (vertex == exit_) return;
       if (cost > cost_[vertex]) continue;
       const int layer = layer_of_[vertex];
-      const int at = layer < 0 ? 0 : vertex - layers_[layer].first_node;
-      if (layer < 0)
-        LeaveOut(vertex, layer, vertex);
-      else if (at % 2 == 1)
-        LeaveOut(vertex, layer, at / 2);
+      const int nodes = layer < 0 ? 0 : layers_[layer].nodes();
+      const int at = layer < 0 ? vertex : vertex - layers_[layer].first_node;
+      if (at >= nodes)
+        LeaveOut(vertex, layer, at - nodes);
       else
-        LeaveIn(vertex, layer, at / 2);
+        LeaveIn(vertex, layer, at);
     }
   }
 

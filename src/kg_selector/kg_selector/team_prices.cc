@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kLeastShare = 0.1;  // Of the newest answers in the average.
 constexpr int kPatience = 2;         // Steps in vain before they get shorter.
+// Of the bound: where the best plan will be, if none so good is known yet.
+constexpr double kLikelyGap = 0.05;
 // Settled: the bound fell by less than this share in so many rounds.
 constexpr double kHardly = 2e-4;
 constexpr std::size_t kWhile = 30;
@@ -73,7 +75,7 @@ void TeamPrices::Step(double plan) {
     squared += excess[r] * excess[r];
   }
   prices_ = centre_;
-  const double gap = bound() - plan;
+  const double gap = std::min(bound() - plan, kLikelyGap * std::abs(bound()));
   if (!(squared > 0.0) || !std::isfinite(gap)) return;
   const double length = step_ * std::max(gap, 0.0) / squared;
   for (std::size_t r = 0; r < prices_.size(); ++r)
