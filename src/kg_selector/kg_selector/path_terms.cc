@@ -1,7 +1,6 @@
 #include "kg_selector/path_terms.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "kg_compiler/explain/explain_seam.h"
@@ -20,14 +19,12 @@ using kg_compiler::Facts;
 using kg_compiler::SeamWeights;
 using kg_compiler::Short;
 
-const kg_compiler::TraverseEdge& EdgeInto(const TeamMember& member,
-                                          const Pathlet& pathlet,
-                                          std::size_t stage) {
-  const int from = stage == 0 ? 0 : pathlet.visits[stage - 1].waypoint;
-  const auto* edge =
-      FindEdge(member.graphs[stage], from, pathlet.visits[stage].waypoint);
-  if (edge) return *edge;
-  throw std::logic_error("a path takes an edge that its graph does not have");
+// "waypoint 3", "waypoints 1, 3".
+std::string StopNames(const std::vector<int>& stops) {
+  std::string names = stops.size() == 1 ? "waypoint " : "waypoints ";
+  for (const int stop : stops)
+    names += (&stop == &stops.front() ? "" : ", ") + std::to_string(stop);
+  return names;
 }
 
 std::string EventNames(const Visit& visit) {
@@ -93,7 +90,7 @@ Facts MotionFacts(const PlannedWorld& world, const kg_core::Agent& agent,
 bool SamePath(const Pathlet& a, const Pathlet& b) {
   return std::equal(a.visits.begin(), a.visits.end(), b.visits.begin(),
                     b.visits.end(), [](const Visit& x, const Visit& y) {
-                      return x.window == y.window && x.waypoint == y.waypoint;
+                      return x.window == y.window && StopsOf(x) == StopsOf(y);
                     });
 }
 
@@ -111,12 +108,14 @@ std::vector<PathTerm> TermsOf(const PlannedWorld& world,
   std::vector<PathTerm> terms;
   for (std::size_t s = 0; s < pathlet.visits.size(); ++s) {
     const Visit& visit = pathlet.visits[s];
-    const double score = member.graphs[s].waypoints.at(visit.waypoint).score;
-    terms.push_back({visit.window, TermKind::kValue, score,
-                     "waypoint " + std::to_string(visit.waypoint)});
+    const std::vector<int> stops = StopsOf(visit);
+    double score = 0.0;
+    for (const int stop : stops)
+      score += member.graphs[s].waypoints.at(stop).score;
+    terms.push_back({visit.window, TermKind::kValue, score, StopNames(stops)});
     terms.push_back({visit.window, TermKind::kEvents, visit.reward - score,
                      EventNames(visit)});
-    AddSeam(member, s, EdgeInto(member, pathlet, s), &terms);
+    AddSeam(member, s, EdgeTaken(member, pathlet, s), &terms);
   }
   const double penalty =
       SoftPenalty(world.rules, CommittedBefore(world, pathlet.agent), pathlet);
@@ -222,6 +221,8 @@ FoundPath FindBest(const PlannedWorld& world, const TeamMember& member,
   kg_planner::Masks masks = MaskCommitted(world.rules, member.graphs, before);
   masks.nodes.insert(masks.nodes.end(), search.masks.nodes.begin(),
                      search.masks.nodes.end());
+  masks.seams.insert(masks.seams.end(), search.masks.seams.begin(),
+                     search.masks.seams.end());
   kg_planner::KBestOptions options;
   options.paths =
       std::max(world.rules.separation_is_hard ? 2 : open.candidates, 2);

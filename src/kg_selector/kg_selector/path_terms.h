@@ -18,7 +18,7 @@
 namespace kg_selector {
 
 enum class TermKind {
-  kValue,  // The waypoint's score.
+  kValue,  // The scores of the waypoints visited.
   kEvents,
   kTime,
   kEnergy,
@@ -32,7 +32,7 @@ struct PathTerm {
   int window = -1;
   TermKind kind = TermKind::kValue;
   double value = 0.0;  // Costs are negative.
-  std::string where;   // The waypoint, or the events' names.
+  std::string where;   // The waypoints, or the events' names.
 };
 
 // In order of windows and kinds, all kinds of each window.

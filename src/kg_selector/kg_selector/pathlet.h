@@ -28,6 +28,9 @@ struct Visit {
   std::vector<Stop> via = {};
 };
 
+std::vector<int> ViaOf(const Visit& visit);    // Waypoints on the way.
+std::vector<int> StopsOf(const Visit& visit);  // And where it ends.
+
 struct Pathlet {
   std::string agent;  // Its name in the team (NameOf in plan_team.h).
   int rank = 0;       // In the agent's own order, 0 = best.

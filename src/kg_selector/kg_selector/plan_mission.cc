@@ -20,7 +20,7 @@ using kg_compiler::WindowWorld;
 struct Graphs {
   NavGraphs graphs;
   std::string trouble;  // Why there are none.
-  kg_compiler::SeamCache cache;
+  GraphCache cache;
 };
 
 // A compilation's rasters by hash.
@@ -69,7 +69,7 @@ Graphs CompileGraphs(const SeamRules& rules,
     if (last != previous->caches.end()) made.cache = last->second;
   }
   try {
-    made.graphs = kg_compiler::CompileNavGraphs(rules, worlds, &made.cache);
+    made.graphs = CompileWalkedGraphs(rules, worlds, &made.cache);
   } catch (const kg_core::InputError& error) {
     made.trouble = error.what();
   }

@@ -13,6 +13,7 @@
 #include "kg_compiler/test_world.h"
 #include "kg_core/rdf/store.h"
 #include "kg_selector/planned_world.h"
+#include "kg_selector/walks.h"
 
 namespace kg_selector {
 
@@ -139,7 +140,7 @@ class PlannedTestWorld {
         if (field->window == window.window) world.field = &field->field;
       worlds.push_back(world);
     }
-    return {rules, kg_compiler::CompileNavGraphs(rules, worlds, nullptr)};
+    return {rules, CompileWalkedGraphs(rules, worlds, nullptr)};
   }
 
   std::mt19937 rng_;

@@ -1,5 +1,6 @@
 #include "kg_selector/planned_world.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include "kg_core/base/input_error.h"
@@ -102,11 +103,15 @@ std::vector<Pathlet> CommittedBefore(const PlannedWorld& world,
   return before;
 }
 
-const kg_compiler::TraverseEdge* FindEdge(const kg_compiler::NavGraph& graph,
-                                          int from, int to) {
-  for (const auto& edge : graph.edges)
-    if (edge.from == from && edge.to == to) return &edge;
-  return nullptr;
+const kg_compiler::TraverseEdge& EdgeTaken(const TeamMember& member,
+                                           const Pathlet& pathlet,
+                                           std::size_t stage) {
+  const int from = stage == 0 ? 0 : pathlet.visits[stage - 1].waypoint;
+  const Visit& visit = pathlet.visits[stage];
+  const auto* edge = kg_compiler::FindEdge(member.graphs[stage], from,
+                                           visit.waypoint, ViaOf(visit));
+  if (edge) return *edge;
+  throw std::logic_error("a path takes an edge that its graph does not have");
 }
 
 }  // namespace kg_selector

@@ -120,7 +120,7 @@ bool Same(const TraverseEdge& a, const TraverseEdge& b) {
   const auto same_point = [](const TimedPoint& x, const TimedPoint& y) {
     return Same(x, y);
   };
-  return tie(a) == tie(b) &&
+  return tie(a) == tie(b) && a.via == b.via &&
          std::equal(a.flight.track.begin(), a.flight.track.end(),
                     b.flight.track.begin(), b.flight.track.end(), same_point);
 }
