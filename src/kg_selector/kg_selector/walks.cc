@@ -31,6 +31,14 @@ constexpr std::size_t kExactLabels = 4000;
 constexpr std::size_t kMostSteps = 400;
 constexpr double kLeastGround_mps = 1e-3;
 
+// How long a walk takes is only known when it is flown: those that seem to take
+// up to a tenth too long are looked at, too, besides those that seem to fit.
+struct Look {
+  double duration;  // Share of the window.
+  int per_end;      // Times what is kept.
+};
+constexpr Look kLooks[] = {{1.0, 1}, {1.1, 3}};
+
 enum class Pace { kPriced, kCruise };
 
 double Length_m(const Flight& flight) {
@@ -158,6 +166,7 @@ class WindowWalks {
         node->tokens.push_back({static_cast<int>(i), events[i].reward});
   }
 
+  // `from` at a pace, all legs as edges of the window's begin.
   kg_planner::StageProblem ProblemFrom(int from, Pace pace,
                                        bool with_events) const {
     kg_planner::StageProblem problem;
@@ -215,17 +224,21 @@ class WindowWalks {
   std::set<std::vector<int>> Candidates(int from, bool with_events,
                                         const WalkOptions& options) const {
     kg_planner::MicroPathOptions micro;
-    micro.per_end = options.per_end;
     micro.good_enough = kGoodEnough;
     micro.max_nodes = options.most_stops;
     micro.exact_labels = kExactLabels;
     micro.max_steps = kMostSteps;
     std::set<std::vector<int>> candidates;
     for (const Pace pace : Paces()) {
-      const auto found = kg_planner::FindMicroPaths(
-          ProblemFrom(from, pace, with_events), micro);
-      for (const kg_planner::MicroPath& path : found.paths)
-        if (path.nodes.size() > 1) candidates.insert(path.nodes);
+      kg_planner::StageProblem problem = ProblemFrom(from, pace, with_events);
+      const double limit_s = problem.duration_limit;
+      for (const Look& look : kLooks) {
+        problem.duration_limit = look.duration * limit_s;
+        micro.per_end = look.per_end * options.per_end;
+        for (const kg_planner::MicroPath& path :
+             kg_planner::FindMicroPaths(problem, micro).paths)
+          if (path.nodes.size() > 1) candidates.insert(path.nodes);
+      }
     }
     return candidates;
   }

@@ -25,11 +25,12 @@ using kg_compiler::TraverseEdge;
 using kg_compiler::WindowRules;
 
 // Three agents and windows, where one gets to several waypoints a window.
-PlannedTestWorld EdgesWorld(unsigned seed) {
-  PlannedTestWorld world(seed);
-  world.mission.coordination.movement_mode = "edges";
-  return world;
-}
+class EdgesWorld : public PlannedTestWorld {
+ public:
+  explicit EdgesWorld(unsigned seed) : PlannedTestWorld(seed) {
+    mission.coordination.movement_mode = "edges";
+  }
+};
 
 // One agent's world, held together.
 struct AgentWorld {
@@ -59,7 +60,7 @@ AgentWorld AgentOf(const std::shared_ptr<const kg_compiler::Compilation>& made,
 }
 
 AgentWorld RandomAgent(unsigned seed) {
-  PlannedTestWorld world = EdgesWorld(seed);
+  EdgesWorld world(seed);
   return AgentOf(world.Plan().compilation, seed % 3);
 }
 
@@ -308,7 +309,7 @@ double BestOf(const kg_compiler::SeamRules& rules, const NavGraphs& graphs) {
 
 // A world small enough to look at every way through it.
 AgentWorld SmallAgent(unsigned seed) {
-  PlannedTestWorld world = EdgesWorld(seed);
+  EdgesWorld world(seed);
   world.mission.coordination.waypoints_per_window = 4;
   if (seed % 4 == 0)
     for (auto& agent : world.mission.agents)
@@ -319,7 +320,7 @@ AgentWorld SmallAgent(unsigned seed) {
 TEST(WalksTest, TheBestPlanIsThatOfAllWalks) {
   int with_stops = 0, equal = 0;
   double least_share = 1.0;
-  constexpr int kCases = 60;
+  constexpr int kCases = 40;
   for (unsigned seed = 1; seed <= kCases; ++seed) {
     const AgentWorld world = SmallAgent(seed);
     const NavGraphs graphs = world.Compile();
@@ -335,10 +336,10 @@ TEST(WalksTest, TheBestPlanIsThatOfAllWalks) {
     for (const Visit& visit : found.pathlets.front().visits)
       with_stops += !visit.via.empty();
   }
-  // Legs' times are those of the window's begin until a walk is flown.
-  RecordProperty("equal", equal);
-  EXPECT_GE(equal, 0.9 * kCases);
-  EXPECT_GT(least_share, 0.99);
+  // Not always: which walks to fly is chosen by the currents of the window's
+  // begin.
+  EXPECT_GE(equal, kCases - 3);
+  EXPECT_GT(least_share, 0.995);
   EXPECT_GT(with_stops, kCases);
 }
 
@@ -362,7 +363,7 @@ TEST(WalksTest, APlanWithThemIsWorthNoLess) {
 TEST(WalksTest, TheSameBitsWithWhatWasKeptAsFromNothing) {
   int kept = 0;
   for (unsigned seed = 1; seed <= 4; ++seed) {
-    PlannedTestWorld world = EdgesWorld(seed);
+    EdgesWorld world(seed);
     std::map<std::string, GraphCache> caches;
     for (int change = 0; change < 6; ++change) {
       auto& mission = world.mission;

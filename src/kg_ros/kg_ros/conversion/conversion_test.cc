@@ -176,6 +176,9 @@ kg_compiler::NavGraph SmallGraph() {
   edge.seam_cost = 0.375;
   edge.isolation_s = 0.0625;
   graph.edges = {edge};
+  edge.via = {1, 0};
+  graph.edges.push_back(edge);
+  edge.via.clear();
   edge.from = 0;
   graph.inner_edges = {edge};
   graph.movement_mode = kg_compiler::MovementMode::kEdges;
@@ -200,7 +203,9 @@ TEST(ConversionTest, AWaypointGraphComesBackAsItWas) {
     EXPECT_EQ(a.event_reward, b.event_reward);
     EXPECT_EQ(a.footprint, b.footprint);
   }
-  ASSERT_EQ(1u, back.edges.size());
+  ASSERT_EQ(2u, back.edges.size());
+  EXPECT_TRUE(back.edges[0].via.empty());
+  EXPECT_EQ(graph.edges[1].via, back.edges[1].via);
   const auto& a = graph.edges[0];
   const auto& b = back.edges[0];
   EXPECT_EQ(a.from, b.from);
@@ -219,6 +224,27 @@ TEST(ConversionTest, AWaypointGraphComesBackAsItWas) {
   EXPECT_EQ(1, back.inner_edges[0].to);
 }
 
+TEST(ConversionTest, APathKeepsItsStopsAndTheCostOfTheWalk) {
+  kg_compiler::NavGraph graph = SmallGraph();
+  for (auto& edge : graph.edges) edge.from = 0;
+  graph.edges[1].seam_cost = 0.75;
+  kg_selector::Pathlet path;
+  path.visits = {{3, 1, {-89.0, 24.0}, 3.75, {"e"}, {}}};
+  for (const bool stops : {false, true}) {
+    if (stops) path.visits[0].via = {{1, {-89.0, 24.0}}, {0, {-90.0, 25.0}}};
+    const kg_msgs::Pathlet message =
+        ToMessage(path, kg_compiler::NavGraphs({graph}));
+    EXPECT_EQ(message.visits[0].cost.seam_cost, stops ? 0.75 : 0.375);
+    const kg_selector::Pathlet back = FromMessage(message, "a");
+    EXPECT_EQ(kg_selector::StopsOf(back.visits[0]),
+              kg_selector::StopsOf(path.visits[0]));
+    EXPECT_EQ(back.visits[0].events, path.visits[0].events);
+    for (std::size_t i = 0; i < path.visits[0].via.size(); ++i)
+      EXPECT_NEAR(back.visits[0].via[i].position.lon_deg,
+                  path.visits[0].via[i].position.lon_deg, 1e-12);
+  }
+}
+
 TEST(ConversionTest, RefusesAWaypointGraphThatMakesNoSense) {
   const kg_msgs::NavGraph good = ToMessage(SmallGraph(), {});
   kg_msgs::NavGraph message = good;
@@ -231,7 +257,10 @@ TEST(ConversionTest, RefusesAWaypointGraphThatMakesNoSense) {
   message.edges[0].cost.seam_cost = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(FromMessage(message), InputError);
   message = good;
-  message.edges[1].from = 2;  // Within the window there are two.
+  message.edges[2].from = 2;  // Within the window there are two.
+  EXPECT_THROW(FromMessage(message), InputError);
+  message = good;
+  message.edges[1].via[0] = 2;
   EXPECT_THROW(FromMessage(message), InputError);
   message = good;
   message.movement_mode = "leaps";

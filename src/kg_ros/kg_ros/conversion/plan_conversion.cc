@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "kg_core/base/input_error.h"
@@ -44,6 +45,7 @@ TraverseEdge FromMessage(const kg_msgs::TraverseEdge& message) {
   TraverseEdge edge;
   edge.from = static_cast<int>(message.from);
   edge.to = static_cast<int>(message.to);
+  edge.via.assign(message.via.begin(), message.via.end());
   edge.flight.track = kg_ros::FromMessage(message.track);
   edge.flight.travel_s = message.cost.travel_s;
   edge.flight.energy_j = message.cost.energy_j;
@@ -59,16 +61,36 @@ kg_msgs::TraverseEdge ToMessage(const TraverseEdge& edge) {
   kg_msgs::TraverseEdge message;
   message.from = edge.from;
   message.to = edge.to;
+  message.via.assign(edge.via.begin(), edge.via.end());
   message.cost = CostMessage(edge);
   message.track = kg_ros::ToMessage(edge.flight.track);
   return message;
 }
 
-const TraverseEdge* FindEdge(const NavGraph& graph, int from, int to) {
-  for (const TraverseEdge& edge : graph.edges) {
-    if (edge.from == from && edge.to == to) return &edge;
+// The stops of a window in mode "edges".
+kg_msgs::Stop ToMessage(const kg_selector::Stop& stop) {
+  kg_msgs::Stop message;
+  message.waypoint = stop.waypoint;
+  SetPosition(stop.position, &message);
+  return message;
+}
+
+kg_selector::Visit FromMessage(const kg_msgs::Visit& message) {
+  kg_selector::Visit visit{
+      message.window,       static_cast<int>(message.waypoint),
+      GetPosition(message), message.reward,
+      message.events,       {}};
+  for (const kg_msgs::Stop& stop : message.via) {
+    visit.via.push_back({static_cast<int>(stop.waypoint), GetPosition(stop)});
   }
-  return nullptr;
+  return visit;
+}
+
+// Do an edge's ends and stops lie among its graph's waypoints?
+bool IsJoined(const kg_msgs::TraverseEdge& edge, std::size_t waypoints) {
+  const auto is_there = [&](std::uint32_t id) { return id < waypoints; };
+  return is_there(edge.to) && (!edge.within_window || is_there(edge.from)) &&
+         std::all_of(edge.via.begin(), edge.via.end(), is_there);
 }
 
 }  // namespace
@@ -153,13 +175,12 @@ NavGraph FromMessage(const kg_msgs::NavGraph& message) {
     graph.waypoints.push_back(FromMessage(waypoint));
   }
   for (const kg_msgs::TraverseEdge& edge : message.edges) {
-    if (edge.to >= message.waypoints.size() ||
-        (edge.within_window && edge.from >= message.waypoints.size()) ||
+    if (!IsJoined(edge, message.waypoints.size()) ||
         !std::isfinite(edge.cost.seam_cost)) {
       throw kg_core::InputError("NavGraph of " + message.agent + ", window " +
                                 std::to_string(message.window) +
-                                ": edges must lead to its waypoints and costs "
-                                "be finite");
+                                ": edges must lead to its waypoints, by way "
+                                "of its waypoints, and costs be finite");
     }
     auto& edges = edge.within_window ? graph.inner_edges : graph.edges;
     edges.push_back(FromMessage(edge));
@@ -182,8 +203,12 @@ kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
     SetPosition(visit.position, &stop);
     stop.reward = visit.reward;
     stop.events = visit.events;
+    for (const kg_selector::Stop& one : visit.via) {
+      stop.via.push_back(ToMessage(one));
+    }
     if (i < graphs.size()) {
-      const TraverseEdge* edge = FindEdge(graphs[i], from, visit.waypoint);
+      const TraverseEdge* edge = kg_compiler::FindEdge(
+          graphs[i], from, visit.waypoint, kg_selector::ViaOf(visit));
       if (edge != nullptr) stop.cost = CostMessage(*edge);
     }
     from = visit.waypoint;
@@ -206,8 +231,7 @@ kg_selector::Pathlet FromMessage(const kg_msgs::Pathlet& message,
   pathlet.reward = message.reward;
   pathlet.seam_cost = message.seam_cost;
   for (const kg_msgs::Visit& visit : message.visits) {
-    pathlet.visits.push_back({visit.window, static_cast<int>(visit.waypoint),
-                              GetPosition(visit), visit.reward, visit.events});
+    pathlet.visits.push_back(FromMessage(visit));
   }
   pathlet.track = FromMessage(message.track);
   return pathlet;

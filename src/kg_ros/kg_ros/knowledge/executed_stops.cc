@@ -68,6 +68,12 @@ ExecutedVisit ReadStop(const Node& node, const kg_core::Mission& mission) {
   if (!wkt.empty()) {
     SetPosition(kg_core::Geometry::FromWkt(wkt).Point(), &stop.visit);
   }
+  const std::string stops = node.Text("stopsWKT");
+  if (!stops.empty()) {
+    for (const auto& point : kg_core::Geometry::FromWkt(stops).Parts().lines) {
+      SetPosition(point.front(), &stop.visit.via.emplace_back());
+    }
+  }
   stop.visit.reward = node.Number("reward");
   kg_msgs::EdgeCost& cost = stop.visit.cost;
   cost.travel_s = kg_core::HoursToSeconds(node.Number("costHours"));

@@ -15,6 +15,10 @@ using kg_core::GeoTerm;
 using kg_core::Iri;
 using kg_core::Term;
 
+Term RdfTerm(const char* name) {
+  return Iri(std::string(kg_core::kRdf) + name);
+}
+
 Term WaypointNode(const Term& graph, unsigned id) {
   return Iri(graph.text + "/waypoint/" + std::to_string(id));
 }
@@ -59,6 +63,30 @@ Term BeginOf(const kg_msgs::TraverseEdge& edge, const Term& graph,
   return WaypointNode(NavGraphNode(place.previous_hash), edge.from);
 }
 
+Term NodeOf(const kg_msgs::TraverseEdge& edge, const std::string& hash) {
+  if (edge.within_window) return InnerEdgeNode(hash, edge.from, edge.to);
+  std::vector<int> stops(edge.via.begin(), edge.via.end());
+  stops.push_back(static_cast<int>(edge.to));
+  return EdgeNode(hash, static_cast<int>(edge.from), stops);
+}
+
+// The stops on the way as a list, whose cells are named after the edge.
+void WriteStops(const kg_msgs::TraverseEdge& edge, const Term& graph,
+                const Term& edge_node, FactWriter* write) {
+  if (edge.via.empty()) return;
+  const auto cell = [&](std::size_t i) {
+    return i == edge.via.size()
+               ? RdfTerm("nil")
+               : Iri(edge_node.text + "/via/" + std::to_string(i));
+  };
+  write->Link("via", cell(0));
+  for (std::size_t i = 0; i < edge.via.size(); ++i) {
+    write->About(cell(i))
+        .Add(RdfTerm("first"), WaypointNode(graph, edge.via[i]))
+        .Add(RdfTerm("rest"), cell(i + 1));
+  }
+}
+
 void WriteEdgeCost(const Term& edge, const std::string& agent_iri,
                    const kg_msgs::EdgeCost& cost, FactWriter* write) {
   write->About(Iri(edge.text + "/cost"), "EdgeCost")
@@ -74,9 +102,11 @@ Term InnerEdgeNode(const std::string& graph_hash, unsigned from, unsigned to) {
              std::to_string(from) + "-" + std::to_string(to));
 }
 
-Term EdgeNode(const std::string& graph_hash, unsigned from, unsigned to) {
-  return Iri(NavGraphNode(graph_hash).text + "/edge/" + std::to_string(from) +
-             "-" + std::to_string(to));
+Term EdgeNode(const std::string& graph_hash, int from,
+              const std::vector<int>& stops) {
+  std::string name = std::to_string(from);
+  for (const int stop : stops) name += "-" + std::to_string(stop);
+  return Iri(NavGraphNode(graph_hash).text + "/edge/" + name);
 }
 
 std::vector<kg_core::Statement> EdgeCostStatements(
@@ -142,14 +172,13 @@ std::vector<kg_core::Statement> NavGraphStatements(
         .Position(GeoTerm("asWKT"), GetPosition(waypoint));
   }
   for (const kg_msgs::TraverseEdge& edge : graph.edges) {
-    const Term edge_node = edge.within_window
-                               ? InnerEdgeNode(graph.hash, edge.from, edge.to)
-                               : EdgeNode(graph.hash, edge.from, edge.to);
+    const Term edge_node = NodeOf(edge, graph.hash);
     const Term from = BeginOf(edge, node, place);
     write.About(edge_node, "TraverseEdge")
         .Link("inGraph", node)
         .Link("from", from)
         .Link("to", WaypointNode(node, edge.to));
+    WriteStops(edge, node, edge_node, &write);
     WriteEdgeCost(edge_node, graph.agent_iri, edge.cost, &write);
   }
   return write.Take();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kg_core/base/units.h"
+#include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
@@ -133,6 +134,17 @@ class PlanWriter {
     ProveGraphs();
   }
 
+  // The stops on the way, in their order.
+  static std::string StopsWkt(const kg_msgs::Visit& visit) {
+    const std::size_t name = std::string("POINT").size();
+    std::string points;
+    for (const kg_msgs::Stop& stop : visit.via) {
+      points += (points.empty() ? "" : ", ") +
+                kg_core::PointWkt(GetPosition(stop)).substr(name);
+    }
+    return "MULTIPOINT(" + points + ")";
+  }
+
   // What every assignment says.
   void WriteStop(const std::string& agent_id, const std::string& agent_iri,
                  const kg_msgs::Visit& visit, const char* status) {
@@ -144,6 +156,9 @@ class PlanWriter {
         .Position(Ex("waypointWKT"), GetPosition(visit))
         .Number("reward", visit.reward)
         .Text("status", status);
+    if (!visit.via.empty()) {
+      write_.Add(Ex("stopsWKT"), WktLiteral(StopsWkt(visit)));
+    }
     WriteCost(visit.cost, &write_);
     for (const std::string& event : visit.events) {
       write_.Link("visits", Iri(event));

@@ -105,6 +105,7 @@ Question ToQuestion(const kg_msgs::Why::Request& request) {
   question.window = request.window;
   question.from = static_cast<int>(request.from);
   question.to = static_cast<int>(request.to);
+  question.via.assign(request.via.begin(), request.via.end());
   question.place = GetPosition(request);
   question.id = request.id;
   return question;

@@ -33,23 +33,31 @@ std::size_t CountEdges(const NavGraphs& graphs) {
   return count;
 }
 
-// What a step from `from` brings at once: the reward there less its price.
+// What a step brings at once: the rewards on its way less its price.
 double Immediate(const NavGraph& graph, const kg_compiler::TraverseEdge& edge) {
-  const kg_compiler::Waypoint& waypoint = graph.waypoints[edge.to];
-  return waypoint.score + waypoint.event_reward - edge.seam_cost;
+  double reward = 0.0;
+  for (const int stop : kg_compiler::StopsOf(edge)) {
+    const kg_compiler::Waypoint& waypoint = graph.waypoints[stop];
+    reward += waypoint.score + waypoint.event_reward;
+  }
+  return reward - edge.seam_cost;
 }
 
 // Staging: the plan takes this edge though another from the same place would
 // bring more at once (A45).
-bool IsStaging(const NavGraph& graph, int from, int to) {
-  double taken = -INFINITY;
-  double best = -INFINITY;
-  for (const kg_compiler::TraverseEdge& edge : graph.edges) {
-    if (edge.from != from) continue;
-    best = std::max(best, Immediate(graph, edge));
-    if (edge.to == to) taken = Immediate(graph, edge);
-  }
-  return taken < best;
+bool IsStaging(const NavGraph& graph, const kg_compiler::TraverseEdge& taken) {
+  const double now = Immediate(graph, taken);
+  return std::any_of(graph.edges.begin(), graph.edges.end(),
+                     [&](const kg_compiler::TraverseEdge& edge) {
+                       return edge.from == taken.from &&
+                              Immediate(graph, edge) > now;
+                     });
+}
+
+std::vector<std::uint32_t> ViaOf(const kg_msgs::Visit& visit) {
+  std::vector<std::uint32_t> via;
+  for (const kg_msgs::Stop& stop : visit.via) via.push_back(stop.waypoint);
+  return via;
 }
 
 kg_selector::Pathlet Committed(const kg_msgs::Cooling& cooling) {
@@ -158,17 +166,18 @@ kg_msgs::Candidates PlannerServer::Stitch(
 void PlannerServer::MarkStaging(const kg_msgs::Candidates& candidates,
                                 std::vector<kg_msgs::NavGraph>* graphs) const {
   if (candidates.pathlets.empty()) return;
-  int from = 0;
+  std::uint32_t from = 0;
   const auto& visits = candidates.pathlets.front().visits;
   for (std::size_t i = 0; i < visits.size() && i < graphs->size(); ++i) {
-    const int to = static_cast<int>(visits[i].waypoint);
-    for (kg_msgs::TraverseEdge& edge : (*graphs)[i].edges) {
-      if (!edge.within_window && static_cast<int>(edge.from) == from &&
-          static_cast<int>(edge.to) == to) {
-        edge.staging = IsStaging(graphs_[i], from, to);
+    // The message's edges are the graph's, in their order.
+    for (std::size_t e = 0; e < graphs_[i].edges.size(); ++e) {
+      kg_msgs::TraverseEdge& edge = (*graphs)[i].edges[e];
+      if (edge.from == from && edge.to == visits[i].waypoint &&
+          edge.via == ViaOf(visits[i])) {
+        edge.staging = IsStaging(graphs_[i], graphs_[i].edges[e]);
       }
     }
-    from = to;
+    from = visits[i].waypoint;
   }
 }
 
@@ -177,7 +186,7 @@ PlannerAnswer PlannerServer::Plan() {
   PlannerAnswer answer;
   const auto begin = std::chrono::steady_clock::now();
   try {
-    graphs_ = kg_compiler::CompileNavGraphs(rules_, Worlds(), &cache_);
+    graphs_ = kg_selector::CompileWalkedGraphs(rules_, Worlds(), &cache_);
   } catch (const InputError& error) {
     graphs_.clear();
     answer.candidates = Header(0);

@@ -13,7 +13,6 @@
 
 #include "kg_compiler/compile/mission_compiler.h"
 #include "kg_compiler/control_plane/nav_graphs.h"
-#include "kg_compiler/control_plane/seam_cache.h"
 #include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
 #include "kg_msgs/Candidates.h"
@@ -22,6 +21,7 @@
 #include "kg_msgs/Rejections.h"
 #include "kg_msgs/SeamRules.h"
 #include "kg_msgs/WorkField.h"
+#include "kg_selector/walks.h"
 
 namespace kg_ros {
 
@@ -69,7 +69,7 @@ class PlannerServer {
   std::map<int, std::shared_ptr<const kg_compiler::MissionTensor>> tensors_;
   std::map<int, std::shared_ptr<const kg_compiler::WorkField>> fields_;
   kg_compiler::NavGraphs graphs_;  // Of the last plan.
-  kg_compiler::SeamCache cache_;   // For the next one.
+  kg_selector::GraphCache cache_;  // For the next one.
 };
 
 }  // namespace kg_ros
