@@ -21,10 +21,10 @@ using kg_compiler::Short;
 
 // "waypoint 3", "waypoints 1, 3".
 std::string StopNames(const std::vector<int>& stops) {
-  std::string names = stops.size() == 1 ? "waypoint " : "waypoints ";
+  std::string names;
   for (const int stop : stops)
-    names += (&stop == &stops.front() ? "" : ", ") + std::to_string(stop);
-  return names;
+    names += (names.empty() ? "" : ", ") + std::to_string(stop);
+  return (stops.size() == 1 ? "waypoint " : "waypoints ") + names;
 }
 
 std::string EventNames(const Visit& visit) {

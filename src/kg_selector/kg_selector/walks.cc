@@ -37,7 +37,7 @@ struct Look {
   double duration;  // Share of the window.
   int per_end;      // Times what is kept.
 };
-constexpr Look kLooks[] = {{1.0, 1}, {1.1, 3}};
+constexpr Look kLooks[] = {{1.0, 1}, {1.1, 2}};
 
 enum class Pace { kPriced, kCruise };
 

@@ -56,14 +56,15 @@ class WildfireTest(MissionTestCase):
 
     def test_3_stops_are_facts_in_their_order(self):
         walks = self.house.select(
-            'SELECT ?edge (COUNT(?stop) AS ?stops) WHERE { '
-            '?edge ex:via/rdf:rest*/rdf:first ?stop . '
+            'SELECT ?edge ?order (COUNT(?stop) AS ?stops) WHERE { '
+            '?edge ex:via ?stop ; ex:stopOrder ?order . '
             '?stop a ex:Waypoint ; ex:inGraph ?graph . '
-            '?edge ex:inGraph ?graph } GROUP BY ?edge')
+            '?edge ex:inGraph ?graph } GROUP BY ?edge ?order')
         self.assertTrue(walks)
         for row in walks:
             name = row['edge'].rsplit('/', 1)[1]
-            self.assertEqual(int(row['stops']), name.count('-') - 1, name)
+            self.assertEqual(row['order'].split(), name.split('-')[1:-1])
+            self.assertEqual(int(row['stops']), len(row['order'].split()))
         self.assertTrue(self.house.ask(
             'ASK { ?x a ex:Assignment ; ex:stopsWKT ?wkt }'))
 

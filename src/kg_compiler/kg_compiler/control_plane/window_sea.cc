@@ -127,24 +127,22 @@ std::optional<Flight> WindowSea::Fly(kg_core::LonLat source, const Reach& reach,
 std::optional<TraverseEdge> WindowSea::FlyWalk(
     kg_core::LonLat source, const std::vector<const Flight*>& legs,
     double isolation) const {
-  std::optional<TraverseEdge> best;
   std::vector<Stretch> stretches;
   bool slow = false;
   for (const Flight* leg : legs) {
     stretches.push_back({TrackOf(*leg), leg->speed_mps});
     slow = slow || leg->speed_mps != rules_.motion.cruise_mps;
   }
-  for (const bool at_cruise : {false, true}) {
-    if (at_cruise && !slow) break;
+  const Voyage voyage = VoyageFrom(source);
+  std::optional<Flight> flight = FlyStretches(voyage, stretches);
+  if (!flight && slow) {
     for (Stretch& stretch : stretches) {
-      if (at_cruise) stretch.speed_mps = rules_.motion.cruise_mps;
+      stretch.speed_mps = rules_.motion.cruise_mps;
     }
-    std::optional<Flight> flight = FlyStretches(VoyageFrom(source), stretches);
-    if (!flight) continue;
-    TraverseEdge walk = Price(std::move(*flight), isolation);
-    if (!best || walk.seam_cost < best->seam_cost) best = std::move(walk);
+    flight = FlyStretches(voyage, stretches);
   }
-  return best;
+  if (!flight) return std::nullopt;
+  return Price(std::move(*flight), isolation);
 }
 
 double WindowSea::HazardAt(kg_core::LonLat place) const {

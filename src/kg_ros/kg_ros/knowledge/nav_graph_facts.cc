@@ -15,10 +15,6 @@ using kg_core::GeoTerm;
 using kg_core::Iri;
 using kg_core::Term;
 
-Term RdfTerm(const char* name) {
-  return Iri(std::string(kg_core::kRdf) + name);
-}
-
 Term WaypointNode(const Term& graph, unsigned id) {
   return Iri(graph.text + "/waypoint/" + std::to_string(id));
 }
@@ -70,21 +66,14 @@ Term NodeOf(const kg_msgs::TraverseEdge& edge, const std::string& hash) {
   return EdgeNode(hash, static_cast<int>(edge.from), stops);
 }
 
-// The stops on the way as a list, whose cells are named after the edge.
 void WriteStops(const kg_msgs::TraverseEdge& edge, const Term& graph,
-                const Term& edge_node, FactWriter* write) {
-  if (edge.via.empty()) return;
-  const auto cell = [&](std::size_t i) {
-    return i == edge.via.size()
-               ? RdfTerm("nil")
-               : Iri(edge_node.text + "/via/" + std::to_string(i));
-  };
-  write->Link("via", cell(0));
-  for (std::size_t i = 0; i < edge.via.size(); ++i) {
-    write->About(cell(i))
-        .Add(RdfTerm("first"), WaypointNode(graph, edge.via[i]))
-        .Add(RdfTerm("rest"), cell(i + 1));
+                FactWriter* write) {
+  std::string order;
+  for (const std::uint32_t stop : edge.via) {
+    write->Link("via", WaypointNode(graph, stop));
+    order += (order.empty() ? "" : " ") + std::to_string(stop);
   }
+  if (!order.empty()) write->Text("stopOrder", order);
 }
 
 void WriteEdgeCost(const Term& edge, const std::string& agent_iri,
@@ -178,7 +167,7 @@ std::vector<kg_core::Statement> NavGraphStatements(
         .Link("inGraph", node)
         .Link("from", from)
         .Link("to", WaypointNode(node, edge.to));
-    WriteStops(edge, node, edge_node, &write);
+    WriteStops(edge, node, &write);
     WriteEdgeCost(edge_node, graph.agent_iri, edge.cost, &write);
   }
   return write.Take();
