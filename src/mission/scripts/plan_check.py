@@ -29,6 +29,7 @@ KINDS = ('no_go', 'land', 'capacity', 'separation', 'speed', 'visits')
 SAMPLES_PER_CELL = 10
 SPEED_TOLERANCE = 0.02     # Of the speed through water.
 SEPARATION_STEP_S = 60.0   # Between looks at a pair; refined at the minimum.
+SEPARATION_STEP_M = 200.0  # Nor do they come so much farther between looks.
 DISTANCE_TOLERANCE_M = 1.0  # Of separation; rounding of positions.
 VISIT_TOLERANCE_M = 50.0   # Between a waypoint and the track at that time.
 STOP_STEP_S = 20.0         # Between looks for a stop, beside turning points.
@@ -216,10 +217,12 @@ def closest(a, b, begin_s, end_s):
     end_s = min(end_s, a.time_s[-1], b.time_s[-1])
     if end_s < begin_s:
         return None
-    times = np.append(np.arange(begin_s, end_s, SEPARATION_STEP_S), end_s)
+    step_s = min(SEPARATION_STEP_S,
+                 SEPARATION_STEP_M / max(_fastest_mps(a), _fastest_mps(b), 0.1))
+    times = np.append(np.arange(begin_s, end_s, step_s), end_s)
     best = times[np.argmin(distance_m(*a.at(times), *b.at(times)))]
-    near = np.arange(max(begin_s, best - SEPARATION_STEP_S),
-                     min(end_s, best + SEPARATION_STEP_S) + 0.5)
+    near = np.arange(max(begin_s, best - step_s),
+                     min(end_s, best + step_s) + 0.5)
     distance = distance_m(*a.at(near), *b.at(near))
     return float(distance.min()), float(near[distance.argmin()])
 
@@ -240,6 +243,12 @@ def needed_speed_mps(track, field, boost_gain):
     ground_mps = _ground_velocity(track)
     return (np.hypot(*(ground_mps - boost_gain * current_mps)),
             np.hypot(*ground_mps))
+
+
+def _fastest_mps(track):
+    if len(track) < 2:
+        return 0.0
+    return float(np.hypot(*_ground_velocity(track)).max())
 
 
 def _ground_velocity(track):

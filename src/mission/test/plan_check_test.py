@@ -211,6 +211,17 @@ class MissionRecordTest(unittest.TestCase):
         plan.visits['a', 0].events = list(events)
         return plan
 
+    def test_those_who_fly_fast_do_not_pass_between_two_looks(self):
+        """Ten m/s towards each other: 1200 m in the minute between looks."""
+        metre = 1.0 / 111e3
+        for begin_s in np.arange(0.0, 60.0, 7.0):
+            one = Track.of([(begin_s, 0.5, 1.0),
+                            (begin_s + 7200.0, 0.5 + 72e3 * metre, 1.0)])
+            other = Track.of([(begin_s, 0.5 + 72e3 * metre, 1.0 + 50 * metre),
+                              (begin_s + 7200.0, 0.5, 1.0 + 50 * metre)])
+            distance, _ = closest(one, other, 0.0, 9000.0)
+            self.assertAlmostEqual(50.0, distance, delta=5.0)
+
     def test_a_stop_that_the_track_comes_by_is_no_finding(self):
         record = self._record(self._with_stops([3, 7.31, 20]), facts())
         self.assertEqual(0, record.verdict()['violations']['visits'])
