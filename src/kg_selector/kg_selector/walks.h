@@ -14,8 +14,7 @@
 //   S = SeamCost(time, energy, hazard, isolation of the end place)
 //
 // Legs go at the speeds of their edges, which were chosen by price for one leg;
-// or all at cruise speed, if more fits into the window then: of the two the
-// walk with the lower S.
+// or all at cruise speed, where a walk does not fit into the window otherwise.
 //
 // Kept are walks that are worth more than the direct edge to the same end and
 // than other orders of the same stops: at most kWalksPerEnd for each place one

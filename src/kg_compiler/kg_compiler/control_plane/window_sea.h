@@ -35,8 +35,8 @@ class WindowSea {
 
   // A walk from `source`: along the tracks of these flights, one after the
   // other, each from when the one before has arrived; at their own speeds, or
-  // all at cruise speed if only that can be flown or costs less. Its isolation
-  // is that of its end. Stops, from and to not set.
+  // all at cruise speed if they cannot be flown so. Its isolation is that of
+  // its end. Stops, from and to not set.
   std::optional<TraverseEdge> FlyWalk(kg_core::LonLat source,
                                       const std::vector<const Flight*>& legs,
                                       double isolation) const;

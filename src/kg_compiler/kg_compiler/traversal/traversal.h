@@ -147,7 +147,7 @@ struct Stretch {
 // is what all of them take together. speed_mps of the flight is the mean until
 // the arrival.
 std::optional<Flight> FlyStretches(const Voyage& voyage,
-                                 const std::vector<Stretch>& stretches);
+                                   const std::vector<Stretch>& stretches);
 
 // The flight from the departure to `to` with the least
 //   per_s travel_s + per_j energy_j + per_hazard_s hazard_s,
