@@ -4,6 +4,7 @@
 #include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
+#include "kg_selector/churn.h"
 #include "kg_selector/explain_plan.h"
 #include "kg_selector/path_terms.h"
 #include "kg_selector/why_not.h"
@@ -59,6 +60,7 @@ class StepExplainer {
     AddScore();
     AddEvents();
     AddSeam();
+    AddChurn();
     return std::move(explanation_);
   }
 
@@ -115,6 +117,15 @@ class StepExplainer {
       explanation_.parts.push_back(std::move(part));
     }
     explanation_.value -= seam.value;
+  }
+
+  void AddChurn() {
+    const double cost =
+        ChurnCost(member_.rules, visit_.window, visit_.position);
+    explanation_.AddIfAny({-cost, "-churn",
+                           facts_.Policy(agent_, {"ex:churnWeight"}),
+                           "churn: it is not where the plan in force ends"});
+    explanation_.value -= cost;
   }
 
   const PlannedWorld& world_;

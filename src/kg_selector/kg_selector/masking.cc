@@ -5,6 +5,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "kg_selector/churn.h"
+#include "kg_selector/path_rules.h"
+
 namespace kg_selector {
 namespace {
 
@@ -133,6 +136,8 @@ kg_planner::Trellis ToTrellis(const SeamRules& rules, const NavGraphs& graphs) {
       stage.seams.push_back(
           {edge.from, edge.to, edge.seam_cost, edge.flight.energy_j});
   }
+  AddChurn(rules, graphs, &trellis);
+  LimitHazard(rules, graphs, &trellis);
   return trellis;
 }
 

@@ -8,6 +8,7 @@
 #include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_planner/k_best.h"
+#include "kg_selector/churn.h"
 #include "kg_selector/masking.h"
 
 namespace kg_selector {
@@ -63,6 +64,7 @@ const std::vector<const char*>& PolicyProperties(TermKind kind) {
       {"ex:lambda_energy"},
       {"ex:lambda_risk", "ex:isolationWeight"},
       {"ex:lambda_unc"},
+      {"ex:churnWeight"},
       {}};
   return properties[static_cast<int>(kind)];
 }
@@ -100,8 +102,9 @@ bool SamePath(const Pathlet& a, const Pathlet& b) {
 }  // namespace
 
 const char* Name(TermKind kind) {
-  static const char* const names[] = {
-      "value", "events", "time", "energy", "risk", "uncertainty", "separation"};
+  static const char* const names[] = {"value",  "events",    "time",
+                                      "energy", "risk",      "uncertainty",
+                                      "churn",  "separation"};
   return names[static_cast<int>(kind)];
 }
 
@@ -117,6 +120,9 @@ std::vector<PathTerm> TermsOf(const PlannedWorld& world,
     terms.push_back({visit.window, TermKind::kEvents, visit.reward - score,
                      EventNames(visit)});
     AddSeam(member, s, EdgeInto(member, pathlet, s), &terms);
+    terms.push_back({visit.window, TermKind::kChurn,
+                     -ChurnCost(member.rules, visit.window, visit.position),
+                     ""});
   }
   const double penalty =
       SoftPenalty(world.rules, CommittedBefore(world, pathlet.agent), pathlet);
@@ -153,6 +159,7 @@ Facts TermFacts(const PlannedWorld& world, const kg_core::Agent& agent,
              facts.Capabilities(agent, {"ex:energyPerKm", "ex:hotelLoadW"});
     case TermKind::kRisk:
     case TermKind::kUncertainty:
+    case TermKind::kChurn:
     case TermKind::kSeparation:
       return policy + window;
   }

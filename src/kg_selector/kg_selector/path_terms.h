@@ -2,7 +2,8 @@
 // scores of two paths differ.
 //
 //   score = sum over windows of  value + events - time - energy - risk
-//           - uncertainty, and with soft separation - separation (window -1)
+//           - uncertainty - churn, and with soft separation - separation
+//           (window -1)
 
 #ifndef KG_SELECTOR_PATH_TERMS_H_
 #define KG_SELECTOR_PATH_TERMS_H_
@@ -24,6 +25,7 @@ enum class TermKind {
   kEnergy,
   kRisk,
   kUncertainty,
+  kChurn,  // For leaving the plan in force.
   kSeparation
 };
 const char* Name(TermKind kind);  // "value", "events", ...

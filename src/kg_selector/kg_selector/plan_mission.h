@@ -34,8 +34,8 @@ struct PlannedMission {
   const Pathlet* FindPath(const std::string& agent) const;
 };
 
-// The team's rules as the selector node reads them.
-TeamRules ToTeamRules(const kg_compiler::CoordinationRules& rules);
+// The team's rules as the selector node reads them; agents by their ex:id.
+TeamRules ToTeamRules(const kg_compiler::Compilation& compilation);
 
 // The rasters of `rules`, in the order of its windows. Throws std::logic_error
 // if they are not of `compilation`.

@@ -1,10 +1,9 @@
 #include "kg_selector/plan_team.h"
 
-#include <algorithm>
 #include <set>
 
-#include "kg_planner/k_best.h"
 #include "kg_selector/masking.h"
+#include "kg_selector/path_rules.h"
 
 namespace kg_selector {
 
@@ -23,11 +22,9 @@ Candidates PlanUnder(const TeamRules& rules, const TeamMember& member,
   if (member.graphs.empty()) return {};
   const kg_compiler::SeamRules open =
       CloseEvents(member.rules, ask.full_events);
-  kg_planner::KBestOptions options;
-  options.paths = std::max(1, open.candidates);
-  const kg_planner::KBest best = kg_planner::FindKBest(
-      ToTrellis(open, member.graphs),
-      MaskCommitted(rules, member.graphs, ask.around), options);
+  const kg_planner::KBest best =
+      ChoosePaths(open, ToTrellis(open, member.graphs),
+                  MaskCommitted(rules, member.graphs, ask.around));
   Candidates candidates;
   candidates.proven = best.proven;
   candidates.bound = best.bound;
@@ -37,7 +34,9 @@ Candidates PlanUnder(const TeamRules& rules, const TeamMember& member,
                   static_cast<int>(candidates.pathlets.size())));
     candidates.pathlets.back().agent = NameOf(member);
   }
-  if (best.paths.empty()) candidates.note = NoPathNote(ask.around.empty());
+  if (best.paths.empty()) candidates.note = BudgetNote(open, best);
+  if (best.paths.empty() && candidates.note.empty())
+    candidates.note = NoPathNote(ask.around.empty());
   return candidates;
 }
 

@@ -4,19 +4,10 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/rdf/namespaces.h"
-#include "kg_selector/plan_mission.h"
 
 namespace kg_selector {
 
 using kg_core::InputError;
-
-TeamRules TeamRulesOf(const kg_compiler::Compilation& compilation) {
-  TeamRules rules = ToTeamRules(compilation.coordination);
-  for (const kg_core::TimeWindow& window : compilation.mission.windows)
-    if (window.index >= compilation.first_window)
-      rules.window_end_s[window.index] = window.end_s;
-  return rules;
-}
 
 void NameAgentsByIri(PlannedWorld* world) {
   const auto rename = [&](std::string* agent) {
@@ -36,6 +27,13 @@ void NameAgentsByIri(PlannedWorld* world) {
     unassigned[name] = why;
   }
   world->plan.unassigned = std::move(unassigned);
+  std::map<std::string, double> budgets_j;
+  for (const auto& [agent, budget_j] : world->rules.energy_budget_j) {
+    std::string name = agent;
+    rename(&name);
+    budgets_j[name] = budget_j;
+  }
+  world->rules.energy_budget_j = std::move(budgets_j);
 }
 
 const kg_core::Agent& FindAgent(const PlannedWorld& world,

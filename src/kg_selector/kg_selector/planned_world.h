@@ -34,8 +34,6 @@ struct PlannedWorld {
   }
 };
 
-// The team's rules as a compilation states them.
-TeamRules TeamRulesOf(const kg_compiler::Compilation& compilation);
 // Planners and selectors may name agents by their ex:id: makes it their IRIs.
 void NameAgentsByIri(PlannedWorld* world);
 

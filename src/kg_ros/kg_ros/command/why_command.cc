@@ -102,7 +102,7 @@ PlannedWorld Plan(const Target& target, const std::string& data_folder) {
                                          FirstWindowToPlan(start, mission)));
   kg_selector::PlannedMission planned =
       kg_selector::PlanMission(*world.compilation, nullptr);
-  world.rules = kg_selector::TeamRulesOf(*world.compilation);
+  world.rules = kg_selector::ToTeamRules(*world.compilation);
   world.members = std::move(planned.members);
   world.plan = std::move(planned.plan);
   world.has_plan = true;

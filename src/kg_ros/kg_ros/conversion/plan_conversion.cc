@@ -44,6 +44,7 @@ TraverseEdge FromMessage(const kg_msgs::TraverseEdge& message) {
   TraverseEdge edge;
   edge.from = static_cast<int>(message.from);
   edge.to = static_cast<int>(message.to);
+  edge.via.assign(message.via.begin(), message.via.end());
   edge.flight.track = kg_ros::FromMessage(message.track);
   edge.flight.travel_s = message.cost.travel_s;
   edge.flight.energy_j = message.cost.energy_j;
@@ -59,16 +60,74 @@ kg_msgs::TraverseEdge ToMessage(const TraverseEdge& edge) {
   kg_msgs::TraverseEdge message;
   message.from = edge.from;
   message.to = edge.to;
+  message.via.assign(edge.via.begin(), edge.via.end());
   message.cost = CostMessage(edge);
   message.track = kg_ros::ToMessage(edge.flight.track);
   return message;
 }
 
-const TraverseEdge* FindEdge(const NavGraph& graph, int from, int to) {
-  for (const TraverseEdge& edge : graph.edges) {
-    if (edge.from == from && edge.to == to) return &edge;
+// The edge that a visit came by.
+const TraverseEdge* FindEdge(const NavGraph& graph, int from,
+                             const kg_selector::Visit& visit) {
+  const auto is_it = [&](const TraverseEdge& edge) {
+    return edge.from == from && edge.to == visit.waypoint &&
+           std::equal(edge.via.begin(), edge.via.end(), visit.via.begin(),
+                      visit.via.end(),
+                      [](int waypoint, const kg_selector::Stop& stop) {
+                        return waypoint == stop.waypoint;
+                      });
+  };
+  const auto found =
+      std::find_if(graph.edges.begin(), graph.edges.end(), is_it);
+  return found == graph.edges.end() ? nullptr : &*found;
+}
+
+// Does it lead from and by places there are to one of them?
+bool IsOfGraph(const kg_msgs::TraverseEdge& edge,
+               const kg_msgs::NavGraph& graph) {
+  const std::size_t count = graph.waypoints.size();
+  return edge.to < count && !(edge.within_window && edge.from >= count) &&
+         std::all_of(edge.via.begin(), edge.via.end(),
+                     [&](std::uint32_t stop) { return stop < count; });
+}
+
+kg_msgs::Visit ToMessage(const kg_selector::Visit& visit) {
+  kg_msgs::Visit message;
+  message.window = visit.window;
+  message.waypoint = visit.waypoint;
+  SetPosition(visit.position, &message);
+  message.reward = visit.reward;
+  message.events = visit.events;
+  for (const kg_selector::Stop& stop : visit.via) {
+    message.via.emplace_back();
+    message.via.back().waypoint = stop.waypoint;
+    SetPosition(stop.position, &message.via.back());
   }
-  return nullptr;
+  return message;
+}
+
+void RequireFinite(double value, const std::string& agent, const char* field) {
+  if (std::isfinite(value)) return;
+  throw kg_core::InputError("Pathlet of " + agent + ": " + field +
+                            " must be finite");
+}
+
+kg_selector::Visit FromMessage(const kg_msgs::Visit& message,
+                               const std::string& agent) {
+  kg_selector::Visit visit;
+  visit.window = message.window;
+  visit.waypoint = static_cast<int>(message.waypoint);
+  visit.position = GetPosition(message);
+  visit.reward = message.reward;
+  visit.events = message.events;
+  RequireFinite(message.reward, agent, "the reward of a visit");
+  RequireFinite(message.lon_rad + message.lat_rad, agent,
+                "the place of a visit");
+  for (const kg_msgs::Stop& stop : message.via) {
+    RequireFinite(stop.lon_rad + stop.lat_rad, agent, "the place of a stop");
+    visit.via.push_back({static_cast<int>(stop.waypoint), GetPosition(stop)});
+  }
+  return visit;
 }
 
 }  // namespace
@@ -153,9 +212,7 @@ NavGraph FromMessage(const kg_msgs::NavGraph& message) {
     graph.waypoints.push_back(FromMessage(waypoint));
   }
   for (const kg_msgs::TraverseEdge& edge : message.edges) {
-    if (edge.to >= message.waypoints.size() ||
-        (edge.within_window && edge.from >= message.waypoints.size()) ||
-        !std::isfinite(edge.cost.seam_cost)) {
+    if (!IsOfGraph(edge, message) || !std::isfinite(edge.cost.seam_cost)) {
       throw kg_core::InputError("NavGraph of " + message.agent + ", window " +
                                 std::to_string(message.window) +
                                 ": edges must lead to its waypoints and costs "
@@ -173,22 +230,16 @@ kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
   message.rank = pathlet.rank;
   message.reward = pathlet.reward;
   message.seam_cost = pathlet.seam_cost;
+  message.energy_j = pathlet.energy_j;
   int from = 0;
   for (std::size_t i = 0; i < pathlet.visits.size(); ++i) {
     const kg_selector::Visit& visit = pathlet.visits[i];
-    kg_msgs::Visit stop;
-    stop.window = visit.window;
-    stop.waypoint = visit.waypoint;
-    SetPosition(visit.position, &stop);
-    stop.reward = visit.reward;
-    stop.events = visit.events;
+    message.visits.push_back(ToMessage(visit));
     if (i < graphs.size()) {
-      const TraverseEdge* edge = FindEdge(graphs[i], from, visit.waypoint);
-      if (edge != nullptr) stop.cost = CostMessage(*edge);
+      const TraverseEdge* edge = FindEdge(graphs[i], from, visit);
+      if (edge != nullptr) message.visits.back().cost = CostMessage(*edge);
     }
     from = visit.waypoint;
-    message.energy_j += stop.cost.energy_j;
-    message.visits.push_back(stop);
   }
   message.track = ToMessage(pathlet.track);
   return message;
@@ -196,18 +247,17 @@ kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
 
 kg_selector::Pathlet FromMessage(const kg_msgs::Pathlet& message,
                                  const std::string& agent) {
-  if (!std::isfinite(message.reward) || !std::isfinite(message.seam_cost)) {
-    throw kg_core::InputError("Pathlet of " + agent +
-                              ": reward and seam_cost must be finite");
-  }
+  RequireFinite(message.reward, agent, "reward");
+  RequireFinite(message.seam_cost, agent, "seam_cost");
+  RequireFinite(message.energy_j, agent, "energy_j");
   kg_selector::Pathlet pathlet;
   pathlet.agent = agent;
   pathlet.rank = static_cast<int>(message.rank);
   pathlet.reward = message.reward;
   pathlet.seam_cost = message.seam_cost;
+  pathlet.energy_j = message.energy_j;
   for (const kg_msgs::Visit& visit : message.visits) {
-    pathlet.visits.push_back({visit.window, static_cast<int>(visit.waypoint),
-                              GetPosition(visit), visit.reward, visit.events});
+    pathlet.visits.push_back(FromMessage(visit, agent));
   }
   pathlet.track = FromMessage(message.track);
   return pathlet;

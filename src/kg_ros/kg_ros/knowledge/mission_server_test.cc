@@ -62,12 +62,7 @@ class MissionServerTest : public testing::Test {
     *answer = planner.Plan();
     SelectorServer selector;
     selector.KnowRun(server.plan_run());
-    Coordination team;
-    team.world_version = compilation.world_version;
-    team.cycle = server.cycle();
-    team.agents = {"alpha"};
-    team.rules = compilation.coordination;
-    selector.Take(ToMessage(team));
+    selector.Take(ToMessage(CoordinationOf(compilation, server.cycle())));
     const SelectorAnswer plan = selector.Take(answer->candidates);
     EXPECT_TRUE(plan.assignments) << answer->candidates.note;
     return plan.assignments.value_or(kg_msgs::Assignments());

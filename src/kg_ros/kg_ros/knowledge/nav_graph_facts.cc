@@ -15,7 +15,7 @@ using kg_core::GeoTerm;
 using kg_core::Iri;
 using kg_core::Term;
 
-Term WaypointNode(const Term& graph, unsigned id) {
+Term WaypointOf(const Term& graph, unsigned id) {
   return Iri(graph.text + "/waypoint/" + std::to_string(id));
 }
 
@@ -54,9 +54,9 @@ void Describe(const NavGraphOrigin& origin, const kg_core::Mission& mission,
 
 Term BeginOf(const kg_msgs::TraverseEdge& edge, const Term& graph,
              const NavGraphPlace& place) {
-  if (edge.within_window) return WaypointNode(graph, edge.from);
+  if (edge.within_window) return WaypointOf(graph, edge.from);
   if (place.previous_hash.empty()) return Iri(place.start_iri);
-  return WaypointNode(NavGraphNode(place.previous_hash), edge.from);
+  return WaypointOf(NavGraphNode(place.previous_hash), edge.from);
 }
 
 void WriteEdgeCost(const Term& edge, const std::string& agent_iri,
@@ -68,6 +68,10 @@ void WriteEdgeCost(const Term& edge, const std::string& agent_iri,
 }
 
 }  // namespace
+
+Term WaypointNode(const std::string& graph_hash, unsigned id) {
+  return WaypointOf(NavGraphNode(graph_hash), id);
+}
 
 Term InnerEdgeNode(const std::string& graph_hash, unsigned from, unsigned to) {
   return Iri(NavGraphNode(graph_hash).text + "/edge/within/" +
@@ -136,7 +140,7 @@ std::vector<kg_core::Statement> NavGraphStatements(
   FactWriter write(PlanGraph(place.run));
   const Term node = NavGraphNode(graph.hash);
   for (const kg_msgs::Waypoint& waypoint : graph.waypoints) {
-    write.About(WaypointNode(node, waypoint.id), "Waypoint")
+    write.About(WaypointOf(node, waypoint.id), "Waypoint")
         .Link("inGraph", node)
         .Number("score", waypoint.score)
         .Position(GeoTerm("asWKT"), GetPosition(waypoint));
@@ -149,7 +153,7 @@ std::vector<kg_core::Statement> NavGraphStatements(
     write.About(edge_node, "TraverseEdge")
         .Link("inGraph", node)
         .Link("from", from)
-        .Link("to", WaypointNode(node, edge.to));
+        .Link("to", WaypointOf(node, edge.to));
     WriteEdgeCost(edge_node, graph.agent_iri, edge.cost, &write);
   }
   return write.Take();

@@ -25,6 +25,8 @@
 namespace kg_ros {
 
 kg_core::Term NavGraphNode(const std::string& hash);
+// A waypoint of the graph with this hash.
+kg_core::Term WaypointNode(const std::string& graph_hash, unsigned id);
 // An edge of the graph with this hash, from and to its waypoints.
 kg_core::Term EdgeNode(const std::string& graph_hash, unsigned from,
                        unsigned to);

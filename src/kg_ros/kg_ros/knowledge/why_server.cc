@@ -9,6 +9,7 @@
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/knowledge/mission_server.h"
+#include "kg_selector/plan_mission.h"
 
 namespace kg_ros {
 namespace {
@@ -145,7 +146,7 @@ PlanArchive::World PlanArchive::Convert(const Cycle& cycle) {
   auto world = std::make_shared<PlannedWorld>();
   world->view = cycle.view;
   world->compilation = cycle.compilation;
-  world->rules = kg_selector::TeamRulesOf(*cycle.compilation);
+  world->rules = kg_selector::ToTeamRules(*cycle.compilation);
   for (const kg_compiler::SeamRules& rules : cycle.compilation->rules) {
     world->members.push_back(MemberOf(rules, cycle.graphs));
   }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@
 #include "kg_msgs/Rejections.h"
 #include "kg_msgs/SeamRules.h"
 #include "kg_msgs/WorkField.h"
+#include "kg_ros/conversion/ask_conversion.h"
 
 namespace kg_ros {
 
@@ -49,16 +51,16 @@ class PlannerServer {
   // (no waypoint within reach) is an answer without pathlets and with a note.
   PlannerAnswer Plan();
 
-  // Plans around what `message` asks of this agent; nothing if it does not, or
-  // answers for another cycle.
-  std::vector<PlannerAnswer> PlanAround(const kg_msgs::Rejections& message);
+  // Plans under what `message` asks of this agent: around those committed, at
+  // its prices. Nothing if it does not ask, or is of another cycle. Throws
+  // kg_core::InputError for prices that make no sense.
+  std::optional<PlannerAnswer> PlanAgain(const kg_msgs::Rejections& message);
 
   std::uint64_t cycle() const { return cycle_; }
 
  private:
   std::vector<kg_compiler::WindowWorld> Worlds() const;
-  kg_msgs::Candidates Stitch(
-      const std::vector<const kg_msgs::Cooling*>& cooling);
+  kg_msgs::Candidates Stitch(const AskedOf& asked, std::uint32_t round) const;
   void MarkStaging(const kg_msgs::Candidates& candidates,
                    std::vector<kg_msgs::NavGraph>* graphs) const;
   kg_msgs::Candidates Header(std::uint32_t round) const;
@@ -69,6 +71,7 @@ class PlannerServer {
   std::map<int, std::shared_ptr<const kg_compiler::MissionTensor>> tensors_;
   std::map<int, std::shared_ptr<const kg_compiler::WorkField>> fields_;
   kg_compiler::NavGraphs graphs_;  // Of the last plan.
+  std::string trouble_;            // Why there are none.
   kg_compiler::SeamCache cache_;   // For the next one.
 };
 
