@@ -1,10 +1,11 @@
 // The paths through a trellis in descending order of their bound
 //
-//   sum of (rewards + every token met) - sum of (costs + price * resource),
+//   sum of gains (with every token met) - sum of round(cost + prices .
+//   resources),
 //
-// one at a time, the same score by node numbers. Recursive enumeration from the
-// end: a backward Viterbi pass finds the best rest of a path behind every node;
-// the n-th best rest is worked out when asked for.
+// one at a time, the same score by the order of their seams. Recursive
+// enumeration from the end: a backward Viterbi pass finds the best rest of a
+// path behind every node; the n-th best rest is worked out when asked for.
 
 #ifndef KG_PLANNER_PATH_ENUMERATOR_H_
 #define KG_PLANNER_PATH_ENUMERATOR_H_
@@ -14,13 +15,9 @@
 #include <vector>
 
 #include "kg_planner/score_grid.h"
-#include "kg_planner/trellis.h"
+#include "kg_planner/search_trellis.h"
 
 namespace kg_planner {
-
-// A token's reward at a node that lists it more than once is the largest.
-// By token.
-std::vector<TokenReward> DistinctTokens(const Node& node);
 
 class PathEnumerator {
  public:
@@ -29,9 +26,9 @@ class PathEnumerator {
     std::vector<int> seams;  // Index of the seam into each stage.
   };
 
-  // `trellis` must be checked, its seams ascending by (from, to), and outlive
-  // this.
-  PathEnumerator(const Trellis& trellis, const ScoreGrid& grid, double price);
+  // `search` must outlive this.
+  PathEnumerator(const SearchTrellis& search, const ScoreGrid& grid,
+                 Prices prices);
 
   std::optional<BoundedPath> Next();
 
@@ -41,35 +38,40 @@ class PathEnumerator {
   struct Rest {
     double score = 0.0;
     int seam = -1;
-    int to = 0;
     int rank = 0;
   };
   struct NodeRests {
     std::vector<Rest> best;  // Those worked out, best first.
     std::vector<Rest> heap;  // Candidates for the next.
-    int first_seam = 0;      // Those that leave here.
-    int seams_end = 0;
     bool expanded = false;
+  };
+  // What leads on from the nodes before a stage.
+  struct Level {
+    std::vector<double> best;     // By node, of the best rest; -infinity: none.
+    std::vector<int> first_seam;  // By node, and one more.
+    std::vector<int> rests;       // By node, in `pool`; -1 = none yet.
+    std::vector<NodeRests> pool;
   };
 
   static bool Worse(const Rest& a, const Rest& b);
-  void RelaxStage(std::size_t stage);
-  double Price(const Seam& seam) const {
-    return grid_.Round(seam.cost + price_ * seam.resource);
+  void RelaxStage(std::size_t s);
+  double Weight(const SearchStage& stage, int seam) const {
+    return stage.Gain(seam) - PricedCost(stage, seam, grid_, prices_);
   }
-  double Weight(std::size_t stage, const Seam& seam) const {
-    return gains_[stage][seam.to] - Price(seam);
+  double Onward(std::size_t s, int seam) const {
+    const SearchStage& stage = search_.stages[s];
+    return levels_[s + 1].best[stage.seams[seam].to] + Weight(stage, seam);
   }
+  NodeRests* Rests(std::size_t s, int node);
   // Null if there are not that many. Level s = before stage s.
-  const Rest* Get(std::size_t level, int node, int rank);
-  void Expand(std::size_t level, NodeRests* rests);
-  void PushNext(std::size_t level, NodeRests* rests);
+  const Rest* Get(std::size_t s, int node, int rank);
+  void Expand(std::size_t s, int node, NodeRests* rests);
+  void PushNext(std::size_t s, NodeRests* rests);
 
-  const Trellis& trellis_;
+  const SearchTrellis& search_;
   ScoreGrid grid_;
-  double price_;
-  std::vector<std::vector<double>> gains_;      // By stage, node.
-  std::vector<std::vector<NodeRests>> levels_;  // By level, node.
+  Prices prices_;
+  std::vector<Level> levels_;
   int next_rank_ = 0;
 };
 
