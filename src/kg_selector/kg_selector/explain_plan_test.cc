@@ -134,6 +134,44 @@ void ForEachWorld(int seeds,
   EXPECT_GT(planned, seeds / 2);
 }
 
+// Planned again, of agents that were to stay where they begin.
+PlannedWorld Bound(PlannedWorld world) {
+  for (TeamMember& member : world.members) {
+    member.rules.churn_weight = 1.5;
+    for (auto& window : member.rules.windows)
+      window.committed = member.rules.start;
+  }
+  world.plan = PlanTeam(world.rules, world.members);
+  NameAgentsByIri(&world);
+  return world;
+}
+
+TEST(ExplainPlan, LeavingThePlanInForceIsATermOfItsOwn) {
+  int charged = 0;
+  ForEachWorld(8, [&](const PlannedWorld& free) {
+    const PlannedWorld world = Bound(free);
+    for (const Pathlet& path : world.plan.committed) {
+      double sum = 0.0;
+      for (const Visit& visit : path.visits) {
+        const Explanation step =
+            Explain(world, About(Why::kAssignment, path.agent, visit.window));
+        ExpectSums(step);
+        sum += step.value;
+        charged += std::count_if(
+            step.parts.begin(), step.parts.end(), [](const auto& part) {
+              return part.term == "-churn" && part.value < 0.0;
+            });
+      }
+      const Explanation whole =
+          Explain(world, About(Why::kAssignment, path.agent, -1));
+      ExpectSums(whole);
+      EXPECT_NEAR(path.score(), whole.value, 1e-9);
+      EXPECT_NEAR(sum, whole.value, 1e-9);
+    }
+  });
+  EXPECT_GT(charged, 10);
+}
+
 TEST(ExplainPlan, AssignmentsSumToTheStepsAndStepsToThePath) {
   int steps = 0;
   ForEachWorld(8, [&](const PlannedWorld& world) {

@@ -19,8 +19,9 @@ void LimitHazard(const kg_compiler::SeamRules& rules,
                  const kg_compiler::NavGraphs& graphs,
                  kg_planner::Trellis* trellis);
 
-// The paths that are offered: the K best. Every planner calls this, in which
-// process it may be.
+// The paths that are offered: the K best, or if the policy says so K that
+// differ (diverse_paths.h). Every planner calls this, in which process it may
+// be.
 kg_planner::KBest ChoosePaths(const kg_compiler::SeamRules& rules,
                               const kg_planner::Trellis& trellis,
                               const kg_planner::Masks& masks);
