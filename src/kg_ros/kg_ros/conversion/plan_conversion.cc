@@ -284,7 +284,7 @@ kg_msgs::Assignments ToMessage(const kg_selector::PlannedMission& planned) {
   kg_msgs::Assignments message;
   message.rounds = planned.plan.rounds - 1;  // Of planning again.
   message.mode = planned.rules.mode;
-  message.bound = planned.plan.bound;
+  message.bound = FiniteOrUnknown(planned.plan.bound);
   message.stability = message.displacement_m =
       std::numeric_limits<double>::quiet_NaN();
   for (const kg_selector::Pathlet& pathlet : planned.plan.committed) {

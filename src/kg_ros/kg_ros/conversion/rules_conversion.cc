@@ -121,9 +121,7 @@ void TakePathRules(const kg_msgs::SeamRules& message,
 
 void WritePathRules(const kg_compiler::SeamRules& rules,
                     kg_msgs::SeamRules* message) {
-  message->hazard_budget_s = std::isfinite(rules.hazard_budget_s)
-                                 ? rules.hazard_budget_s
-                                 : std::numeric_limits<double>::quiet_NaN();
+  message->hazard_budget_s = FiniteOrUnknown(rules.hazard_budget_s);
   message->path_choice = rules.diverse ? "diverse" : "best";
   message->minimum_difference = rules.minimum_difference;
   message->churn_weight = rules.churn_weight;

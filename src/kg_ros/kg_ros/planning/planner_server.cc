@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kg_core/base/input_error.h"
+#include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/conversion/rules_conversion.h"
 #include "kg_ros/conversion/tensor_conversion.h"
@@ -122,7 +123,7 @@ kg_msgs::Candidates PlannerServer::Stitch(const AskedOf& asked,
       kg_selector::PlanUnder(team, {rules_, graphs_}, asked.ask);
   kg_msgs::Candidates candidates = Header(round);
   candidates.proven = found.proven;
-  candidates.bound = found.bound;
+  candidates.bound = FiniteOrUnknown(found.bound);
   candidates.note = found.note;
   for (const kg_selector::Pathlet& pathlet : found.pathlets) {
     candidates.pathlets.push_back(ToMessage(pathlet, graphs_));

@@ -1,10 +1,12 @@
 #include "kg_ros/selection/selector_server.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "kg_core/base/input_error.h"
 #include "kg_ros/conversion/ask_conversion.h"
+#include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/conversion/rules_conversion.h"
 #include "kg_ros/knowledge/pending_reports.h"
@@ -19,12 +21,18 @@ using kg_selector::Rejection;
 
 double Now_s() { return ros::WallTime::now().toSec(); }
 
-std::vector<Pathlet> FromMessage(const kg_msgs::Candidates& message) {
-  std::vector<Pathlet> pathlets;
+kg_selector::Candidates FromMessage(const kg_msgs::Candidates& message) {
+  kg_selector::Candidates candidates;
   for (const kg_msgs::Pathlet& pathlet : message.pathlets) {
-    pathlets.push_back(kg_ros::FromMessage(pathlet, message.agent));
+    candidates.pathlets.push_back(kg_ros::FromMessage(pathlet, message.agent));
   }
-  return pathlets;
+  candidates.proven = message.proven;
+  candidates.note = message.note;
+  candidates.bound = message.bound;
+  if (candidates.pathlets.empty() && message.proven) {
+    candidates.bound = -std::numeric_limits<double>::infinity();  // As planned.
+  }
+  return candidates;
 }
 
 // By waypoints, of a message or not.
@@ -84,6 +92,7 @@ void SelectorServer::Begin(std::unique_ptr<kg_selector::Coordinator> team) {
 }
 
 SelectorAnswer SelectorServer::Take(const kg_msgs::Candidates& message) {
+  FromMessage(message);  // What makes no sense is not kept.
   if (message.round == 0) {
     kg_msgs::Candidates& known = unmasked_[message.agent];
     if (message.cycle < known.cycle) return {};
@@ -105,12 +114,7 @@ SelectorAnswer SelectorServer::Take(const kg_msgs::Candidates& message) {
 }
 
 void SelectorServer::Offer(const kg_msgs::Candidates& message) {
-  kg_selector::Candidates candidates;
-  candidates.pathlets = FromMessage(message);
-  candidates.proven = message.proven;
-  candidates.bound = message.bound;
-  candidates.note = message.note;
-  team_->Offer(message.agent, std::move(candidates));
+  team_->Offer(message.agent, FromMessage(message));
   offered_[message.agent] = message;
   for (const kg_msgs::Pathlet& pathlet : message.pathlets) {
     pathlets_[{message.agent, PlacesOf(pathlet)}] = pathlet;
@@ -188,7 +192,7 @@ kg_msgs::Assignments SelectorServer::Plan() {
   kg_msgs::Assignments plan = Header<kg_msgs::Assignments>();
   plan.rounds = round_;
   plan.mode = team_rules_.mode;
-  plan.bound = team_->outcome().bound;
+  plan.bound = FiniteOrUnknown(team_->outcome().bound);
   const kg_selector::Stability stability =
       kg_selector::StabilityOf(last_plan_, team_->outcome().committed);
   plan.stability = stability.share;

@@ -31,7 +31,8 @@ class SelectorServer {
  public:
   // A new cycle begins. Throws kg_core::InputError (unknown mode, ...).
   SelectorAnswer Take(const kg_msgs::CoordinationRules& message);
-  // In any order, also before the rules of their cycle are here.
+  // In any order, also before the rules of their cycle are here. Throws
+  // kg_core::InputError, and nothing has changed, if they make no sense.
   SelectorAnswer Take(const kg_msgs::Candidates& message);
   // Runs get numbers above this one: the number of the last run known. Nothing
   // is decided before it is.

@@ -111,6 +111,17 @@ TEST_F(SelectorServerTest, RulesThatMakeNoSenseChangeNothing) {
   EXPECT_TRUE(server.Take(Offer("bravo", 1, 0, StayAt(-80, 4))).assignments);
 }
 
+TEST_F(SelectorServerTest, CandidatesThatMakeNoSenseAreNotKept) {
+  SelectorServer server;
+  server.KnowRun(0);
+  server.Take(Offer("bravo", 1, 0, StayAt(-80, 4)));
+  EXPECT_THROW(server.Take(Offer("alpha", 1, 0, StayAt(-90, NAN))),
+               kg_core::InputError);
+  EXPECT_FALSE(server.Take(Rules(1)).assignments);
+  EXPECT_EQ(server.WaitingFor(), std::vector<std::string>{"alpha"});
+  EXPECT_TRUE(server.Take(Offer("alpha", 1, 0, StayAt(-90, 5))).assignments);
+}
+
 TEST_F(SelectorServerTest, SaysHowMuchOfThePlanBeforeIsKept) {
   SelectorServer server;
   server.KnowRun(0);
