@@ -5,5 +5,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 
 cd "$repository"
 rm -rf build devel install state .catkin_workspace
-rm -f src/CMakeLists.txt config/missions/gulf/*.nc config/missions/gulf/*.part
+rm -f src/CMakeLists.txt config/missions/gulf/*.nc config/missions/gulf/*.part \
+  config/missions/wildfire/*.nc config/missions/wildfire/*.part
 find . -name __pycache__ -not -path './.git/*' -prune -exec rm -rf {} +

@@ -1,233 +1,190 @@
 #include "kg_planner/k_best.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
+#include <optional>
 #include <utility>
 
+#include "kg_planner/k_best_memory.h"
+#include "kg_planner/limited_search.h"
 #include "kg_planner/path_enumerator.h"
-#include "kg_planner/reduction.h"
+#include "kg_planner/path_value.h"
+#include "kg_planner/resource_prices.h"
 #include "kg_planner/score_grid.h"
 #include "kg_planner/survey.h"
-#include "kg_planner/token_unrolling.h"
 
 namespace kg_planner {
 namespace {
 
-// Larger than what unrolled tokens ask of any sensible trellis; 20 MB.
-constexpr std::size_t kMaxUnrolledSeams = 500000;
+constexpr double kNone = -std::numeric_limits<double>::infinity();
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-// Looked at before the resource gets a price.
+// Looked at before the resources get prices.
 constexpr std::size_t kUnpricedPaths = 500;
-
-struct Found {
-  double score = 0.0;  // On the grid.
-  Path path;
-};
-
-bool Better(const Found& a, const Found& b) {
-  if (a.score != b.score) return a.score > b.score;
-  return a.path.nodes < b.path.nodes;
-}
-
-void AddTokens(const ScoreGrid& grid, const std::vector<TokenReward>& met,
-               Found* found) {
-  std::map<int, double> best;
-  for (const TokenReward& token : met)
-    best[token.token] = std::max(best[token.token], token.reward);
-  for (const auto& [token, reward] : best) {
-    found->path.reward += reward;
-    found->score += grid.Round(reward);
-  }
-}
-
-// What the path is truly worth.
-Found Evaluate(const Trellis& trellis, const ScoreGrid& grid,
-               const std::vector<int>& seams) {
-  Found found;
-  std::vector<TokenReward> met;
-  for (std::size_t s = 0; s < seams.size(); ++s) {
-    const Seam& seam = trellis.stages[s].seams[seams[s]];
-    const Node& node = trellis.stages[s].nodes[seam.to];
-    found.path.nodes.push_back(seam.to);
-    found.path.reward += node.reward;
-    found.path.cost += seam.cost;
-    found.path.resource += seam.resource;
-    found.score += grid.Round(node.reward) - grid.Round(seam.cost);
-    met.insert(met.end(), node.tokens.begin(), node.tokens.end());
-  }
-  if (!met.empty()) AddTokens(grid, met, &found);
-  return found;
-}
 
 // The best of those looked at, at most `paths`.
 class Shortlist {
  public:
   explicit Shortlist(int paths) : paths_(paths) {}
 
-  void Add(Found found) {
-    found_.insert(std::upper_bound(found_.begin(), found_.end(), found, Better),
-                  std::move(found));
+  void Add(ValuedPath found) {
+    const auto place =
+        std::lower_bound(found_.begin(), found_.end(), found, IsBetter);
+    if (place != found_.end() && !IsBetter(found, *place)) return;  // Known.
+    found_.insert(place, std::move(found));
     if (found_.size() > paths_) found_.pop_back();
   }
   // Nothing from here on, in order of bounds, can enter the list.
-  bool ClosedTo(double bound, const Found& found) const {
+  bool ClosedTo(double bound, const ValuedPath& found) const {
     if (found_.size() < paths_) return false;
-    const Found& last = found_.back();
+    const ValuedPath& last = found_.back();
     if (bound != last.score) return bound < last.score;
-    return last.path.nodes < found.path.nodes;
+    return last.places < found.places;
   }
-  std::vector<Path> Paths() {
-    std::vector<Path> paths;
-    for (Found& found : found_) paths.push_back(std::move(found.path));
-    return paths;
+  // `bound`: of the paths that were not looked at.
+  KBest Result(bool proven, double bound) {
+    KBest best;
+    best.proven = proven;
+    best.bound = bound;
+    for (ValuedPath& found : found_) {
+      best.bound = std::max(best.bound, found.path.score());
+      best.paths.push_back(std::move(found.path));
+    }
+    return best;
   }
 
  private:
   std::size_t paths_;
-  std::vector<Found> found_;
+  std::vector<ValuedPath> found_;
 };
 
-struct Search {
-  const Trellis& trellis;
-  ScoreGrid grid;
-  double largest_total = 0.0;
-};
+class Search {
+ public:
+  // `memory` may be null.
+  Search(const Trellis& trellis, LimitedSearch limited, int paths,
+         KBestMemory* memory)
+      : trellis_(trellis),
+        limited_(std::move(limited)),
+        shortlist_(paths),
+        memory_(memory) {}
 
-// Scores of paths under a price, for which the grid may be too fine.
-ScoreGrid PricedGrid(const Search& search, double price) {
-  if (!(price > 0.0)) return search.grid;
-  double largest = search.largest_total;
-  for (const Stage& stage : search.trellis.stages) {
-    double most = 0.0;
-    for (const Seam& seam : stage.seams) most = std::max(most, seam.resource);
-    largest += price * most;
+  KBest Find(std::size_t enumeration_limit) {
+    const std::size_t unpriced =
+        limited_.IsLimited() ? std::min(kUnpricedPaths, enumeration_limit)
+                             : enumeration_limit;
+    const auto left = EnumerateUnpriced(unpriced);
+    if (!left) return shortlist_.Result(true, kNone);
+    if (unpriced == enumeration_limit) return shortlist_.Result(false, *left);
+    const PricedSearch priced = FindPrices(limited_);
+    if (priced.none_allowed) return shortlist_.Result(true, kNone);
+    for (const std::vector<int>& seams : priced.tried) Look(seams);
+    const auto rest =
+        EnumerateUnder(priced.prices, enumeration_limit - unpriced);
+    if (!rest) return shortlist_.Result(true, kNone);
+    return shortlist_.Result(false, std::min(*left, *rest));
   }
-  return ScoreGrid(largest);
-}
 
-// How far the bound of an allowed path may lie below its score: the limit's
-// worth, and what rounding can do.
-double BoundOffset(const Search& search, const ScoreGrid& grid, double price) {
-  if (!(price > 0.0)) return 0.0;
-  const double limit = search.trellis.resource_limit;
-  const double stages = static_cast<double>(search.trellis.stages.size());
-  return price * limit + 4.0 * (stages + 1.0) * grid.step() +
-         4e-16 * stages * price * limit;
-}
+ private:
+  ValuedPath Value(const std::vector<int>& seams) const {
+    return Evaluate(trellis_, limited_.grid, limited_.search, seams);
+  }
+  void Look(const std::vector<int>& seams) {
+    ValuedPath found = Value(seams);
+    if (IsWithinLimits(trellis_, found.path)) shortlist_.Add(std::move(found));
+  }
 
-KBest Proven(std::vector<Path> paths) {
-  KBest found;
-  if (!paths.empty()) found.bound = paths.front().score();
-  found.paths = std::move(paths);
+  std::optional<double> EnumerateUnpriced(std::size_t limit) {
+    PathEnumerator::Tables tables;
+    if (memory_) tables = memory_->Recall(limited_.search, limited_.grid);
+    if (!limited_.levels.empty()) tables.levels = std::move(limited_.levels);
+    PathEnumerator enumerator(limited_.search, limited_.grid, {},
+                              std::move(tables));
+    const auto left = Enumerate(&enumerator, limit, 0.0);
+    if (memory_) memory_->Keep(enumerator.Release());
+    return left;
+  }
+  std::optional<double> EnumerateUnder(const Prices& prices,
+                                       std::size_t limit) {
+    const ScoreGrid grid = PricedGrid(limited_, prices);
+    PathEnumerator enumerator(limited_.search, grid, prices);
+    return Enumerate(&enumerator, limit, BoundOffset(limited_, grid, prices));
+  }
+  // A bound of the paths that are left if `limit` paths were not enough.
+  std::optional<double> Enumerate(PathEnumerator* enumerator, std::size_t limit,
+                                  double offset) {
+    for (std::size_t looked_at = 0;; ++looked_at) {
+      const auto next = enumerator->Next();
+      if (!next) return std::nullopt;
+      ValuedPath found = Value(next->seams);
+      const double bound = next->bound + offset;
+      if (shortlist_.ClosedTo(bound, found)) return std::nullopt;
+      if (looked_at >= limit) return bound + Slack();
+      if (IsWithinLimits(trellis_, found.path))
+        shortlist_.Add(std::move(found));
+    }
+  }
+  // What a score may be above its sum on the grid.
+  double Slack() const {
+    return 4.0 * static_cast<double>(trellis_.stages.size() + 1) *
+           limited_.grid.step();
+  }
+
+  const Trellis& trellis_;
+  LimitedSearch limited_;
+  Shortlist shortlist_;
+  KBestMemory* memory_;
+};
+
+KBest FindWithinLimits(const Trellis& trellis, const Masks& masks,
+                       const KBestOptions& options, KBestMemory* memory) {
+  LimitedSearch limited = MakeSearch(trellis, masks);
+  if (trellis.stages.empty()) return {};
+  KBest found =
+      Search(trellis, std::move(limited), std::max(options.paths, 1), memory)
+          .Find(options.enumeration_limit);
+  if (options.paths <= 0) found.paths.clear();
   return found;
 }
 
-KBest Enumerate(const Search& search, double price, int paths,
-                std::size_t limit) {
-  const ScoreGrid grid = PricedGrid(search, price);
-  const double offset = BoundOffset(search, grid, price);
-  PathEnumerator enumerator(search.trellis, grid, price);
-  Shortlist shortlist(paths);
-  for (std::size_t looked_at = 0;; ++looked_at) {
-    const auto next = enumerator.Next();
-    if (!next) return Proven(shortlist.Paths());
-    Found found = Evaluate(search.trellis, search.grid, next->seams);
-    if (shortlist.ClosedTo(next->bound + offset, found))
-      return Proven(shortlist.Paths());
-    if (looked_at >= limit)
-      return {shortlist.Paths(), false, next->bound + offset, {}};
-    if (found.path.resource <= search.trellis.resource_limit)
-      shortlist.Add(std::move(found));
+// The same without limit r, every path worth minus what it uses of r.
+Trellis ThriftOf(const Trellis& trellis, std::size_t r) {
+  Trellis thrift = trellis;
+  for (Stage& stage : thrift.stages) {
+    for (Node& node : stage.nodes) node = {};
+    for (std::size_t i = 0; i < stage.seams.size(); ++i)
+      stage.seams[i].cost = ResourceOf(stage, i, r);
   }
+  (r == 0 ? thrift.resource_limit : thrift.more_limits[r - 1]) = kNoLimit;
+  return thrift;
 }
 
-// The best path under a price: what it is worth without it, and what it uses.
-struct PricedPath {
-  double value = 0.0;
-  double resource = 0.0;
-};
-
-PricedPath BestUnder(const Search& search, double price) {
-  const ScoreGrid grid = PricedGrid(search, price);
-  const auto best = PathEnumerator(search.trellis, grid, price).Next();
-  PricedPath path;
-  for (std::size_t s = 0; best && s < best->seams.size(); ++s)
-    path.resource += search.trellis.stages[s].seams[best->seams[s]].resource;
-  if (best) path.value = best->bound + price * path.resource;
-  return path;
-}
-
-// The price that makes the bound of allowed paths least: the dual of the
-// resource limit, by the secants of A. Juttner et al., "Lagrange relaxation
-// based method for the QoS routing problem", INFOCOM 2001.
-double ResourcePrice(const Search& search) {
-  const double limit = search.trellis.resource_limit;
-  PricedPath dear = BestUnder(search, 0.0);
-  if (dear.resource <= limit) return 0.0;
-  double price = search.largest_total / dear.resource;
-  PricedPath cheap = BestUnder(search, price);
-  for (int i = 0; i < 60 && cheap.resource > limit; ++i) {
-    price *= 2.0;
-    cheap = BestUnder(search, price);
+std::vector<double> AboveLimits(const Trellis& trellis, const Masks& masks,
+                                const KBestOptions& options) {
+  const std::vector<double> limits = LimitsOf(trellis);
+  std::vector<double> above(limits.size(), kNoLimit);
+  bool any = false;
+  for (std::size_t r = 0; r < limits.size(); ++r) {
+    if (!(limits[r] < kNoLimit)) continue;
+    const KBest thriftiest = FindWithinLimits(
+        ThriftOf(trellis, r), masks, {1, options.enumeration_limit}, nullptr);
+    if (!(thriftiest.bound > kNone)) continue;
+    above[r] = -thriftiest.bound - limits[r];
+    any = true;
   }
-  for (int i = 0; i < 30 && cheap.resource < dear.resource; ++i) {
-    price = (dear.value - cheap.value) / (dear.resource - cheap.resource);
-    const PricedPath best = BestUnder(search, price);
-    const double gain =
-        best.value - cheap.value - price * (best.resource - cheap.resource);
-    if (!(gain > 1e-9 * search.largest_total)) break;
-    (best.resource <= limit ? cheap : dear) = best;
-  }
-  return std::max(price, 0.0);
-}
-
-KBest FindInReduced(const Search& search, const KBestOptions& options) {
-  const bool limited = search.trellis.resource_limit < kNoLimit;
-  const std::size_t limit = options.enumeration_limit;
-  const std::size_t unpriced =
-      limited ? std::min(kUnpricedPaths, limit) : limit;
-  KBest found = Enumerate(search, 0.0, options.paths, unpriced);
-  if (found.proven || unpriced == limit) return found;
-  const double price = ResourcePrice(search);
-  return Enumerate(search, price, options.paths, limit - unpriced);
-}
-
-Unrolled Unroll(Trellis trellis, const ScoreGrid& grid) {
-  std::vector<int> tokens = RepeatedTokens(trellis);
-  for (; !tokens.empty(); tokens.pop_back()) {
-    auto unrolled = UnrollTokens(trellis, tokens, grid, kMaxUnrolledSeams);
-    if (unrolled) return std::move(*unrolled);
-  }
-  return {std::move(trellis), {}};
-}
-
-void ToOrigin(const Unrolled& unrolled, std::vector<Path>* paths) {
-  if (unrolled.origin.empty()) return;
-  for (Path& path : *paths)
-    for (std::size_t s = 0; s < path.nodes.size(); ++s)
-      path.nodes[s] = unrolled.origin[s][path.nodes[s]];
+  if (!any) above.clear();
+  return above;
 }
 
 }  // namespace
 
 KBest FindKBest(const Trellis& trellis, const Masks& masks,
                 const KBestOptions& options) {
-  const Survey survey = CheckAndSurvey(trellis);
-  const ScoreGrid grid(survey.largest_total);
-  const bool masked = !masks.nodes.empty() || !masks.seams.empty();
-  const bool limited = trellis.resource_limit < kNoLimit;
-  if (survey.sorted && !survey.has_tokens && !masked && !limited) {
-    if (options.paths <= 0 || trellis.stages.empty()) return {};
-    return FindInReduced({trellis, grid, survey.largest_total}, options);
-  }
-  Trellis reduced = DropUnaffordable(ApplyMasks(trellis, masks));
-  if (options.paths <= 0 || trellis.stages.empty()) return {};
-  const Unrolled unrolled = Unroll(std::move(reduced), grid);
-  KBest found =
-      FindInReduced({unrolled.trellis, grid, survey.largest_total}, options);
-  ToOrigin(unrolled, &found.paths);
+  return FindKBest(trellis, masks, options, nullptr);
+}
+
+KBest FindKBest(const Trellis& trellis, const Masks& masks,
+                const KBestOptions& options, KBestMemory* memory) {
+  KBest found = FindWithinLimits(trellis, masks, options, memory);
+  if (found.bound == kNone)
+    found.above_limits = AboveLimits(trellis, masks, options);
   return found;
 }
 

@@ -2,12 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
-
-#include "kg_planner/survey.h"
 
 namespace kg_planner {
 namespace {
@@ -16,119 +11,86 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 using Levels = std::vector<std::vector<double>>;
 
-void CheckIndex(const char* what, int index, std::size_t size) {
-  if (index >= 0 && static_cast<std::size_t>(index) < size) return;
-  throw std::invalid_argument(std::string("mask: ") + what + " " +
-                              std::to_string(index) + " of " +
-                              std::to_string(size));
-}
-
-void CheckMasks(const Trellis& trellis, const Masks& masks) {
-  const auto& stages = trellis.stages;
-  for (const NodeMask& mask : masks.nodes) {
-    CheckIndex("stage", mask.stage, stages.size());
-    CheckIndex("node", mask.node, stages[mask.stage].nodes.size());
-  }
-  for (const SeamMask& mask : masks.seams) {
-    CheckIndex("stage", mask.stage, stages.size());
-    CheckIndex("from", mask.from, NodesBefore(trellis, mask.stage));
-    CheckIndex("to", mask.to, stages[mask.stage].nodes.size());
-  }
-}
-
-using Pair = std::pair<int, int>;
-
-struct StageMasks {
-  std::vector<char> nodes;
-  std::vector<Pair> seams;  // Ascending.
-};
-
-std::vector<StageMasks> ByStage(const Trellis& trellis, const Masks& masks) {
-  std::vector<StageMasks> by_stage(trellis.stages.size());
-  for (std::size_t s = 0; s < by_stage.size(); ++s)
-    by_stage[s].nodes.resize(trellis.stages[s].nodes.size());
-  for (const NodeMask& mask : masks.nodes)
-    by_stage[mask.stage].nodes[mask.node] = 1;
-  for (const SeamMask& mask : masks.seams)
-    by_stage[mask.stage].seams.emplace_back(mask.from, mask.to);
-  for (StageMasks& stage : by_stage)
-    std::sort(stage.seams.begin(), stage.seams.end());
-  return by_stage;
-}
-
-bool ByEnds(const Seam& a, const Seam& b) {
-  return Pair(a.from, a.to) < Pair(b.from, b.to);
-}
-
 // Least resource from the start to every node.
-Levels LeastBefore(const Trellis& trellis) {
+Levels LeastBefore(const SearchTrellis& search, std::size_t r) {
   Levels least{{0.0}};
-  for (const Stage& stage : trellis.stages) {
-    std::vector<double> next(stage.nodes.size(), kNever);
-    for (const Seam& seam : stage.seams)
-      next[seam.to] =
-          std::min(next[seam.to], least.back()[seam.from] + seam.resource);
+  for (const SearchStage& stage : search.stages) {
+    std::vector<double> next(stage.nodes, kNever);
+    for (int i = 0; i < stage.seam_count; ++i) {
+      const Seam& seam = stage.seams[i];
+      next[seam.to] = std::min(next[seam.to],
+                               least.back()[seam.from] + stage.Resource(i, r));
+    }
     least.push_back(std::move(next));
   }
   return least;
 }
 
 // Least resource from every node to the end; level 0 = the start.
-Levels LeastBehind(const Trellis& trellis) {
-  const std::size_t stages = trellis.stages.size();
+Levels LeastBehind(const SearchTrellis& search, std::size_t r) {
+  const std::size_t stages = search.stages.size();
   Levels least(stages + 1);
-  least[stages].assign(NodesBefore(trellis, stages), 0.0);
+  least[stages].assign(search.NodesBefore(stages), 0.0);
   for (std::size_t s = stages; s-- > 0;) {
-    least[s].assign(NodesBefore(trellis, s), kNever);
-    for (const Seam& seam : trellis.stages[s].seams)
-      least[s][seam.from] =
-          std::min(least[s][seam.from], seam.resource + least[s + 1][seam.to]);
+    const SearchStage& stage = search.stages[s];
+    least[s].assign(search.NodesBefore(s), kNever);
+    for (int i = 0; i < stage.seam_count; ++i) {
+      const Seam& seam = stage.seams[i];
+      least[s][seam.from] = std::min(
+          least[s][seam.from], stage.Resource(i, r) + least[s + 1][seam.to]);
+    }
   }
   return least;
 }
 
-}  // namespace
+template <typename Value>
+void KeepIn(const std::vector<char>& keep, std::vector<Value>* values) {
+  if (values->empty()) return;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < keep.size(); ++i)
+    if (keep[i]) (*values)[kept++] = (*values)[i];
+  values->resize(kept);
+}
 
-Trellis ApplyMasks(const Trellis& trellis, const Masks& masks) {
-  CheckMasks(trellis, masks);
-  const std::vector<StageMasks> by_stage = ByStage(trellis, masks);
-  Trellis left;
-  left.resource_limit = trellis.resource_limit;
-  left.stages.resize(trellis.stages.size());
-  for (std::size_t s = 0; s < left.stages.size(); ++s) {
-    const StageMasks& stage = by_stage[s];
-    left.stages[s].nodes = trellis.stages[s].nodes;
-    std::vector<Seam>& seams = left.stages[s].seams;
-    for (const Seam& seam : trellis.stages[s].seams) {
-      if (stage.nodes[seam.to] || (s > 0 && by_stage[s - 1].nodes[seam.from]))
-        continue;
-      if (!std::binary_search(stage.seams.begin(), stage.seams.end(),
-                              Pair(seam.from, seam.to)))
-        seams.push_back(seam);
-    }
-    if (!std::is_sorted(seams.begin(), seams.end(), ByEnds))
-      std::sort(seams.begin(), seams.end(), ByEnds);
+void Keep(const std::vector<char>& keep, SearchStage* stage) {
+  if (std::count(keep.begin(), keep.end(), 0) == 0) return;
+  if (stage->origin.empty()) {
+    stage->own.assign(stage->seams, stage->seams + stage->seam_count);
+    for (int i = 0; i < stage->seam_count; ++i) stage->origin.push_back(i);
+    stage->place = stage->origin;
   }
-  return left;
+  KeepIn(keep, &stage->own);
+  KeepIn(keep, &stage->origin);
+  KeepIn(keep, &stage->place);
+  KeepIn(keep, &stage->seam_gain);
+  stage->UseOwn();
 }
 
 // Sums in another order than a path's own differ by rounding: a hair is left.
-Trellis DropUnaffordable(Trellis trellis) {
-  const Levels before = LeastBefore(trellis);
-  const Levels behind = LeastBehind(trellis);
-  const double limit = trellis.resource_limit;
+void DropAbove(double limit, std::size_t r, SearchTrellis* search) {
+  const Levels before = LeastBefore(*search, r);
+  const Levels behind = LeastBehind(*search, r);
   const double most = limit < kNever ? limit + 1e-9 * std::max(limit, 0.0)
                                      : std::numeric_limits<double>::max();
-  for (std::size_t s = 0; s < trellis.stages.size(); ++s) {
-    std::vector<Seam>& seams = trellis.stages[s].seams;
-    const auto useless = [&](const Seam& seam) {
-      return !(before[s][seam.from] + seam.resource + behind[s + 1][seam.to] <=
-               most);
-    };
-    seams.erase(std::remove_if(seams.begin(), seams.end(), useless),
-                seams.end());
+  for (std::size_t s = 0; s < search->stages.size(); ++s) {
+    SearchStage& stage = search->stages[s];
+    std::vector<char> keep(stage.seam_count);
+    for (int i = 0; i < stage.seam_count; ++i) {
+      const Seam& seam = stage.seams[i];
+      keep[i] = before[s][seam.from] + stage.Resource(i, r) +
+                    behind[s + 1][seam.to] <=
+                most;
+    }
+    Keep(keep, &stage);
   }
-  return trellis;
+}
+
+}  // namespace
+
+void DropUnaffordable(const std::vector<double>& limits,
+                      SearchTrellis* search) {
+  for (std::size_t r = 0; r < limits.size(); ++r)
+    if (r == 0 || limits[r] < kNever) DropAbove(limits[r], r, search);
 }
 
 }  // namespace kg_planner

@@ -3,19 +3,15 @@
 #ifndef KG_PLANNER_REDUCTION_H_
 #define KG_PLANNER_REDUCTION_H_
 
-#include "kg_planner/k_best.h"
-#include "kg_planner/trellis.h"
+#include <vector>
+
+#include "kg_planner/search_trellis.h"
 
 namespace kg_planner {
 
-// Without the seams that `masks` forbid or that touch a node they forbid; seams
-// ascend by (from, to). Throws std::invalid_argument if a mask names a stage or
-// node that is not there; a seam mask without a seam forbids nothing.
-Trellis ApplyMasks(const Trellis& trellis, const Masks& masks);
-
-// Without the seams that lead nowhere, or that no path within the resource
-// limit can use.
-Trellis DropUnaffordable(Trellis trellis);
+// Without the seams that lead nowhere, or that no path within a limit can use
+// (one limit at a time). `limits` by resource; infinity = no limit.
+void DropUnaffordable(const std::vector<double>& limits, SearchTrellis* search);
 
 }  // namespace kg_planner
 

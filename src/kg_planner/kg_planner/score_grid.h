@@ -23,6 +23,7 @@ class ScoreGrid {
 
   double Round(double x) const { return (x + shift_) - shift_; }
   double step() const { return step_; }
+  double shift() const { return shift_; }
 
  private:
   // Of the power of two that is not less than x.

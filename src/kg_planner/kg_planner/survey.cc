@@ -68,20 +68,62 @@ bool SeamIsSound(const Seam& seam, int before, int nodes) {
   RefuseSeam(stage, index, seam, "to is not one of the stage's nodes");
 }
 
-bool Before(const Seam& a, const Seam& b) {
-  return a.from < b.from || (a.from == b.from && a.to < b.to);
-}
-
-void CheckPairs(std::size_t stage, const std::vector<Seam>& seams) {
-  std::vector<std::size_t> order(seams.size());
+void CheckSeamsDiffer(std::size_t s, const Stage& stage) {
+  std::vector<std::size_t> order(stage.seams.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    if (Before(seams[a], seams[b])) return true;
-    return !Before(seams[b], seams[a]) && a < b;
+    if (StandsBefore(stage, a, b)) return true;
+    return !StandsBefore(stage, b, a) && a < b;
   });
   for (std::size_t i = 1; i < order.size(); ++i)
-    if (!Before(seams[order[i - 1]], seams[order[i]]))
-      RefuseSeam(stage, order[i], seams[order[i]], "the pair occurs twice");
+    if (!StandsBefore(stage, order[i - 1], order[i]))
+      RefuseSeam(s, order[i], stage.seams[order[i]],
+                 stage.via.empty() ? "the pair occurs twice"
+                                   : "the pair occurs twice with the same via");
+}
+
+void CheckViaOf(std::size_t s, const Stage& stage, std::size_t i) {
+  const Seam& seam = stage.seams[i];
+  std::vector<int> visited = stage.via[i];
+  visited.push_back(seam.to);
+  std::sort(visited.begin(), visited.end());
+  for (std::size_t v = 0; v < visited.size(); ++v) {
+    const std::string node = "via node " + std::to_string(visited[v]);
+    if (visited[v] < 0 ||
+        static_cast<std::size_t>(visited[v]) >= stage.nodes.size())
+      RefuseSeam(s, i, seam, node + " is not one of the stage's nodes");
+    if (v > 0 && visited[v] == visited[v - 1])
+      RefuseSeam(s, i, seam, node + " is visited twice");
+  }
+}
+
+// The seams must be sound.
+void CheckVia(std::size_t s, const Stage& stage) {
+  if (stage.via.empty()) return;
+  if (stage.via.size() != stage.seams.size())
+    Refuse(s, "via",
+           "of " + std::to_string(stage.via.size()) + " seams, expected " +
+               std::to_string(stage.seams.size()) + " or none");
+  for (std::size_t i = 0; i < stage.via.size(); ++i) CheckViaOf(s, stage, i);
+}
+
+void CheckMoreResources(std::size_t s, const Stage& stage, std::size_t limits) {
+  const auto& resources = stage.more_resources;
+  if (resources.size() != limits)
+    Refuse(s, "more_resources",
+           std::to_string(resources.size()) + " resources, expected " +
+               std::to_string(limits) + " as in more_limits");
+  for (std::size_t r = 0; r < resources.size(); ++r) {
+    const std::string name = "resource " + std::to_string(r + 1);
+    if (resources[r].size() != stage.seams.size())
+      Refuse(s, name,
+             "of " + std::to_string(resources[r].size()) + " seams, expected " +
+                 std::to_string(stage.seams.size()));
+    for (std::size_t i = 0; i < resources[r].size(); ++i)
+      if (!IsCost(resources[r][i]))
+        RefuseSeam(s, i, stage.seams[i],
+                   Expected(name.c_str(), resources[r][i], " >= 0"));
+  }
 }
 
 std::uint64_t Bits(double x) {
@@ -138,23 +180,52 @@ SeamSurvey SurveySeams(const Trellis& trellis, std::size_t s) {
       ExplainSeam(s, i, seams[i], before);
     survey.largest_cost = std::max(survey.largest_cost, seams[i].cost);
   }
-  if (!survey.sorted) CheckPairs(s, seams);
   return survey;
 }
 
+bool Ascend(const Stage& stage) {
+  for (std::size_t i = 1; i < stage.seams.size(); ++i)
+    if (!StandsBefore(stage, i - 1, i)) return false;
+  return true;
+}
+
+// The most a node, or a seam's stops and its end together, can be worth.
 double LargestReward(std::size_t s, const Stage& stage) {
-  double largest = 0.0;
+  std::vector<double> totals;
   for (std::size_t i = 0; i < stage.nodes.size(); ++i) {
     CheckNode(s, i, stage.nodes[i]);
-    double total = std::abs(stage.nodes[i].reward);
+    totals.push_back(std::abs(stage.nodes[i].reward));
     for (const TokenReward& token : stage.nodes[i].tokens)
-      total += token.reward;
+      totals.back() += token.reward;
+  }
+  double largest = 0.0;
+  for (const double total : totals) largest = std::max(largest, total);
+  for (std::size_t i = 0; i < stage.via.size(); ++i) {
+    double total = totals[stage.seams[i].to];
+    for (const int node : stage.via[i]) total += totals[node];
     largest = std::max(largest, total);
   }
   return largest;
 }
 
+void CheckLimits(const Trellis& trellis) {
+  if (std::isnan(trellis.resource_limit))
+    throw std::invalid_argument("resource limit is not a number");
+  for (std::size_t r = 0; r < trellis.more_limits.size(); ++r)
+    if (std::isnan(trellis.more_limits[r]))
+      throw std::invalid_argument("limit of resource " + std::to_string(r + 1) +
+                                  " is not a number");
+}
+
 }  // namespace
+
+bool StandsBefore(const Stage& stage, std::size_t a, std::size_t b) {
+  const Seam& x = stage.seams[a];
+  const Seam& y = stage.seams[b];
+  if (x.from != y.from) return x.from < y.from;
+  if (x.to != y.to) return x.to < y.to;
+  return ViaOf(stage, a) < ViaOf(stage, b);
+}
 
 int NodesBefore(const Trellis& trellis, std::size_t stage) {
   return stage == 0 ? 1
@@ -162,19 +233,17 @@ int NodesBefore(const Trellis& trellis, std::size_t stage) {
 }
 
 Survey CheckAndSurvey(const Trellis& trellis) {
-  if (std::isnan(trellis.resource_limit))
-    throw std::invalid_argument("resource limit is not a number");
+  CheckLimits(trellis);
   Survey survey;
   for (std::size_t s = 0; s < trellis.stages.size(); ++s) {
     const Stage& stage = trellis.stages[s];
-    survey.largest_total += LargestReward(s, stage);
     const SeamSurvey seams = SurveySeams(trellis, s);
-    survey.largest_total += seams.largest_cost;
-    survey.sorted = survey.sorted && seams.sorted;
-    survey.has_tokens =
-        survey.has_tokens ||
-        std::any_of(stage.nodes.begin(), stage.nodes.end(),
-                    [](const Node& node) { return !node.tokens.empty(); });
+    CheckVia(s, stage);
+    CheckMoreResources(s, stage, trellis.more_limits.size());
+    const bool sorted = seams.sorted || Ascend(stage);
+    if (!sorted) CheckSeamsDiffer(s, stage);
+    survey.sorted.push_back(sorted);
+    survey.largest_total += LargestReward(s, stage) + seams.largest_cost;
   }
   if (!std::isfinite(survey.largest_total))
     throw std::invalid_argument("the sum of all stages is not finite");

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <tuple>
 #include <utility>
 
-#include "kg_planner/path_enumerator.h"
+#include "kg_planner/survey.h"
 
 namespace kg_planner {
 namespace {
@@ -15,10 +14,12 @@ namespace {
 using Earned = std::vector<double>;
 constexpr double kSaturated = std::numeric_limits<double>::infinity();
 
-// Rewards of the unrolled tokens, rounded, by place in the list of tokens.
-struct Offers {
-  std::vector<std::vector<Earned>> by_node;  // Stage, node.
-  std::vector<Earned> best_later;            // Best behind a stage.
+// What the seams of a stage offer of the unrolled tokens, rounded. Offer v is
+// that of node v; seams with stops have one of their own behind those.
+struct StageOffers {
+  std::vector<Earned> offers;
+  std::vector<int> of_seam;
+  Earned best_later;  // Behind the stage.
 };
 
 std::map<int, std::size_t> Places(const std::vector<int>& tokens) {
@@ -27,98 +28,95 @@ std::map<int, std::size_t> Places(const std::vector<int>& tokens) {
   return places;
 }
 
-void RaiseTo(const Earned& offer, Earned* best) {
-  for (std::size_t i = 0; i < offer.size(); ++i)
-    (*best)[i] = std::max((*best)[i], offer[i]);
-}
+class OfferFinder {
+ public:
+  OfferFinder(const std::vector<int>& tokens, const ScoreGrid& grid)
+      : places_(Places(tokens)), grid_(grid) {}
 
-Offers FindOffers(const Trellis& trellis, const std::vector<int>& tokens,
-                  const ScoreGrid& grid) {
-  const std::map<int, std::size_t> places = Places(tokens);
-  Offers offers;
-  offers.by_node.resize(trellis.stages.size());
-  offers.best_later.resize(trellis.stages.size());
-  Earned later(tokens.size(), 0.0);
-  for (std::size_t s = trellis.stages.size(); s-- > 0;) {
-    offers.best_later[s] = later;
-    for (const Node& node : trellis.stages[s].nodes) {
-      Earned offer(tokens.size(), 0.0);
-      for (const TokenReward& token : DistinctTokens(node)) {
-        const auto place = places.find(token.token);
-        if (place != places.end())
-          offer[place->second] = grid.Round(token.reward);
-      }
-      RaiseTo(offer, &later);
-      offers.by_node[s].push_back(std::move(offer));
+  StageOffers Find(const SearchStage& search) const {
+    StageOffers found;
+    for (const Node& node : search.stage->nodes)
+      found.offers.push_back(Offer(Distinct(node.tokens)));
+    for (int i = 0; i < search.seam_count; ++i) {
+      const std::size_t origin = search.Origin(i);
+      found.of_seam.push_back(search.seams[i].to);
+      if (ViaOf(*search.stage, origin).empty()) continue;
+      found.of_seam.back() = static_cast<int>(found.offers.size());
+      found.offers.push_back(Offer(TokensMet(*search.stage, origin)));
     }
+    return found;
   }
-  return offers;
-}
 
-Node WithoutTokens(const Node& node, const std::map<int, std::size_t>& places,
-                   const ScoreGrid& grid) {
-  Node rest;
-  rest.reward = grid.Round(node.reward);
-  for (const TokenReward& token : node.tokens)
-    if (places.count(token.token) == 0) rest.tokens.push_back(token);
-  return rest;
-}
+ private:
+  Earned Offer(const std::vector<TokenReward>& tokens) const {
+    Earned offer(places_.size(), 0.0);
+    for (const TokenReward& token : tokens) {
+      const auto place = places_.find(token.token);
+      if (place != places_.end())
+        offer[place->second] = grid_.Round(token.reward);
+    }
+    return offer;
+  }
 
-struct Step {
-  double gain = 0.0;
-  Earned earned;
+  std::map<int, std::size_t> places_;
+  ScoreGrid grid_;
 };
 
-Step Visit(const Earned& before, const Earned& offer, const Earned& later) {
-  Step step{0.0, before};
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    step.gain += std::max(0.0, offer[i] - before[i]);
-    step.earned[i] = std::max(before[i], offer[i]);
-    if (step.earned[i] >= later[i]) step.earned[i] = kSaturated;
+std::vector<StageOffers> FindOffers(const SearchTrellis& search,
+                                    const std::vector<int>& tokens,
+                                    const ScoreGrid& grid) {
+  const OfferFinder finder(tokens, grid);
+  std::vector<StageOffers> offers(search.stages.size());
+  Earned later(tokens.size(), 0.0);
+  for (std::size_t s = search.stages.size(); s-- > 0;) {
+    offers[s] = finder.Find(search.stages[s]);
+    offers[s].best_later = later;
+    for (const Earned& offer : offers[s].offers)
+      for (std::size_t i = 0; i < offer.size(); ++i)
+        later[i] = std::max(later[i], offer[i]);
   }
-  return step;
+  return offers;
 }
 
 // The split nodes of one stage while they are being made.
 class StageUnroller {
  public:
-  // By node, gain, earned: ascending node first keeps paths' order.
-  using Key = std::tuple<int, double, Earned>;
+  using Key = std::pair<int, Earned>;  // Node, what is earned there.
+  struct Target {
+    int node = -1;
+    double gain = 0.0;  // Of unrolled tokens.
+  };
 
-  StageUnroller(const Stage& stage, std::vector<Earned> states)
-      : states_(std::move(states)),
-        target_(states_.size(), std::vector<int>(stage.nodes.size(), -1)) {}
+  StageUnroller(const StageOffers& offers, std::vector<Earned> states)
+      : offers_(offers),
+        states_(std::move(states)),
+        targets_(states_.size(), std::vector<Target>(offers.offers.size())) {}
 
-  void Reach(std::size_t state, int node, const Earned& offer,
-             const Earned& later) {
-    if (target_[state][node] >= 0) return;
-    Step step = Visit(states_[state], offer, later);
-    const Key key(node, step.gain, std::move(step.earned));
-    const auto place =
-        place_.emplace(key, static_cast<int>(place_.size())).first;
-    target_[state][node] = place->second;
-  }
-
-  // Numbers split nodes by key; call when all are reached.
-  std::vector<Key> Finish() {
-    std::vector<Key> keys;
-    std::vector<int> number(place_.size());
-    for (const auto& [key, place] : place_) {
-      number[place] = static_cast<int>(keys.size());
-      keys.push_back(key);
+  // The split node that a seam leads to, and what it gains.
+  Target Reach(std::size_t state, const Seam& seam, int offer) {
+    Target& target = targets_[state][offer];
+    if (target.node >= 0) return target;
+    Key key(seam.to, states_[state]);
+    for (std::size_t i = 0; i < key.second.size(); ++i) {
+      const double offered = offers_.offers[offer][i];
+      target.gain += std::max(0.0, offered - key.second[i]);
+      key.second[i] = std::max(key.second[i], offered);
+      if (key.second[i] >= offers_.best_later[i]) key.second[i] = kSaturated;
     }
-    for (std::vector<int>& row : target_)
-      for (int& target : row)
-        if (target >= 0) target = number[target];
-    return keys;
+    const auto place = place_.emplace(key, static_cast<int>(keys_.size()));
+    if (place.second) keys_.push_back(std::move(key));
+    target.node = place.first->second;
+    return target;
   }
 
-  int target(std::size_t state, int node) const { return target_[state][node]; }
+  const std::vector<Key>& keys() const { return keys_; }
 
  private:
+  const StageOffers& offers_;
   std::vector<Earned> states_;
-  std::vector<std::vector<int>> target_;  // By state, node.
+  std::vector<std::vector<Target>> targets_;  // By state, offer.
   std::map<Key, int> place_;
+  std::vector<Key> keys_;
 };
 
 // Split nodes of the stage before: which node, and which of the states.
@@ -131,7 +129,7 @@ struct Front {
 Front FrontOf(const std::vector<StageUnroller::Key>& keys) {
   std::map<Earned, std::size_t> known;
   Front front;
-  for (const auto& [node, gain, earned] : keys) {
+  for (const auto& [node, earned] : keys) {
     const auto place = known.emplace(earned, known.size());
     if (place.second) front.states.push_back(earned);
     front.origin.push_back(node);
@@ -140,40 +138,61 @@ Front FrontOf(const std::vector<StageUnroller::Key>& keys) {
   return front;
 }
 
-// Where the seams of each node begin; they ascend by `from`.
-std::vector<std::size_t> FirstSeams(const std::vector<Seam>& seams) {
-  const int nodes = seams.empty() ? 0 : seams.back().from + 1;
-  std::vector<std::size_t> first(nodes + 1, seams.size());
-  for (std::size_t i = seams.size(); i-- > 0;) first[seams[i].from] = i;
-  for (std::size_t v = first.size() - 1; v-- > 0;)
-    first[v] = std::min(first[v], first[v + 1]);
+// Where the seams of each of `nodes` nodes begin; they ascend by `from`.
+std::vector<int> FirstSeams(const SearchStage& stage, int nodes) {
+  std::vector<int> first(nodes + 1, 0);
+  for (int i = 0; i < stage.seam_count; ++i) ++first[stage.seams[i].from + 1];
+  for (int v = 0; v < nodes; ++v) first[v + 1] += first[v];
   return first;
 }
 
-template <typename Function>
-void ForEachSeam(const std::vector<Seam>& seams, const Front& front,
-                 const Function& function) {
-  const std::vector<std::size_t> first = FirstSeams(seams);
+double Sum(const Earned& offer) {
+  double sum = 0.0;
+  for (const double reward : offer) sum += reward;
+  return sum;
+}
+
+// The split stage, its nodes as in `unroller`. False if there are too many
+// seams.
+bool UnrollStage(const SearchStage& stage, const StageOffers& offers,
+                 const Front& front, std::size_t max_seams,
+                 StageUnroller* unroller, SearchStage* split) {
+  int nodes = 0;
+  for (const int origin : front.origin) nodes = std::max(nodes, origin + 1);
+  for (int i = 0; i < stage.seam_count; ++i)
+    nodes = std::max(nodes, stage.seams[i].from + 1);
+  const std::vector<int> first = FirstSeams(stage, nodes);
   for (std::size_t u = 0; u < front.origin.size(); ++u) {
-    const std::size_t node = front.origin[u];
-    if (node + 1 >= first.size()) continue;
-    for (std::size_t i = first[node]; i < first[node + 1]; ++i)
-      function(static_cast<int>(u), seams[i]);
+    const int origin = front.origin[u];
+    for (int i = first[origin]; i < first[origin + 1]; ++i) {
+      if (split->own.size() >= max_seams) return false;
+      Seam seam = stage.seams[i];
+      const int offer = offers.of_seam[i];
+      const auto target = unroller->Reach(front.state[u], seam, offer);
+      seam.from = static_cast<int>(u);
+      seam.to = target.node;
+      split->own.push_back(seam);
+      split->origin.push_back(stage.Origin(i));
+      split->place.push_back(stage.Place(i));
+      split->seam_gain.push_back(stage.Gain(i) - Sum(offers.offers[offer]) +
+                                 target.gain);
+    }
   }
+  return true;
 }
 
 }  // namespace
 
-std::vector<int> RepeatedTokens(const Trellis& trellis) {
+std::vector<int> RepeatedTokens(const SearchTrellis& search) {
   struct Sum {
     double total = 0.0;
     double best = 0.0;
     double excess() const { return total - best; }
   };
   std::map<int, Sum> sums;
-  for (const Stage& stage : trellis.stages) {
+  for (const SearchStage& stage : search.stages) {
     std::map<int, double> best;
-    for (const Node& node : stage.nodes)
+    for (const Node& node : stage.stage->nodes)
       for (const TokenReward& token : node.tokens)
         best[token.token] = std::max(best[token.token], token.reward);
     for (const auto& [token, reward] : best) {
@@ -190,38 +209,26 @@ std::vector<int> RepeatedTokens(const Trellis& trellis) {
   return tokens;
 }
 
-std::optional<Unrolled> UnrollTokens(const Trellis& trellis,
-                                     const std::vector<int>& tokens,
-                                     const ScoreGrid& grid,
-                                     std::size_t max_seams) {
-  const std::map<int, std::size_t> places = Places(tokens);
-  const Offers offers = FindOffers(trellis, tokens, grid);
-  Unrolled unrolled;
-  unrolled.trellis.resource_limit = trellis.resource_limit;
+std::optional<SearchTrellis> UnrollTokens(const SearchTrellis& search,
+                                          const std::vector<int>& tokens,
+                                          const ScoreGrid& grid,
+                                          std::size_t max_seams) {
+  const std::vector<StageOffers> offers = FindOffers(search, tokens, grid);
+  SearchTrellis unrolled;
   Front front{{0}, {0}, {Earned(tokens.size(), 0.0)}};
-  std::size_t seams_made = 0;
-  for (std::size_t s = 0; s < trellis.stages.size(); ++s) {
-    const Stage& stage = trellis.stages[s];
-    StageUnroller unroller(stage, front.states);
-    ForEachSeam(stage.seams, front, [&](int from, const Seam& seam) {
-      if (++seams_made > max_seams) return;
-      unroller.Reach(front.state[from], seam.to, offers.by_node[s][seam.to],
-                     offers.best_later[s]);
-    });
-    if (seams_made > max_seams) return std::nullopt;
-    const std::vector<StageUnroller::Key> keys = unroller.Finish();
-    Stage& split = unrolled.trellis.stages.emplace_back();
-    for (const StageUnroller::Key& key : keys) {
-      split.nodes.push_back(
-          WithoutTokens(stage.nodes[std::get<0>(key)], places, grid));
-      split.nodes.back().reward += std::get<1>(key);
-    }
-    ForEachSeam(stage.seams, front, [&](int from, const Seam& seam) {
-      split.seams.push_back({from, unroller.target(front.state[from], seam.to),
-                             seam.cost, seam.resource});
-    });
-    front = FrontOf(keys);
-    unrolled.origin.push_back(front.origin);
+  std::size_t left = max_seams;
+  for (std::size_t s = 0; s < search.stages.size(); ++s) {
+    const SearchStage& stage = search.stages[s];
+    StageUnroller unroller(offers[s], front.states);
+    SearchStage& split = unrolled.stages.emplace_back();
+    if (!UnrollStage(stage, offers[s], front, left, &unroller, &split))
+      return std::nullopt;
+    left -= split.own.size();
+    split.stage = stage.stage;
+    split.UseOwn();
+    front = FrontOf(unroller.keys());
+    split.nodes = static_cast<int>(front.origin.size());
+    split.origin_node = front.origin;
   }
   return unrolled;
 }

@@ -53,7 +53,9 @@ struct Trellis {
 };
 
 // Throws std::invalid_argument naming stage and seam if indices are out of
-// range, a number is not finite, a cost is negative or a pair occurs twice.
+// range, a number is not finite, a cost is negative, a seam occurs twice, a
+// seam visits a node twice, or `via`, `more_resources` and `more_limits` are of
+// different lengths.
 void Check(const Trellis& trellis);
 
 }  // namespace kg_planner

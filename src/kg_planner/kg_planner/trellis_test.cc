@@ -34,6 +34,15 @@ TEST(TrellisTest, SoundOnesPass) {
   EXPECT_NO_THROW(Check(empty_stage));
 }
 
+TEST(TrellisTest, ParallelSeamsOverOtherStopsPass) {
+  Trellis trellis = Sound();
+  trellis.stages[1].nodes.resize(4);
+  trellis.stages[1].seams[2] = {1, 1};
+  trellis.stages[1].seams[0] = {1, 1};
+  trellis.stages[1].via = {{2, 3}, {}, {3, 2}, {}};
+  EXPECT_NO_THROW(Check(trellis));
+}
+
 struct Mistake {
   const char* name;
   std::function<void(Trellis*)> make;
@@ -72,6 +81,64 @@ std::vector<Mistake> Mistakes() {
       {"token NaN",
        [](Trellis* t) { t->stages[0].nodes[1].tokens[0].reward = kNan; },
        "stage 0", "token 4"},
+      {"via of too few",
+       [](Trellis* t) {
+         t->stages[1].via = {{}, {}};
+       },
+       "stage 1", "via: of 2 seams, expected 4"},
+      {"via beyond",
+       [](Trellis* t) {
+         t->stages[1].via = {{}, {}, {2}, {}};
+       },
+       "stage 1, seam 2", "via node 2 is not one"},
+      {"via below",
+       [](Trellis* t) {
+         t->stages[1].via = {{}, {}, {-1}, {}};
+       },
+       "stage 1, seam 2", "via node -1 is not one"},
+      {"via its own end",
+       [](Trellis* t) {
+         t->stages[1].via = {{}, {}, {1}, {}};
+       },
+       "stage 1, seam 2", "via node 1 is visited twice"},
+      {"via twice",
+       [](Trellis* t) {
+         t->stages[1].via = {{}, {}, {0, 0}, {}};
+       },
+       "stage 1, seam 2", "via node 0 is visited twice"},
+      {"the same via twice",
+       [](Trellis* t) {
+         t->stages[1].seams[0] = t->stages[1].seams[2] = {0, 1};
+         t->stages[1].via = {{0}, {}, {0}, {}};
+       },
+       "stage 1, seam 2", "occurs twice with the same via"},
+      {"resource missing", [](Trellis* t) { t->more_limits = {1.0}; },
+       "stage 0", "0 resources, expected 1"},
+      {"resource unlimited",
+       [](Trellis* t) {
+         t->stages[1].more_resources = {{0.0, 0.0, 0.0, 0.0}};
+       },
+       "stage 1", "1 resources, expected 0"},
+      {"resource of too few",
+       [](Trellis* t) {
+         t->more_limits = {1.0};
+         t->stages[0].more_resources = {{0.0, 0.0}};
+         t->stages[1].more_resources = {{0.0, 0.0}};
+       },
+       "stage 1, resource 1", "of 2 seams, expected 4"},
+      {"second resource NaN",
+       [](Trellis* t) {
+         t->more_limits = {1.0};
+         t->stages[0].more_resources = {{0.0, kNan}};
+       },
+       "stage 0, seam 1", "resource 1 is nan"},
+      {"second limit NaN",
+       [](Trellis* t) {
+         t->more_limits = {kNan};
+         t->stages[0].more_resources = {{0.0, 0.0}};
+         t->stages[1].more_resources = {{0.0, 0.0, 0.0, 0.0}};
+       },
+       "", "limit of resource 1"},
       {"limit NaN", [](Trellis* t) { t->resource_limit = kNan; }, "", "limit"},
   };
 }

@@ -93,6 +93,20 @@ std::optional<Conflict> CapacityConflict(const TeamRules& rules,
   return std::nullopt;
 }
 
+// How many windows after its last one, or before its first (negative).
+std::optional<Conflict> ExpiredConflict(const TeamRules& rules, int window,
+                                        const std::string& event) {
+  const auto open = rules.event_windows.find(event);
+  if (open == rules.event_windows.end() || open->second.count(window) > 0)
+    return std::nullopt;
+  Conflict conflict{ConflictKind::kExpired, "", window, event, 0.0};
+  if (open->second.empty()) return conflict;
+  const int past = window - *open->second.rbegin();
+  const int early = window - *open->second.begin();
+  conflict.margin = past > 0 ? past : std::min(early, 0);
+  return conflict;
+}
+
 }  // namespace
 
 const char* Name(ConflictKind kind) {
@@ -113,11 +127,25 @@ const char* Name(ConflictKind kind) {
 
 std::string Conflict::Line() const {
   std::ostringstream line;
-  if (kind == ConflictKind::kSeparation)
-    line << margin << " m too close to " << with_agent;
-  else
-    line << event << " rewards no more agents"
-         << (with_agent.empty() ? "" : " since " + with_agent);
+  switch (kind) {
+    case ConflictKind::kSeparation:
+      line << margin << " m too close to " << with_agent;
+      break;
+    case ConflictKind::kCapacity:
+      line << event << " rewards no more agents"
+           << (with_agent.empty() ? "" : " since " + with_agent);
+      break;
+    case ConflictKind::kEnergy:
+      line << margin << " J above the energy budget";
+      break;
+    case ConflictKind::kExpired:
+      line << event << " rewards nobody";
+      break;
+    case ConflictKind::kOutbid:
+      line << "outbid by " << (with_agent.empty() ? "the others" : with_agent)
+           << ", " << margin << " short";
+      break;
+  }
   if (window >= 0) line << ", window " << window;
   return line.str();
 }
@@ -137,6 +165,20 @@ double SeparationBegins_s(const TeamRules& rules, int first_window,
   if (!(begin_s < end->second)) return -kAlways;
   return FirstTimeApart(a, b, HardSeparation_m(rules), {begin_s, end->second})
       .value_or(end->second);
+}
+
+std::optional<Conflict> FindViolation(const TeamRules& rules,
+                                      const Pathlet& pathlet) {
+  const auto budget_j = rules.energy_budget_j.find(pathlet.agent);
+  if (budget_j != rules.energy_budget_j.end() &&
+      !(pathlet.energy_j <= budget_j->second))
+    return Conflict{ConflictKind::kEnergy, "", -1, "",
+                    pathlet.energy_j - budget_j->second};
+  for (const Visit& visit : pathlet.visits)
+    for (const std::string& event : visit.events)
+      if (const auto expired = ExpiredConflict(rules, visit.window, event))
+        return expired;
+  return std::nullopt;
 }
 
 std::set<std::string> FullEvents(const TeamRules& rules,

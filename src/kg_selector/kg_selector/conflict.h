@@ -12,6 +12,8 @@
 // of one window from the same place.
 // Agents that begin closer together (launched from one ship) must be apart by
 // the end of the first window, and from when they are.
+//
+// Energy and expiry: what one path may not do, whatever the others do.
 
 #ifndef KG_SELECTOR_CONFLICT_H_
 #define KG_SELECTOR_CONFLICT_H_
@@ -66,7 +68,7 @@ struct Conflict {
   ConflictKind kind = ConflictKind::kSeparation;
   std::string with_agent;  // Who was committed before.
   int window = -1;         // Where it happens.
-  std::string event;       // kCapacity: the event that is full.
+  std::string event;       // kCapacity: the event that is full; kExpired.
   // Metres missing, visits too many (negative), joules above the budget,
   // windows too late, or reward by which others were worth more.
   double margin = 0.0;
@@ -87,6 +89,11 @@ std::set<std::string> FullEvents(const TeamRules& rules,
 double SoftPenalty(const TeamRules& rules,
                    const std::vector<Pathlet>& committed,
                    const Pathlet& pathlet);
+
+// What rules `pathlet` out whatever is asked of its planner: its energy, then
+// an event outside of its windows.
+std::optional<Conflict> FindViolation(const TeamRules& rules,
+                                      const Pathlet& pathlet);
 
 // The first (by window) hard conflict of `pathlet` with those committed; in
 // one window separation before capacity, and the worst first.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
+#include "kg_selector/column_team.h"
 #include "kg_selector/greedy_team.h"
 
 namespace kg_selector {
@@ -15,8 +16,11 @@ std::unique_ptr<Coordinator> MakeCoordinator(const TeamRules& rules,
                                              std::vector<std::string> agents) {
   if (rules.mode == "greedy")
     return std::make_unique<GreedyTeam>(rules, std::move(agents));
-  throw kg_core::InputError("team mode '" + rules.mode +
-                            "': expected 'greedy'");
+  if (auto search = MakeSearch(rules))
+    return std::make_unique<ColumnTeam>(rules, agents, std::move(search));
+  throw kg_core::InputError(
+      "team mode '" + rules.mode +
+      "': expected 'greedy', 'auction', 'priced' or 'exact'");
 }
 
 }  // namespace kg_selector

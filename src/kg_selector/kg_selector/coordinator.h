@@ -40,7 +40,7 @@ struct Candidates {
 struct WaypointPrice {
   int window = 0;
   int waypoint = 0;    // Id in the agent's own NavGraph of that window.
-  double price = 0.0;  // >= 0; paid at every visit.
+  double price = 0.0;  // >= 0; paid if the window ends there.
 };
 
 // What one agent is to plan under.

@@ -4,6 +4,7 @@
 #include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
+#include "kg_selector/churn.h"
 #include "kg_selector/explain_plan.h"
 #include "kg_selector/path_terms.h"
 #include "kg_selector/why_not.h"
@@ -56,9 +57,10 @@ class StepExplainer {
         facts_(world.facts()) {}
 
   Explanation Explain() {
-    AddScore();
+    AddScores();
     AddEvents();
     AddSeam();
+    AddChurn();
     return std::move(explanation_);
   }
 
@@ -68,20 +70,30 @@ class StepExplainer {
   }
 
   // Tensors are float32, and the search for waypoints rounds what it sums.
-  void AddScore() {
-    const auto& waypoint = member_.graphs[stage_].waypoints.at(visit_.waypoint);
+  void AddScores() {
+    for (const int stop : StopsOf(visit_))
+      AddScore(member_.graphs[stage_].waypoints.at(stop));
+  }
+
+  void AddScore(const kg_compiler::Waypoint& waypoint) {
     const auto inputs = kg_compiler::FindTensorInputs(*world_.compilation,
                                                       agent_, visit_.window);
     const Explanation score = kg_compiler::TensorExplainer(inputs, facts_)
                                   .ExplainSum(waypoint.footprint);
     const std::string cells =
-        " (" + std::to_string(waypoint.footprint.size()) + " cells)";
-    explanation_.parts = score.parts;
-    for (auto& part : explanation_.parts) part.text += cells;
+        " (" + std::to_string(waypoint.footprint.size()) + " cells" +
+        (visit_.via.empty()
+             ? ""
+             : " around waypoint " + std::to_string(waypoint.id)) +
+        ")";
+    for (auto part : score.parts) {
+      part.text += cells;
+      explanation_.parts.push_back(std::move(part));
+    }
     explanation_.AddIfAny({waypoint.score - score.Sum(), "rounding",
                            facts_.Quote({agent_.iri, {"ex:usesPolicy"}}),
                            "rounding: tensors are kept in single precision"});
-    explanation_.value = waypoint.score;
+    explanation_.value += waypoint.score;
   }
 
   void AddEvents() {
@@ -102,19 +114,25 @@ class StepExplainer {
   }
 
   void AddSeam() {
-    const int from = stage_ == 0 ? 0 : path_.visits[stage_ - 1].waypoint;
-    const auto* edge = FindEdge(member_.graphs[stage_], from, visit_.waypoint);
-    if (edge == nullptr) return;
     const Explanation seam = kg_compiler::ExplainSeam(
         kg_compiler::FindSeamContext(*world_.compilation, agent_, member_.rules,
                                      visit_.window),
-        *edge, facts_);
+        EdgeTaken(member_, path_, stage_), facts_);
     for (auto part : seam.parts) {
       part.value = -part.value;
       part.term = "-" + part.term;
       explanation_.parts.push_back(std::move(part));
     }
     explanation_.value -= seam.value;
+  }
+
+  void AddChurn() {
+    const double cost =
+        ChurnCost(member_.rules, visit_.window, visit_.position);
+    explanation_.AddIfAny({-cost, "-churn",
+                           facts_.Policy(agent_, {"ex:churnWeight"}),
+                           "churn: it is not where the plan in force ends"});
+    explanation_.value -= cost;
   }
 
   const PlannedWorld& world_;
@@ -138,11 +156,18 @@ Explanation ExplainPath(const PlannedWorld& world, const TeamMember& member,
   return explanation;
 }
 
+std::string ByWay(const Visit& visit) {
+  std::string text;
+  for (const int stop : ViaOf(visit))
+    text += (text.empty() ? ", by way of " : ", ") + std::to_string(stop);
+  return text;
+}
+
 std::string StepText(const Agent& agent, const Visit& visit, double value) {
   return agent.id + " goes to waypoint " + std::to_string(visit.waypoint) +
          ", " + kg_core::PointWkt(visit.position) + ", in " +
-         WindowName(visit.window) + ": this step is worth " + Short(value) +
-         ".";
+         WindowName(visit.window) + ByWay(visit) + ": this step is worth " +
+         Short(value) + ".";
 }
 
 }  // namespace

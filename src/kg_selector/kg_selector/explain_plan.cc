@@ -20,6 +20,13 @@ std::string WindowName(int window) {
   return "window " + std::to_string(window);
 }
 
+std::string ByWay(const std::vector<int>& via) {
+  std::string text;
+  for (const int stop : via)
+    text += (text.empty() ? " by way of " : ", ") + std::to_string(stop);
+  return text;
+}
+
 Explanation ExplainCell(const PlannedWorld& world, const Agent& agent,
                         const Question& question) {
   const auto inputs =
@@ -36,13 +43,14 @@ const kg_compiler::TraverseEdge& EdgeAsked(const TeamMember& member,
                                            const Question& question) {
   const kg_compiler::NavGraph& graph =
       member.graphs[FindStage(member, question.window)];
-  const auto* edge = FindEdge(graph, question.from, question.to);
+  const auto* edge =
+      kg_compiler::FindEdge(graph, question.from, question.to, question.via);
   if (edge) return *edge;
   throw InputError(
       "no edge leads from waypoint " + std::to_string(question.from) + " to " +
-      std::to_string(question.to) + " in " + WindowName(question.window) +
-      " of " + member.rules.agent_id + ": it has " +
-      std::to_string(graph.waypoints.size()) + " waypoints and " +
+      std::to_string(question.to) + ByWay(question.via) + " in " +
+      WindowName(question.window) + " of " + member.rules.agent_id +
+      ": it has " + std::to_string(graph.waypoints.size()) + " waypoints and " +
       std::to_string(graph.edges.size()) + " edges");
 }
 
@@ -57,9 +65,9 @@ Explanation ExplainEdge(const PlannedWorld& world, const Agent& agent,
       edge, facts);
   explanation.text =
       "The way of " + agent.id + " from waypoint " + std::to_string(edge.from) +
-      " to " + std::to_string(edge.to) + " in " + WindowName(question.window) +
-      " costs " + Short(explanation.value) + ": " +
-      Short(edge.flight.travel_s / 3600.0) + " h, " +
+      " to " + std::to_string(edge.to) + ByWay(edge.via) + " in " +
+      WindowName(question.window) + " costs " + Short(explanation.value) +
+      ": " + Short(edge.flight.travel_s / 3600.0) + " h, " +
       Short(edge.flight.energy_j / 3600.0) + " Wh.";
   return explanation;
 }

@@ -14,13 +14,14 @@
 //   EVENT        the same of an event, in one window or (-1) the best of all
 //   PLACE        the same of a place that need not be a waypoint
 //
-// The best path by way of something is exact: the planner's own search with the
-// other waypoints of that window masked, around the same committed paths.
+// The best path by way of something is exact: the planner's own search with all
+// other ways through that window masked, around the same committed paths.
 
 #ifndef KG_SELECTOR_EXPLAIN_PLAN_H_
 #define KG_SELECTOR_EXPLAIN_PLAN_H_
 
 #include <string>
+#include <vector>
 
 #include "kg_compiler/explain/explanation.h"
 #include "kg_core/geo/lon_lat.h"
@@ -44,6 +45,7 @@ struct Question {
   int window = -1;
   int from = 0;           // kEdge.
   int to = 0;             // kEdge, kWaypoint.
+  std::vector<int> via;   // kEdge: waypoints visited on the way.
   kg_core::LonLat place;  // kTensorCell, kPlace.
   std::string id;  // kEvent: IRI or "ex:seep". kRejection: its number or IRI.
 };

@@ -40,7 +40,9 @@ Question About(Why what, const std::string& agent, int window) {
 
 class EveryPath {
  public:
-  using Accepts = std::function<bool(const std::vector<int>&)>;
+  // By stage, the waypoints visited; the last is where the window ends.
+  using Stops = std::vector<std::vector<int>>;
+  using Accepts = std::function<bool(const Stops&)>;
   EveryPath(const PlannedWorld& world, const TeamMember& member)
       : world_(world),
         member_(member),
@@ -56,7 +58,7 @@ class EveryPath {
   std::optional<double> Best(const Accepts& accepts) {
     best_.reset();
     accepts_ = &accepts;
-    nodes_.clear();
+    stops_.clear();
     Extend(0.0, 0.0, {});
     return best_;
   }
@@ -64,36 +66,38 @@ class EveryPath {
  private:
   void Extend(double score, double energy_j,
               std::vector<kg_compiler::TimedPoint> track) {
-    const std::size_t s = nodes_.size();
+    const std::size_t s = stops_.size();
     if (s == member_.graphs.size()) {
       const double whole = score + EventReward();
-      if (energy_j <= member_.rules.energy_budget_j && (*accepts_)(nodes_) &&
+      if (energy_j <= member_.rules.energy_budget_j && (*accepts_)(stops_) &&
           (!best_ || whole > *best_) && IsApart(track))
         best_ = whole;
       return;
     }
     for (const auto& edge : member_.graphs[s].edges) {
-      if (edge.from != (s == 0 ? 0 : nodes_.back())) continue;
+      if (edge.from != (s == 0 ? 0 : stops_.back().back())) continue;
       auto longer = track;
       longer.insert(longer.end(), edge.flight.track.begin(),
                     edge.flight.track.end());
-      nodes_.push_back(edge.to);
-      Extend(
-          score + member_.graphs[s].waypoints[edge.to].score - edge.seam_cost,
-          energy_j + edge.flight.energy_j, std::move(longer));
-      nodes_.pop_back();
+      stops_.push_back(StopsOf(edge));
+      double more = -edge.seam_cost;
+      for (const int stop : stops_.back())
+        more += member_.graphs[s].waypoints[stop].score;
+      Extend(score + more, energy_j + edge.flight.energy_j, std::move(longer));
+      stops_.pop_back();
     }
   }
 
   double EventReward() const {
     std::map<std::string, double> best;
-    for (std::size_t s = 0; s < nodes_.size(); ++s) {
+    for (std::size_t s = 0; s < stops_.size(); ++s) {
       const NavGraph& graph = member_.graphs[s];
       const auto open = open_.find(graph.window);
       if (open == open_.end()) continue;
-      for (const std::string& event : graph.waypoints[nodes_[s]].events)
-        if (open->second.count(event))
-          best[event] = std::max(best[event], open->second.at(event));
+      for (const int stop : stops_[s])
+        for (const std::string& event : graph.waypoints[stop].events)
+          if (open->second.count(event))
+            best[event] = std::max(best[event], open->second.at(event));
     }
     double sum = 0.0;
     for (const auto& [event, reward] : best) sum += reward;
@@ -114,16 +118,17 @@ class EveryPath {
   std::set<std::string> full_;
   std::map<int, std::map<std::string, double>> open_;
   const Accepts* accepts_ = nullptr;
-  std::vector<int> nodes_;
+  Stops stops_;
   std::optional<double> best_;
 };
 
-// Every world of some seeds that can be planned.
+// Every world of some seeds that can be planned; every third in mode "edges".
 void ForEachWorld(int seeds,
                   const std::function<void(const PlannedWorld&)>& f) {
   int planned = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
     PlannedTestWorld random(seed);
+    if (seed % 3 == 0) random.mission.coordination.movement_mode = "edges";
     try {
       const PlannedWorld world = random.Plan();
       f(world);
@@ -134,26 +139,63 @@ void ForEachWorld(int seeds,
   EXPECT_GT(planned, seeds / 2);
 }
 
+// Planned again, of agents that were to stay where they begin.
+PlannedWorld Bound(PlannedWorld world) {
+  for (TeamMember& member : world.members) {
+    member.rules.churn_weight = 1.5;
+    for (auto& window : member.rules.windows)
+      window.committed = member.rules.start;
+  }
+  world.plan = PlanTeam(world.rules, world.members);
+  NameAgentsByIri(&world);
+  return world;
+}
+
+TEST(ExplainPlan, LeavingThePlanInForceIsATermOfItsOwn) {
+  int charged = 0;
+  ForEachWorld(8, [&](const PlannedWorld& free) {
+    const PlannedWorld world = Bound(free);
+    for (const Pathlet& path : world.plan.committed) {
+      double sum = 0.0;
+      for (const Visit& visit : path.visits) {
+        const Explanation step =
+            Explain(world, About(Why::kAssignment, path.agent, visit.window));
+        ExpectSums(step);
+        sum += step.value;
+        charged += std::count_if(
+            step.parts.begin(), step.parts.end(), [](const auto& part) {
+              return part.term == "-churn" && part.value < 0.0;
+            });
+      }
+      const Explanation whole =
+          Explain(world, About(Why::kAssignment, path.agent, -1));
+      ExpectSums(whole);
+      EXPECT_NEAR(path.score(), whole.value, 1e-9);
+      EXPECT_NEAR(sum, whole.value, 1e-9);
+    }
+  });
+  EXPECT_GT(charged, 10);
+}
+
 TEST(ExplainPlan, AssignmentsSumToTheStepsAndStepsToThePath) {
-  int steps = 0;
+  int steps = 0, with_stops = 0;
   ForEachWorld(8, [&](const PlannedWorld& world) {
     for (const Pathlet& path : world.plan.committed) {
       const TeamMember& member =
           FindMember(world, FindAgent(world, path.agent));
       double sum = 0.0;
-      int from = 0;
       for (std::size_t s = 0; s < path.visits.size(); ++s) {
         const Visit& visit = path.visits[s];
         const Explanation step =
             Explain(world, About(Why::kAssignment, path.agent, visit.window));
         ExpectSums(step);
-        const auto* edge = FindEdge(member.graphs[s], from, visit.waypoint);
-        EXPECT_NEAR(visit.reward - edge->seam_cost, step.value, 1e-9);
+        EXPECT_NEAR(visit.reward - EdgeTaken(member, path, s).seam_cost,
+                    step.value, 1e-9);
+        with_stops += !visit.via.empty();
         for (const auto& part : step.parts)
           if (part.term == "rounding") {
             EXPECT_LT(std::abs(part.value), 2e-5);
           }
-        from = visit.waypoint;
         sum += step.value;
         ++steps;
       }
@@ -165,6 +207,7 @@ TEST(ExplainPlan, AssignmentsSumToTheStepsAndStepsToThePath) {
     }
   });
   EXPECT_GT(steps, 30);
+  EXPECT_GT(with_stops, 5);
 }
 
 TEST(ExplainPlan, EdgesSumToTheirSeamCosts) {
@@ -176,6 +219,7 @@ TEST(ExplainPlan, EdgesSumToTheirSeamCosts) {
               About(Why::kEdge, member.rules.agent_id, graph.window);
           question.from = edge.from;
           question.to = edge.to;
+          question.via = edge.via;
           const Explanation explanation = Explain(world, question);
           ExpectSums(explanation);
           EXPECT_EQ(edge.seam_cost, explanation.value);
@@ -235,10 +279,12 @@ TEST(ExplainPlan, WaypointVerdictsAreThoseOfExhaustion) {
           const Explanation explanation = Explain(world, question);
           ++verdicts[explanation.verdict];
           ExpectSums(explanation);
-          const auto best = every.Best([&](const std::vector<int>& nodes) {
-            return nodes[s] == waypoint.id;
-          });
-          EXPECT_EQ(path.visits[s].waypoint == waypoint.id,
+          const auto visits = [&](const std::vector<int>& stops) {
+            return std::count(stops.begin(), stops.end(), waypoint.id) > 0;
+          };
+          const auto best = every.Best(
+              [&](const EveryPath::Stops& stops) { return visits(stops[s]); });
+          EXPECT_EQ(visits(StopsOf(path.visits[s])),
                     explanation.verdict == "taken");
           if (explanation.verdict == "taken") continue;
           ASSERT_EQ(best.has_value(), explanation.verdict == "worth_less")
@@ -318,14 +364,16 @@ TEST(ExplainPlan, EventVerdictsAreThoseOfExhaustion) {
           EXPECT_EQ(-1.0, explanation.value);
           continue;
         }
-        const auto best = every.Best([&](const std::vector<int>& nodes) {
-          for (std::size_t s = 0; s < nodes.size(); ++s) {
-            const auto& waypoint = member.graphs[s].waypoints[nodes[s]];
+        const auto best = every.Best([&](const EveryPath::Stops& stops) {
+          for (std::size_t s = 0; s < stops.size(); ++s) {
             if (std::count(event.windows.begin(), event.windows.end(),
-                           member.graphs[s].window) > 0 &&
-                std::count(waypoint.events.begin(), waypoint.events.end(),
-                           event.iri) > 0)
-              return true;
+                           member.graphs[s].window) == 0)
+              continue;
+            for (const int stop : stops[s]) {
+              const auto& events = member.graphs[s].waypoints[stop].events;
+              if (std::count(events.begin(), events.end(), event.iri) > 0)
+                return true;
+            }
           }
           return false;
         });

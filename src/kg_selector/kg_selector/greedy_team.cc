@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "kg_selector/screening.h"
+
 namespace kg_selector {
 namespace {
 
@@ -12,8 +14,8 @@ constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
 // An agent without a path adds nothing.
 double BoundOf(const Candidates& candidates) {
-  return candidates.pathlets.empty() && candidates.proven ? 0.0
-                                                          : candidates.bound;
+  if (candidates.pathlets.empty() && candidates.proven) return 0.0;
+  return candidates.bound < 0.0 ? 0.0 : candidates.bound;
 }
 
 }  // namespace
@@ -23,9 +25,11 @@ GreedyTeam::GreedyTeam(TeamRules rules, std::vector<std::string> agents)
 
 void GreedyTeam::Offer(const std::string& agent, Candidates candidates) {
   if (waiting_.count(agent) == 0 && offers_.count(agent) == 0) return;
-  for (Pathlet& pathlet : candidates.pathlets) pathlet.agent = agent;
   if (round_ == 0) bounds_[agent] = BoundOf(candidates);
-  offers_[agent] = std::move(candidates.pathlets);
+  Screened screened =
+      Screen(rules_, agent, std::move(candidates.pathlets), round_);
+  offers_[agent] = std::move(screened.sound);
+  turned_away_[agent] = std::move(screened.rejected);
   waiting_.erase(agent);
 }
 
@@ -33,12 +37,14 @@ void GreedyTeam::Drop(const std::string& agent, const std::string& why) {
   if (waiting_.count(agent) == 0 && offers_.count(agent) == 0) return;
   offers_.erase(agent);
   bounds_.erase(agent);
+  turned_away_.erase(agent);
   waiting_.erase(agent);
   outcome_.unassigned[agent] = why;
 }
 
 bool GreedyTeam::Advance() {
   if (!waiting_.empty()) return false;
+  RecordTurnedAway();
   RetireTheEmptyHanded();
   SendBackConflicting();
   for (std::string agent = Next(); !agent.empty(); agent = Next()) {
@@ -83,6 +89,19 @@ double GreedyTeam::SecondChoice(const std::vector<Pathlet>& offer,
       second = value;
   }
   return second;
+}
+
+void GreedyTeam::RecordTurnedAway() {
+  for (auto& [agent, rejected] : turned_away_) {
+    outcome_.rejections.insert(outcome_.rejections.end(), rejected.begin(),
+                               rejected.end());
+    if (!rejected.empty() && offers_.count(agent) > 0 &&
+        offers_.at(agent).empty()) {
+      outcome_.unassigned[agent] = "offered nothing that keeps the rules";
+      offers_.erase(agent);
+    }
+  }
+  turned_away_.clear();
 }
 
 void GreedyTeam::RetireTheEmptyHanded() {

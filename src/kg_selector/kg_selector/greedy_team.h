@@ -14,6 +14,10 @@
 // minus SoftPenalty() to those committed, and agents are ranked by that. With
 // hard separation the favourite is simply the best.
 //
+// Everybody who has a path gets one, even if it is worth less than nothing: an
+// agent must be somewhere. So the bound counts 0 for an agent whose own is
+// less.
+//
 // An agent that waits keeps others back only if its last offer, which its next
 // cannot beat, ranks as high as theirs. After rules.max_rounds the rest is
 // chosen from what has been offered.
@@ -55,6 +59,7 @@ class GreedyTeam : public Coordinator {
   Favourite FavouriteOf(const std::vector<Pathlet>& offer) const;
   double SecondChoice(const std::vector<Pathlet>& offer,
                       std::size_t favourite) const;
+  void RecordTurnedAway();
   void RetireTheEmptyHanded();
   void SendBackConflicting();
   // The agent to commit next; empty if one must be waited for first.
@@ -65,6 +70,8 @@ class GreedyTeam : public Coordinator {
 
   TeamRules rules_;
   std::map<std::string, std::vector<Pathlet>> offers_;  // Not committed.
+  // What the door turned away of the offers since the last Advance(), by agent.
+  std::map<std::string, std::vector<Rejection>> turned_away_;
   std::set<std::string> waiting_;
   std::map<std::string, double> bounds_;  // Of round 0, by agent.
   TeamOutcome outcome_;

@@ -151,7 +151,7 @@ Stages StagesOf(const World& world) {
 SeamCounts CountsOf(const PlannedMission& planned) {
   SeamCounts all;
   for (const auto& [agent, cache] : planned.caches) {
-    const SeamCounts& one = cache.counts;
+    const SeamCounts& one = cache.seams.counts;
     all.graphs += one.graphs, all.graphs_kept += one.graphs_kept;
     all.reaches += one.reaches, all.reaches_kept += one.reaches_kept;
     all.flights += one.flights, all.flights_kept += one.flights_kept;

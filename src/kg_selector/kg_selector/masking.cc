@@ -5,6 +5,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "kg_selector/churn.h"
+#include "kg_selector/path_rules.h"
+
 namespace kg_selector {
 namespace {
 
@@ -36,6 +39,12 @@ std::map<std::string, int> TokensOf(const SeamRules& rules) {
   int next = 0;
   for (auto& [event, token] : tokens) token = next++;
   return tokens;
+}
+
+bool HasWalks(const NavGraph& graph) {
+  return std::any_of(
+      graph.edges.begin(), graph.edges.end(),
+      [](const TraverseEdge& edge) { return !edge.via.empty(); });
 }
 
 kg_planner::Node ToNode(const Waypoint& waypoint,
@@ -80,30 +89,49 @@ std::vector<TimedPoint> SeamTrack(const NavGraphs& graphs,
   return track;
 }
 
-const TraverseEdge& EdgeOf(const NavGraph& graph, int from, int to) {
-  for (const TraverseEdge& edge : graph.edges)
-    if (edge.from == from && edge.to == to) return edge;
-  throw std::logic_error("no edge " + std::to_string(from) + " -> " +
-                         std::to_string(to) + " in window " +
-                         std::to_string(graph.window));
+// Of a path's stage: seams are the graph's edges, in their order.
+const TraverseEdge& EdgeOf(const NavGraphs& graphs,
+                           const kg_planner::Path& path, std::size_t stage) {
+  return graphs[stage].edges.at(path.seams.at(stage));
 }
 
-// The visit that earns each open event on the way, by event.
+std::vector<const Waypoint*> VisitedBy(const NavGraph& graph,
+                                       const TraverseEdge& edge) {
+  std::vector<const Waypoint*> visited;
+  for (const int id : edge.via) visited.push_back(&graph.waypoints.at(id));
+  visited.push_back(&graph.waypoints.at(edge.to));
+  return visited;
+}
+
+// The window that earns each open event on the way, by event.
 std::map<std::string, std::size_t> EarnedWhere(const SeamRules& rules,
                                                const NavGraphs& graphs,
-                                               const std::vector<int>& nodes) {
+                                               const kg_planner::Path& path) {
   std::map<std::string, std::size_t> where;
   std::map<std::string, double> best;
-  for (std::size_t s = 0; s < nodes.size(); ++s) {
+  for (std::size_t s = 0; s < path.nodes.size(); ++s) {
     const auto open = OpenEvents(rules, graphs[s].window);
-    for (const std::string& event : graphs[s].waypoints.at(nodes[s]).events) {
-      const auto reward = open.find(event);
-      if (reward == open.end() || !(reward->second > best[event])) continue;
-      best[event] = reward->second;
-      where[event] = s;
+    for (const Waypoint* place :
+         VisitedBy(graphs[s], EdgeOf(graphs, path, s))) {
+      for (const std::string& event : place->events) {
+        const auto reward = open.find(event);
+        if (reward == open.end() || !(reward->second > best[event])) continue;
+        best[event] = reward->second;
+        where[event] = s;
+      }
     }
   }
   return where;
+}
+
+Visit VisitOf(const NavGraph& graph, const TraverseEdge& edge) {
+  const Waypoint& end = graph.waypoints.at(edge.to);
+  Visit visit{graph.window, edge.to, end.position, 0.0, {}, {}};
+  for (const Waypoint* place : VisitedBy(graph, edge))
+    visit.reward += place->score;
+  for (const int id : edge.via)
+    visit.via.push_back({id, graph.waypoints.at(id).position});
+  return visit;
 }
 
 }  // namespace
@@ -132,7 +160,11 @@ kg_planner::Trellis ToTrellis(const SeamRules& rules, const NavGraphs& graphs) {
     for (const TraverseEdge& edge : graph.edges)
       stage.seams.push_back(
           {edge.from, edge.to, edge.seam_cost, edge.flight.energy_j});
+    if (!HasWalks(graph)) continue;
+    for (const TraverseEdge& edge : graph.edges) stage.via.push_back(edge.via);
   }
+  AddChurn(rules, graphs, &trellis);
+  LimitHazard(rules, graphs, &trellis);
   return trellis;
 }
 
@@ -152,7 +184,8 @@ kg_planner::Masks MaskCommitted(const TeamRules& rules, const NavGraphs& graphs,
         return ComeCloserThan(track, other.track, separation_m, span);
       };
       if (std::any_of(committed.begin(), committed.end(), too_close))
-        masks.seams.push_back({static_cast<int>(s), edge.from, edge.to});
+        masks.seams.push_back(
+            {static_cast<int>(s), edge.from, edge.to, edge.via});
     }
   }
   return masks;
@@ -167,18 +200,13 @@ Pathlet ToPathlet(const SeamRules& rules, const NavGraphs& graphs,
   pathlet.seam_cost = path.cost;
   pathlet.energy_j = path.resource;
   const std::vector<double> ends_s = EndsOf(graphs);
-  int from = 0;
   for (std::size_t s = 0; s < path.nodes.size(); ++s) {
-    const int to = path.nodes[s];
-    const Waypoint& waypoint = graphs[s].waypoints.at(to);
-    pathlet.visits.push_back(
-        {graphs[s].window, to, waypoint.position, waypoint.score, {}});
-    const auto track =
-        SeamTrack(graphs, ends_s, s, EdgeOf(graphs[s], from, to));
+    const TraverseEdge& edge = EdgeOf(graphs, path, s);
+    pathlet.visits.push_back(VisitOf(graphs[s], edge));
+    const auto track = SeamTrack(graphs, ends_s, s, edge);
     pathlet.track.insert(pathlet.track.end(), track.begin(), track.end());
-    from = to;
   }
-  for (const auto& [event, s] : EarnedWhere(rules, graphs, path.nodes)) {
+  for (const auto& [event, s] : EarnedWhere(rules, graphs, path)) {
     pathlet.visits[s].events.push_back(event);
     pathlet.visits[s].reward += OpenEvents(rules, graphs[s].window).at(event);
   }

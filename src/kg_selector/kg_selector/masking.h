@@ -24,7 +24,8 @@ kg_compiler::SeamRules CloseEvents(kg_compiler::SeamRules rules,
                                    const std::set<std::string>& full);
 
 // Stage = window, node = waypoint (reward: its score), token = event that
-// `rules` know in that window, resource = energy [J].
+// `rules` know in that window, seam = edge of the graph, in their order, walks
+// with their stops (`via`), resource = energy [J].
 kg_planner::Trellis ToTrellis(const kg_compiler::SeamRules& rules,
                               const kg_compiler::NavGraphs& graphs);
 
@@ -36,8 +37,9 @@ kg_planner::Masks MaskCommitted(const TeamRules& rules,
                                 const kg_compiler::NavGraphs& graphs,
                                 const std::vector<Pathlet>& committed);
 
-// A planner's path with the places and times behind its numbers. An event is
-// listed at the visit that earns its reward: the largest, the first of equals.
+// A planner's path with the places and times behind its numbers. A visit is one
+// window: its reward is that of all stops, and an event is listed where its
+// reward is earned: the largest, the first of equals.
 Pathlet ToPathlet(const kg_compiler::SeamRules& rules,
                   const kg_compiler::NavGraphs& graphs,
                   const kg_planner::Path& path, int rank);

@@ -20,9 +20,13 @@ std::vector<Path> AllPaths(const kg_planner::Trellis& trellis) {
   return FindKBest(trellis, {}, {100000, 1000000}).paths;
 }
 
-bool Uses(const Path& path, const kg_planner::SeamMask& seam) {
-  const int from = seam.stage == 0 ? 0 : path.nodes[seam.stage - 1];
-  return from == seam.from && path.nodes[seam.stage] == seam.to;
+bool Uses(const kg_planner::Trellis& trellis, const Path& path,
+          const kg_planner::SeamMask& seam) {
+  const kg_planner::Stage& stage = trellis.stages[seam.stage];
+  const int taken = path.seams[seam.stage];
+  return stage.seams[taken].from == seam.from &&
+         stage.seams[taken].to == seam.to &&
+         (stage.via.empty() ? seam.via.empty() : stage.via[taken] == seam.via);
 }
 
 std::vector<Pathlet> Others(const TeamRules& rules,
@@ -53,9 +57,10 @@ void CheckMasks(const TeamRules& rules, const std::vector<TeamMember>& members,
   const auto open = CloseEvents(member.rules, FullEvents(rules, committed));
   const auto trellis = ToTrellis(open, member.graphs);
   for (const Path& path : AllPaths(trellis)) {
-    const bool masked = std::any_of(
-        masks.seams.begin(), masks.seams.end(),
-        [&](const kg_planner::SeamMask& seam) { return Uses(path, seam); });
+    const bool masked = std::any_of(masks.seams.begin(), masks.seams.end(),
+                                    [&](const kg_planner::SeamMask& seam) {
+                                      return Uses(trellis, path, seam);
+                                    });
     const Pathlet pathlet = ToPathlet(open, member.graphs, path, 0);
     ASSERT_EQ(masked, FindConflict(rules, committed, pathlet).has_value());
     ++(masked ? counts->masked : counts->open);
@@ -96,6 +101,54 @@ TEST(MaskCommittedTest, MasksExactlyWhatWouldConflictFromOneShip) {
   EXPECT_GT(counts.masked, 500);
   EXPECT_GT(counts.open, 500);
   EXPECT_GT(counts.planned, 100);
+}
+
+TEST(MaskCommittedTest, MasksExactlyTheWalksThatWouldConflict) {
+  RandomTeamOptions options;
+  options.walks = true;
+  options.waypoints = 3;
+  const Counts counts = CheckRandomMasks(options, 4000);
+  EXPECT_GT(counts.masked, 500);
+  EXPECT_GT(counts.open, 500);
+  EXPECT_GT(counts.planned, 300);
+}
+
+TEST(ToPathletTest, StopsAndTheirEventsCountInTheirWindow) {
+  RandomTeamOptions options;
+  options.walks = true;
+  options.events = 3;
+  int by_stops = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    RandomTeam random(options, seed);
+    const TeamMember member = random.MakeMembers().front();
+    for (const Path& path : AllPaths(ToTrellis(member.rules, member.graphs))) {
+      const Pathlet pathlet = ToPathlet(member.rules, member.graphs, path, 0);
+      for (std::size_t s = 0; s < pathlet.visits.size(); ++s) {
+        const Visit& visit = pathlet.visits[s];
+        const auto& edge = member.graphs[s].edges[path.seams[s]];
+        ASSERT_EQ(StopsOf(visit), StopsOf(edge));
+        double reward = 0.0;
+        std::set<std::string> there;
+        for (const int stop : StopsOf(visit)) {
+          const auto& waypoint = member.graphs[s].waypoints[stop];
+          reward += waypoint.score;
+          there.insert(waypoint.events.begin(), waypoint.events.end());
+        }
+        for (const std::string& event : visit.events) {
+          ASSERT_EQ(there.count(event), 1u);
+          for (const auto& rule : member.rules.windows[s].events)
+            if (rule.iri == event) reward += rule.reward;
+          const auto& end = member.graphs[s].waypoints[visit.waypoint].events;
+          by_stops += std::count(end.begin(), end.end(), event) == 0;
+        }
+        EXPECT_NEAR(reward, visit.reward, 1e-9);
+        for (const Stop& stop : visit.via)
+          EXPECT_EQ(stop.position,
+                    member.graphs[s].waypoints[stop.waypoint].position);
+      }
+    }
+  }
+  EXPECT_GT(by_stops, 50);
 }
 
 TEST(MaskCommittedTest, WaitingBetweenWindowsCountsToo) {

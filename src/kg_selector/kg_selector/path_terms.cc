@@ -1,13 +1,13 @@
 #include "kg_selector/path_terms.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "kg_compiler/explain/explain_seam.h"
 #include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_planner/k_best.h"
+#include "kg_selector/churn.h"
 #include "kg_selector/masking.h"
 
 namespace kg_selector {
@@ -20,14 +20,12 @@ using kg_compiler::Facts;
 using kg_compiler::SeamWeights;
 using kg_compiler::Short;
 
-const kg_compiler::TraverseEdge& EdgeInto(const TeamMember& member,
-                                          const Pathlet& pathlet,
-                                          std::size_t stage) {
-  const int from = stage == 0 ? 0 : pathlet.visits[stage - 1].waypoint;
-  const auto* edge =
-      FindEdge(member.graphs[stage], from, pathlet.visits[stage].waypoint);
-  if (edge) return *edge;
-  throw std::logic_error("a path takes an edge that its graph does not have");
+// "waypoint 3", "waypoints 1, 3".
+std::string StopNames(const std::vector<int>& stops) {
+  std::string names;
+  for (const int stop : stops)
+    names += (names.empty() ? "" : ", ") + std::to_string(stop);
+  return (stops.size() == 1 ? "waypoint " : "waypoints ") + names;
 }
 
 std::string EventNames(const Visit& visit) {
@@ -63,6 +61,7 @@ const std::vector<const char*>& PolicyProperties(TermKind kind) {
       {"ex:lambda_energy"},
       {"ex:lambda_risk", "ex:isolationWeight"},
       {"ex:lambda_unc"},
+      {"ex:churnWeight"},
       {}};
   return properties[static_cast<int>(kind)];
 }
@@ -93,15 +92,16 @@ Facts MotionFacts(const PlannedWorld& world, const kg_core::Agent& agent,
 bool SamePath(const Pathlet& a, const Pathlet& b) {
   return std::equal(a.visits.begin(), a.visits.end(), b.visits.begin(),
                     b.visits.end(), [](const Visit& x, const Visit& y) {
-                      return x.window == y.window && x.waypoint == y.waypoint;
+                      return x.window == y.window && StopsOf(x) == StopsOf(y);
                     });
 }
 
 }  // namespace
 
 const char* Name(TermKind kind) {
-  static const char* const names[] = {
-      "value", "events", "time", "energy", "risk", "uncertainty", "separation"};
+  static const char* const names[] = {"value",  "events",    "time",
+                                      "energy", "risk",      "uncertainty",
+                                      "churn",  "separation"};
   return names[static_cast<int>(kind)];
 }
 
@@ -111,12 +111,17 @@ std::vector<PathTerm> TermsOf(const PlannedWorld& world,
   std::vector<PathTerm> terms;
   for (std::size_t s = 0; s < pathlet.visits.size(); ++s) {
     const Visit& visit = pathlet.visits[s];
-    const double score = member.graphs[s].waypoints.at(visit.waypoint).score;
-    terms.push_back({visit.window, TermKind::kValue, score,
-                     "waypoint " + std::to_string(visit.waypoint)});
+    const std::vector<int> stops = StopsOf(visit);
+    double score = 0.0;
+    for (const int stop : stops)
+      score += member.graphs[s].waypoints.at(stop).score;
+    terms.push_back({visit.window, TermKind::kValue, score, StopNames(stops)});
     terms.push_back({visit.window, TermKind::kEvents, visit.reward - score,
                      EventNames(visit)});
-    AddSeam(member, s, EdgeInto(member, pathlet, s), &terms);
+    AddSeam(member, s, EdgeTaken(member, pathlet, s), &terms);
+    terms.push_back({visit.window, TermKind::kChurn,
+                     -ChurnCost(member.rules, visit.window, visit.position),
+                     ""});
   }
   const double penalty =
       SoftPenalty(world.rules, CommittedBefore(world, pathlet.agent), pathlet);
@@ -153,6 +158,7 @@ Facts TermFacts(const PlannedWorld& world, const kg_core::Agent& agent,
              facts.Capabilities(agent, {"ex:energyPerKm", "ex:hotelLoadW"});
     case TermKind::kRisk:
     case TermKind::kUncertainty:
+    case TermKind::kChurn:
     case TermKind::kSeparation:
       return policy + window;
   }
@@ -222,6 +228,8 @@ FoundPath FindBest(const PlannedWorld& world, const TeamMember& member,
   kg_planner::Masks masks = MaskCommitted(world.rules, member.graphs, before);
   masks.nodes.insert(masks.nodes.end(), search.masks.nodes.begin(),
                      search.masks.nodes.end());
+  masks.seams.insert(masks.seams.end(), search.masks.seams.begin(),
+                     search.masks.seams.end());
   kg_planner::KBestOptions options;
   options.paths =
       std::max(world.rules.separation_is_hard ? 2 : open.candidates, 2);

@@ -2,7 +2,8 @@
 // scores of two paths differ.
 //
 //   score = sum over windows of  value + events - time - energy - risk
-//           - uncertainty, and with soft separation - separation (window -1)
+//           - uncertainty - churn, and with soft separation - separation
+//           (window -1)
 
 #ifndef KG_SELECTOR_PATH_TERMS_H_
 #define KG_SELECTOR_PATH_TERMS_H_
@@ -18,12 +19,13 @@
 namespace kg_selector {
 
 enum class TermKind {
-  kValue,  // The waypoint's score.
+  kValue,  // The scores of the waypoints visited.
   kEvents,
   kTime,
   kEnergy,
   kRisk,
   kUncertainty,
+  kChurn,  // For leaving the plan in force.
   kSeparation
 };
 const char* Name(TermKind kind);  // "value", "events", ...
@@ -32,7 +34,7 @@ struct PathTerm {
   int window = -1;
   TermKind kind = TermKind::kValue;
   double value = 0.0;  // Costs are negative.
-  std::string where;   // The waypoint, or the events' names.
+  std::string where;   // The waypoints, or the events' names.
 };
 
 // In order of windows and kinds, all kinds of each window.

@@ -164,6 +164,18 @@ void ForEachInterval(const Track& a, const Track& b, const Span& span,
 
 }  // namespace
 
+std::vector<int> ViaOf(const Visit& visit) {
+  std::vector<int> via;
+  for (const Stop& stop : visit.via) via.push_back(stop.waypoint);
+  return via;
+}
+
+std::vector<int> StopsOf(const Visit& visit) {
+  std::vector<int> stops = ViaOf(visit);
+  stops.push_back(visit.waypoint);
+  return stops;
+}
+
 std::optional<Approach> ClosestApproach(const Track& a, const Track& b,
                                         const Span& span) {
   std::optional<Approach> closest;

@@ -28,9 +28,13 @@ struct Visit {
   std::vector<Stop> via = {};
 };
 
+std::vector<int> ViaOf(const Visit& visit);    // Waypoints on the way.
+std::vector<int> StopsOf(const Visit& visit);  // And where it ends.
+
 struct Pathlet {
   std::string agent;  // Its name in the team (NameOf in plan_team.h).
-  int rank = 0;       // In the agent's own order, 0 = best.
+  int rank = 0;       // In the agent's own order, 0 = best,
+  int round = 0;      // of the offer that it was part of.
   double reward = 0.0;
   double seam_cost = 0.0;
   double energy_j = 0.0;

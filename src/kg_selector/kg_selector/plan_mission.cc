@@ -20,7 +20,7 @@ using kg_compiler::WindowWorld;
 struct Graphs {
   NavGraphs graphs;
   std::string trouble;  // Why there are none.
-  kg_compiler::SeamCache cache;
+  GraphCache cache;
 };
 
 // A compilation's rasters by hash.
@@ -69,7 +69,7 @@ Graphs CompileGraphs(const SeamRules& rules,
     if (last != previous->caches.end()) made.cache = last->second;
   }
   try {
-    made.graphs = kg_compiler::CompileNavGraphs(rules, worlds, &made.cache);
+    made.graphs = CompileWalkedGraphs(rules, worlds, &made.cache);
   } catch (const kg_core::InputError& error) {
     made.trouble = error.what();
   }
@@ -120,14 +120,26 @@ const Pathlet* PlannedMission::FindPath(const std::string& agent) const {
   return nullptr;
 }
 
-TeamRules ToTeamRules(const kg_compiler::CoordinationRules& rules) {
+TeamRules ToTeamRules(const Compilation& compilation) {
+  const kg_core::CoordinationFacts& facts = compilation.coordination.facts;
   TeamRules team;
-  team.event_capacity = rules.event_capacity;
-  team.separation_m = rules.facts.separation_m;
-  team.separation_is_hard = rules.facts.separation_is_hard;
-  team.separation_weight_per_m = rules.facts.separation_weight;
-  team.mode = rules.facts.mode;
-  team.max_rounds = rules.facts.max_rounds;
+  team.event_capacity = compilation.coordination.event_capacity;
+  team.event_windows = compilation.coordination.event_windows;
+  team.separation_m = facts.separation_m;
+  team.separation_is_hard = facts.separation_is_hard;
+  team.separation_weight_per_m = facts.separation_weight;
+  team.mode = facts.mode;
+  team.max_rounds = facts.max_rounds;
+  team.gap_goal = facts.gap_goal;
+  team.auction_epsilon = facts.auction_epsilon;
+  team.time_limit_s = facts.select_limit_s;
+  team.fairness = facts.fairness;
+  team.fairness_weight = facts.fairness_weight;
+  for (const SeamRules& rules : compilation.rules)
+    team.energy_budget_j[rules.agent_id] = rules.energy_budget_j;
+  for (const kg_core::TimeWindow& window : compilation.mission.windows)
+    if (window.index >= compilation.first_window)
+      team.window_end_s[window.index] = window.end_s;
   return team;
 }
 
@@ -142,16 +154,13 @@ PlannedMission PlanMission(const Compilation& compilation,
   const auto begin = std::chrono::steady_clock::now();
   std::vector<Graphs> graphs = CompileAll(compilation, previous);
   planned.stage_seconds["graphs"] = SecondsSince(begin);
-  planned.rules = ToTeamRules(compilation.coordination);
+  planned.rules = ToTeamRules(compilation);
   for (const SeamRules& rules : compilation.rules) {
     Graphs& made = graphs[planned.members.size()];
     if (!made.trouble.empty())
       planned.unplannable[rules.agent_id] = made.trouble;
     planned.members.push_back({rules, std::move(made.graphs)});
     planned.caches[rules.agent_id] = std::move(made.cache);
-    for (const kg_compiler::WindowRules& window : rules.windows) {
-      planned.rules.window_end_s.emplace(window.window, window.end_s);
-    }
   }
   const auto graphs_made = std::chrono::steady_clock::now();
   planned.plan = PlanTeam(planned.rules, planned.members);

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_compiler/control_plane/seam_cache.h"
 #include "kg_selector/plan_team.h"
+#include "kg_selector/walks.h"
 
 namespace kg_selector {
 
@@ -26,7 +26,7 @@ struct PlannedMission {
   // "graphs": waypoints and seams; "team": stitching and selection.
   std::map<std::string, double> stage_seconds;
   // What the next plan may take over, by ex:id. Shared by copies.
-  std::map<std::string, kg_compiler::SeamCache> caches;
+  std::map<std::string, GraphCache> caches;
   TeamPlan plan;
 
   // Null = not of the mission, or without a path.
@@ -34,8 +34,8 @@ struct PlannedMission {
   const Pathlet* FindPath(const std::string& agent) const;
 };
 
-// The team's rules as the selector node reads them.
-TeamRules ToTeamRules(const kg_compiler::CoordinationRules& rules);
+// The team's rules as the selector node reads them; agents by their ex:id.
+TeamRules ToTeamRules(const kg_compiler::Compilation& compilation);
 
 // The rasters of `rules`, in the order of its windows. Throws std::logic_error
 // if they are not of `compilation`.
@@ -45,7 +45,7 @@ std::vector<kg_compiler::WindowWorld> WorldsOf(
 
 // Plans what `compilation` says, agents side by side on the machine's cores.
 // What changes did not touch since `previous` (may be null) is taken over:
-// graphs, arrival fields, flights. The plan is the same without it.
+// graphs, arrival fields, flights, walks. The plan is the same without it.
 PlannedMission PlanMission(const kg_compiler::Compilation& compilation,
                            const PlannedMission* previous);
 

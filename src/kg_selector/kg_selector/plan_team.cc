@@ -1,10 +1,6 @@
 #include "kg_selector/plan_team.h"
 
-#include <algorithm>
 #include <set>
-
-#include "kg_planner/k_best.h"
-#include "kg_selector/masking.h"
 
 namespace kg_selector {
 
@@ -13,31 +9,10 @@ const std::string& NameOf(const TeamMember& member) {
                                        : member.rules.agent_id;
 }
 
-const char* NoPathNote(const bool alone) {
-  return alone ? "no path leads through all windows"
-               : "no path is left beside the others'";
-}
-
 Candidates PlanUnder(const TeamRules& rules, const TeamMember& member,
                      const Ask& ask) {
-  if (member.graphs.empty()) return {};
-  const kg_compiler::SeamRules open =
-      CloseEvents(member.rules, ask.full_events);
-  kg_planner::KBestOptions options;
-  options.paths = std::max(1, open.candidates);
-  const kg_planner::KBest best = kg_planner::FindKBest(
-      ToTrellis(open, member.graphs),
-      MaskCommitted(rules, member.graphs, ask.around), options);
-  Candidates candidates;
-  candidates.proven = best.proven;
-  candidates.bound = best.bound;
-  for (const kg_planner::Path& path : best.paths) {
-    candidates.pathlets.push_back(
-        ToPathlet(open, member.graphs, path,
-                  static_cast<int>(candidates.pathlets.size())));
-    candidates.pathlets.back().agent = NameOf(member);
-  }
-  if (best.paths.empty()) candidates.note = NoPathNote(ask.around.empty());
+  Candidates candidates = PlanUnder(rules, member.rules, member.graphs, ask);
+  for (Pathlet& pathlet : candidates.pathlets) pathlet.agent = NameOf(member);
   return candidates;
 }
 

@@ -13,6 +13,7 @@
 #include "kg_selector/conflict.h"
 #include "kg_selector/coordinator.h"
 #include "kg_selector/pathlet.h"
+#include "kg_selector/plan_under.h"
 
 namespace kg_selector {
 
@@ -25,9 +26,6 @@ struct TeamMember {
 // What a team calls its members, as the selector node does: the ex:id, or the
 // IRI of who has none.
 const std::string& NameOf(const TeamMember& member);
-
-// What a planner says that found no path, alone or around those committed.
-const char* NoPathNote(bool alone);
 
 // One agent's best paths, its prices taken off, around those committed; none
 // has a hard conflict with them.

@@ -12,7 +12,9 @@
 #include "kg_compiler/control_plane/nav_graphs.h"
 #include "kg_compiler/test_world.h"
 #include "kg_core/rdf/store.h"
+#include "kg_selector/plan_mission.h"
 #include "kg_selector/planned_world.h"
+#include "kg_selector/walks.h"
 
 namespace kg_selector {
 
@@ -40,7 +42,7 @@ class PlannedTestWorld {
     world.compilation = compiler.Compile(mission, 1, 0);
     for (const kg_compiler::SeamRules& rules : world.compilation->rules)
       world.members.push_back(Member(*world.compilation, rules));
-    world.rules = TeamRulesOf(*world.compilation);
+    world.rules = ToTeamRules(*world.compilation);
     world.plan = PlanTeam(world.rules, world.members);
     world.has_plan = true;
     NameAgentsByIri(&world);
@@ -139,7 +141,7 @@ class PlannedTestWorld {
         if (field->window == window.window) world.field = &field->field;
       worlds.push_back(world);
     }
-    return {rules, kg_compiler::CompileNavGraphs(rules, worlds, nullptr)};
+    return {rules, CompileWalkedGraphs(rules, worlds, nullptr)};
   }
 
   std::mt19937 rng_;

@@ -1,22 +1,14 @@
 #include "kg_selector/planned_world.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/rdf/namespaces.h"
-#include "kg_selector/plan_mission.h"
 
 namespace kg_selector {
 
 using kg_core::InputError;
-
-TeamRules TeamRulesOf(const kg_compiler::Compilation& compilation) {
-  TeamRules rules = ToTeamRules(compilation.coordination);
-  for (const kg_core::TimeWindow& window : compilation.mission.windows)
-    if (window.index >= compilation.first_window)
-      rules.window_end_s[window.index] = window.end_s;
-  return rules;
-}
 
 void NameAgentsByIri(PlannedWorld* world) {
   const auto rename = [&](std::string* agent) {
@@ -36,6 +28,13 @@ void NameAgentsByIri(PlannedWorld* world) {
     unassigned[name] = why;
   }
   world->plan.unassigned = std::move(unassigned);
+  std::map<std::string, double> budgets_j;
+  for (const auto& [agent, budget_j] : world->rules.energy_budget_j) {
+    std::string name = agent;
+    rename(&name);
+    budgets_j[name] = budget_j;
+  }
+  world->rules.energy_budget_j = std::move(budgets_j);
 }
 
 const kg_core::Agent& FindAgent(const PlannedWorld& world,
@@ -102,11 +101,15 @@ std::vector<Pathlet> CommittedBefore(const PlannedWorld& world,
   return before;
 }
 
-const kg_compiler::TraverseEdge* FindEdge(const kg_compiler::NavGraph& graph,
-                                          int from, int to) {
-  for (const auto& edge : graph.edges)
-    if (edge.from == from && edge.to == to) return &edge;
-  return nullptr;
+const kg_compiler::TraverseEdge& EdgeTaken(const TeamMember& member,
+                                           const Pathlet& pathlet,
+                                           std::size_t stage) {
+  const int from = stage == 0 ? 0 : pathlet.visits[stage - 1].waypoint;
+  const Visit& visit = pathlet.visits[stage];
+  const auto* edge = kg_compiler::FindEdge(member.graphs[stage], from,
+                                           visit.waypoint, ViaOf(visit));
+  if (edge) return *edge;
+  throw std::logic_error("a path takes an edge that its graph does not have");
 }
 
 }  // namespace kg_selector

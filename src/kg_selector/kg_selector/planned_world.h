@@ -34,8 +34,6 @@ struct PlannedWorld {
   }
 };
 
-// The team's rules as a compilation states them.
-TeamRules TeamRulesOf(const kg_compiler::Compilation& compilation);
 // Planners and selectors may name agents by their ex:id: makes it their IRIs.
 void NameAgentsByIri(PlannedWorld* world);
 
@@ -56,9 +54,11 @@ const Pathlet& NeedPath(const PlannedWorld& world, const kg_core::Agent& agent);
 // Those committed before an agent's path, in order; all if it has none.
 std::vector<Pathlet> CommittedBefore(const PlannedWorld& world,
                                      const std::string& agent_iri);
-// Null = there is no such edge.
-const kg_compiler::TraverseEdge* FindEdge(const kg_compiler::NavGraph& graph,
-                                          int from, int to);
+// The edge that a path takes into the stage's window. Throws std::logic_error
+// if its graph does not have it.
+const kg_compiler::TraverseEdge& EdgeTaken(const TeamMember& member,
+                                           const Pathlet& pathlet,
+                                           std::size_t stage);
 
 }  // namespace kg_selector
 

@@ -24,6 +24,7 @@ struct RandomTeamOptions {
   double begin_s = 1.5e9;
   double window_s = 6 * 3600.0;
   double gap_s = 0.0;  // Between windows.
+  bool walks = false;  // Edges by way of another waypoint, too.
 };
 
 class RandomTeam {
@@ -131,7 +132,24 @@ class RandomTeam {
         if (Whole(0, 9) > 0)
           graph->edges.push_back(
               MakeEdge(u, to, from, member.rules.windows[w]));
+        if (options_.walks) AddWalk(graph->edges, to, graph);
       }
+  }
+
+  // As the last edge goes to `to`, by way of a waypoint where it bends.
+  void AddWalk(const std::vector<kg_compiler::TraverseEdge>& edges,
+               const kg_compiler::Waypoint& to, kg_compiler::NavGraph* graph) {
+    const int count = static_cast<int>(graph->waypoints.size());
+    const int stop = Whole(0, count - 1);
+    if (edges.empty() || edges.back().to != to.id || stop == to.id ||
+        !edges.back().via.empty() || !(edges.back().flight.travel_s > 0.0))
+      return;
+    kg_compiler::TraverseEdge walk = edges.back();
+    walk.via = {stop};
+    walk.flight.track[1].position = graph->waypoints[stop].position;
+    walk.flight.energy_j *= Number(1.0, 1.5);
+    walk.seam_cost *= Number(1.0, 2.0);
+    graph->edges.push_back(walk);
   }
 
   // Half way with a bend, at 2.5 to 4 m/s, then holding station: no distance

@@ -28,12 +28,10 @@ class WayRound {
         by_(by),
         before_(CommittedBefore(world, agent.iri)),
         facts_(world.facts()) {
-    const auto& waypoints = member_.graphs[by.stage].waypoints;
-    for (std::size_t id = 0; id < waypoints.size(); ++id) {
-      const int node = static_cast<int>(id);
-      if (by.waypoints.count(node) == 0)
-        masks_.nodes.push_back({static_cast<int>(by.stage), node});
-    }
+    for (const auto& edge : member_.graphs[by.stage].edges)
+      if (!IsByWay(edge))
+        masks_.seams.push_back(
+            {static_cast<int>(by.stage), edge.from, edge.to, edge.via});
   }
 
   Explanation Explain() {
@@ -51,14 +49,23 @@ class WayRound {
     bool energy = true;    // If not: the thriftiest path.
   };
 
+  bool IsByWay(const kg_compiler::TraverseEdge& edge) const {
+    for (const int stop : kg_compiler::StopsOf(edge))
+      if (by_.waypoints.count(stop) > 0) return true;
+    return false;
+  }
+
   std::optional<Pathlet> Relaxed(const Kept& kept) const {
     const kg_compiler::SeamRules open =
         CloseEvents(member_.rules, FullEvents(world_.rules, before_));
     kg_planner::Trellis trellis = ToTrellis(open, member_.graphs);
     if (!kept.energy) CountEnergyOnly(&trellis);
     kg_planner::Masks masks = masks_;
-    if (kept.distance)
-      masks.seams = MaskCommitted(world_.rules, member_.graphs, before_).seams;
+    if (kept.distance) {
+      const auto close = MaskCommitted(world_.rules, member_.graphs, before_);
+      masks.seams.insert(masks.seams.end(), close.seams.begin(),
+                         close.seams.end());
+    }
     const auto best = kg_planner::FindKBest(trellis, masks, {1, 100000});
     if (best.paths.empty()) return std::nullopt;
     return ToPathlet(open, member_.graphs, best.paths.front(), 0);
@@ -137,18 +144,14 @@ class WayRound {
   Explanation Energy(const Pathlet& path) const {
     const double budget_j = member_.rules.energy_budget_j;
     Explanation explanation = Named("energy", "J", "");
-    int from = 0;
     for (std::size_t s = 0; s < path.visits.size(); ++s) {
-      const int to = path.visits[s].waypoint;
-      const auto* edge = FindEdge(member_.graphs[s], from, to);
-      from = to;
-      if (edge == nullptr) continue;
-      explanation.value += edge->flight.energy_j;
+      const double energy_j = EdgeTaken(member_, path, s).flight.energy_j;
+      explanation.value += energy_j;
       explanation.parts.push_back(
-          {edge->flight.energy_j, "E",
+          {energy_j, "E",
            facts_.Capabilities(agent_, {"ex:energyPerKm", "ex:hotelLoadW"}),
            "window " + std::to_string(path.visits[s].window) + ": " +
-               Short(edge->flight.energy_j / kg_core::kJoulesPerWh) + " Wh"});
+               Short(energy_j / kg_core::kJoulesPerWh) + " Wh"});
     }
     const double needed_wh = explanation.value / kg_core::kJoulesPerWh;
     explanation.value -= budget_j;
@@ -194,7 +197,9 @@ Explanation ExplainTaken(const PlannedWorld& world, const kg_core::Agent& agent,
   explanation.text = agent.id + " does go to " + name + ", in window " +
                      std::to_string(visit.window) + ".";
   explanation.parts = {{visit.reward, "reward", world.facts().Policy(agent, {}),
-                        "the reward of that visit"}};
+                        visit.via.empty() ? "the reward of that visit"
+                                          : "the reward of that window, "
+                                            "stops included"}};
   return explanation;
 }
 

@@ -16,7 +16,7 @@ namespace kg_selector {
 
 struct ByWayOf {
   std::size_t stage = 0;
-  std::set<int> waypoints;  // Any of them.
+  std::set<int> waypoints;  // Any of them, as a stop or where it ends.
   std::string name;         // For a person: "waypoint 3 of window 2".
 };
 

@@ -1,6 +1,8 @@
 #include "kg_selector/why_not.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/base/input_error.h"
@@ -26,7 +28,8 @@ Explanation WhyNotWaypoint(const PlannedWorld& world, const Agent& agent,
     throw InputError(agent.id + " has no " + name + ": there are " +
                      std::to_string(count) + ", numbered from 0");
   const Visit& visit = NeedPath(world, agent).visits.at(stage);
-  if (visit.waypoint == waypoint.id)
+  const std::vector<int> stops = StopsOf(visit);
+  if (std::count(stops.begin(), stops.end(), waypoint.id) > 0)
     return ExplainTaken(world, agent, visit, name);
   return ExplainWayRound(world, agent, {stage, {waypoint.id}, name});
 }

@@ -11,7 +11,8 @@ CELL_TOLERANCE = 0.02  # Of the spacing: file coordinates carry float noise.
 
 FIELDS = """
     SELECT ?window ?u ?v ?path WHERE {
-      ?f a ex:CurrentField ; ex:forWindow ?w ; ex:gridRefU ?u ;
+      VALUES ?kind { ex:CurrentField ex:WorkField }
+      ?f a ?kind ; ex:forWindow ?w ; ex:gridRefU ?u ;
          ex:gridRefV ?v ; prov:wasDerivedFrom ?file .
       ?file ex:path ?path . ?w ex:index ?window }"""
 

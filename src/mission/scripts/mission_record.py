@@ -25,6 +25,7 @@ class Visit:
     reward: float
     seam_cost: float
     energy_j: float
+    via: list = dataclasses.field(default_factory=list)  # (lon, lat) of stops.
     left_early: bool = False  # A newer plan led on before it was reached.
 
 
@@ -196,5 +197,5 @@ class MissionRecord:
 
 
 def _places(visits):
-    return {key: (visit.lon_deg, visit.lat_deg, visit.events)
+    return {key: (visit.lon_deg, visit.lat_deg, visit.events, *visit.via)
             for key, visit in visits.items()}

@@ -10,9 +10,11 @@ neighbouring samples are at most a tenth of a cell apart.
                 its edge included
     land        entries into cells without currents or within the land buffer
     capacity    agents rewarded by an event beyond ex:capacity, and visits that
-                are none (outside the radius or the event's windows)
+                are none (no stop of the window is within the radius, or it is
+                none of the event's windows)
     speed       legs that need more speed through the water than the agent has
-    visits      waypoints that the track does not come to in their window
+    visits      waypoints that the track does not come to in their window, and
+                stops that it does not come by in their order
 """
 
 import dataclasses
@@ -27,8 +29,10 @@ KINDS = ('no_go', 'land', 'capacity', 'separation', 'speed', 'visits')
 SAMPLES_PER_CELL = 10
 SPEED_TOLERANCE = 0.02     # Of the speed through water.
 SEPARATION_STEP_S = 60.0   # Between looks at a pair; refined at the minimum.
+SEPARATION_STEP_M = 200.0  # Nor do they come so much farther between looks.
 DISTANCE_TOLERANCE_M = 1.0  # Of separation; rounding of positions.
 VISIT_TOLERANCE_M = 50.0   # Between a waypoint and the track at that time.
+STOP_STEP_S = 20.0         # Between looks for a stop, beside turning points.
 
 
 @dataclasses.dataclass
@@ -213,10 +217,12 @@ def closest(a, b, begin_s, end_s):
     end_s = min(end_s, a.time_s[-1], b.time_s[-1])
     if end_s < begin_s:
         return None
-    times = np.append(np.arange(begin_s, end_s, SEPARATION_STEP_S), end_s)
+    step_s = min(SEPARATION_STEP_S,
+                 SEPARATION_STEP_M / max(_fastest_mps(a), _fastest_mps(b), 0.1))
+    times = np.append(np.arange(begin_s, end_s, step_s), end_s)
     best = times[np.argmin(distance_m(*a.at(times), *b.at(times)))]
-    near = np.arange(max(begin_s, best - SEPARATION_STEP_S),
-                     min(end_s, best + SEPARATION_STEP_S) + 0.5)
+    near = np.arange(max(begin_s, best - step_s),
+                     min(end_s, best + step_s) + 0.5)
     distance = distance_m(*a.at(near), *b.at(near))
     return float(distance.min()), float(near[distance.argmin()])
 
@@ -237,6 +243,12 @@ def needed_speed_mps(track, field, boost_gain):
     ground_mps = _ground_velocity(track)
     return (np.hypot(*(ground_mps - boost_gain * current_mps)),
             np.hypot(*ground_mps))
+
+
+def _fastest_mps(track):
+    if len(track) < 2:
+        return 0.0
+    return float(np.hypot(*_ground_velocity(track)).max())
 
 
 def _ground_velocity(track):
@@ -325,9 +337,10 @@ class PlanCheck:
                                 (one, other, near[0], limit_m))
 
     def check_visits(self, visits, tracks, past=None):
-        """`visits`: (agent id, window) -> (lon, lat, event IRIs). `past`:
-        those without tracks, whose events count."""
-        for (agent_id, window), (lon, lat, _) in sorted(visits.items()):
+        """`visits`: (agent id, window) -> (lon, lat, event IRIs, then the
+        (lon, lat) of each stop on the way). `past`: those without tracks,
+        whose events count."""
+        for (agent_id, window), (lon, lat, _, *via) in sorted(visits.items()):
             end_s = self._facts.windows[window].end_s
             track = tracks[agent_id]
             there = track.at(min(end_s, track.time_s[-1]))
@@ -335,18 +348,37 @@ class PlanCheck:
             self._found('visits', int(not off_m <= VISIT_TOLERANCE_M),
                         '%s is %.0f m off its waypoint of window %d' %
                         (agent_id, off_m, window))
+            self._check_stops(agent_id, window, track, via)
         self._check_capacity({**(past or {}), **visits})
+
+    def _check_stops(self, agent_id, window, track, via):
+        """The track comes by each stop after the one before."""
+        when = self._facts.windows[window]
+        part = track.between(when.begin_s, when.end_s)
+        begin_s = when.begin_s
+        for number, (lon, lat) in enumerate(via):
+            times = np.union1d(part.time_s, np.arange(
+                begin_s, part.time_s[-1], STOP_STEP_S)) if len(part) else []
+            times = np.asarray(times)[np.asarray(times) >= begin_s]
+            near = times[distance_m(lon, lat, *part.at(times)) <=
+                         VISIT_TOLERANCE_M] if len(times) else times
+            self._found('visits', int(not len(near)),
+                        '%s does not come by stop %d of window %d' %
+                        (agent_id, number, window))
+            begin_s = near[0] if len(near) else begin_s
 
     def _check_capacity(self, visits):
         guests = {}
-        for (agent_id, window), (lon, lat, claimed) in sorted(visits.items()):
+        for (agent_id, window), (lon, lat, claimed, *via) in sorted(
+                visits.items()):
             for iri in claimed:
                 event = self._facts.events.get(iri)
                 if event is None:
                     continue  # Removed from the facts after the visit.
                 guests.setdefault(iri, set()).add(agent_id)
-                off_m = float(distance_m(lon, lat, event.lon_deg,
-                                         event.lat_deg))
+                off_m = min(float(distance_m(x, y, event.lon_deg,
+                                             event.lat_deg))
+                            for x, y in [*via, (lon, lat)])
                 real = (window in event.windows and
                         off_m <= event.radius_m + DISTANCE_TOLERANCE_M)
                 self._found('capacity', int(not real),

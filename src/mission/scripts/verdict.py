@@ -61,7 +61,9 @@ def to_plan(message):
             visits[assignment.agent, visit.window] = Visit(
                 math.degrees(visit.lon_rad), math.degrees(visit.lat_rad),
                 list(visit.events), visit.reward, visit.cost.seam_cost,
-                visit.cost.energy_j)
+                visit.cost.energy_j,
+                [(math.degrees(stop.lon_rad), math.degrees(stop.lat_rad))
+                 for stop in visit.via])
     return Plan(message.world_version, message.plan_run, tracks, visits,
                 list(message.unassigned))
 

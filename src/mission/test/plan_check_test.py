@@ -203,6 +203,53 @@ class MissionRecordTest(unittest.TestCase):
         record = self._record(plan, facts())
         self.assertEqual(1, record.verdict()['violations']['visits'])
 
+    def _with_stops(self, hours, events=()):
+        """EASTWARD's first window with stops where it is after these hours."""
+        plan = self._plan(EASTWARD, [], agents=('a',))
+        plan.visits['a', 0].via = [tuple(map(float, EASTWARD.at(HOUR_S * h)))
+                                   for h in hours]
+        plan.visits['a', 0].events = list(events)
+        return plan
+
+    def test_those_who_fly_fast_do_not_pass_between_two_looks(self):
+        """Ten m/s towards each other: 1200 m in the minute between looks."""
+        metre = 1.0 / 111e3
+        for begin_s in np.arange(0.0, 60.0, 7.0):
+            one = Track.of([(begin_s, 0.5, 1.0),
+                            (begin_s + 7200.0, 0.5 + 72e3 * metre, 1.0)])
+            other = Track.of([(begin_s, 0.5 + 72e3 * metre, 1.0 + 50 * metre),
+                              (begin_s + 7200.0, 0.5, 1.0 + 50 * metre)])
+            distance, _ = closest(one, other, 0.0, 9000.0)
+            self.assertAlmostEqual(50.0, distance, delta=5.0)
+
+    def test_a_stop_that_the_track_comes_by_is_no_finding(self):
+        record = self._record(self._with_stops([3, 7.31, 20]), facts())
+        self.assertEqual(0, record.verdict()['violations']['visits'])
+
+    def test_a_stop_that_the_track_misses_is_found(self):
+        plan = self._with_stops([3, 7, 20])
+        lon, lat = plan.visits['a', 0].via[1]
+        plan.visits['a', 0].via[1] = (lon, lat + 0.01)
+        record = self._record(plan, facts())
+        self.assertEqual(1, record.verdict()['violations']['visits'])
+
+    def test_stops_in_another_order_are_found(self):
+        record = self._record(self._with_stops([7, 3]), facts())
+        self.assertEqual(1, record.verdict()['violations']['visits'])
+
+    def test_a_stop_after_the_window_is_found(self):
+        record = self._record(self._with_stops([28]), facts())
+        self.assertEqual(1, record.verdict()['violations']['visits'])
+
+    def test_an_event_may_be_visited_by_a_stop_on_the_way(self):
+        lon, lat = map(float, EASTWARD.at(7 * HOUR_S))
+        event = Event('ex:e', lon, lat, 1, 2000.0, {0})
+        for hours, expected in (([7], 0), ([3], 1)):
+            record = self._record(self._with_stops(hours, ['ex:e']),
+                                  facts(events={'ex:e': event}))
+            self.assertEqual(expected, record.verdict()['violations'][
+                'capacity'])
+
     def test_what_was_flown_is_judged_by_the_facts_of_its_time(self):
         zone = facts(constraints=[no_go(box(0.5, 0.9, 0.6, 1.1))])
         record = self._record(self._plan(EASTWARD, []), facts())

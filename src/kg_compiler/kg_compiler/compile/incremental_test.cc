@@ -327,6 +327,20 @@ const LivingMission::Changes LivingMission::kChanges = {
        team.waypoint_spacing_m = m->Any(5e3, 1e4);
        team.separation_m = m->Any(0, 5e3);
      }},
+    {"choice of the team",
+     [](auto* m) {
+       kg_core::CoordinationFacts& team = m->mission.coordination;
+       team.mode = m->Toss() ? "priced" : "greedy";
+       team.gap_goal = m->Any(0, 1);
+     }},
+    {"choice of paths",
+     [](auto* m) {
+       kg_core::Policy& policy = m->AnyAgent().policy;
+       policy.diverse_paths = m->Toss();
+       policy.churn_weight = m->Any(0, 2);
+       policy.hazard_budget_s =
+           m->Toss() ? std::optional<double>(m->Any(1e3, 1e5)) : std::nullopt;
+     }},
     {"movement mode",
      [](auto* m) {
        m->mission.coordination.movement_mode = m->Toss() ? "edges" : "hops";

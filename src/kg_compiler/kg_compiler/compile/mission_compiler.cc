@@ -34,20 +34,17 @@ class StageClock {
       std::chrono::steady_clock::now();
 };
 
-auto Tie(const kg_core::CoordinationFacts& f) {
-  return std::tie(f.mode, f.separation_m, f.separation_is_hard,
-                  f.separation_weight, f.candidates_per_agent,
-                  f.waypoints_per_window, f.waypoint_spacing_m, f.max_rounds);
-}
-
 bool Same(const CoordinationRules& a, const CoordinationRules& b) {
-  return Tie(a.facts) == Tie(b.facts) && a.event_capacity == b.event_capacity;
+  return a.facts == b.facts && a.event_capacity == b.event_capacity &&
+         a.event_windows == b.event_windows;
 }
 
 CoordinationRules Coordinate(const kg_core::Mission& mission) {
-  CoordinationRules rules{mission.coordination, {}};
+  CoordinationRules rules{mission.coordination, {}, {}};
   for (const kg_core::Event& event : mission.events) {
     rules.event_capacity[event.iri] = event.capacity;
+    rules.event_windows[event.iri] = {event.windows.begin(),
+                                      event.windows.end()};
   }
   return rules;
 }

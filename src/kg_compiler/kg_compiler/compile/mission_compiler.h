@@ -14,6 +14,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ namespace kg_compiler {
 struct CoordinationRules {
   kg_core::CoordinationFacts facts;
   std::map<std::string, int> event_capacity;  // By event IRI.
+  // The windows in which an event rewards; none = it is over.
+  std::map<std::string, std::set<int>> event_windows;
 };
 
 // Which artifacts this compilation made anew.

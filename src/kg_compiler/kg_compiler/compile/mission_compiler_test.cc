@@ -177,6 +177,48 @@ TEST(MissionCompiler, RemakesTheWindowsOfAnEventAndItsCapacityForTheTeam) {
   ExpectDirty({{"coordination", "", -1}}, *compiler.Compile(mission, 3, 0));
 }
 
+// The selector is told; there is nothing to compile.
+TEST(MissionCompiler, ATeamChosenOtherwiseIsANewPlanOfTheSameArtifacts) {
+  void (*const changes[])(kg_core::CoordinationFacts*) = {
+      [](auto* team) { team->mode = "priced"; },
+      [](auto* team) { team->gap_goal = 0.5; },
+      [](auto* team) { team->auction_epsilon = 0.5; },
+      [](auto* team) { team->select_limit_s = 0.5; },
+      [](auto* team) { team->fairness = "balance"; },
+      [](auto* team) { team->fairness_weight = 0.5; }};
+  Files files;
+  MissionCompiler compiler(files.Readers());
+  kg_core::Mission mission = TestMission();
+  std::uint64_t version = 0;
+  compiler.Compile(mission, ++version, 0);
+  for (const auto change : changes) {
+    change(&mission.coordination);
+    const auto next = compiler.Compile(mission, ++version, 0);
+    ExpectDirty({{"coordination", "", -1}}, *next);
+    EXPECT_EQ(0u, next->counts.compiled);
+    EXPECT_TRUE(next->coordination.facts == mission.coordination);
+  }
+}
+
+TEST(MissionCompiler, WhichPathsAPolicyWantsConcernsItsAgentsOnly) {
+  void (*const changes[])(kg_core::Policy*) = {
+      [](auto* policy) { policy->hazard_budget_s = 3600.0; },
+      [](auto* policy) { policy->diverse_paths = true; },
+      [](auto* policy) { policy->minimum_difference = 2; },
+      [](auto* policy) { policy->churn_weight = 0.5; }};
+  Files files;
+  MissionCompiler compiler(files.Readers());
+  kg_core::Mission mission = TestMission();
+  std::uint64_t version = 0;
+  compiler.Compile(mission, ++version, 0);
+  for (const auto change : changes) {
+    change(&mission.agents[1].policy);
+    const auto next = compiler.Compile(mission, ++version, 0);
+    ExpectDirty({{"seam_rules", "ex:bravo", -1}}, *next);
+    EXPECT_EQ(0u, next->counts.compiled);
+  }
+}
+
 TEST(MissionCompiler, RemakesWhatANewFileChanges) {
   Files files;
   MissionCompiler compiler(files.Readers());

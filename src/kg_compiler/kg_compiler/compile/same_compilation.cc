@@ -100,13 +100,6 @@ Pairs<T> PairUp(const List& a, const List& b) {
   return pairs;
 }
 
-auto Tie(const kg_core::CoordinationFacts& f) {
-  return std::tie(f.mode, f.separation_m, f.separation_is_hard,
-                  f.separation_weight, f.candidates_per_agent,
-                  f.waypoints_per_window, f.waypoint_spacing_m, f.max_rounds,
-                  f.movement_mode);
-}
-
 bool Same(const TimedPoint& a, const TimedPoint& b) {
   return a.position == b.position && a.time_s == b.time_s;
 }
@@ -120,7 +113,7 @@ bool Same(const TraverseEdge& a, const TraverseEdge& b) {
   const auto same_point = [](const TimedPoint& x, const TimedPoint& y) {
     return Same(x, y);
   };
-  return tie(a) == tie(b) &&
+  return tie(a) == tie(b) && a.via == b.via &&
          std::equal(a.flight.track.begin(), a.flight.track.end(),
                     b.flight.track.begin(), b.flight.track.end(), same_point);
 }
@@ -158,8 +151,9 @@ Difference Compare(const Compilation& a, const Compilation& b) {
   CompareAll(PairUp<MissionTensor>(a.tensors, b.tensors), &found);
   CompareAll(PairUp<SeamRules>(a.rules, b.rules), &found);
   ++found.compared;
-  if (Tie(a.coordination.facts) != Tie(b.coordination.facts) ||
-      a.coordination.event_capacity != b.coordination.event_capacity) {
+  if (!(a.coordination.facts == b.coordination.facts) ||
+      a.coordination.event_capacity != b.coordination.event_capacity ||
+      a.coordination.event_windows != b.coordination.event_windows) {
     found.differs.push_back("coordination rules");
   }
   return found;

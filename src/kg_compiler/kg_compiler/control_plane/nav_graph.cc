@@ -86,6 +86,20 @@ class Graphs {
 
 }  // namespace
 
+const TraverseEdge* FindEdge(const NavGraph& graph, int from, int to,
+                             const std::vector<int>& via) {
+  for (const TraverseEdge& edge : graph.edges) {
+    if (edge.from == from && edge.to == to && edge.via == via) return &edge;
+  }
+  return nullptr;
+}
+
+std::vector<int> StopsOf(const TraverseEdge& edge) {
+  std::vector<int> stops = edge.via;
+  stops.push_back(edge.to);
+  return stops;
+}
+
 double SeamCost(const SeamWeights& weights, const TraverseEdge& edge,
                 double confidence) {
   return weights.time_per_s * edge.flight.travel_s +

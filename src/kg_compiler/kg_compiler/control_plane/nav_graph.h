@@ -25,7 +25,8 @@
 // are flown and priced as if one left when the window begins: when one really
 // gets there differs by the way one came. Whoever strings them together adds
 // the travel_s of a window's edges up and holds them against the window's
-// length and base_travel_m / cruise_mps, as each single edge has been.
+// length and base_travel_m / cruise_mps, as each single edge has been, and
+// flies what is found from its true departure (kg_selector/walks.h).
 
 #ifndef KG_COMPILER_CONTROL_PLANE_NAV_GRAPH_H_
 #define KG_COMPILER_CONTROL_PLANE_NAV_GRAPH_H_
@@ -77,6 +78,13 @@ struct NavGraph {
   // and the places one comes from.
   std::string hash;
 };
+
+// Of the graph's edges into the window. Null = there is no such edge.
+const TraverseEdge* FindEdge(const NavGraph& graph, int from, int to,
+                             const std::vector<int>& via);
+
+// The waypoints that an edge visits, in order; the last is where it ends.
+std::vector<int> StopsOf(const TraverseEdge& edge);
 
 // S of an edge into a window of confidence w, in reward units.
 double SeamCost(const SeamWeights& weights, const TraverseEdge& edge,

@@ -151,6 +151,58 @@ TEST(NavGraph, PutsAReachableEventAmongItsWaypoints) {
   }
 }
 
+NavGraph FirstGraphCommittedTo(const TestSea& sea, LonLat place) {
+  SeamRules rules = sea.rules;
+  rules.windows[0].committed = place;
+  return CompileNavGraphs(rules, sea.worlds, nullptr)[0];
+}
+bool HasPlace(const NavGraph& graph, LonLat place) {
+  const auto& all = graph.waypoints;
+  return std::any_of(all.begin(), all.end(), [&](const Waypoint& waypoint) {
+    return waypoint.position == place;
+  });
+}
+
+TEST(NavGraph, APickThatThePlanIsCommittedToChangesNothing) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    TestSea sea(seed);
+    sea.Compile();
+    const NavGraph& free = sea.graphs[0];
+    for (const Waypoint& waypoint : free.waypoints) {
+      const NavGraph bound = FirstGraphCommittedTo(sea, waypoint.position);
+      EXPECT_NE(free.hash, bound.hash);
+      ASSERT_EQ(free.waypoints.size(), bound.waypoints.size());
+      for (std::size_t i = 0; i < free.waypoints.size(); ++i) {
+        EXPECT_EQ(free.waypoints[i].position, bound.waypoints[i].position);
+        EXPECT_EQ(free.waypoints[i].score, bound.waypoints[i].score);
+        EXPECT_EQ(free.waypoints[i].footprint, bound.waypoints[i].footprint);
+      }
+      ASSERT_EQ(free.edges.size(), bound.edges.size());
+      for (std::size_t i = 0; i < free.edges.size(); ++i) {
+        EXPECT_EQ(free.edges[i].to, bound.edges[i].to);
+        EXPECT_EQ(free.edges[i].seam_cost, bound.edges[i].seam_cost);
+      }
+    }
+  }
+}
+
+TEST(NavGraph, KeepsThePlaceThePlanIsCommittedToWhileItCanBeReached) {
+  TestSea sea(2);
+  sea.mission.coordination.waypoints_per_window = 3;
+  sea.Compile();
+  const LonLat beside = {sea.graphs[0].waypoints[1].position.lon_deg + 0.013,
+                         sea.graphs[0].waypoints[1].position.lat_deg + 0.007};
+  EXPECT_FALSE(HasPlace(sea.graphs[0], beside));
+  const NavGraph bound = FirstGraphCommittedTo(sea, beside);
+  EXPECT_TRUE(HasPlace(bound, beside));
+  EXPECT_EQ(bound.waypoints.size(), 3u);
+  for (const LonLat gone : {LonLat{-88.8, 26.2}, LonLat{0.0, 0.0}}) {
+    const NavGraph other = FirstGraphCommittedTo(sea, gone);
+    EXPECT_FALSE(HasPlace(other, gone));
+    EXPECT_EQ(other.waypoints.size(), sea.graphs[0].waypoints.size());
+  }
+}
+
 TEST(NavGraph, StaysPutWhereNothingElseIsWorthGoing) {
   TestSea sea(7);
   sea.mission.agents[0].policy.alpha_base = 0.0;  // Zero everywhere.

@@ -48,6 +48,16 @@ SeamWeights Weights(const kg_core::Policy& policy) {
   return weights;
 }
 
+// Which paths are offered, beside their terms.
+void TakePathRules(const kg_core::Policy& policy, SeamRules* rules) {
+  rules->hazard_range_m = policy.hazard_range_m;
+  rules->hazard_budget_s =
+      policy.hazard_budget_s.value_or(std::numeric_limits<double>::infinity());
+  rules->diverse = policy.diverse_paths;
+  rules->minimum_difference = policy.minimum_difference;
+  rules->churn_weight = policy.churn_weight;
+}
+
 bool IsActive(const kg_core::Event& event, int window) {
   return std::find(event.windows.begin(), event.windows.end(), window) !=
          event.windows.end();
@@ -88,6 +98,7 @@ void HashWindow(const WindowRules& window, kg_core::Hasher* hash) {
                  event.radius_m},
                 hash);
   }
+  HashCommitted(window, hash);
 }
 
 auto Tie(const EventRule& e) {
@@ -97,7 +108,8 @@ auto Tie(const EventRule& e) {
 
 auto Tie(const WindowRules& w) {
   return std::tie(w.window, w.iri, w.begin_s, w.end_s, w.confidence,
-                  w.base_travel_m, w.events, w.tensor_hash, w.field_hash);
+                  w.base_travel_m, w.events, w.tensor_hash, w.field_hash,
+                  w.committed);
 }
 
 auto Tie(const MotionModel& m) {
@@ -111,10 +123,11 @@ auto Tie(const SeamWeights& w) {
 }
 
 auto TieOwn(const SeamRules& r) {
-  return std::tie(r.agent_iri, r.agent_id, r.energy_budget_j, r.sensor_radius_m,
-                  r.spacing_m, r.max_waypoints, r.candidates, r.hazard_range_m,
-                  r.movement_mode, r.start.lon_deg, r.start.lat_deg,
-                  r.start_heading_rad);
+  return std::tie(r.agent_iri, r.agent_id, r.energy_budget_j, r.hazard_budget_s,
+                  r.sensor_radius_m, r.spacing_m, r.max_waypoints, r.candidates,
+                  r.diverse, r.minimum_difference, r.churn_weight,
+                  r.hazard_range_m, r.movement_mode, r.start.lon_deg,
+                  r.start.lat_deg, r.start_heading_rad);
 }
 
 }  // namespace
@@ -166,7 +179,7 @@ SeamRules CompileSeamRules(const kg_core::Mission& mission,
   rules.motion = Motion(capabilities);
   const kg_core::Policy& policy = read(agent.policy);
   rules.weights = Weights(policy);
-  rules.hazard_range_m = policy.hazard_range_m;
+  TakePathRules(policy, &rules);
   rules.movement_mode = MovementModeOf(team.movement_mode);
   rules.energy_budget_j = capabilities.energy_budget_j;
   rules.sensor_radius_m = capabilities.sensor_radius_m;
@@ -184,21 +197,42 @@ SeamRules CompileSeamRules(const kg_core::Mission& mission,
   return rules;
 }
 
+void HashCommitted(const WindowRules& window, kg_core::Hasher* hash) {
+  if (!window.committed) return;
+  hash->Add("committed");
+  HashNumbers({window.committed->lon_deg, window.committed->lat_deg}, hash);
+}
+
 std::string SeamRulesHash(const SeamRules& rules) {
   const MotionModel& motion = rules.motion;
   const SeamWeights& weights = rules.weights;
   kg_core::Hasher hash;
   hash.Add(rules.agent_iri);
   hash.Add(rules.agent_id);
-  HashNumbers(
-      {motion.cruise_mps, motion.max_mps, motion.boost_gain,
-       motion.energy_per_m_j, motion.hotel_load_w, weights.time_per_s,
-       weights.energy_per_j, weights.risk_per_s, weights.uncertainty,
-       weights.isolation, rules.energy_budget_j, rules.sensor_radius_m,
-       rules.spacing_m, static_cast<double>(rules.max_waypoints),
-       static_cast<double>(rules.candidates), rules.hazard_range_m,
-       rules.start.lon_deg, rules.start.lat_deg, rules.start_heading_rad},
-      &hash);
+  HashNumbers({motion.cruise_mps,
+               motion.max_mps,
+               motion.boost_gain,
+               motion.energy_per_m_j,
+               motion.hotel_load_w,
+               weights.time_per_s,
+               weights.energy_per_j,
+               weights.risk_per_s,
+               weights.uncertainty,
+               weights.isolation,
+               rules.energy_budget_j,
+               rules.hazard_budget_s,
+               rules.sensor_radius_m,
+               rules.spacing_m,
+               static_cast<double>(rules.max_waypoints),
+               static_cast<double>(rules.candidates),
+               static_cast<double>(rules.diverse),
+               static_cast<double>(rules.minimum_difference),
+               rules.churn_weight,
+               rules.hazard_range_m,
+               rules.start.lon_deg,
+               rules.start.lat_deg,
+               rules.start_heading_rad},
+              &hash);
   hash.Add(Name(rules.movement_mode));
   for (const WindowRules& window : rules.windows) HashWindow(window, &hash);
   return hash.Hex();

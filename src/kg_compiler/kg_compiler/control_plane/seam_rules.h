@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kg_compiler/traversal/motion.h"
+#include "kg_core/base/sha256.h"
 #include "kg_core/geo/lon_lat.h"
 #include "kg_core/mission/mission.h"
 
@@ -103,6 +104,10 @@ SeamRules CompileSeamRules(const kg_core::Mission& mission,
 // Of all that the rules say: not of the rasters they go with, nor of the world
 // version.
 std::string SeamRulesHash(const SeamRules& rules);
+
+// Adds where the window is to end, if the plan in force says so: nothing else,
+// so that without it a hash is what it was.
+void HashCommitted(const WindowRules& window, kg_core::Hasher* hash);
 
 // The IRIs of the facts they were compiled from, sorted: agent, policy,
 // capabilities, mission, start, windows and the windows' events. Follows

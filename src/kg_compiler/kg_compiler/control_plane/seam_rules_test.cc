@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "kg_compiler/test_world.h"
 #include "kg_core/base/input_error.h"
@@ -53,6 +54,37 @@ TEST(SeamRules, TakeHazardIsolationAndModeFromTheFacts) {
   mission.coordination.movement_mode = "leaps";
   EXPECT_THROW(CompileSeamRules(mission, mission.agents[0], 0),
                kg_core::InputError);
+}
+
+TEST(SeamRules, TakeWhichPathsAreWantedFromThePolicy) {
+  kg_core::Mission mission = TestMission();
+  kg_core::Policy& policy = mission.agents[0].policy;
+  const SeamRules plain = CompileSeamRules(mission, mission.agents[0], 0);
+  EXPECT_TRUE(std::isinf(plain.hazard_budget_s));
+  EXPECT_FALSE(plain.diverse);
+  EXPECT_EQ(1, plain.minimum_difference);
+  EXPECT_EQ(0.0, plain.churn_weight);
+  policy.hazard_budget_s = 5400.0;
+  policy.diverse_paths = true;
+  policy.minimum_difference = 3;
+  policy.churn_weight = 0.25;
+  const SeamRules rules = CompileSeamRules(mission, mission.agents[0], 0);
+  EXPECT_EQ(5400.0, rules.hazard_budget_s);
+  EXPECT_TRUE(rules.diverse);
+  EXPECT_EQ(3, rules.minimum_difference);
+  EXPECT_EQ(0.25, rules.churn_weight);
+}
+
+TEST(SeamRules, ACommitmentIsPartOfAWindowAndOfTheHash) {
+  const kg_core::Mission mission = TestMission();
+  const SeamRules free = CompileSeamRules(mission, mission.agents[0], 0);
+  SeamRules bound = free;
+  bound.windows[1].committed = kg_core::LonLat{-90.0, 25.0};
+  EXPECT_FALSE(free.windows[1] == bound.windows[1]);
+  EXPECT_NE(SeamRulesHash(free), SeamRulesHash(bound));
+  SeamRules elsewhere = bound;
+  elsewhere.windows[1].committed->lat_deg += 1e-9;
+  EXPECT_NE(SeamRulesHash(bound), SeamRulesHash(elsewhere));
 }
 
 TEST(SeamRules, TravelAWindowAtCruiseSpeedUnlessAFactSaysOtherwise) {
@@ -106,6 +138,20 @@ const Change kChanges[] = {
     {"price of risk",
      [](kg_core::Mission* m) { m->agents[0].policy.lambda_risk += 1; },
      "ex:fast"},
+    {"budget of risk",
+     [](kg_core::Mission* m) { m->agents[0].policy.hazard_budget_s = 60.0; },
+     "ex:fast"},
+    {"diverse paths",
+     [](kg_core::Mission* m) { m->agents[0].policy.diverse_paths = true; },
+     "ex:fast"},
+    {"least difference",
+     [](kg_core::Mission* m) { m->agents[0].policy.minimum_difference = 3; },
+     "ex:fast"},
+    {"price of churn",
+     [](kg_core::Mission* m) { m->agents[0].policy.churn_weight = 0.5; },
+     "ex:fast"},
+    {"team mode", [](kg_core::Mission* m) { m->coordination.mode = "exact"; },
+     ""},
     {"start", [](kg_core::Mission* m) { m->agents[0].start.lon_deg += 0.1; },
      "ex:alpha_start"},
     {"spacing",

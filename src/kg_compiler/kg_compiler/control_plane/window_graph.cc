@@ -34,6 +34,7 @@ class Builder {
         seams_(sea_, inputs.world.tensor->hash, last, counts) {}
 
   BuiltWindow Build() {
+    if (in_.window->committed) Add(*in_.window->committed);
     AddEvents();
     AddPicks();
     if (static_cast<int>(drafts_.size()) < kFewWaypoints) AddStays();
@@ -66,6 +67,17 @@ class Builder {
   bool TakenCell(kg_core::Cell cell) const {
     return std::any_of(drafts_.begin(), drafts_.end(),
                        [&](const Draft& draft) { return draft.cell == cell; });
+  }
+  // Is it the place that the plan in force ends at, which comes first?
+  bool IsCommitted(kg_core::Cell cell) const {
+    return in_.window->committed && !drafts_.empty() &&
+           drafts_.front().waypoint.position == *in_.window->committed &&
+           drafts_.front().cell == cell &&
+           grid_.Centre(cell) == *in_.window->committed;
+  }
+  static void Score(const Pick& pick, Draft* draft) {
+    draft->waypoint.score = pick.score;
+    draft->waypoint.footprint = pick.footprint;
   }
   bool Full() const {
     return static_cast<int>(drafts_.size()) >= in_.rules->max_waypoints;
@@ -104,10 +116,13 @@ class Builder {
     options.count = kPicksPerWaypoint * in_.rules->max_waypoints;
     for (const Pick& pick :
          RecurrenceWithin(grid_, fused_, Allowed(), options, seams_.picks())) {
+      if (IsCommitted(pick.cell)) {
+        Score(pick, &drafts_.front());
+        continue;
+      }
       if (Full()) return;
       if (TakenCell(pick.cell) || !Add(grid_.Centre(pick.cell))) continue;
-      drafts_.back().waypoint.score = pick.score;
-      drafts_.back().waypoint.footprint = pick.footprint;
+      Score(pick, &drafts_.back());
     }
   }
 
@@ -256,6 +271,7 @@ void HashWindow(const WindowRules& window, kg_core::Hasher* hash) {
     hash->Add(event.reward);
     hash->Add(event.radius_m);
   }
+  HashCommitted(window, hash);
 }
 
 }  // namespace

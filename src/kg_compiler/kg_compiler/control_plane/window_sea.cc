@@ -39,6 +39,55 @@ CellsFor CellsWithin(const kg_core::Grid& grid, double metres) {
   return {cells(row_m), cells(col_m)};
 }
 
+// The turning points of a flight.
+std::vector<kg_core::LonLat> TrackOf(const Flight& flight) {
+  std::vector<kg_core::LonLat> track;
+  for (const TimedPoint& point : flight.track) {
+    if (track.empty() || track.back() != point.position) {
+      track.push_back(point.position);
+    }
+  }
+  return track;
+}
+
+// Flights of one window between places, arrival fields kept.
+class Flyer {
+ public:
+  explicit Flyer(const WindowSea& sea) : sea_(sea) {}
+
+  std::optional<Flight> Fly(kg_core::LonLat from, kg_core::LonLat to) {
+    const std::pair<double, double> key(from.lon_deg, from.lat_deg);
+    auto reach = reaches_.find(key);
+    if (reach == reaches_.end()) {
+      reach = reaches_.emplace(key, sea_.ReachFrom(from)).first;
+    }
+    return sea_.Fly(from, reach->second, to);
+  }
+
+  std::optional<TraverseEdge> FlyBy(const Way& way, double isolation) {
+    std::vector<Flight> flights;
+    kg_core::LonLat at = way.from;
+    std::vector<kg_core::LonLat> stops = way.via;
+    stops.push_back(way.to);
+    for (const kg_core::LonLat stop : stops) {
+      std::optional<Flight> flight = Fly(at, stop);
+      if (!flight) return std::nullopt;
+      flights.push_back(std::move(*flight));
+      at = stop;
+    }
+    if (flights.size() == 1) {
+      return sea_.Price(std::move(flights.front()), isolation);
+    }
+    std::vector<const Flight*> legs;
+    for (const Flight& flight : flights) legs.push_back(&flight);
+    return sea_.FlyWalk(way.from, legs, isolation);
+  }
+
+ private:
+  const WindowSea& sea_;
+  std::map<std::pair<double, double>, Reach> reaches_;  // By source.
+};
+
 }  // namespace
 
 WindowSea::WindowSea(const SeamRules& rules, const WindowRules& window,
@@ -73,6 +122,32 @@ Reach WindowSea::ReachFrom(kg_core::LonLat source) const {
 std::optional<Flight> WindowSea::Fly(kg_core::LonLat source, const Reach& reach,
                                      kg_core::LonLat to) const {
   return Traverse(VoyageFrom(source), reach, to);
+}
+
+std::optional<TraverseEdge> WindowSea::FlyWalk(
+    kg_core::LonLat source, const std::vector<const Flight*>& legs,
+    double isolation) const {
+  std::vector<Stretch> stretches;
+  bool slow = false;
+  for (const Flight* leg : legs) {
+    stretches.push_back({TrackOf(*leg), leg->speed_mps});
+    slow = slow || leg->speed_mps != rules_.motion.cruise_mps;
+  }
+  const Voyage voyage = VoyageFrom(source);
+  std::optional<Flight> flight = FlyStretches(voyage, stretches);
+  if (!flight && slow) {
+    for (Stretch& stretch : stretches) {
+      stretch.speed_mps = rules_.motion.cruise_mps;
+    }
+    flight = FlyStretches(voyage, stretches);
+  }
+  if (!flight) return std::nullopt;
+  return Price(std::move(*flight), isolation);
+}
+
+double WindowSea::HazardAt(kg_core::LonLat place) const {
+  const std::optional<kg_core::Cell> cell = grid_.CellAt(place);
+  return cell ? hazard_.At(*cell) : 0.0;
 }
 
 std::string WindowSea::Terms() const {
@@ -121,19 +196,10 @@ TraverseEdge WindowSea::Price(Flight flight, double isolation) const {
 std::vector<std::optional<TraverseEdge>> PriceWays(
     const WindowSea& sea, const std::vector<Way>& ways,
     const std::vector<kg_core::LonLat>& waypoints) {
-  std::map<std::pair<double, double>, Reach> reaches;  // By source.
+  Flyer flyer(sea);
   std::vector<std::optional<TraverseEdge>> prices;
   for (const Way& way : ways) {
-    const std::pair<double, double> key(way.from.lon_deg, way.from.lat_deg);
-    auto reach = reaches.find(key);
-    if (reach == reaches.end()) {
-      reach = reaches.emplace(key, sea.ReachFrom(way.from)).first;
-    }
-    std::optional<Flight> flight = sea.Fly(way.from, reach->second, way.to);
-    prices.emplace_back();
-    if (!flight) continue;
-    prices.back() =
-        sea.Price(std::move(*flight), sea.Isolation(way.to, waypoints));
+    prices.push_back(flyer.FlyBy(way, sea.Isolation(way.to, waypoints)));
   }
   return prices;
 }

@@ -33,6 +33,16 @@ class WindowSea {
   std::optional<Flight> Fly(kg_core::LonLat source, const Reach& reach,
                             kg_core::LonLat to) const;
 
+  // A walk from `source`: along the tracks of these flights, one after the
+  // other, each from when the one before has arrived; at their own speeds, or
+  // all at cruise speed if they cannot be flown so. Its isolation is that of
+  // its end. Stops, from and to not set.
+  std::optional<TraverseEdge> FlyWalk(kg_core::LonLat source,
+                                      const std::vector<const Flight*>& legs,
+                                      double isolation) const;
+  // 0 off the grid.
+  double HazardAt(kg_core::LonLat place) const;
+
   // Hash of all but places and surface that reaches and flights depend on.
   std::string Terms() const;
   // Hazard looks so much farther than `read`, the box of a reach, for what is
@@ -57,14 +67,15 @@ class WindowSea {
   const kg_core::VectorField& field_;
 };
 
-// A way between two places in one window.
+// A way between two places in one window, by way of others or not.
 struct Way {
   kg_core::LonLat from;
   kg_core::LonLat to;
+  std::vector<kg_core::LonLat> via = {};
 };
 
-// What each of `ways` costs, as CompileNavGraphs would price it in a graph of
-// these waypoints; nothing where it cannot be flown.
+// What each of `ways` costs, as it would be priced in a graph of these
+// waypoints; nothing where it cannot be flown. `via` of the edges is not set.
 std::vector<std::optional<TraverseEdge>> PriceWays(
     const WindowSea& sea, const std::vector<Way>& ways,
     const std::vector<kg_core::LonLat>& waypoints);

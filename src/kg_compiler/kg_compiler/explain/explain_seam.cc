@@ -57,7 +57,7 @@ class SeamExplainer {
   void AddEnergy() {
     const double weight = in_.rules->weights.energy_per_j;
     const MotionModel& motion = in_.rules->motion;
-    const double swum_m = motion.cruise_mps * flight_.travel_s;
+    const double swum_m = flight_.speed_mps * flight_.travel_s;
     const double held_m = flight_.through_water_m - swum_m;
     const double whole_s = in_.window->end_s - in_.window->begin_s;
     const Facts policy = facts_.Policy(*in_.agent, {"ex:lambda_energy"});

@@ -62,11 +62,85 @@ double Crossing(const kg_core::Velocity& c, const kg_core::Velocity& d,
   return std::clamp((-half - root) / square, 0.0, 1.0);
 }
 
-void CheckTrack(const Departure& departure,
-                const std::vector<kg_core::LonLat>& via) {
-  if (via.empty() || via.front() != departure.from) {
-    throw std::logic_error("a track begins at its departure");
+void CheckStretches(const Departure& departure,
+                    const std::vector<Stretch>& stretches) {
+  if (stretches.empty()) throw std::logic_error("a flight has a stretch");
+  kg_core::LonLat at = departure.from;
+  for (const Stretch& stretch : stretches) {
+    if (stretch.via.empty() || stretch.via.front() != at) {
+      throw std::logic_error("a track begins at its departure");
+    }
+    at = stretch.via.back();
   }
+}
+
+// The voyage at a stretch's speed, when `through_m` have been made in
+// `spent_s`: the same departure, and what is left of the base travel.
+Voyage OnStretch(Voyage voyage, const Stretch& stretch, double through_m,
+                 double spent_s) {
+  voyage.motion.cruise_mps = stretch.speed_mps;
+  voyage.departure.base_travel_m += stretch.speed_mps * spent_s - through_m;
+  return voyage;
+}
+
+// Adds one stretch to a flight, holding station not included.
+bool FlyStretch(const LegFlyer& flyer, const Stretch& stretch, double begin_s,
+                Flight* flight) {
+  for (std::size_t i = 0; i < stretch.via.size(); ++i) {
+    const Leg leg{stretch.via[i == 0 ? 0 : i - 1], stretch.via[i],
+                  flight->travel_s};
+    const std::optional<LegEnd> end = flyer.Fly(leg, kFlight);
+    if (!end) return false;
+    flight->travel_s = end->arrive_s;
+    flight->hazard_s += end->hazard_s;
+    if (leg.from == leg.to) continue;
+    flight->track.push_back({stretch.via[i], begin_s + flight->travel_s});
+  }
+  return true;
+}
+
+// Adds holding station until the deadline, where the flight has got to.
+bool HoldStation(const Voyage& voyage, const LegFlyer& flyer, Flight* flight) {
+  const MotionModel& motion = voyage.motion;
+  const Departure& departure = voyage.departure;
+  const double whole_s = departure.deadline_s - departure.time_s;
+  const kg_core::LonLat place = flight->track.back().position;
+  const kg_core::GridPoint at = *flyer.grid().Locate(place);
+  const std::optional<double> held_m = Hold_m(
+      flyer, motion.max_mps, at,
+      Knots(*voyage.world.field, departure.time_s, flight->travel_s, whole_s));
+  if (!held_m) return false;
+  const double rest_s = whole_s - flight->travel_s;
+  flight->hazard_s += rest_s * flyer.HazardAt(flyer.CellOf(at));
+  flight->through_water_m += *held_m;
+  flight->energy_j = motion.energy_per_m_j * flight->through_water_m +
+                     motion.hotel_load_w * whole_s;
+  if (rest_s > 0.0) flight->track.push_back({place, departure.deadline_s});
+  return true;
+}
+
+std::optional<Flight> FlyAll(const Voyage& voyage,
+                             const std::vector<Stretch>& stretches,
+                             const CellBox* box) {
+  CheckStretches(voyage.departure, stretches);
+  const double begin_s = voyage.departure.time_s;
+  Flight flight;
+  flight.speed_mps = stretches.front().speed_mps;
+  flight.track.push_back({voyage.departure.from, begin_s});
+  for (const Stretch& stretch : stretches) {
+    const double before_s = flight.travel_s;
+    const Voyage piece =
+        OnStretch(voyage, stretch, flight.through_water_m, before_s);
+    if (!FlyStretch(LegFlyer(piece, box), stretch, begin_s, &flight)) {
+      return std::nullopt;
+    }
+    flight.through_water_m += stretch.speed_mps * (flight.travel_s - before_s);
+  }
+  if (stretches.size() > 1 && flight.travel_s > 0.0) {
+    flight.speed_mps = flight.through_water_m / flight.travel_s;
+  }
+  if (!HoldStation(voyage, LegFlyer(voyage, box), &flight)) return std::nullopt;
+  return flight;
 }
 
 }  // namespace
@@ -102,37 +176,12 @@ std::optional<Flight> FlyTrack(const Voyage& voyage,
 std::optional<Flight> FlyTrackWithin(const Voyage& voyage,
                                      const std::vector<kg_core::LonLat>& via,
                                      const CellBox* box) {
-  const MotionModel& motion = voyage.motion;
-  const Departure& departure = voyage.departure;
-  CheckTrack(departure, via);
-  const LegFlyer flyer(voyage, box);
-  Flight flight;
-  flight.speed_mps = motion.cruise_mps;
-  flight.track.push_back({via.front(), departure.time_s});
-  for (std::size_t i = 0; i < via.size(); ++i) {
-    const Leg leg{via[i == 0 ? 0 : i - 1], via[i], flight.travel_s};
-    const std::optional<LegEnd> end = flyer.Fly(leg, kFlight);
-    if (!end) return std::nullopt;
-    flight.travel_s = end->arrive_s;
-    flight.hazard_s += end->hazard_s;
-    if (leg.from == leg.to) continue;
-    flight.track.push_back({via[i], departure.time_s + flight.travel_s});
-  }
-  const double whole_s = departure.deadline_s - departure.time_s;
-  const kg_core::GridPoint at = *flyer.grid().Locate(via.back());
-  const std::optional<double> held_m = Hold_m(
-      flyer, motion.max_mps, at,
-      Knots(*voyage.world.field, departure.time_s, flight.travel_s, whole_s));
-  if (!held_m) return std::nullopt;
-  const double rest_s = whole_s - flight.travel_s;
-  flight.hazard_s += rest_s * flyer.HazardAt(flyer.CellOf(at));
-  flight.through_water_m = motion.cruise_mps * flight.travel_s + *held_m;
-  flight.energy_j = motion.energy_per_m_j * flight.through_water_m +
-                    motion.hotel_load_w * whole_s;
-  if (rest_s > 0.0) {
-    flight.track.push_back({via.back(), departure.deadline_s});
-  }
-  return flight;
+  return FlyAll(voyage, {{via, voyage.motion.cruise_mps}}, box);
+}
+
+std::optional<Flight> FlyStretches(const Voyage& voyage,
+                                   const std::vector<Stretch>& stretches) {
+  return FlyAll(voyage, stretches, nullptr);
 }
 
 }  // namespace kg_compiler

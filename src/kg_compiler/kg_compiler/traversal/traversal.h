@@ -135,6 +135,20 @@ double HoldableFrom_s(const Voyage& voyage, kg_core::LonLat place);
 std::optional<Flight> FlyTrack(const Voyage& voyage,
                                const std::vector<kg_core::LonLat>& via);
 
+// A stretch of a way at one speed through water. Its first place is where the
+// one before ended, or the departure.
+struct Stretch {
+  std::vector<kg_core::LonLat> via;
+  double speed_mps = 0.0;
+};
+
+// Stretches one after the other, each flown as FlyTrack does from when the one
+// before has arrived. Station is held at the end of the last only; base travel
+// is what all of them take together. speed_mps of the flight is the mean until
+// the arrival.
+std::optional<Flight> FlyStretches(const Voyage& voyage,
+                                   const std::vector<Stretch>& stretches);
+
 // The flight from the departure to `to` with the least
 //   per_s travel_s + per_j energy_j + per_hazard_s hazard_s,
 // or nothing if none was found that can be flown. `reach` is ComputeReach of

@@ -318,6 +318,94 @@ TEST(FlyTrack, StopsWhereTheBaseTravelIsUsedUp) {
       FlyTrack(sea.From(Glider(0.5), {from, 0, kDay_s, 0.99 * d}), {from, to}));
 }
 
+// Three tracks of random places, each at a speed of its own.
+std::vector<Stretch> RandomStretches(std::mt19937& rng,
+                                     const kg_core::Grid& grid, LonLat from) {
+  std::vector<Stretch> stretches;
+  for (int i = 0; i < 3; ++i) {
+    const LonLat middle =
+        grid.Position({Uniform(rng, 20, 30), Uniform(rng, 20, 30)});
+    const LonLat to =
+        grid.Position({Uniform(rng, 20, 30), Uniform(rng, 20, 30)});
+    stretches.push_back({{from, middle, to}, Uniform(rng, 0.8, 1.4)});
+    from = to;
+  }
+  return stretches;
+}
+
+TEST(FlyStretches, IsEveryTrackFlownFromWhereAndWhenTheOneBeforeEnds) {
+  std::mt19937 rng(51);
+  int flown = 0;
+  for (int round = 0; round < 40; ++round) {
+    const Sea sea(RandomFlow(rng, TestGrid(), 0.4, 7200, 3 * kDay_s));
+    const LonLat from = sea.field.grid.Position({25, 25});
+    const auto stretches = RandomStretches(rng, sea.field.grid, from);
+    const auto flight =
+        FlyStretches(sea.From(Glider(1.0), {from, 0.0, 2 * kDay_s}), stretches);
+    double at_s = 0.0, through_m = 0.0, energy_j = 0.0;
+    bool feasible = true;
+    for (const Stretch& stretch : stretches) {
+      const auto leg =
+          FlyTrack(sea.From(Glider(stretch.speed_mps),
+                            {stretch.via.front(), at_s, 2 * kDay_s}),
+                   stretch.via);
+      feasible = feasible && leg;
+      if (!feasible) break;
+      at_s += leg->travel_s;
+      through_m += stretch.speed_mps * leg->travel_s;
+      // The last holds station; what it takes for that comes on top.
+      energy_j = leg->through_water_m - stretch.speed_mps * leg->travel_s;
+    }
+    ASSERT_EQ(feasible, flight.has_value());
+    if (!flight) continue;
+    EXPECT_NEAR(at_s, flight->travel_s, 1e-6 * at_s);
+    EXPECT_NEAR(through_m / at_s, flight->speed_mps, 1e-6);
+    EXPECT_NEAR(through_m + energy_j, flight->through_water_m,
+                1e-3 * through_m);
+    EXPECT_EQ(flight->track.back().time_s, 2 * kDay_s);
+    ++flown;
+  }
+  EXPECT_GT(flown, 20);
+}
+
+TEST(FlyStretches, OneIsATrack) {
+  std::mt19937 rng(52);
+  const Sea sea(RandomFlow(rng, TestGrid(), 0.4, 7200, kDay_s));
+  const LonLat from{-90, 25};
+  const std::vector<LonLat> via = {from, {-89.9, 25.05}, {-89.8, 25.0}};
+  const Voyage voyage = sea.From(Glider(0.9), {from, 0.0, kDay_s});
+  const auto track = FlyTrack(voyage, via);
+  const auto stretch = FlyStretches(voyage, {{via, 0.9}});
+  ASSERT_TRUE(track && stretch);
+  EXPECT_EQ(track->travel_s, stretch->travel_s);
+  EXPECT_EQ(track->energy_j, stretch->energy_j);
+  EXPECT_EQ(track->through_water_m, stretch->through_water_m);
+  EXPECT_EQ(track->speed_mps, stretch->speed_mps);
+}
+
+TEST(FlyStretches, ShareTheBaseTravel) {
+  const Sea sea(UniformFlow(TestGrid(), 0, 0));
+  const LonLat from{-90, 25}, middle{-89.9, 25}, to{-89.8, 25};
+  const std::vector<Stretch> both = {{{from, middle}, 1.0},
+                                     {{middle, to}, 0.5}};
+  const double d =
+      kg_core::Distance_m(from, middle) + kg_core::Distance_m(middle, to);
+  EXPECT_TRUE(
+      FlyStretches(sea.From(Glider(1.0), {from, 0, kDay_s, 1.001 * d}), both));
+  EXPECT_FALSE(
+      FlyStretches(sea.From(Glider(1.0), {from, 0, kDay_s, 0.99 * d}), both));
+  EXPECT_FALSE(FlyStretches(sea.From(Glider(1.0), {from, 0, 29e3}), both));
+}
+
+TEST(FlyStretches, BeginWhereTheOneBeforeEnds) {
+  const Sea sea(UniformFlow(TestGrid(), 0, 0));
+  const Voyage voyage = sea.From(Glider(1.0), {{-90, 25}, 0, kDay_s});
+  EXPECT_THROW(FlyStretches(voyage, {}), std::logic_error);
+  EXPECT_THROW(FlyStretches(voyage, {{{{-90, 25}, {-89.9, 25}}, 1.0},
+                                     {{{-89.8, 25}, {-89.7, 25}}, 1.0}}),
+               std::logic_error);
+}
+
 TEST(FlyTrack, FeelsNoCurrentWithoutBoost) {
   const Sea sea(UniformFlow(TestGrid(), 2.0, 0.0));
   MotionModel motion = Glider(0.5);

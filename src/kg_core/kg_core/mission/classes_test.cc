@@ -96,6 +96,10 @@ const ClassCase kClasses[] = {
      "ex:waypointWKT \"POINT(-93 26)\""},
     {"Rejection", "ex:Rejection",
      "ex:forAgent ex:bravo ; ex:kind \"late\" ; prov:wasGeneratedBy ex:run"},
+    {"Price", "ex:Price",
+     "ex:visits ex:seep ; ex:price 2 ; prov:wasGeneratedBy ex:run"},
+    {"Commitment", "ex:Commitment",
+     "ex:forAgent ex:bravo ; prov:wasGeneratedBy ex:run"},
 };
 
 bool Ask(const TestWorld& world, const std::string& pattern) {

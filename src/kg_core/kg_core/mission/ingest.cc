@@ -127,8 +127,7 @@ class SourceIngest {
     for (const QuantitySeries& series : file.series) {
       if (HasData(series)) continue;
       throw InputError("variable " + series.variable +
-                       " has no data in any cell: expected water, not land "
-                       "only");
+                       " has no data in any cell: expected some");
     }
   }
 
@@ -169,7 +168,8 @@ class SourceIngest {
     const Term field = Part("w" + std::to_string(window.index));
     const std::string at =
         "@" + std::to_string(steps.first) + ".." + std::to_string(steps.last);
-    Generate(field, "CurrentField");
+    const bool wind = IsWind(file.series[0]);
+    Generate(field, wind ? "WorkField" : "CurrentField");
     Say(field, Ex("forWindow"), Iri(window.iri));
     Say(field, Ex("gridRefU"),
         Literal(file.path + "#" + file.series[0].variable + at));
@@ -179,7 +179,7 @@ class SourceIngest {
     Say(field, Ex("lastTimeIndex"), IntegerLiteral(steps.last));
     Say(field, Ex("onGrid"), Ex("grid"));
     Say(field, Iri(std::string(kSosa) + "observedProperty"),
-        Ex("seaWaterVelocity"));
+        Ex(wind ? "windVelocity" : "seaWaterVelocity"));
     Say(field, Prov("wasDerivedFrom"), Part("file"));
   }
 
@@ -240,8 +240,8 @@ class SourceIngest {
   std::vector<Term> generated_;
 };
 
-// All data sources, those of currents first: their grid is the mission's. Then
-// the rasters of priors and constraints.
+// All data sources, those of currents or wind first: their grid is the
+// mission's. Then the rasters of priors and constraints.
 class Ingest {
  public:
   Ingest(FileCache& cache, Transaction& transaction)
@@ -251,6 +251,7 @@ class Ingest {
 
   std::vector<std::string> Run() {
     ForEach("current", &Ingest::ReadCurrents);
+    ForEach("wind", &Ingest::ReadCurrents);
     ForEach("temperature", &Ingest::ReadTemperature);
     for (const char* type : {"PriorLayer", "Constraint"}) {
       for (const Term& term :
@@ -298,10 +299,19 @@ class Ingest {
     const OceanFile& file = Open(
         source, {Quantity::kEastwardVelocity, Quantity::kNorthwardVelocity});
     if (field_grid_ != nullptr) {
-      source.Refuse(Ex("provides"), "one source of \"current\", not two");
+      source.Refuse(Ex("provides"),
+                    "one source of \"current\" or \"wind\", not two");
     }
+    CheckMedium(source.Text(Ex("provides")) == "wind", file.series.front());
     field_grid_ = &file.grid;
     SourceIngest(source, mission_, transaction_).StateCurrents(file);
+  }
+
+  static void CheckMedium(bool wind, const QuantitySeries& east) {
+    if (wind == IsWind(east)) return;
+    throw InputError("variable " + east.variable + " has standard_name \"" +
+                     east.standard_name + "\": expected eastward_wind where " +
+                     "ex:provides is \"wind\", and only there");
   }
 
   void ReadTemperature(const Entity& source) {

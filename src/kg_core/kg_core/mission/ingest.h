@@ -6,6 +6,7 @@
 //
 // Facts it reads (facts graph):
 //   ex:currents a ex:DataSource ; ex:file "ocean.nc" ; ex:provides "current" .
+//       (or "wind": then ex:WorkField for ex:CurrentField below)
 //   ex:sst      a ex:DataSource ; ex:file "ocean.nc" ; ex:provides
 //   "temperature" ; ex:kind, ex:resampling, ex:fullScale, ex:frontFullScale .
 //   ex:reefs a ex:PriorLayer ; ex:gridRef "habitat.nc#reef@0" ;

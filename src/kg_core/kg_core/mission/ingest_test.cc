@@ -34,6 +34,7 @@ struct Ocean {
   int days = kDays;
   double first_lon_deg = -94.0;
   bool has_north = true;
+  bool is_wind = false;
   bool is_land = false;
 };
 
@@ -49,11 +50,10 @@ class OceanWriter {
         Axis(0, "time", spec.days, "hours since 2026-06-01 12:00:00");
     const int lat = Axis(1, "lat", kRows, "degrees_north");
     const int lon = Axis(2, "lon", kCols, "degrees_east");
-    const int u = Variable("water_u", "eastward_sea_water_velocity", "m/s");
+    const std::string medium = spec.is_wind ? "wind" : "sea_water_velocity";
+    const int u = Variable("water_u", "eastward_" + medium, "m/s");
     const int v =
-        spec.has_north
-            ? Variable("water_v", "northward_sea_water_velocity", "m/s")
-            : -1;
+        spec.has_north ? Variable("water_v", "northward_" + medium, "m/s") : -1;
     const int t = Variable("water_temp", "sea_surface_temperature", "degC");
     Check(nc_enddef(nc_));
     Fill(time, spec.days, [](int i) { return 24.0 * i; });
@@ -253,6 +253,39 @@ TEST_F(IngestTest, OtherKindsAreOfTheFieldItself) {
     EXPECT_EQ(layer.previous_time_index, layer.time_index);
     EXPECT_NEAR(LoadValueLayer(cache, mission, layer).values[1], 24.0, 1e-5);
   }
+}
+
+TEST_F(IngestTest, TheWindIsAWorkFieldAndNoCurrent) {
+  Ocean windy;
+  windy.is_wind = true;
+  Write("ocean.nc", windy);
+  EXPECT_NE(Refusal().find("expected eastward_wind where ex:provides is "
+                           "\"wind\", and only there"),
+            std::string::npos);
+  ASSERT_EQ(Joined(Ingest("ex:breeze a ex:DataSource ; ex:file \"ocean.nc\" ; "
+                          "ex:provides \"wind\" .")),
+            "");
+  const auto view = world_.store.Read();
+  EXPECT_TRUE(Validate(*view).empty());
+  const Term field = Ex("breeze/w1");
+  EXPECT_TRUE(Has(*view, kFactsGraph, field, RdfType(), Ex("WorkField")));
+  EXPECT_FALSE(Has(*view, kFactsGraph, field, RdfType(), Ex("CurrentField")));
+  EXPECT_TRUE(Has(*view, kFactsGraph, field,
+                  Iri(std::string(kSosa) + "observedProperty"),
+                  Ex("windVelocity")));
+  const Mission mission = ReadMission(*view);
+  ASSERT_EQ(mission.work_fields.size(), 2u);
+  FileCache cache(folder_, "");
+  const VectorField loaded =
+      LoadWorkField(cache, mission, mission.work_fields[1]);
+  EXPECT_NEAR(loaded.slices[0].east_mps[1], 1.1, 1e-6);
+}
+
+TEST_F(IngestTest, CurrentsAreNoWind) {
+  EXPECT_NE(Joined(Ingest("ex:breeze a ex:DataSource ; ex:file \"ocean.nc\" ; "
+                          "ex:provides \"wind\" ."))
+                .find("variable water_u has standard_name"),
+            std::string::npos);
 }
 
 TEST_F(IngestTest, WindowsShareTheTimeStepsOfAFile) {
@@ -460,6 +493,7 @@ TEST(ShippedIngestTest, MissionsIngestTheirData) {
   const std::string gom = data ? data : "../../../shared/data/gom_2020";
   const std::vector<std::pair<std::string, std::string>> missions = {
       {"gulf", "../../config/missions/gulf/gulf_ocean.nc"},
+      {"wildfire", "../../config/missions/wildfire/wildfire_weather.nc"},
       {"tampico", gom + "/currents_hycom_gomu_2020-11-01-15_5h.nc4"}};
   int count = 0;
   for (const auto& [name, file] : missions) {
@@ -473,8 +507,9 @@ TEST(ShippedIngestTest, MissionsIngestTheirData) {
     ASSERT_EQ(Joined(StageIngest(cache, transaction)), "") << name;
     EXPECT_TRUE(Validate(transaction.view()).empty());
     const Mission mission = ReadMission(transaction.view());
-    EXPECT_EQ(mission.work_fields.size(), 7u);
-    EXPECT_EQ(mission.value_layers.size(), 7u);
+    EXPECT_EQ(mission.work_fields.size(), mission.windows.size());
+    EXPECT_EQ(mission.value_layers.size(), mission.windows.size());
+    EXPECT_GE(mission.windows.size(), 6u);
     const VectorField field =
         LoadWorkField(cache, mission, mission.work_fields[0]);
     for (const Agent& agent : mission.agents) {

@@ -208,6 +208,7 @@ struct CoordinationFacts {
   // several within a window.
   std::string movement_mode = "hops";
 };
+bool operator==(const CoordinationFacts& a, const CoordinationFacts& b);
 
 struct Mission {
   std::string iri;

@@ -22,6 +22,12 @@ namespace {
 
 constexpr Named<const char*> kMovementModes[] = {{"hops", "hops"},
                                                  {"edges", "edges"}};
+constexpr Named<const char*> kTeamModes[] = {{"greedy", "greedy"},
+                                             {"auction", "auction"},
+                                             {"priced", "priced"},
+                                             {"exact", "exact"}};
+constexpr Named<const char*> kFairness[] = {
+    {"scarcity", "scarcity"}, {"balance", "balance"}, {"max_min", "max_min"}};
 
 // All instances in the facts, in the order of their IRIs.
 std::vector<Entity> All(const GraphView& view, const char* type) {
@@ -41,9 +47,24 @@ Entity TheMission(const GraphView& view) {
   return missions[0];
 }
 
+// How the team is chosen.
+void ReadChoice(const Entity& mission, CoordinationFacts* facts) {
+  facts->mode =
+      Choice(mission, Ex("teamMode"), kTeamModes, kTeamModes[0].value);
+  facts->gap_goal = mission.Number(Ex("gapGoal"), facts->gap_goal);
+  facts->auction_epsilon =
+      mission.Number(Ex("auctionEpsilon"), facts->auction_epsilon);
+  facts->select_limit_s =
+      mission.Number(Ex("selectTimeLimitS"), facts->select_limit_s);
+  facts->fairness =
+      Choice(mission, Ex("fairness"), kFairness, kFairness[0].value);
+  facts->fairness_weight =
+      mission.Number(Ex("fairnessWeight"), facts->fairness_weight);
+}
+
 CoordinationFacts ReadCoordination(const Entity& mission) {
   CoordinationFacts facts;
-  facts.mode = mission.Text(Ex("teamMode"), facts.mode);
+  ReadChoice(mission, &facts);
   facts.separation_m =
       KmToMetres(mission.Number(Ex("minimumSeparationKm"), 0.0));
   facts.separation_is_hard =

@@ -186,6 +186,51 @@ TEST(MissionReaderTest, PoliciesSayHowEquationOneIsDone) {
             LayerScale::kNone);
 }
 
+TEST(MissionReaderTest, PoliciesSayWhichPathsAreOffered) {
+  const Policy plain = ReadWith().agents.at(0).policy;
+  EXPECT_FALSE(plain.hazard_budget_s);
+  EXPECT_FALSE(plain.diverse_paths);
+  EXPECT_EQ(plain.minimum_difference, 1);
+  EXPECT_EQ(plain.churn_weight, 0.0);
+  const Policy said =
+      ReadWith(
+          "ex:safe ex:riskBudgetHours 1.5 ; ex:pathChoice \"diverse\" ; "
+          "ex:minimumDifference 3 ; ex:churnWeight 0.25 .")
+          .agents.at(0)
+          .policy;
+  EXPECT_EQ(said.hazard_budget_s, 5400.0);
+  EXPECT_TRUE(said.diverse_paths);
+  EXPECT_EQ(said.minimum_difference, 3);
+  EXPECT_EQ(said.churn_weight, 0.25);
+}
+
+TEST(MissionReaderTest, TheMissionSaysHowTheTeamIsChosen) {
+  const CoordinationFacts plain = ReadWith().coordination;
+  EXPECT_EQ(plain.mode, "greedy");
+  EXPECT_EQ(plain.gap_goal, CoordinationFacts().gap_goal);
+  EXPECT_EQ(plain.auction_epsilon, CoordinationFacts().auction_epsilon);
+  EXPECT_EQ(plain.select_limit_s, CoordinationFacts().select_limit_s);
+  EXPECT_EQ(plain.fairness, "scarcity");
+  EXPECT_EQ(plain.fairness_weight, 0.0);
+  const CoordinationFacts said =
+      ReadWith(
+          "ex:m ex:teamMode \"priced\" ; ex:gapGoal 0.002 ; "
+          "ex:auctionEpsilon 0.5 ; ex:selectTimeLimitS 7 ; "
+          "ex:fairness \"balance\" ; ex:fairnessWeight 1.5 .")
+          .coordination;
+  EXPECT_EQ(said.mode, "priced");
+  EXPECT_EQ(said.gap_goal, 0.002);
+  EXPECT_EQ(said.auction_epsilon, 0.5);
+  EXPECT_EQ(said.select_limit_s, 7.0);
+  EXPECT_EQ(said.fairness, "balance");
+  EXPECT_EQ(said.fairness_weight, 1.5);
+  for (const char* mode : {"auction", "exact"}) {
+    EXPECT_EQ(ReadWith("ex:m ex:teamMode \"" + std::string(mode) + "\" .")
+                  .coordination.mode,
+              mode);
+  }
+}
+
 TEST(MissionReaderTest, TheMissionSaysHowAgentsMoveAndBuffersAreMeasured) {
   EXPECT_EQ(ReadWith().coordination.movement_mode, "hops");
   EXPECT_EQ(
@@ -222,6 +267,16 @@ const Refused kRefused[] = {
     {"ex:kind \"soft\"", "ex:kind \"hard\"", "one of no_go, soft, not"},
     {"POINT(-90 26)", "POINT(-90)", "ex:bravo_start geo:asWKT: expected"},
     {"ex:alpha_base 1 ;", "", "ex:safe ex:alpha_base: expected a number"},
+    {"ex:m a ex:Mission", "ex:m ex:teamMode \"lottery\" ; a ex:Mission",
+     "ex:m ex:teamMode: expected one of greedy, auction, priced, exact"},
+    {"ex:m a ex:Mission", "ex:m ex:fairness \"none\" ; a ex:Mission",
+     "ex:m ex:fairness: expected one of scarcity, balance, max_min"},
+    {"ex:m a ex:Mission", "ex:m ex:gapGoal \"small\" ; a ex:Mission",
+     "ex:m ex:gapGoal: expected a finite number"},
+    {"ex:alpha_base 1 ;", "ex:alpha_base 1 ; ex:pathChoice \"any\" ;",
+     "ex:safe ex:pathChoice: expected one of best, diverse"},
+    {"ex:alpha_base 1 ;", "ex:alpha_base 1 ; ex:minimumDifference 1.5 ;",
+     "ex:safe ex:minimumDifference: expected an integer"},
     {"ex:gridRef \"land\"", "ex:gridRef \"x.nc\"", "\"file#variable@step\""},
     {"ex:gridRef \"land\"", "ex:gridRef \"x.nc#m@-1\"", "a time step behind @"},
     {"geo:asWKT \"POLYGON((-90", "ex:gridRef \"x.nc#m\" ; rdfs:label \"((-90",

@@ -23,6 +23,7 @@ constexpr Named<FrontOperator> kFrontOperators[] = {
 constexpr Named<LayerScale> kLayerScales[] = {{"window", LayerScale::kWindow},
                                               {"fixed", LayerScale::kFixed},
                                               {"none", LayerScale::kNone}};
+constexpr Named<bool> kPathChoices[] = {{"best", false}, {"diverse", true}};
 constexpr Named<SoftOverlap> kSoftOverlaps[] = {
     {"product", SoftOverlap::kProduct}, {"min", SoftOverlap::kMin}};
 
@@ -67,6 +68,18 @@ void ReadModes(const Entity& entity, Policy* policy) {
       entity.Flag(Ex("paperLiteral"), policy->paper_literal);
 }
 
+// Which paths are offered, beside their terms.
+void ReadPathRules(const Entity& entity, Policy* policy) {
+  if (const auto hours = entity.MaybeNumber(Ex("riskBudgetHours"))) {
+    policy->hazard_budget_s = HoursToSeconds(*hours);
+  }
+  policy->diverse_paths =
+      Choice(entity, Ex("pathChoice"), kPathChoices, policy->diverse_paths);
+  policy->minimum_difference =
+      entity.Integer(Ex("minimumDifference"), policy->minimum_difference);
+  policy->churn_weight = entity.Number(Ex("churnWeight"), policy->churn_weight);
+}
+
 }  // namespace
 
 Capabilities ReadCapabilities(const Entity& entity) {
@@ -106,6 +119,7 @@ Policy ReadPolicy(const GraphView& view, const Entity& entity) {
   }
   policy.isolation_weight =
       entity.Number(Ex("isolationWeight"), policy.isolation_weight);
+  ReadPathRules(entity, &policy);
   ReadModes(entity, &policy);
   policy.beta = Weights(view, entity, {"hasPriorWeight", "layer", "beta"},
                         &policy.weight_iris);

@@ -79,6 +79,10 @@ ex:as a ex:Assignment ; ex:forAgent ex:alpha ; ex:forWindow ex:w0 ;
 ex:rejection a ex:Rejection ; ex:forAgent ex:bravo ; ex:forWindow ex:w0 ;
     ex:kind "separation" ; ex:reason "too near" ; ex:rank 0 ; ex:round 1 ;
     ex:lostTo ex:alpha ; prov:wasGeneratedBy ex:run .
+ex:toll a ex:Price ; ex:forAgent ex:bravo ; ex:forWindow ex:w0 ;
+    ex:ofWaypoint ex:p1 ; ex:price 0.5 ; prov:wasGeneratedBy ex:run .
+ex:promise a ex:Commitment ; ex:forAgent ex:alpha ;
+    prov:wasGeneratedBy ex:run .
 ex:phi2 a ex:CompilePhi2 ; ex:worldVersion 3 ;
     prov:startedAtTime "2026-06-01T00:00:00Z"^^xsd:dateTime ;
     prov:endedAtTime "2026-06-01T00:00:01Z"^^xsd:dateTime ;

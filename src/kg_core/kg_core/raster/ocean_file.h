@@ -1,6 +1,7 @@
-// Reads the fields of an ocean model file (NetCDF classic or 4) into canonical
-// form. CF attributes decide first, names second; what is not understood is
-// refused with one line that names file, variable and expectation.
+// Reads the fields of an ocean or weather model's file (NetCDF classic or 4)
+// into canonical form. CF attributes decide first, names second; what is not
+// understood is refused with one line that names file, variable and
+// expectation.
 //
 // Understood: packed (scale_factor, add_offset) or float, _FillValue and
 // missing_value and NaN, any usual time unit ("hours since ...", also
@@ -11,9 +12,12 @@
 // shorter than its header promises is refused (the library would read zeros).
 //
 // A quantity without `units` is in SI (degree Celsius). Values that cannot be
-// (beyond 10 m/s, outside -5..60 degree Celsius) are no data; a variable where
-// most are like that, or a time step without any data, is refused. So are
-// curvilinear grids, grids across the antimeridian, times that do not ascend.
+// (of the sea beyond 10 m/s and outside -5..60 degree Celsius; winds beyond 120
+// m/s, air outside -100..100, the ground's surface outside -100..2000) are no
+// data; a variable where most are like that, or a time step without any data,
+// is refused. So are curvilinear grids, grids across the antimeridian, times
+// that do not ascend, and one component of the sea with one of the wind. Where
+// a file has the quantity of the sea and of elsewhere, the sea's is taken.
 // Source of the conventions: CF-1.8, sections 2.5.1, 4.1-4.4, 8.1.
 
 #ifndef KG_CORE_RASTER_OCEAN_FILE_H_
@@ -29,18 +33,25 @@ namespace kg_core {
 // What can be asked of a file, and the CF standard names (first) and variable
 // names (second) that provide it.
 enum class Quantity {
-  kEastwardVelocity,   // m/s; eastward_sea_water_velocity; water_u, u
-  kNorthwardVelocity,  // m/s; northward_sea_water_velocity; water_v, v
-  kTemperature,  // degree Celsius; sea_surface_temperature, ...; water_temp
-  kAny,          // A variable asked for by its own name, in its own unit.
+  // m/s; eastward_sea_water_velocity, ..., eastward_wind; water_u, u
+  kEastwardVelocity,
+  // m/s; northward_sea_water_velocity, ..., northward_wind; water_v, v
+  kNorthwardVelocity,
+  // degree Celsius; sea_surface_temperature, ..., surface_temperature,
+  // air_temperature; water_temp
+  kTemperature,
+  kAny,  // A variable asked for by its own name, in its own unit.
 };
 const char* Name(Quantity quantity);  // "eastward velocity", ...
 
 struct QuantitySeries {
   Quantity quantity = Quantity::kTemperature;
   std::string variable;         // Its name in the file.
+  std::string standard_name;    // Empty if it has none.
   std::vector<Raster> at_time;  // One raster for each time of the file.
 };
+
+bool IsWind(const QuantitySeries& series);
 
 struct OceanFile {
   std::string path;

@@ -130,7 +130,65 @@ TEST(ReadOceanFile, GoesByAttributesFirstAndNamesSecond) {
   ExpectCanonical(Read(spec));
   spec.east_name = "u";
   spec.east_standard = "eastward_wind";
-  ExpectRefused(spec, "no variable for eastward velocity");
+  ExpectRefused(spec, "expected both of sea water or both of wind");
+}
+
+// The wind: what else moves those who move in it.
+TestFile WindFile() {
+  TestFile spec;
+  spec.east_name = "u10";
+  spec.east_standard = "eastward_wind";
+  spec.north_standard = "northward_wind";
+  return spec;
+}
+
+TEST(ReadOceanFile, ReadsTheWindByItsStandardNames) {
+  const OceanFile file = Read(WindFile());
+  ExpectCanonical(file);
+  EXPECT_TRUE(IsWind(file.series[0]));
+  EXPECT_EQ(file.series[0].variable, "u10");
+  EXPECT_EQ(file.series[0].standard_name, "eastward_wind");
+  EXPECT_FALSE(IsWind(Read(TestFile()).series[0]));
+}
+
+TEST(ReadOceanFile, TheWindBlowsHarderThanWaterFlows) {
+  TestFile spec = WindFile();
+  spec.packed = false;
+  spec.all_value = 35.0;
+  EXPECT_EQ(Read(spec).series[0].at_time[0][5], 35.0f);
+  spec.all_value = 150.0;
+  ExpectRefused(spec, "variable u10: most values are impossible");
+}
+
+TEST(ReadOceanFile, RefusesHalfOfTheSeaAndHalfOfTheWind) {
+  TestFile spec = WindFile();
+  spec.north_standard = "northward_sea_water_velocity";
+  ExpectRefused(spec,
+                "variables u10 (eastward_wind) and water_v "
+                "(northward_sea_water_velocity): expected both of sea water "
+                "or both of wind");
+}
+
+TEST(ReadOceanFile, ReadsTheTemperatureOfAirAndOfBurningGround) {
+  TestFile spec;
+  spec.packed = false;
+  spec.east_name = "anything";
+  spec.speed_units = "K";
+  const auto read = [&](const char* standard_name, double kelvin) {
+    spec.east_standard = standard_name;
+    spec.all_value = kelvin;
+    const TempFile file(spec);
+    return InputErrorOf([&] {
+      const OceanFile read =
+          ReadOceanFile(file.path(), {Quantity::kTemperature});
+      EXPECT_NEAR(read.series[0].at_time[0][5], kelvin - 273.15, 1e-3);
+    });
+  };
+  EXPECT_EQ(read("surface_temperature", 900.0), "read");
+  EXPECT_EQ(read("air_temperature", 230.0), "read");
+  for (const char* not_so_hot : {"air_temperature", "sea_surface_temperature"})
+    EXPECT_NE(read(not_so_hot, 900.0).find("most values are impossible"),
+              std::string::npos);
 }
 
 TEST(ReadOceanFile, SaysWhatIsMissingAndWhatItTried) {

@@ -104,6 +104,7 @@ class Reader {
     get_(&quantity, sizeof(quantity));
     series.quantity = static_cast<Quantity>(quantity);
     series.variable = Text();
+    series.standard_name = Text();
     for (std::uint32_t time = 0; time < head.times; ++time) {
       Raster raster(std::size_t{head.rows} * head.cols);
       get_(raster.data(), raster.size() * sizeof(float));
@@ -136,6 +137,7 @@ void WriteOceanFile(const OceanFile& file, const PutBytes& put) {
     const std::uint32_t quantity = static_cast<std::uint32_t>(series.quantity);
     put(&quantity, sizeof(quantity));
     PutText(series.variable, put);
+    PutText(series.standard_name.substr(0, kMaxText), put);
     for (const Raster& raster : series.at_time) {
       put(raster.data(), raster.size() * sizeof(float));
     }

@@ -42,6 +42,7 @@ struct TestFile {
   std::string east_name = "water_u";
   std::string east_standard = "eastward_sea_water_velocity";
   bool north = true;
+  std::string north_standard = "northward_sea_water_velocity";
   bool coordinate_attributes = true;
   bool curvilinear = false;
   bool all_land = false;
@@ -71,8 +72,7 @@ class TestFileWriter {
                               &number.second));
     }
     const int north =
-        spec.north ? DefineSpeed("water_v", "northward_sea_water_velocity")
-                   : -1;
+        spec.north ? DefineSpeed("water_v", spec.north_standard) : -1;
     Check(nc_enddef(nc_));
     PutAxes();
     PutSpeed(east, 1.0);

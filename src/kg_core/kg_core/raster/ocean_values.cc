@@ -29,6 +29,17 @@ struct Vocabulary {
   double most;
 };
 
+// What is not of the sea has other limits.
+struct Limits {
+  const char* standard_name;
+  double least;
+  double most;
+};
+constexpr Limits kElsewhere[] = {{"eastward_wind", -120.0, 120.0},
+                                 {"northward_wind", -120.0, 120.0},
+                                 {"air_temperature", -100.0, 100.0},
+                                 {"surface_temperature", -100.0, 2000.0}};
+
 const std::vector<UnitScale>& SpeedUnits() {
   static const std::vector<UnitScale> kUnits = {
       {"m/s", 1, 0},           {"m s-1", 1, 0},
@@ -69,7 +80,7 @@ const Vocabulary& VocabularyOf(Quantity quantity) {
   static const Vocabulary kEast = {
       "eastward velocity",
       {"eastward_sea_water_velocity", "surface_eastward_sea_water_velocity",
-       "eastward_sea_water_velocity_assuming_no_tide"},
+       "eastward_sea_water_velocity_assuming_no_tide", "eastward_wind"},
       {"water_u", "u", "uo"},
       SpeedUnits(),
       -10.0,
@@ -77,7 +88,7 @@ const Vocabulary& VocabularyOf(Quantity quantity) {
   static const Vocabulary kNorth = {
       "northward velocity",
       {"northward_sea_water_velocity", "surface_northward_sea_water_velocity",
-       "northward_sea_water_velocity_assuming_no_tide"},
+       "northward_sea_water_velocity_assuming_no_tide", "northward_wind"},
       {"water_v", "v", "vo"},
       SpeedUnits(),
       -10.0,
@@ -87,7 +98,8 @@ const Vocabulary& VocabularyOf(Quantity quantity) {
       {"sea_surface_temperature", "sea_water_temperature",
        "sea_water_potential_temperature", "sea_water_conservative_temperature",
        "sea_surface_foundation_temperature", "sea_surface_skin_temperature",
-       "sea_surface_subskin_temperature"},
+       "sea_surface_subskin_temperature", "surface_temperature",
+       "air_temperature"},
       {"water_temp", "temperature", "temp", "sst", "thetao", "analysed_sst"},
       TemperatureUnits(),
       -5.0,
@@ -109,6 +121,19 @@ const Vocabulary& VocabularyOf(Quantity quantity) {
       return kAny;
   }
   throw std::logic_error("no such quantity");
+}
+
+// Those of the variable's standard_name, else the quantity's.
+Vocabulary WordsFor(Quantity quantity, const NetcdfVariable& variable) {
+  Vocabulary words = VocabularyOf(quantity);
+  if (quantity == Quantity::kAny) return words;
+  const std::string name = variable.Text("standard_name");
+  for (const Limits& limits : kElsewhere) {
+    if (name != limits.standard_name) continue;
+    words.least = limits.least;
+    words.most = limits.most;
+  }
+  return words;
 }
 
 std::string Join(const std::vector<std::string>& words) {
@@ -298,7 +323,27 @@ void RefuseAbsurd(const NetcdfFile& file, const NetcdfVariable& variable,
                   std::to_string(words.most) + " " + words.units.front().name);
 }
 
+bool IsWindName(const std::string& standard_name) {
+  return standard_name == "eastward_wind" || standard_name == "northward_wind";
+}
+
+// One component of water's velocity and one of the wind's are no field.
+void RefuseTwoMedia(const NetcdfFile& file,
+                    const std::vector<const NetcdfVariable*>& variables) {
+  if (variables.size() < 2) return;
+  const std::string first = variables[0]->Text("standard_name");
+  const std::string second = variables[1]->Text("standard_name");
+  if (IsWindName(first) == IsWindName(second)) return;
+  file.Refuse("variables " + variables[0]->name + " (" + first + ") and " +
+              variables[1]->name + " (" + second +
+              "): expected both of sea water or both of wind");
+}
+
 }  // namespace
+
+bool IsWind(const QuantitySeries& series) {
+  return IsWindName(series.standard_name);
+}
 
 const char* Name(Quantity quantity) { return VocabularyOf(quantity).name; }
 
@@ -316,14 +361,16 @@ std::vector<const NetcdfVariable*> FindVariables(
                Join(words.variable_names);
   }
   if (!missing.empty()) file.Refuse(missing);
+  RefuseTwoMedia(file, variables);
   return variables;
 }
 
 QuantitySeries ReadSeries(const NetcdfFile& file, const OceanAxes& axes,
                           const NetcdfVariable& variable, Quantity quantity) {
-  const Vocabulary& words = VocabularyOf(quantity);
+  const Vocabulary words = WordsFor(quantity, variable);
   Unpacker unpack(file, variable, words);
-  QuantitySeries series{quantity, variable.name, {}};
+  QuantitySeries series{
+      quantity, variable.name, variable.Text("standard_name"), {}};
   std::vector<std::size_t> empty_times;
   for (std::size_t time = 0; time < axes.time_s.size(); ++time) {
     const std::size_t before = unpack.plausible();
@@ -336,7 +383,7 @@ QuantitySeries ReadSeries(const NetcdfFile& file, const OceanAxes& axes,
   if (!empty_times.empty()) {
     file.Refuse(variable, "no value in any cell at time " +
                               std::to_string(empty_times.front()) +
-                              ", expected some water");
+                              ", expected some");
   }
   return series;
 }

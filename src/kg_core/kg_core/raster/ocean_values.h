@@ -22,7 +22,7 @@ std::vector<const NetcdfVariable*> FindVariables(
 
 // One raster for each time. Missing: _FillValue and missing_value (compared
 // before unpacking, in the variable's own type), the type's default fill, NaN.
-// Values that cannot be (beyond 10 m/s; outside -5..60 degrees Celsius) are
+// Values that cannot be (ocean_file.h has the limits) are
 // taken as missing; a variable where most are like that, or a time without any
 // value, is refused. Of Quantity::kAny any finite value can be, and none.
 QuantitySeries ReadSeries(const NetcdfFile& file, const OceanAxes& axes,

@@ -49,6 +49,18 @@ kg_core::LonLat ToPlace(const std::string& text, const std::string& option) {
   return {ToNumber(lon, option), ToNumber(lat, option)};
 }
 
+// "0,3", or "0,5,3" by way of 5.
+void ReadEdge(const std::string& text, Question* question) {
+  auto [from, rest] = Split(text, "--edge");
+  question->from = ToInt(from, "--edge");
+  for (auto comma = rest.find(','); comma != std::string::npos;
+       comma = rest.find(',')) {
+    question->via.push_back(ToInt(rest.substr(0, comma), "--edge"));
+    rest.erase(0, comma + 1);
+  }
+  question->to = ToInt(rest, "--edge");
+}
+
 // What is asked about, by the option that says it.
 void ReadSubject(const std::string& option, const std::string& text,
                  Question* question) {
@@ -57,9 +69,7 @@ void ReadSubject(const std::string& option, const std::string& text,
     question->place = ToPlace(text, option);
   } else if (option == "--edge") {
     question->what = Why::kEdge;
-    const auto [from, to] = Split(text, option);
-    question->from = ToInt(from, option);
-    question->to = ToInt(to, option);
+    ReadEdge(text, question);
   } else if (option == "--waypoint") {
     question->what = Why::kWaypoint;
     question->to = ToInt(text, option);
@@ -102,7 +112,7 @@ PlannedWorld Plan(const Target& target, const std::string& data_folder) {
                                          FirstWindowToPlan(start, mission)));
   kg_selector::PlannedMission planned =
       kg_selector::PlanMission(*world.compilation, nullptr);
-  world.rules = kg_selector::TeamRulesOf(*world.compilation);
+  world.rules = kg_selector::ToTeamRules(*world.compilation);
   world.members = std::move(planned.members);
   world.plan = std::move(planned.plan);
   world.has_plan = true;
@@ -142,7 +152,8 @@ const Subcommand kWhy = {
     "  --window N        its index\n"
     "  --cell LON,LAT    a cell of the mission tensor [deg]\n"
     "  --edge FROM,TO    a seam: waypoints of the window before and of this "
-    "one\n"
+    "one;\n"
+    "                    a walk with its stops between them: FROM,STOP,TO\n"
     "  --waypoint ID     why not by way of this waypoint\n"
     "  --event IRI       why not this event, e.g. ex:seep\n"
     "  --place LON,LAT   why not this place [deg]\n"

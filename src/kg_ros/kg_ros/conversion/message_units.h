@@ -5,6 +5,7 @@
 #define KG_ROS_CONVERSION_MESSAGE_UNITS_H_
 
 #include <cmath>
+#include <limits>
 
 #include "kg_core/base/units.h"
 #include "kg_core/geo/lon_lat.h"
@@ -17,6 +18,12 @@ inline ros::Time ToRosTime(double unix_s) {
   return ros::Time(std::isfinite(unix_s) && unix_s > 0.0 ? unix_s : 0.0);
 }
 inline double FromRosTime(const ros::Time& time) { return time.toSec(); }
+
+// Infinity never occurs in messages; NaN = not known.
+inline double FiniteOrUnknown(double value) {
+  return std::isfinite(value) ? value
+                              : std::numeric_limits<double>::quiet_NaN();
+}
 
 // Messages with lon_rad and lat_rad.
 template <typename Message>

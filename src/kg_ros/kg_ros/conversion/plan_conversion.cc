@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "kg_core/base/input_error.h"
@@ -44,6 +45,7 @@ TraverseEdge FromMessage(const kg_msgs::TraverseEdge& message) {
   TraverseEdge edge;
   edge.from = static_cast<int>(message.from);
   edge.to = static_cast<int>(message.to);
+  edge.via.assign(message.via.begin(), message.via.end());
   edge.flight.track = kg_ros::FromMessage(message.track);
   edge.flight.travel_s = message.cost.travel_s;
   edge.flight.energy_j = message.cost.energy_j;
@@ -59,16 +61,56 @@ kg_msgs::TraverseEdge ToMessage(const TraverseEdge& edge) {
   kg_msgs::TraverseEdge message;
   message.from = edge.from;
   message.to = edge.to;
+  message.via.assign(edge.via.begin(), edge.via.end());
   message.cost = CostMessage(edge);
   message.track = kg_ros::ToMessage(edge.flight.track);
   return message;
 }
 
-const TraverseEdge* FindEdge(const NavGraph& graph, int from, int to) {
-  for (const TraverseEdge& edge : graph.edges) {
-    if (edge.from == from && edge.to == to) return &edge;
+// Do an edge's ends and stops lie among its graph's waypoints?
+bool IsJoined(const kg_msgs::TraverseEdge& edge, std::size_t waypoints) {
+  const auto is_there = [&](std::uint32_t id) { return id < waypoints; };
+  return is_there(edge.to) && (!edge.within_window || is_there(edge.from)) &&
+         std::all_of(edge.via.begin(), edge.via.end(), is_there);
+}
+
+kg_msgs::Visit ToMessage(const kg_selector::Visit& visit) {
+  kg_msgs::Visit message;
+  message.window = visit.window;
+  message.waypoint = visit.waypoint;
+  SetPosition(visit.position, &message);
+  message.reward = visit.reward;
+  message.events = visit.events;
+  for (const kg_selector::Stop& stop : visit.via) {
+    message.via.emplace_back();
+    message.via.back().waypoint = stop.waypoint;
+    SetPosition(stop.position, &message.via.back());
   }
-  return nullptr;
+  return message;
+}
+
+void RequireFinite(double value, const std::string& agent, const char* field) {
+  if (std::isfinite(value)) return;
+  throw kg_core::InputError("Pathlet of " + agent + ": " + field +
+                            " must be finite");
+}
+
+kg_selector::Visit FromMessage(const kg_msgs::Visit& message,
+                               const std::string& agent) {
+  kg_selector::Visit visit;
+  visit.window = message.window;
+  visit.waypoint = static_cast<int>(message.waypoint);
+  visit.position = GetPosition(message);
+  visit.reward = message.reward;
+  visit.events = message.events;
+  RequireFinite(message.reward, agent, "the reward of a visit");
+  RequireFinite(message.lon_rad + message.lat_rad, agent,
+                "the place of a visit");
+  for (const kg_msgs::Stop& stop : message.via) {
+    RequireFinite(stop.lon_rad + stop.lat_rad, agent, "the place of a stop");
+    visit.via.push_back({static_cast<int>(stop.waypoint), GetPosition(stop)});
+  }
+  return visit;
 }
 
 }  // namespace
@@ -153,13 +195,12 @@ NavGraph FromMessage(const kg_msgs::NavGraph& message) {
     graph.waypoints.push_back(FromMessage(waypoint));
   }
   for (const kg_msgs::TraverseEdge& edge : message.edges) {
-    if (edge.to >= message.waypoints.size() ||
-        (edge.within_window && edge.from >= message.waypoints.size()) ||
+    if (!IsJoined(edge, message.waypoints.size()) ||
         !std::isfinite(edge.cost.seam_cost)) {
       throw kg_core::InputError("NavGraph of " + message.agent + ", window " +
                                 std::to_string(message.window) +
-                                ": edges must lead to its waypoints and costs "
-                                "be finite");
+                                ": edges must lead to its waypoints, by way "
+                                "of its waypoints, and costs be finite");
     }
     auto& edges = edge.within_window ? graph.inner_edges : graph.edges;
     edges.push_back(FromMessage(edge));
@@ -173,22 +214,17 @@ kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
   message.rank = pathlet.rank;
   message.reward = pathlet.reward;
   message.seam_cost = pathlet.seam_cost;
+  message.energy_j = pathlet.energy_j;
   int from = 0;
   for (std::size_t i = 0; i < pathlet.visits.size(); ++i) {
     const kg_selector::Visit& visit = pathlet.visits[i];
-    kg_msgs::Visit stop;
-    stop.window = visit.window;
-    stop.waypoint = visit.waypoint;
-    SetPosition(visit.position, &stop);
-    stop.reward = visit.reward;
-    stop.events = visit.events;
+    message.visits.push_back(ToMessage(visit));
     if (i < graphs.size()) {
-      const TraverseEdge* edge = FindEdge(graphs[i], from, visit.waypoint);
-      if (edge != nullptr) stop.cost = CostMessage(*edge);
+      const TraverseEdge* edge = kg_compiler::FindEdge(
+          graphs[i], from, visit.waypoint, kg_selector::ViaOf(visit));
+      if (edge != nullptr) message.visits.back().cost = CostMessage(*edge);
     }
     from = visit.waypoint;
-    message.energy_j += stop.cost.energy_j;
-    message.visits.push_back(stop);
   }
   message.track = ToMessage(pathlet.track);
   return message;
@@ -196,18 +232,17 @@ kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
 
 kg_selector::Pathlet FromMessage(const kg_msgs::Pathlet& message,
                                  const std::string& agent) {
-  if (!std::isfinite(message.reward) || !std::isfinite(message.seam_cost)) {
-    throw kg_core::InputError("Pathlet of " + agent +
-                              ": reward and seam_cost must be finite");
-  }
+  RequireFinite(message.reward, agent, "reward");
+  RequireFinite(message.seam_cost, agent, "seam_cost");
+  RequireFinite(message.energy_j, agent, "energy_j");
   kg_selector::Pathlet pathlet;
   pathlet.agent = agent;
   pathlet.rank = static_cast<int>(message.rank);
   pathlet.reward = message.reward;
   pathlet.seam_cost = message.seam_cost;
+  pathlet.energy_j = message.energy_j;
   for (const kg_msgs::Visit& visit : message.visits) {
-    pathlet.visits.push_back({visit.window, static_cast<int>(visit.waypoint),
-                              GetPosition(visit), visit.reward, visit.events});
+    pathlet.visits.push_back(FromMessage(visit, agent));
   }
   pathlet.track = FromMessage(message.track);
   return pathlet;
@@ -234,7 +269,7 @@ kg_msgs::Assignments ToMessage(const kg_selector::PlannedMission& planned) {
   kg_msgs::Assignments message;
   message.rounds = planned.plan.rounds - 1;  // Of planning again.
   message.mode = planned.rules.mode;
-  message.bound = planned.plan.bound;
+  message.bound = FiniteOrUnknown(planned.plan.bound);
   message.stability = message.displacement_m =
       std::numeric_limits<double>::quiet_NaN();
   for (const kg_selector::Pathlet& pathlet : planned.plan.committed) {

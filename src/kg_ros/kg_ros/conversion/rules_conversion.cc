@@ -1,6 +1,11 @@
 #include "kg_ros/conversion/rules_conversion.h"
 
 #include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <map>
+#include <optional>
 
 #include "kg_core/base/input_error.h"
 #include "kg_ros/conversion/message_units.h"
@@ -16,6 +21,23 @@ void RequireAtLeast(double value, double least, const char* field) {
                    " must be a number >= " + std::to_string(least));
 }
 
+void RequireAtMost(double value, double most, const char* field) {
+  if (value <= most) return;
+  throw InputError(std::string(field) + " must be at most " +
+                   std::to_string(most));
+}
+
+void RequireOneOf(const std::string& value,
+                  std::initializer_list<const char*> names, const char* field) {
+  std::string expected;
+  for (const char* name : names) {
+    if (value == name) return;
+    expected += std::string(expected.empty() ? "'" : ", '") + name + "'";
+  }
+  throw InputError(std::string(field) + " '" + value + "': expected one of " +
+                   expected);
+}
+
 kg_msgs::WindowRules ToMessage(const kg_compiler::WindowRules& rules) {
   kg_msgs::WindowRules message;
   message.window = rules.window;
@@ -26,6 +48,11 @@ kg_msgs::WindowRules ToMessage(const kg_compiler::WindowRules& rules) {
   message.base_travel_m = rules.base_travel_m;
   message.tensor_hash = rules.tensor_hash;
   message.field_hash = rules.field_hash;
+  message.is_committed = rules.committed.has_value();
+  if (rules.committed) {
+    message.committed_lon_rad = kg_core::DegToRad(rules.committed->lon_deg);
+    message.committed_lat_rad = kg_core::DegToRad(rules.committed->lat_deg);
+  }
   for (const kg_compiler::EventRule& event : rules.events) {
     message.events.emplace_back();
     message.events.back().iri = event.iri;
@@ -34,6 +61,17 @@ kg_msgs::WindowRules ToMessage(const kg_compiler::WindowRules& rules) {
     message.events.back().radius_m = event.radius_m;
   }
   return message;
+}
+
+std::optional<kg_core::LonLat> CommittedPlace(
+    const kg_msgs::WindowRules& message) {
+  if (!message.is_committed) return std::nullopt;
+  if (!std::isfinite(message.committed_lon_rad) ||
+      !(std::abs(message.committed_lat_rad) <= kg_core::kPi / 2)) {
+    throw InputError("WindowRules.committed must be a place on WGS84");
+  }
+  return kg_core::LonLat{kg_core::RadToDeg(message.committed_lon_rad),
+                         kg_core::RadToDeg(message.committed_lat_rad)};
 }
 
 kg_compiler::WindowRules FromMessage(const kg_msgs::WindowRules& message) {
@@ -46,6 +84,7 @@ kg_compiler::WindowRules FromMessage(const kg_msgs::WindowRules& message) {
   rules.base_travel_m = message.base_travel_m;
   rules.tensor_hash = message.tensor_hash;
   rules.field_hash = message.field_hash;
+  rules.committed = CommittedPlace(message);
   RequireAtLeast(rules.base_travel_m, 0.0, "WindowRules.base_travel_m");
   if (!(rules.end_s > rules.begin_s)) {
     throw InputError("WindowRules.end must come after begin");
@@ -56,6 +95,69 @@ kg_compiler::WindowRules FromMessage(const kg_msgs::WindowRules& message) {
         {event.iri, GetPosition(event), event.reward, event.radius_m});
   }
   return rules;
+}
+
+// What SeamRules say of paths beside their terms.
+void CheckPathRules(const kg_msgs::SeamRules& message) {
+  if (!std::isnan(message.hazard_budget_s)) {
+    RequireAtLeast(message.hazard_budget_s, 0.0, "SeamRules.hazard_budget_s");
+  }
+  RequireOneOf(message.path_choice, {"best", "diverse"},
+               "SeamRules.path_choice");
+  RequireAtLeast(message.minimum_difference, 1, "SeamRules.minimum_difference");
+  RequireAtLeast(message.churn_weight, 0.0, "SeamRules.churn_weight");
+}
+
+void TakePathRules(const kg_msgs::SeamRules& message,
+                   kg_compiler::SeamRules* rules) {
+  CheckPathRules(message);
+  rules->hazard_budget_s = std::isnan(message.hazard_budget_s)
+                               ? std::numeric_limits<double>::infinity()
+                               : message.hazard_budget_s;
+  rules->diverse = message.path_choice == "diverse";
+  rules->minimum_difference = static_cast<int>(message.minimum_difference);
+  rules->churn_weight = message.churn_weight;
+}
+
+void WritePathRules(const kg_compiler::SeamRules& rules,
+                    kg_msgs::SeamRules* message) {
+  message->hazard_budget_s = FiniteOrUnknown(rules.hazard_budget_s);
+  message->path_choice = rules.diverse ? "diverse" : "best";
+  message->minimum_difference = rules.minimum_difference;
+  message->churn_weight = rules.churn_weight;
+}
+
+// Throws if the rules of choosing make no sense.
+void CheckChoice(const kg_msgs::CoordinationRules& message) {
+  RequireOneOf(message.mode, {"greedy", "auction", "priced", "exact"},
+               "CoordinationRules.mode");
+  RequireAtLeast(message.gap_goal, 0.0, "CoordinationRules.gap_goal");
+  RequireAtMost(message.gap_goal, 1.0, "CoordinationRules.gap_goal");
+  if (!std::isfinite(message.auction_epsilon) ||
+      !(message.auction_epsilon > 0.0)) {
+    throw InputError("CoordinationRules.auction_epsilon must be a number > 0");
+  }
+  RequireAtLeast(message.time_limit_s, 0.0, "CoordinationRules.time_limit_s");
+  RequireOneOf(message.fairness, {"scarcity", "balance", "max_min"},
+               "CoordinationRules.fairness");
+  RequireAtLeast(message.fairness_weight, 0.0,
+                 "CoordinationRules.fairness_weight");
+}
+
+std::map<std::string, double> BudgetsOf(
+    const kg_msgs::CoordinationRules& message) {
+  if (message.energy_budget_j.size() != message.agents.size()) {
+    throw InputError(
+        "CoordinationRules.energy_budget_j must have a budget for each of "
+        "agents");
+  }
+  std::map<std::string, double> budgets_j;
+  for (std::size_t i = 0; i < message.agents.size(); ++i) {
+    RequireAtLeast(message.energy_budget_j[i], 0.0,
+                   "CoordinationRules.energy_budget_j");
+    budgets_j[message.agents[i]] = message.energy_budget_j[i];
+  }
+  return budgets_j;
 }
 
 }  // namespace
@@ -94,6 +196,7 @@ kg_msgs::SeamRules ToMessage(const kg_compiler::SeamRules& rules,
   message.spacing_m = rules.spacing_m;
   message.max_waypoints = rules.max_waypoints;
   message.candidates = rules.candidates;
+  WritePathRules(rules, &message);
   message.start_lon_rad = kg_core::DegToRad(rules.start.lon_deg);
   message.start_lat_rad = kg_core::DegToRad(rules.start.lat_deg);
   message.start_heading_rad = rules.start_heading_rad;
@@ -126,6 +229,7 @@ kg_compiler::SeamRules FromMessage(const kg_msgs::SeamRules& message) {
   rules.spacing_m = message.spacing_m;
   rules.max_waypoints = static_cast<int>(message.max_waypoints);
   rules.candidates = static_cast<int>(message.candidates);
+  TakePathRules(message, &rules);
   rules.hazard_range_m = message.hazard_range_m;
   rules.movement_mode = kg_compiler::MovementModeOf(message.movement_mode);
   rules.start = {kg_core::RadToDeg(message.start_lon_rad),
@@ -137,37 +241,69 @@ kg_compiler::SeamRules FromMessage(const kg_msgs::SeamRules& message) {
   return rules;
 }
 
+Coordination CoordinationOf(const kg_compiler::Compilation& compilation,
+                            const std::uint64_t cycle) {
+  Coordination coordination;
+  coordination.world_version = compilation.world_version;
+  coordination.cycle = cycle;
+  coordination.rules = compilation.coordination;
+  for (const kg_core::TimeWindow& window : compilation.mission.windows) {
+    if (window.index >= compilation.first_window) {
+      coordination.windows.push_back(window);
+    }
+  }
+  for (const kg_compiler::SeamRules& rules : compilation.rules) {
+    coordination.agents.push_back(rules.agent_id);
+    coordination.energy_budget_j.push_back(rules.energy_budget_j);
+  }
+  return coordination;
+}
+
 kg_msgs::CoordinationRules ToMessage(const Coordination& coordination) {
   const kg_core::CoordinationFacts& facts = coordination.rules.facts;
   kg_msgs::CoordinationRules message;
   message.world_version = coordination.world_version;
   message.cycle = coordination.cycle;
   message.agents = coordination.agents;
+  message.energy_budget_j = coordination.energy_budget_j;
   for (const kg_core::TimeWindow& window : coordination.windows) {
     message.windows.push_back(ToMessage(window));
   }
   message.mode = facts.mode;
+  message.gap_goal = facts.gap_goal;
+  message.auction_epsilon = facts.auction_epsilon;
+  message.time_limit_s = facts.select_limit_s;
   message.separation_m = facts.separation_m;
   message.separation_is_hard = facts.separation_is_hard;
   message.separation_weight_per_m = facts.separation_weight;
-  message.fairness = "scarcity";
+  message.fairness = facts.fairness;
+  message.fairness_weight = facts.fairness_weight;
   message.max_rounds = facts.max_rounds;
   for (const auto& [iri, capacity] : coordination.rules.event_capacity) {
     message.events.emplace_back();
     message.events.back().iri = iri;
     message.events.back().capacity = capacity;
+    const auto windows = coordination.rules.event_windows.find(iri);
+    if (windows == coordination.rules.event_windows.end()) continue;
+    message.events.back().windows.assign(windows->second.begin(),
+                                         windows->second.end());
   }
   return message;
 }
 
 kg_selector::TeamRules FromMessage(const kg_msgs::CoordinationRules& message) {
   RequireAtLeast(message.separation_m, 0.0, "CoordinationRules.separation_m");
-  if (message.mode != "greedy") {
-    throw InputError("CoordinationRules.mode '" + message.mode +
-                     "' is not available; expected 'greedy'");
-  }
+  RequireAtLeast(message.separation_weight_per_m, 0.0,
+                 "CoordinationRules.separation_weight_per_m");
+  CheckChoice(message);
   kg_selector::TeamRules rules;
   rules.mode = message.mode;
+  rules.gap_goal = message.gap_goal;
+  rules.auction_epsilon = message.auction_epsilon;
+  rules.time_limit_s = message.time_limit_s;
+  rules.fairness = message.fairness;
+  rules.fairness_weight = message.fairness_weight;
+  rules.energy_budget_j = BudgetsOf(message);
   rules.separation_m = message.separation_m;
   rules.separation_is_hard = message.separation_is_hard;
   rules.separation_weight_per_m = message.separation_weight_per_m;
@@ -177,6 +313,8 @@ kg_selector::TeamRules FromMessage(const kg_msgs::CoordinationRules& message) {
   }
   for (const kg_msgs::EventCapacity& event : message.events) {
     rules.event_capacity[event.iri] = static_cast<int>(event.capacity);
+    rules.event_windows[event.iri] = {event.windows.begin(),
+                                      event.windows.end()};
   }
   return rules;
 }

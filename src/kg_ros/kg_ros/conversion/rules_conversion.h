@@ -28,9 +28,12 @@ struct Coordination {
   std::uint64_t world_version = 0;
   std::uint64_t cycle = 0;
   std::vector<std::string> agents;           // ex:id.
+  std::vector<double> energy_budget_j;       // Of each of them.
   std::vector<kg_core::TimeWindow> windows;  // Those to be planned.
   kg_compiler::CoordinationRules rules;
 };
+Coordination CoordinationOf(const kg_compiler::Compilation& compilation,
+                            std::uint64_t cycle);
 kg_msgs::CoordinationRules ToMessage(const Coordination& coordination);
 kg_selector::TeamRules FromMessage(const kg_msgs::CoordinationRules& message);
 

@@ -21,8 +21,9 @@ using kg_core::MapProjection;
 using visualization_msgs::Marker;
 
 constexpr double kArrowSpacing_m = 60e3;
-constexpr double kArrowSeconds = 60e3;  // An arrow is the way of so long.
-constexpr double kAgentsAcross = 60.0;  // So small is an agent's arrow.
+constexpr double kArrowSeconds = 60e3;     // An arrow is the way of so long.
+constexpr double kLongestArrow_mps = 2.0;  // Stronger ones shorten them all.
+constexpr double kAgentsAcross = 60.0;     // So small is an agent's arrow.
 
 std_msgs::ColorRGBA Colour(double r, double g, double b, double a) {
   std_msgs::ColorRGBA colour;
@@ -51,7 +52,24 @@ bool IsCoast(const Grid& grid, const kg_core::Mask& land, Cell cell) {
   return false;
 }
 
+double Strongest_mps(const kg_core::VectorField& field) {
+  double strongest_mps = 0.0;
+  for (const kg_core::FieldSlice& slice : field.slices) {
+    for (std::size_t i = 0; i < slice.east_mps.size(); ++i) {
+      const double speed_mps =
+          std::hypot(slice.east_mps[i], slice.north_mps[i]);
+      if (speed_mps > strongest_mps) strongest_mps = speed_mps;
+    }
+  }
+  return strongest_mps;
+}
+
 }  // namespace
+
+double WidthOf(const Grid& grid, const MapProjection& map) {
+  return map.Forward({grid.east_deg(), 0.0}).x_m -
+         map.Forward({grid.west_deg(), 0.0}).x_m;
+}
 
 nav_msgs::Path ToPath(const kg_msgs::Pathlet& pathlet,
                       const MapProjection& map) {
@@ -66,6 +84,9 @@ nav_msgs::Path ToPath(const kg_msgs::Pathlet& pathlet,
   }
   return path;
 }
+
+MarkerPainter::MarkerPainter(MapProjection map, double width_m)
+    : map_(map), size_(std::min(1.0, width_m / kMapWidth_m)) {}
 
 Marker& MarkerPainter::Add(const std::string& name, const int type) {
   markers_.markers.emplace_back();
@@ -90,7 +111,7 @@ void MarkerPainter::PaintConstraints(const kg_core::Mission& mission,
     const bool hard = constraint.kind == kg_core::ConstraintKind::kNoGo;
     for (const std::vector<LonLat>& ring : constraint.area->Rings()) {
       Marker& marker = Add("constraints", Marker::LINE_STRIP);
-      marker.scale.x = 4000.0;
+      marker.scale.x = 4000.0 * size_;
       marker.color =
           hard ? Colour(0.9, 0.1, 0.1, 1.0) : Colour(1.0, 0.6, 0.0, 1.0);
       for (const LonLat& corner : ring) {
@@ -109,7 +130,8 @@ void MarkerPainter::PaintEvents(const kg_core::Mission& mission,
     }
     Marker& marker = Add("events", Marker::CYLINDER);
     marker.pose.position = ToPoint(map_, event.position, 200.0);
-    marker.scale.x = marker.scale.y = std::max(8000.0, 2.0 * event.radius_m);
+    marker.scale.x = marker.scale.y =
+        std::max(8000.0 * size_, 2.0 * event.radius_m);
     marker.scale.z = 100.0;
     marker.color = Colour(0.1, 0.8, 0.9, 0.6);
   }
@@ -118,7 +140,7 @@ void MarkerPainter::PaintEvents(const kg_core::Mission& mission,
 void MarkerPainter::PaintLand(const kg_core::VectorField& field) {
   const kg_core::Mask land = field.NoData();
   Marker& marker = Add("land", Marker::POINTS);
-  marker.scale.x = marker.scale.y = 5000.0;
+  marker.scale.x = marker.scale.y = 5000.0 * size_;
   marker.color = Colour(0.35, 0.30, 0.25, 1.0);
   for (int row = 0; row < field.grid.rows(); ++row) {
     for (int col = 0; col < field.grid.cols(); ++col) {
@@ -133,13 +155,15 @@ void MarkerPainter::PaintField(const kg_compiler::WorkField& field,
                                const double time_s) {
   const Grid& grid = field.field.grid;
   Marker& marker = Add("currents", Marker::LINE_LIST);
-  marker.scale.x = 1500.0;
+  marker.scale.x = 1500.0 * size_;
   marker.color = Colour(0.15, 0.25, 0.6, 0.8);
-  const double width_m = map_.Forward({grid.east_deg(), 0.0}).x_m -
-                         map_.Forward({grid.west_deg(), 0.0}).x_m;
+  const double width_m = WidthOf(grid, map_);
   const double step_m = std::min(kArrowSpacing_m, width_m / 30.0);
   const int step = std::max(
       1, static_cast<int>(step_m * grid.cols() / std::max(1.0, width_m)));
+  const double arrow_s =
+      kArrowSeconds * step_m / kArrowSpacing_m *
+      std::min(1.0, kLongestArrow_mps / Strongest_mps(field.field));
   for (int row = step / 2; row < grid.rows(); row += step) {
     for (int col = step / 2; col < grid.cols(); col += step) {
       const auto velocity = field.field.Sample(
@@ -147,8 +171,8 @@ void MarkerPainter::PaintField(const kg_compiler::WorkField& field,
       if (!velocity) continue;
       geometry_msgs::Point tail = ToPoint(map_, grid.Centre({row, col}), 150.0);
       geometry_msgs::Point head = tail;
-      head.x += velocity->east_mps * kArrowSeconds * step_m / kArrowSpacing_m;
-      head.y += velocity->north_mps * kArrowSeconds * step_m / kArrowSpacing_m;
+      head.x += velocity->east_mps * arrow_s;
+      head.y += velocity->north_mps * arrow_s;
       marker.points.push_back(tail);
       marker.points.push_back(head);
     }
@@ -157,13 +181,13 @@ void MarkerPainter::PaintField(const kg_compiler::WorkField& field,
 
 void MarkerPainter::PaintNavGraph(const kg_msgs::NavGraph& graph) {
   Marker& nodes = Add("nav_graph/" + graph.agent, Marker::POINTS);
-  nodes.scale.x = nodes.scale.y = 6000.0;
+  nodes.scale.x = nodes.scale.y = 6000.0 * size_;
   nodes.color = Colour(0.2, 0.2, 0.2, 0.9);
   for (const kg_msgs::Waypoint& waypoint : graph.waypoints) {
     nodes.points.push_back(ToPoint(map_, GetPosition(waypoint), 350.0));
   }
   Marker& edges = Add("nav_graph/" + graph.agent, Marker::LINE_LIST);
-  edges.scale.x = 700.0;
+  edges.scale.x = 700.0 * size_;
   edges.color = Colour(0.4, 0.4, 0.4, 0.35);
   for (const kg_msgs::TraverseEdge& edge : graph.edges) {
     for (std::size_t i = 1; i < edge.track.size(); ++i) {
@@ -178,7 +202,7 @@ void MarkerPainter::PaintStaging(const kg_msgs::NavGraph& graph) {
   for (const kg_msgs::TraverseEdge& edge : graph.edges) {
     if (!edge.staging) continue;
     Marker& marker = Add("staging/" + graph.agent, Marker::LINE_STRIP);
-    marker.scale.x = 2500.0;
+    marker.scale.x = 2500.0 * size_;
     marker.color = Colour(0.6, 0.1, 0.8, 1.0);
     for (const kg_msgs::TimedPoint& point : edge.track) {
       marker.points.push_back(ToPoint(map_, GetPosition(point), 450.0));
@@ -189,7 +213,7 @@ void MarkerPainter::PaintStaging(const kg_msgs::NavGraph& graph) {
 void MarkerPainter::PaintCandidates(const kg_msgs::Candidates& candidates) {
   for (const kg_msgs::Pathlet& pathlet : candidates.pathlets) {
     Marker& marker = Add("candidates/" + candidates.agent, Marker::LINE_STRIP);
-    marker.scale.x = 1500.0;
+    marker.scale.x = 1500.0 * size_;
     marker.color = Colour(0.2, 0.5, 1.0, 0.4);
     for (const kg_msgs::TimedPoint& point : pathlet.track) {
       marker.points.push_back(ToPoint(map_, GetPosition(point), 400.0));
@@ -199,18 +223,24 @@ void MarkerPainter::PaintCandidates(const kg_msgs::Candidates& candidates) {
 
 void MarkerPainter::PaintAssignment(const kg_msgs::Assignment& assignment) {
   Marker& marker = Add("assigned/" + assignment.agent, Marker::LINE_STRIP);
-  marker.scale.x = 5000.0;
+  marker.scale.x = 5000.0 * size_;
   marker.color = Colour(0.0, 1.0, 0.0, 1.0);
   for (const kg_msgs::TimedPoint& point : assignment.pathlet.track) {
     marker.points.push_back(ToPoint(map_, GetPosition(point), 460.0));
+  }
+  Marker& stops = Add("assigned/" + assignment.agent, Marker::POINTS);
+  stops.scale.x = stops.scale.y = 14000.0 * size_;
+  stops.color = Colour(0.0, 0.6, 0.0, 1.0);
+  for (const kg_msgs::Visit& visit : assignment.pathlet.visits) {
+    for (const kg_msgs::Stop& stop : visit.via) {
+      stops.points.push_back(ToPoint(map_, GetPosition(stop), 465.0));
+    }
   }
 }
 
 void MarkerPainter::PaintAgents(const std::map<std::string, AgentPose>& poses,
                                 const Grid& grid) {
-  const double size_m = (map_.Forward({grid.east_deg(), 0.0}).x_m -
-                         map_.Forward({grid.west_deg(), 0.0}).x_m) /
-                        kAgentsAcross;
+  const double size_m = WidthOf(grid, map_) / kAgentsAcross;
   for (const auto& [id, pose] : poses) {
     // Compass heading to half the yaw from east.
     const double half_rad = 0.5 * (kg_core::kPi / 2.0 - pose.heading_rad);

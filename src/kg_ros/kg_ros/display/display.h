@@ -24,16 +24,23 @@ namespace kg_ros {
 nav_msgs::Path ToPath(const kg_msgs::Pathlet& pathlet,
                       const kg_core::MapProjection& map);
 
+// From the grid's western to its eastern edge [m].
+double WidthOf(const kg_core::Grid& grid, const kg_core::MapProjection& map);
+
 // Namespaces: "constraints", "land", "events", "currents", "agents",
 // "nav_graph/<id>", "candidates/<id>", "staging/<id>", "assigned/<id>".
 class MarkerPainter {
  public:
-  explicit MarkerPainter(kg_core::MapProjection map) : map_(map) {}
+  // Lines and points are sized for a map so wide, or smaller with its width.
+  static constexpr double kMapWidth_m = 2e6;
+
+  explicit MarkerPainter(kg_core::MapProjection map,
+                         double width_m = kMapWidth_m);
 
   // Areas that apply in a window, and the events that are active in it.
   void PaintConstraints(const kg_core::Mission& mission, int window);
   void PaintEvents(const kg_core::Mission& mission, int window);
-  // The coast: cells without data that touch water.
+  // The coast: cells without data that touch others. None where all have data.
   void PaintLand(const kg_core::VectorField& field);
   // Arrows on a thinned grid, at the window's middle.
   void PaintField(const kg_compiler::WorkField& field, double time_s);
@@ -41,6 +48,7 @@ class MarkerPainter {
   // Its staging edges, in purple, whatever the window.
   void PaintStaging(const kg_msgs::NavGraph& graph);
   void PaintCandidates(const kg_msgs::Candidates& candidates);
+  // Its track, and the stops on the way through its windows.
   void PaintAssignment(const kg_msgs::Assignment& assignment);
 
   // An arrow and a name for each, sized to be seen on `grid` as a whole.
@@ -54,6 +62,7 @@ class MarkerPainter {
   visualization_msgs::Marker& Add(const std::string& name, int type);
 
   kg_core::MapProjection map_;
+  double size_;
   visualization_msgs::MarkerArray markers_;
 };
 

@@ -140,10 +140,11 @@ void RvizPublisher::Keep(const kg_msgs::Candidates& candidates) {
 void RvizPublisher::ShowMarkers() {
   const Compilation& compilation = *scene_.compilation;
   const int shown = scene_.window;
-  MarkerPainter paint(map_);
+  const kg_compiler::WorkField* field = FieldOf(compilation, shown);
+  MarkerPainter paint(map_, field ? WidthOf(field->field.grid, map_)
+                                  : MarkerPainter::kMapWidth_m);
   paint.PaintConstraints(compilation.mission, shown);
   paint.PaintEvents(compilation.mission, shown);
-  const kg_compiler::WorkField* field = FieldOf(compilation, shown);
   if (field != nullptr) {
     const kg_core::TimeWindow& at = compilation.mission.windows[shown];
     paint.PaintLand(field->field);

@@ -9,6 +9,7 @@
 #include "kg_core/base/units.h"
 #include "kg_core/mission/terms.h"
 #include "kg_ros/knowledge/fact_writer.h"
+#include "kg_ros/knowledge/plan_facts.h"
 
 namespace kg_ros {
 namespace {
@@ -166,6 +167,20 @@ void StageArtifacts(const Compilation& compilation, const std::uint64_t cycle,
   for (const SeamRules& rules : compilation.rules) MakeRules(rules, &phi1);
   phi1.Finish("CompilePhi1", times.tensors_s, times.ended_s,
               compilation.world_version);
+}
+
+Term CommitmentNode(const std::uint64_t run, const std::string& agent_id) {
+  return Iri(PlanRunNode(run).text + "/commitment/" + agent_id);
+}
+
+void StageCommitment(const std::uint64_t run, const SeamRules& rules,
+                     kg_core::Transaction* transaction) {
+  FactWriter write(Iri(kg_core::kProvGraph));
+  write.About(CommitmentNode(run, rules.agent_id), "Commitment")
+      .Link("forAgent", Iri(rules.agent_iri))
+      .GeneratedBy(PlanRunNode(run))
+      .GeneratedBy(SelectRunNode(run));
+  AddAll(write.Take(), transaction);
 }
 
 void StageReportedState(const kg_core::Agent& agent, const AgentPose& pose,

@@ -57,6 +57,11 @@ void StageArtifacts(const kg_compiler::Compilation& compilation,
                     kg_core::Transaction* transaction);
 
 // Stages the state that an agent had reported when a cycle began.
+// What the plan of a run commits an agent to.
+kg_core::Term CommitmentNode(std::uint64_t run, const std::string& agent_id);
+void StageCommitment(std::uint64_t run, const kg_compiler::SeamRules& rules,
+                     kg_core::Transaction* transaction);
+
 void StageReportedState(const kg_core::Agent& agent, const AgentPose& pose,
                         std::uint64_t cycle, kg_core::Transaction* transaction);
 

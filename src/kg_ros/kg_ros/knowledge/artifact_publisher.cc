@@ -107,19 +107,8 @@ void ArtifactPublisher::PublishTensors(const Compilation& compilation) {
 
 void ArtifactPublisher::PublishRules(const Compilation& compilation,
                                      const std::uint64_t cycle) {
-  Coordination coordination;
-  coordination.world_version = compilation.world_version;
-  coordination.cycle = cycle;
-  coordination.rules = compilation.coordination;
-  for (const kg_core::TimeWindow& window : compilation.mission.windows) {
-    if (window.index >= compilation.first_window) {
-      coordination.windows.push_back(window);
-    }
-  }
-  for (const kg_compiler::SeamRules& rules : compilation.rules) {
-    coordination.agents.push_back(rules.agent_id);
-  }
-  kg_msgs::CoordinationRules team = ToMessage(coordination);
+  kg_msgs::CoordinationRules team =
+      ToMessage(CoordinationOf(compilation, cycle));
   team.header.stamp = ros::Time::now();
   coordination_.publish(team);
   for (const kg_compiler::SeamRules& rules : compilation.rules) {

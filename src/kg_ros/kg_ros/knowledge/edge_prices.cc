@@ -1,8 +1,8 @@
 #include "kg_ros/knowledge/edge_prices.h"
 
-#include <array>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "kg_compiler/control_plane/window_sea.h"
 #include "kg_core/base/parallel.h"
@@ -18,13 +18,21 @@ using kg_selector::TeamMember;
 
 Way WayOf(const TeamMember& member, std::size_t window,
           const TraverseEdge& edge) {
-  return {BeginOf(member, window, edge),
-          member.graphs[window].waypoints[edge.to].position};
+  const auto& waypoints = member.graphs[window].waypoints;
+  Way way{BeginOf(member, window, edge), waypoints[edge.to].position};
+  for (const int stop : edge.via) way.via.push_back(waypoints[stop].position);
+  return way;
 }
 
-using Ends = std::array<double, 4>;
-Ends EndsOf(const Way& way) {
-  return {way.from.lon_deg, way.from.lat_deg, way.to.lon_deg, way.to.lat_deg};
+// All places on it, longitude and latitude in turn.
+using Places = std::vector<double>;
+Places PlacesOf(const Way& way) {
+  Places places = {way.from.lon_deg, way.from.lat_deg};
+  for (const kg_core::LonLat& stop : way.via) {
+    places.insert(places.end(), {stop.lon_deg, stop.lat_deg});
+  }
+  places.insert(places.end(), {way.to.lon_deg, way.to.lat_deg});
+  return places;
 }
 
 std::optional<std::size_t> PlaceOf(const SeamRules& rules, int window) {
@@ -34,13 +42,13 @@ std::optional<std::size_t> PlaceOf(const SeamRules& rules, int window) {
   return std::nullopt;
 }
 
-// The edges of one graph, by their ends.
-std::map<Ends, const TraverseEdge*> KnownPrices(const TeamMember& member,
-                                                std::size_t window) {
-  std::map<Ends, const TraverseEdge*> known;
+// The edges of one graph, by their places.
+std::map<Places, const TraverseEdge*> KnownPrices(const TeamMember& member,
+                                                  std::size_t window) {
+  std::map<Places, const TraverseEdge*> known;
   if (member.graphs.empty()) return known;
   for (const TraverseEdge& edge : member.graphs[window].edges) {
-    known[EndsOf(WayOf(member, window, edge))] = &edge;
+    known[PlacesOf(WayOf(member, window, edge))] = &edge;
   }
   return known;
 }
@@ -85,7 +93,7 @@ EdgePrices::WindowPrices EdgePrices::PriceWindow(
   std::vector<std::size_t> unknown;
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const Way way = WayOf(member, window, graph.edges[i]);
-    const auto found = known.find(EndsOf(way));
+    const auto found = known.find(PlacesOf(way));
     if (found != known.end()) {
       prices.then[i] = *found->second;
     } else {

@@ -68,6 +68,12 @@ ExecutedVisit ReadStop(const Node& node, const kg_core::Mission& mission) {
   if (!wkt.empty()) {
     SetPosition(kg_core::Geometry::FromWkt(wkt).Point(), &stop.visit);
   }
+  const std::string stops = node.Text("stopsWKT");
+  if (!stops.empty()) {
+    for (const auto& point : kg_core::Geometry::FromWkt(stops).Parts().lines) {
+      SetPosition(point.front(), &stop.visit.via.emplace_back());
+    }
+  }
   stop.visit.reward = node.Number("reward");
   kg_msgs::EdgeCost& cost = stop.visit.cost;
   cost.travel_s = kg_core::HoursToSeconds(node.Number("costHours"));
@@ -79,23 +85,41 @@ ExecutedVisit ReadStop(const Node& node, const kg_core::Mission& mission) {
   return stop;
 }
 
+std::vector<ExecutedVisit> ReadStops(const GraphView& view,
+                                     const unsigned long long run,
+                                     const kg_core::Mission& mission,
+                                     const char* status) {
+  const std::string graph = PlanGraph(run).text;
+  std::vector<ExecutedVisit> stops;
+  for (const Term& node :
+       kg_core::Subjects(view, graph, Ex("status"), Literal(status))) {
+    stops.push_back(ReadStop({view, graph, node}, mission));
+  }
+  return stops;
+}
+
 }  // namespace
 
 std::vector<ExecutedVisit> ReadExecuted(const GraphView& view,
                                         const unsigned long long run,
                                         const kg_core::Mission& mission) {
-  const std::string graph = PlanGraph(run).text;
-  std::vector<ExecutedVisit> executed;
-  for (const Term& node :
-       kg_core::Subjects(view, graph, Ex("status"), Literal("executed"))) {
-    executed.push_back(ReadStop({view, graph, node}, mission));
-  }
+  std::vector<ExecutedVisit> executed =
+      ReadStops(view, run, mission, "executed");
   std::sort(executed.begin(), executed.end(),
             [](const ExecutedVisit& a, const ExecutedVisit& b) {
               return std::tie(a.agent, a.visit.window) <
                      std::tie(b.agent, b.visit.window);
             });
   return executed;
+}
+
+PlannedPlaces ReadPlanned(const GraphView& view, const unsigned long long run,
+                          const kg_core::Mission& mission) {
+  PlannedPlaces places;
+  for (const ExecutedVisit& stop : ReadStops(view, run, mission, "planned")) {
+    places[{stop.agent, stop.visit.window}] = GetPosition(stop.visit);
+  }
+  return places;
 }
 
 void RecallPlan(const GraphView& view, const unsigned long long run,

@@ -4,9 +4,12 @@
 #ifndef KG_ROS_KNOWLEDGE_EXECUTED_STOPS_H_
 #define KG_ROS_KNOWLEDGE_EXECUTED_STOPS_H_
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "kg_core/geo/lon_lat.h"
 #include "kg_core/mission/mission.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_msgs/Visit.h"
@@ -28,6 +31,13 @@ struct ExecutedVisit {
 std::vector<ExecutedVisit> ReadExecuted(const kg_core::GraphView& view,
                                         unsigned long long run,
                                         const kg_core::Mission& mission);
+
+// Where the plan of a run sends the agents: by ex:id and window, of the stops
+// that its graph says are still to be made.
+using PlannedPlaces = std::map<std::pair<std::string, int>, kg_core::LonLat>;
+PlannedPlaces ReadPlanned(const kg_core::GraphView& view,
+                          unsigned long long run,
+                          const kg_core::Mission& mission);
 
 // Fills in path and provenance from the stop's assignment in the graph of
 // `run`, if there is one.

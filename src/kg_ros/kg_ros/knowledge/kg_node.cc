@@ -325,6 +325,7 @@ void KgNode::CommitFinishedPlan() {
   record.assignments = *plan;
   record.rejections = progress_.rejections();
   record.cooling = progress_.cooling();
+  record.prices = progress_.prices();
   for (const auto& [key, graph] : progress_.nav_graphs()) {
     record.nav_graphs[key] = StampOf(graph);
   }

@@ -141,6 +141,8 @@ void MissionServer::Restore(const MissionState& state) {
   cycle_ = state.cycle;
   plan_run_ = state.plan_run;
   start_.executed = ReadExecuted(*store_->Read(), plan_run_, mission_);
+  start_.in_force = {plan_run_,
+                     ReadPlanned(*store_->Read(), plan_run_, mission_)};
   was_restored_ = true;
 }
 
@@ -228,6 +230,14 @@ void MissionServer::StageCycle(Transaction* transaction) {
     const auto pose = fleet().poses().find(agent.id);
     if (pose == fleet().poses().end() || !pose->second.observed) continue;
     StageReportedState(agent, pose->second, cycle_, transaction);
+  }
+  for (const kg_compiler::SeamRules& rules : compilation_->rules) {
+    const auto is_committed = [](const kg_compiler::WindowRules& window) {
+      return window.committed.has_value();
+    };
+    if (std::any_of(rules.windows.begin(), rules.windows.end(), is_committed)) {
+      StageCommitment(start_.in_force.run, rules, transaction);
+    }
   }
   StageArtifacts(*compilation_, cycle_, times_, transaction);
 }

@@ -62,12 +62,7 @@ class MissionServerTest : public testing::Test {
     *answer = planner.Plan();
     SelectorServer selector;
     selector.KnowRun(server.plan_run());
-    Coordination team;
-    team.world_version = compilation.world_version;
-    team.cycle = server.cycle();
-    team.agents = {"alpha"};
-    team.rules = compilation.coordination;
-    selector.Take(ToMessage(team));
+    selector.Take(ToMessage(CoordinationOf(compilation, server.cycle())));
     const SelectorAnswer plan = selector.Take(answer->candidates);
     EXPECT_TRUE(plan.assignments) << answer->candidates.note;
     return plan.assignments.value_or(kg_msgs::Assignments());
@@ -376,18 +371,8 @@ TEST_F(MissionServerTest, WhatOthersReferToOutlivesItsEndAndIsSaidOnce) {
   EXPECT_EQ(Count(server, "SELECT ?t { ex:reef a ?t }"), 0u);
 }
 
-TEST_F(MissionServerTest, AllThatItWritesConformsAndIsInTheOntology) {
-  MissionServer server(folders_);
-  const auto compilation = server.BeginCycle();
-  PlannerAnswer answer;
-  const kg_msgs::Assignments plan = PlanOf(*compilation, server, &answer);
-  Record(plan, answer, &server);
-  std::string previous;
-  for (const kg_msgs::NavGraph& graph : answer.nav_graphs) {
-    server.RecordNavGraph(graph, previous);
-    previous = graph.hash;
-  }
-  server.Apply(Set("ex:alpha", "ex:usesPolicy", "ex:safe"));
+// Every graph that the node writes.
+void ExpectAllConforms(const MissionServer& server) {
   const auto view = server.Read();
   const kg_core::Vocabulary vocabulary(*view);
   const kg_core::Term type = kg_core::Iri(std::string(kg_core::kRdf) + "type");
@@ -413,6 +398,60 @@ TEST_F(MissionServerTest, AllThatItWritesConformsAndIsInTheOntology) {
       return true;
     });
     EXPECT_GT(quads, 5) << graph;
+  }
+}
+
+void RecordGraphs(const PlannerAnswer& answer, MissionServer* server) {
+  std::string previous;
+  for (const kg_msgs::NavGraph& graph : answer.nav_graphs) {
+    server->RecordNavGraph(graph, previous);
+    previous = graph.hash;
+  }
+}
+
+TEST_F(MissionServerTest, AllThatItWritesConformsAndIsInTheOntology) {
+  MissionServer server(folders_);
+  const auto compilation = server.BeginCycle();
+  PlannerAnswer answer;
+  Record(PlanOf(*compilation, server, &answer), answer, &server);
+  RecordGraphs(answer, &server);
+  server.Apply(Set("ex:alpha", "ex:usesPolicy", "ex:safe"));
+  ExpectAllConforms(server);
+}
+
+// What it keeps of walks and of stops made.
+TEST_F(MissionServerTest, StopsAreFactsThatConformAndSurviveARestart) {
+  kg_msgs::Visit made;
+  {
+    MissionServer server(folders_);
+    ASSERT_TRUE(server.Apply(Set("ex:mission", "ex:movementMode", "\"edges\""))
+                    .accepted);
+    const auto compilation = server.BeginCycle();
+    PlannerAnswer answer;
+    const kg_msgs::Assignments plan = PlanOf(*compilation, server, &answer);
+    for (const kg_msgs::Visit& visit : plan.assignments[0].pathlet.visits)
+      if (!visit.via.empty()) made = visit;
+    ASSERT_FALSE(made.via.empty());
+    server.AddExecuted({"alpha", plan.assignments[0].agent_iri, made});
+    Record(plan, answer, &server);
+    RecordGraphs(answer, &server);
+    ExpectAllConforms(server);
+    EXPECT_GT(Count(server,
+                    "SELECT ?e { ?e a ex:TraverseEdge ; ex:via ?w ; "
+                    "ex:inGraph ?g . ?w ex:inGraph ?g }"),
+              0u);
+    EXPECT_GT(Count(server,
+                    "SELECT ?x { ?x a ex:Assignment ; "
+                    "ex:stopsWKT ?wkt ; ex:status \"planned\" }"),
+              0u);
+  }
+  MissionServer server(folders_);
+  ASSERT_EQ(server.executed().size(), 1u);
+  const kg_msgs::Visit& kept = server.executed()[0].visit;
+  ASSERT_EQ(kept.via.size(), made.via.size());
+  for (std::size_t i = 0; i < made.via.size(); ++i) {
+    EXPECT_NEAR(kept.via[i].lon_rad, made.via[i].lon_rad, 1e-12);
+    EXPECT_NEAR(kept.via[i].lat_rad, made.via[i].lat_rad, 1e-12);
   }
 }
 

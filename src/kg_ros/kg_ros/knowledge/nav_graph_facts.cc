@@ -15,7 +15,7 @@ using kg_core::GeoTerm;
 using kg_core::Iri;
 using kg_core::Term;
 
-Term WaypointNode(const Term& graph, unsigned id) {
+Term WaypointOf(const Term& graph, unsigned id) {
   return Iri(graph.text + "/waypoint/" + std::to_string(id));
 }
 
@@ -54,9 +54,26 @@ void Describe(const NavGraphOrigin& origin, const kg_core::Mission& mission,
 
 Term BeginOf(const kg_msgs::TraverseEdge& edge, const Term& graph,
              const NavGraphPlace& place) {
-  if (edge.within_window) return WaypointNode(graph, edge.from);
+  if (edge.within_window) return WaypointOf(graph, edge.from);
   if (place.previous_hash.empty()) return Iri(place.start_iri);
-  return WaypointNode(NavGraphNode(place.previous_hash), edge.from);
+  return WaypointOf(NavGraphNode(place.previous_hash), edge.from);
+}
+
+Term NodeOf(const kg_msgs::TraverseEdge& edge, const std::string& hash) {
+  if (edge.within_window) return InnerEdgeNode(hash, edge.from, edge.to);
+  std::vector<int> stops(edge.via.begin(), edge.via.end());
+  stops.push_back(static_cast<int>(edge.to));
+  return EdgeNode(hash, static_cast<int>(edge.from), stops);
+}
+
+void WriteStops(const kg_msgs::TraverseEdge& edge, const Term& graph,
+                FactWriter* write) {
+  std::string order;
+  for (const std::uint32_t stop : edge.via) {
+    write->Link("via", WaypointOf(graph, stop));
+    order += (order.empty() ? "" : " ") + std::to_string(stop);
+  }
+  if (!order.empty()) write->Text("stopOrder", order);
 }
 
 void WriteEdgeCost(const Term& edge, const std::string& agent_iri,
@@ -69,14 +86,20 @@ void WriteEdgeCost(const Term& edge, const std::string& agent_iri,
 
 }  // namespace
 
+Term WaypointNode(const std::string& graph_hash, unsigned id) {
+  return WaypointOf(NavGraphNode(graph_hash), id);
+}
+
 Term InnerEdgeNode(const std::string& graph_hash, unsigned from, unsigned to) {
   return Iri(NavGraphNode(graph_hash).text + "/edge/within/" +
              std::to_string(from) + "-" + std::to_string(to));
 }
 
-Term EdgeNode(const std::string& graph_hash, unsigned from, unsigned to) {
-  return Iri(NavGraphNode(graph_hash).text + "/edge/" + std::to_string(from) +
-             "-" + std::to_string(to));
+Term EdgeNode(const std::string& graph_hash, int from,
+              const std::vector<int>& stops) {
+  std::string name = std::to_string(from);
+  for (const int stop : stops) name += "-" + std::to_string(stop);
+  return Iri(NavGraphNode(graph_hash).text + "/edge/" + name);
 }
 
 std::vector<kg_core::Statement> EdgeCostStatements(
@@ -136,20 +159,19 @@ std::vector<kg_core::Statement> NavGraphStatements(
   FactWriter write(PlanGraph(place.run));
   const Term node = NavGraphNode(graph.hash);
   for (const kg_msgs::Waypoint& waypoint : graph.waypoints) {
-    write.About(WaypointNode(node, waypoint.id), "Waypoint")
+    write.About(WaypointOf(node, waypoint.id), "Waypoint")
         .Link("inGraph", node)
         .Number("score", waypoint.score)
         .Position(GeoTerm("asWKT"), GetPosition(waypoint));
   }
   for (const kg_msgs::TraverseEdge& edge : graph.edges) {
-    const Term edge_node = edge.within_window
-                               ? InnerEdgeNode(graph.hash, edge.from, edge.to)
-                               : EdgeNode(graph.hash, edge.from, edge.to);
+    const Term edge_node = NodeOf(edge, graph.hash);
     const Term from = BeginOf(edge, node, place);
     write.About(edge_node, "TraverseEdge")
         .Link("inGraph", node)
         .Link("from", from)
-        .Link("to", WaypointNode(node, edge.to));
+        .Link("to", WaypointOf(node, edge.to));
+    WriteStops(edge, node, &write);
     WriteEdgeCost(edge_node, graph.agent_iri, edge.cost, &write);
   }
   return write.Take();

@@ -7,6 +7,7 @@
 //       prov:wasGeneratedBy ex:compile\/phi1\/12\/alpha
 //   ex:nav\/<hash>\/waypoint\/3       a ex:Waypoint ; ex:inGraph ...
 //   ex:nav\/<hash>\/edge\/1-3         a ex:TraverseEdge ; ex:from ; ex:to ...
+//   ex:nav\/<hash>\/edge\/1-4-0-3   a walk by way of 4 and 0
 //   ex:nav\/<hash>\/edge\/within\/2-0   likewise, between its own waypoints
 //   ex:nav\/<hash>\/edge\/1-3\/cost   a ex:EdgeCost ; ex:costHours ...
 
@@ -25,9 +26,12 @@
 namespace kg_ros {
 
 kg_core::Term NavGraphNode(const std::string& hash);
-// An edge of the graph with this hash, from and to its waypoints.
-kg_core::Term EdgeNode(const std::string& graph_hash, unsigned from,
-                       unsigned to);
+// An edge of the graph with this hash: where it begins, its stops, the last
+// where it ends.
+kg_core::Term EdgeNode(const std::string& graph_hash, int from,
+                       const std::vector<int>& stops);
+// A waypoint of the graph with this hash.
+kg_core::Term WaypointNode(const std::string& graph_hash, unsigned id);
 // One that stays within its window.
 kg_core::Term InnerEdgeNode(const std::string& graph_hash, unsigned from,
                             unsigned to);

@@ -36,9 +36,14 @@ std::string Wh(double energy_j) {
   return text;
 }
 
-std::optional<std::size_t> FindEdge(const NavGraph& graph, int from, int to) {
+// The edge that a visit was reached by, as its place in the graph.
+std::optional<std::size_t> FindEdge(const NavGraph& graph, int from,
+                                    const kg_selector::Visit& visit) {
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
-    if (graph.edges[i].from == from && graph.edges[i].to == to) return i;
+    if (graph.edges[i].from == from &&
+        kg_compiler::StopsOf(graph.edges[i]) == kg_selector::StopsOf(visit)) {
+      return i;
+    }
   }
   return std::nullopt;
 }
@@ -112,8 +117,9 @@ class Comparison {
     kg_msgs::EdgeChange change;
     change.agent = NameOf(agent);
     change.window = graph.window;
-    change.edge =
-        EdgeNode(graph.hash, graph.edges[edge].from, graph.edges[edge].to).text;
+    change.edge = EdgeNode(graph.hash, graph.edges[edge].from,
+                           kg_compiler::StopsOf(graph.edges[edge]))
+                      .text;
     change.from_lon_rad = kg_core::DegToRad(from.lon_deg);
     change.from_lat_rad = kg_core::DegToRad(from.lat_deg);
     change.to_lon_rad = kg_core::DegToRad(to.lon_deg);
@@ -166,7 +172,7 @@ class Comparison {
     for (std::size_t w = 0; w < path.visits.size(); ++w) {
       const kg_selector::Visit& visit = path.visits[w];
       const NavGraph& graph = now_.members[member].graphs[w];
-      const auto edge = FindEdge(graph, from, visit.waypoint);
+      const auto edge = FindEdge(graph, from, visit);
       const TraverseEdge* then =
           edge ? prices_.Then(member, w, *edge) : nullptr;
       from = visit.waypoint;

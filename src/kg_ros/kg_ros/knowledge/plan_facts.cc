@@ -1,8 +1,10 @@
 #include "kg_ros/knowledge/plan_facts.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kg_core/base/units.h"
+#include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
@@ -52,6 +54,7 @@ class PlanWriter {
       WriteAssignments(assignment);
     }
     for (std::size_t i = 0; i < record_.cooling.size(); ++i) WriteCooling(i);
+    for (std::size_t i = 0; i < record_.prices.size(); ++i) WritePrice(i);
     for (std::size_t i = 0; i < record_.rejections.size(); ++i) {
       WriteRejection(i);
     }
@@ -80,12 +83,30 @@ class PlanWriter {
         .Text("status", is_whole ? "ok" : "failed")
         .Integer("rounds", plan.rounds)
         .Number("reward", plan.reward)
-        .Number("seamCost", plan.seam_cost);
+        .Number("seamCost", plan.seam_cost)
+        .Text("teamMode", plan.mode);
+    WriteQuality(plan);
     for (const std::string& why : plan.unassigned) write_.Text("reason", why);
+    WritePlannedWindows();
+  }
+
+  void WritePlannedWindows() {
     for (const kg_core::TimeWindow& window : compilation_.mission.windows) {
       if (window.index < compilation_.first_window) continue;
       write_.Link("forWindow", Iri(window.iri));
     }
+  }
+
+  // What is not known is not said.
+  void WriteQuality(const kg_msgs::Assignments& plan) {
+    if (std::isfinite(plan.bound)) write_.Number("bound", plan.bound);
+    const double missed = plan.bound - (plan.reward - plan.seam_cost);
+    if (std::isfinite(missed) && plan.bound > 0.0) {
+      write_.Number("gap", missed / plan.bound);
+    }
+    if (!std::isfinite(plan.stability)) return;
+    write_.Number("stability", plan.stability)
+        .Number("displacementKm", plan.displacement_m / 1000.0);
   }
 
   // What the planners went by.
@@ -133,6 +154,17 @@ class PlanWriter {
     ProveGraphs();
   }
 
+  // The stops on the way, in their order.
+  static std::string StopsWkt(const kg_msgs::Visit& visit) {
+    const std::size_t name = std::string("POINT").size();
+    std::string points;
+    for (const kg_msgs::Stop& stop : visit.via) {
+      points += (points.empty() ? "" : ", ") +
+                kg_core::PointWkt(GetPosition(stop)).substr(name);
+    }
+    return "MULTIPOINT(" + points + ")";
+  }
+
   // What every assignment says.
   void WriteStop(const std::string& agent_id, const std::string& agent_iri,
                  const kg_msgs::Visit& visit, const char* status) {
@@ -144,6 +176,9 @@ class PlanWriter {
         .Position(Ex("waypointWKT"), GetPosition(visit))
         .Number("reward", visit.reward)
         .Text("status", status);
+    if (!visit.via.empty()) {
+      write_.Add(Ex("stopsWKT"), WktLiteral(StopsWkt(visit)));
+    }
     WriteCost(visit.cost, &write_);
     for (const std::string& event : visit.events) {
       write_.Link("visits", Iri(event));
@@ -204,12 +239,16 @@ class PlanWriter {
         SimplifyTrack(FromMessage(cooling.track), kTrackTolerance_m);
     write_.About(Part("cooling/" + std::to_string(number)), "CoolingConstraint")
         .Link("forAgent", Iri(AgentIri(compilation_, cooling.agent)))
-        .Link("cooledBy", Iri(AgentIri(compilation_, cooling.by_agent)))
         .Number("attenuation", cooling.factor)
         .Number("minimumSeparationKm", cooling.separation_m / 1000.0)
         .Time(Ex("expires"), FromRosTime(cooling.expires))
         .GeneratedBy(run_)
         .GeneratedBy(select_);
+    if (cooling.by_agent.empty()) {  // Events that are full, by whomever.
+      WritePlannedWindows();
+    } else {
+      write_.Link("cooledBy", Iri(AgentIri(compilation_, cooling.by_agent)));
+    }
     if (!track.empty()) {
       write_.Add(GeoTerm("asWKT"),
                  WktLiteral(ToLiteral(CutAtAntimeridian(track)).wkt));
@@ -226,6 +265,26 @@ class PlanWriter {
                 AssignmentNode(run_number_, committed.agent, visit.window));
       }
     }
+  }
+
+  void WritePrice(std::size_t number) {
+    const kg_msgs::Price& price = record_.prices[number];
+    if (!(price.price > 0.0)) return;
+    write_.About(Part("price/" + std::to_string(number)), "Price")
+        .Number("price", price.price)
+        .GeneratedBy(run_)
+        .GeneratedBy(select_);
+    const std::string agent = AgentIri(compilation_, price.agent);
+    if (!agent.empty()) write_.Link("forAgent", Iri(agent));
+    if (!price.event.empty()) {
+      write_.Link("visits", Iri(price.event));
+      return;
+    }
+    write_.Link("forWindow", Window(price.window));
+    const auto graph = record_.nav_graphs.find({price.agent, price.window});
+    if (graph == record_.nav_graphs.end()) return;
+    write_.Link("ofWaypoint", WaypointNode(graph->second.hash, price.waypoint))
+        .DerivedFrom(NavGraphNode(graph->second.hash));
   }
 
   void WriteRejection(std::size_t number) {

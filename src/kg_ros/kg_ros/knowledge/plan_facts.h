@@ -12,6 +12,9 @@
 //   ex:plan\/7\/cooling\/0   a ex:CoolingConstraint ; ex:forAgent ; ex:cooledBy
 //   ;
 //       ex:expires ...
+//   ex:plan\/7\/price\/0     a ex:Price ; ex:ofWaypoint or ex:visits ; ex:price
+//   ;
+//       ...
 
 #ifndef KG_ROS_KNOWLEDGE_PLAN_FACTS_H_
 #define KG_ROS_KNOWLEDGE_PLAN_FACTS_H_
@@ -26,6 +29,7 @@
 #include "kg_msgs/Assignments.h"
 #include "kg_msgs/Cooling.h"
 #include "kg_msgs/EdgeCost.h"
+#include "kg_msgs/Price.h"
 #include "kg_msgs/Rejection.h"
 #include "kg_ros/knowledge/executed_stops.h"
 #include "kg_ros/knowledge/fact_writer.h"
@@ -37,6 +41,7 @@ struct PlanRecord {
   kg_msgs::Assignments assignments;
   std::vector<kg_msgs::Rejection> rejections;
   std::vector<kg_msgs::Cooling> cooling;  // Of all rounds, each pair once.
+  std::vector<kg_msgs::Price> prices;     // Of the last round.
   std::vector<ExecutedVisit> executed;
   // By agent's ex:id and window.
   std::map<std::pair<std::string, int>, NavGraphStamp> nav_graphs;

@@ -7,6 +7,8 @@ void PlanProgress::Begin(const std::uint64_t cycle) {
   assignments_.reset();
   rejections_ = {};
   cooling_.clear();
+  prices_.clear();
+  priced_round_ = 0;
   nav_graphs_.clear();
   unrecorded_.clear();
 }
@@ -28,8 +30,16 @@ bool PlanProgress::Take(const kg_msgs::Rejections& message) {
   if (!IsCurrent(message)) return false;
   const bool run_has_ended = message.round == 0;
   if (run_has_ended) rejections_ = message;
-  if (message.plan_run != cooling_run_) cooling_.clear();
-  cooling_run_ = message.plan_run;
+  if (message.plan_run != asking_run_) {
+    cooling_.clear();
+    prices_.clear();
+    priced_round_ = 0;
+  }
+  asking_run_ = message.plan_run;
+  if (message.round > priced_round_) {
+    priced_round_ = message.round;
+    prices_ = message.prices;
+  }
   for (const kg_msgs::Cooling& one : message.cooling) {
     cooling_[{one.agent, one.by_agent}] = one;
   }

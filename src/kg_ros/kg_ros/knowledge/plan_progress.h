@@ -37,6 +37,8 @@ class PlanProgress {
   }
   // What agents were asked to plan around: of each pair of agents the last.
   std::vector<kg_msgs::Cooling> cooling() const;
+  // At which they were asked to plan, in the last round; as they were told.
+  const std::vector<kg_msgs::Price>& prices() const { return prices_; }
 
   // Graphs of this cycle, by agent and window.
   const std::map<Key, kg_msgs::NavGraph>& nav_graphs() const {
@@ -54,9 +56,11 @@ class PlanProgress {
   std::uint64_t dropped_ = 0;
   std::optional<kg_msgs::Assignments> assignments_;
   kg_msgs::Rejections rejections_;
-  std::uint64_t cooling_run_ = 0;
+  std::uint64_t asking_run_ = 0;
   // By who is cooled, and by whom.
   std::map<std::pair<std::string, std::string>, kg_msgs::Cooling> cooling_;
+  std::uint32_t priced_round_ = 0;
+  std::vector<kg_msgs::Price> prices_;
   std::map<Key, kg_msgs::NavGraph> nav_graphs_;
   std::vector<Key> unrecorded_;
 };

@@ -117,6 +117,16 @@ TEST_F(ProvenanceTest, EveryResultLeadsToAssertedFactsAndFilesOnly) {
   }
 }
 
+TEST_F(ProvenanceTest, ACommitmentLeadsToTheRunThatMadeIt) {
+  ASSERT_TRUE(Set({"ex:fast", "ex:churnWeight", "2"}));
+  team_->Plan();
+  team_->Plan();
+  for (const char* type : {"ex:Commitment", "ex:SeamRules", "ex:Assignment"}) {
+    EXPECT_GT(Count(std::string("?x a ") + type), 0u) << type;
+    ExpectTraced(std::string("?x a ") + type);
+  }
+}
+
 TEST_F(ProvenanceTest, EveryArtifactIsAnEntityOfOneActivityWithItsTimes) {
   team_->Plan();
   for (const char* type : {"ex:HeatmapArtifact", "ex:SeamRules", "ex:NavGraph",

@@ -44,6 +44,7 @@ const Case kCases[] = {
     {"mission_audit", "mission_audit", ""},
     {"assignments_current", "assignments_current", ""},
     {"rejections", "rejections", "VALUES ?to { \"alpha\" \"bravo\" }"},
+    {"cooling_and_prices", "cooling_and_prices", ""},
     {"stale_artifacts", "stale_artifacts", ""},
     {"plan_runs", "plan_runs", ""},
     {"activities", "activities", ""},

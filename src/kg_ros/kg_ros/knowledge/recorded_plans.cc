@@ -5,6 +5,7 @@
 
 #include "kg_core/mission/terms.h"
 #include "kg_core/rdf/namespaces.h"
+#include "kg_ros/conversion/message_units.h"
 #include "kg_ros/knowledge/fact_writer.h"
 #include "kg_ros/knowledge/mission_server.h"
 
@@ -18,6 +19,16 @@ using kg_core::Transaction;
 using kg_core::WorldChange;
 
 constexpr std::uint64_t kKeptPlans = 5;
+
+PlannedPlaces PlacesOf(const kg_msgs::Assignments& plan) {
+  PlannedPlaces places;
+  for (const kg_msgs::Assignment& assignment : plan.assignments) {
+    for (const kg_msgs::Visit& visit : assignment.pathlet.visits) {
+      places[{assignment.agent, visit.window}] = GetPosition(visit);
+    }
+  }
+  return places;
+}
 
 }  // namespace
 
@@ -45,6 +56,8 @@ void MissionServer::RecordPlan(PlanRecord record) {
   StageSave(run, &transaction);
   transaction.Commit(WorldChange::kNo);
   plan_run_ = run;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  start_.in_force = {run, PlacesOf(record.assignments)};
 }
 
 std::string MissionServer::AgentIri(const std::string& agent_id) const {

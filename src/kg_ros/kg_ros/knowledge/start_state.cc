@@ -23,6 +23,9 @@ void TakeAsSent(Compilation* compilation) {
   for (kg_compiler::SeamRules& rules : compilation->rules) {
     rules.start = kg_compiler::AsSent(rules.start);
     for (kg_compiler::WindowRules& window : rules.windows) {
+      if (window.committed) {
+        window.committed = kg_compiler::AsSent(*window.committed);
+      }
       for (kg_compiler::EventRule& event : window.events) {
         event.position = kg_compiler::AsSent(event.position);
       }
@@ -104,6 +107,19 @@ void CloseVisitedEvents(const std::vector<ExecutedVisit>& executed,
   }
 }
 
+void Commit(const PlanInForce& plan, kg_compiler::SeamRules* rules) {
+  if (!(rules->churn_weight > 0.0)) return;
+  bool any = false;
+  for (kg_compiler::WindowRules& window : rules->windows) {
+    const auto place = plan.places.find({rules->agent_id, window.window});
+    if (place == plan.places.end()) continue;
+    window.committed = place->second;
+    any = true;
+  }
+  if (!any) return;
+  rules->read_facts.push_back(CommitmentNode(plan.run, rules->agent_id).text);
+}
+
 }  // namespace
 
 int FirstWindowToPlan(const StartState& start,
@@ -122,6 +138,7 @@ std::shared_ptr<const Compilation> StartFrom(const StartState& start,
   auto started = std::make_shared<Compilation>(compilation);
   for (kg_compiler::SeamRules& rules : started->rules) {
     LimitEnergy(start, &rules);
+    Commit(start.in_force, &rules);
   }
   StartFromPoses(start, started.get());
   CloseVisitedEvents(start.executed, started.get());
@@ -138,6 +155,8 @@ StartState StartOf(const kg_core::GraphView& view,
     start.fleet.Restore(state.poses, state.mission_time_s);
     start.fleet.Follow(mission);
     start.executed = ReadExecuted(view, state.plan_run, mission);
+    start.in_force = {state.plan_run,
+                      ReadPlanned(view, state.plan_run, mission)};
   }
   start.cycle = state.cycle;
   return start;

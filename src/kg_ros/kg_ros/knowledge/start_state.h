@@ -16,10 +16,17 @@
 
 namespace kg_ros {
 
+// The last plan that was committed, stale or not.
+struct PlanInForce {
+  std::uint64_t run = 0;  // 0 = there is none.
+  PlannedPlaces places;
+};
+
 struct StartState {
   FleetState fleet;
   // The stops agents made in windows before the planned ones.
   std::vector<ExecutedVisit> executed;
+  PlanInForce in_force{};
   std::uint64_t cycle = 0;  // The one that begins here; names reported states.
 };
 
@@ -35,6 +42,9 @@ StartState StartOf(const kg_core::GraphView& view,
 // The compilation with rules that leave from where the agents are, with the
 // energy they have left, and without what their past visits have closed: an
 // event rewards an agent once, and no more agents than it has capacity for.
+// Rules of a policy with a churn weight say where the plan in force ends each
+// window. So commitments are taken when a cycle begins, for whatever reason;
+// a plan that is committed makes nothing dirty.
 std::shared_ptr<const kg_compiler::Compilation> StartFrom(
     const StartState& start, const kg_compiler::Compilation& compilation);
 

@@ -5,7 +5,6 @@
 #define KG_ROS_KNOWLEDGE_TEST_TEAM_H_
 
 #include <map>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -39,9 +38,9 @@ class TestTeam {
   const kg_msgs::Assignments& Plan() {
     compilation_ = server_->BeginCycle();
     progress_.Begin(server_->cycle());
-    selector_ = std::make_unique<SelectorServer>();
-    selector_->KnowRun(server_->plan_run());
-    Follow(selector_->Take(ToMessage(Rules())));
+    selector_.KnowRun(server_->plan_run());
+    Follow(selector_.Take(
+        ToMessage(CoordinationOf(*compilation_, server_->cycle()))));
     for (const auto& rules : compilation_->rules) Ask(rules);
     const auto plan = progress_.TakeFinishedPlan();
     if (!plan) throw std::runtime_error("no plan was made");
@@ -51,6 +50,8 @@ class TestTeam {
   }
 
   const kg_compiler::Compilation& compilation() const { return *compilation_; }
+
+  const PlanProgress& progress() const { return progress_; }
 
   // The stops of a window are made.
   void Pass(int window) {
@@ -63,17 +64,6 @@ class TestTeam {
   }
 
  private:
-  Coordination Rules() const {
-    Coordination team;
-    team.world_version = compilation_->world_version;
-    team.cycle = server_->cycle();
-    for (const auto& rules : compilation_->rules) {
-      team.agents.push_back(rules.agent_id);
-    }
-    team.rules = compilation_->coordination;
-    return team;
-  }
-
   void Ask(const kg_compiler::SeamRules& rules) {
     using kg_compiler::Layer;
     PlannerServer& planner = planners_[rules.agent_id];
@@ -95,7 +85,7 @@ class TestTeam {
     for (const kg_msgs::NavGraph& graph : answer.nav_graphs) {
       progress_.Take(graph);
     }
-    Follow(selector_->Take(answer.candidates));
+    Follow(selector_.Take(answer.candidates));
   }
 
   void Follow(const SelectorAnswer& answer) {
@@ -103,10 +93,8 @@ class TestTeam {
     if (!answer.rejections) return;
     progress_.Take(*answer.rejections);
     for (auto& [agent, planner] : planners_) {
-      for (const PlannerAnswer& again :
-           planner.PlanAround(*answer.rejections)) {
-        Give(again);
-      }
+      const auto again = planner.PlanAgain(*answer.rejections);
+      if (again) Give(*again);
     }
   }
 
@@ -115,6 +103,7 @@ class TestTeam {
     record.assignments = plan_;
     record.rejections = progress_.rejections();
     record.cooling = progress_.cooling();
+    record.prices = progress_.prices();
     for (const auto& [key, graph] : progress_.nav_graphs()) {
       record.nav_graphs[key] = StampOf(graph);
     }
@@ -132,7 +121,7 @@ class TestTeam {
 
   MissionServer* server_;
   std::map<std::string, PlannerServer> planners_;
-  std::unique_ptr<SelectorServer> selector_;
+  SelectorServer selector_;
   PlanProgress progress_;
   std::shared_ptr<const kg_compiler::Compilation> compilation_;
   kg_msgs::Assignments plan_;

@@ -35,6 +35,7 @@ std::string KeyOf(const Present& present) {
   key.Add(static_cast<double>(present.facts->world_version()));
   key.Add(present.start.fleet.time_s());
   key.Add(static_cast<double>(present.start.executed.size()));
+  key.Add(static_cast<double>(present.start.in_force.run));
   for (const auto& [agent, pose] : present.start.fleet.poses()) {
     key.Add(agent);
     for (const double value :

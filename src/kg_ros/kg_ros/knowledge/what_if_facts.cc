@@ -88,11 +88,12 @@ void RecordPrices(const kg_selector::PlannedMission& now,
       for (std::size_t e = 0; e < edges.edges.size(); ++e) {
         const kg_compiler::TraverseEdge* then = prices.Then(i, w, e);
         if (then == nullptr) continue;
-        AddAll(EdgeCostStatements(
-                   GraphNamed(graph),
-                   EdgeNode(edges.hash, edges.edges[e].from, edges.edges[e].to),
-                   edges.agent_iri, CostMessage(*then)),
-               graph, transaction);
+        AddAll(
+            EdgeCostStatements(GraphNamed(graph),
+                               EdgeNode(edges.hash, edges.edges[e].from,
+                                        kg_compiler::StopsOf(edges.edges[e])),
+                               edges.agent_iri, CostMessage(*then)),
+            graph, transaction);
       }
     }
   }

@@ -49,21 +49,11 @@ ex:fast ex:lambda_time 0.01 ; ex:lambda_energy 0.002 ; ex:lambda_risk 0.1 .
 class Nodes {
  public:
   Nodes(const Compilation& compilation, std::uint64_t cycle) {
-    Coordination team;
-    team.world_version = compilation.world_version;
-    team.cycle = cycle;
-    team.rules = compilation.coordination;
-    for (const kg_core::TimeWindow& window : compilation.mission.windows) {
-      if (window.index >= compilation.first_window) {
-        team.windows.push_back(window);
-      }
-    }
     for (const kg_compiler::SeamRules& rules : compilation.rules) {
-      team.agents.push_back(rules.agent_id);
       Send(compilation, rules, cycle);
     }
     selector_.KnowRun(0);
-    Hear(selector_.Take(ToMessage(team)));
+    Hear(selector_.Take(ToMessage(CoordinationOf(compilation, cycle))));
     for (auto& [agent, planner] : planners_) {
       const PlannerAnswer answer = planner.Plan();
       for (const kg_msgs::NavGraph& graph : answer.nav_graphs) {
@@ -99,9 +89,8 @@ class Nodes {
     if (said.assignments) plan_ = *said.assignments;
     if (!said.rejections) return;
     for (auto& [agent, planner] : planners_) {
-      for (const PlannerAnswer& answer : planner.PlanAround(*said.rejections)) {
-        Hear(selector_.Take(answer.candidates));
-      }
+      const auto answer = planner.PlanAgain(*said.rejections);
+      if (answer) Hear(selector_.Take(answer->candidates));
     }
   }
 

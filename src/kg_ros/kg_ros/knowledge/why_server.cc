@@ -9,6 +9,7 @@
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/knowledge/mission_server.h"
+#include "kg_selector/plan_mission.h"
 
 namespace kg_ros {
 namespace {
@@ -105,6 +106,7 @@ Question ToQuestion(const kg_msgs::Why::Request& request) {
   question.window = request.window;
   question.from = static_cast<int>(request.from);
   question.to = static_cast<int>(request.to);
+  question.via.assign(request.via.begin(), request.via.end());
   question.place = GetPosition(request);
   question.id = request.id;
   return question;
@@ -145,7 +147,7 @@ PlanArchive::World PlanArchive::Convert(const Cycle& cycle) {
   auto world = std::make_shared<PlannedWorld>();
   world->view = cycle.view;
   world->compilation = cycle.compilation;
-  world->rules = kg_selector::TeamRulesOf(*cycle.compilation);
+  world->rules = kg_selector::ToTeamRules(*cycle.compilation);
   for (const kg_compiler::SeamRules& rules : cycle.compilation->rules) {
     world->members.push_back(MemberOf(rules, cycle.graphs));
   }

@@ -94,13 +94,18 @@ class PlannerNode {
       has_planned_ = true;
       candidates_.publish(last_);
     });
+    PlanAgain();  // It may have been asked before it had planned.
   }
 
   void HandleRejections(const kg_msgs::Rejections& message) {
-    Guarded([&] {
-      for (const PlannerAnswer& answer : server_.PlanAround(message)) {
-        candidates_.publish(answer.candidates);
-      }
+    asked_ = message;
+    PlanAgain();
+  }
+
+  void PlanAgain() {
+    Guarded([this] {
+      const auto answer = server_.PlanAgain(asked_);
+      if (answer) candidates_.publish(answer->candidates);
     });
   }
 
@@ -114,7 +119,8 @@ class PlannerNode {
   ros::Subscriber rules_;
   ros::Subscriber rejections_;
   ros::WallTimer patience_;
-  kg_msgs::Candidates last_;  // Of round 0.
+  kg_msgs::Rejections asked_;  // Last.
+  kg_msgs::Candidates last_;   // Of round 0.
   bool has_planned_ = false;
   bool was_waiting_ = false;
 };

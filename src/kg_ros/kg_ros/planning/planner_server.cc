@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <set>
 
 #include "kg_core/base/input_error.h"
-#include "kg_planner/k_best.h"
+#include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/conversion/rules_conversion.h"
 #include "kg_ros/conversion/tensor_conversion.h"
 #include "kg_ros/knowledge/pending_reports.h"
-#include "kg_selector/masking.h"
 #include "kg_selector/plan_team.h"
 #include "ros/time.h"
 
@@ -33,30 +31,31 @@ std::size_t CountEdges(const NavGraphs& graphs) {
   return count;
 }
 
-// What a step from `from` brings at once: the reward there less its price.
+// What a step brings at once: the rewards on its way less its price.
 double Immediate(const NavGraph& graph, const kg_compiler::TraverseEdge& edge) {
-  const kg_compiler::Waypoint& waypoint = graph.waypoints[edge.to];
-  return waypoint.score + waypoint.event_reward - edge.seam_cost;
+  double reward = 0.0;
+  for (const int stop : kg_compiler::StopsOf(edge)) {
+    const kg_compiler::Waypoint& waypoint = graph.waypoints[stop];
+    reward += waypoint.score + waypoint.event_reward;
+  }
+  return reward - edge.seam_cost;
 }
 
 // Staging: the plan takes this edge though another from the same place would
 // bring more at once (A45).
-bool IsStaging(const NavGraph& graph, int from, int to) {
-  double taken = -INFINITY;
-  double best = -INFINITY;
-  for (const kg_compiler::TraverseEdge& edge : graph.edges) {
-    if (edge.from != from) continue;
-    best = std::max(best, Immediate(graph, edge));
-    if (edge.to == to) taken = Immediate(graph, edge);
-  }
-  return taken < best;
+bool IsStaging(const NavGraph& graph, const kg_compiler::TraverseEdge& taken) {
+  const double now = Immediate(graph, taken);
+  return std::any_of(graph.edges.begin(), graph.edges.end(),
+                     [&](const kg_compiler::TraverseEdge& edge) {
+                       return edge.from == taken.from &&
+                              Immediate(graph, edge) > now;
+                     });
 }
 
-kg_selector::Pathlet Committed(const kg_msgs::Cooling& cooling) {
-  kg_selector::Pathlet pathlet;
-  pathlet.agent = cooling.by_agent;
-  pathlet.track = FromMessage(cooling.track);
-  return pathlet;
+std::vector<std::uint32_t> ViaOf(const kg_msgs::Visit& visit) {
+  std::vector<std::uint32_t> via;
+  for (const kg_msgs::Stop& stop : visit.via) via.push_back(stop.waypoint);
+  return via;
 }
 
 }  // namespace
@@ -120,55 +119,43 @@ kg_msgs::Candidates PlannerServer::Header(const std::uint32_t round) const {
   return candidates;
 }
 
-kg_msgs::Candidates PlannerServer::Stitch(
-    const std::vector<const kg_msgs::Cooling*>& cooling) {
+kg_msgs::Candidates PlannerServer::Stitch(const AskedOf& asked,
+                                          const std::uint32_t round) const {
   kg_selector::TeamRules team;
+  team.separation_m = asked.separation_m;
   for (const kg_compiler::WindowRules& window : rules_.windows) {
     team.window_end_s[window.window] = window.end_s;
   }
-  std::vector<kg_selector::Pathlet> committed;
-  std::set<std::string> full_events;
-  for (const kg_msgs::Cooling* one : cooling) {
-    team.separation_m = one->separation_m;
-    committed.push_back(Committed(*one));
-    full_events.insert(one->full_events.begin(), one->full_events.end());
+  const auto begin = std::chrono::steady_clock::now();
+  const kg_selector::Candidates found =
+      kg_selector::PlanUnder(team, {rules_, graphs_}, asked.ask);
+  kg_msgs::Candidates candidates = Header(round);
+  candidates.proven = found.proven;
+  candidates.bound = FiniteOrUnknown(found.bound);
+  candidates.note = found.note;
+  for (const kg_selector::Pathlet& pathlet : found.pathlets) {
+    candidates.pathlets.push_back(ToMessage(pathlet, graphs_));
   }
-  const kg_compiler::SeamRules open =
-      kg_selector::CloseEvents(rules_, full_events);
-  kg_planner::KBestOptions options;
-  options.paths = rules_.candidates;
-  const kg_planner::KBest best = kg_planner::FindKBest(
-      kg_selector::ToTrellis(open, graphs_),
-      kg_selector::MaskCommitted(team, graphs_, committed), options);
-  kg_msgs::Candidates candidates;
-  candidates.proven = best.proven;
-  candidates.bound = best.bound;
-  for (std::size_t i = 0; i < best.paths.size(); ++i) {
-    candidates.pathlets.push_back(
-        ToMessage(kg_selector::ToPathlet(open, graphs_, best.paths[i],
-                                         static_cast<int>(i)),
-                  graphs_));
-  }
-  if (best.paths.empty()) {
-    candidates.note = kg_selector::NoPathNote(cooling.empty());
-  }
+  candidates.stages = {
+      Stage("stitch", Seconds(begin), candidates.pathlets.size())};
   return candidates;
 }
 
 void PlannerServer::MarkStaging(const kg_msgs::Candidates& candidates,
                                 std::vector<kg_msgs::NavGraph>* graphs) const {
   if (candidates.pathlets.empty()) return;
-  int from = 0;
+  std::uint32_t from = 0;
   const auto& visits = candidates.pathlets.front().visits;
   for (std::size_t i = 0; i < visits.size() && i < graphs->size(); ++i) {
-    const int to = static_cast<int>(visits[i].waypoint);
-    for (kg_msgs::TraverseEdge& edge : (*graphs)[i].edges) {
-      if (!edge.within_window && static_cast<int>(edge.from) == from &&
-          static_cast<int>(edge.to) == to) {
-        edge.staging = IsStaging(graphs_[i], from, to);
+    // The message's edges are the graph's, in their order.
+    for (std::size_t e = 0; e < graphs_[i].edges.size(); ++e) {
+      kg_msgs::TraverseEdge& edge = (*graphs)[i].edges[e];
+      if (edge.from == from && edge.to == visits[i].waypoint &&
+          edge.via == ViaOf(visits[i])) {
+        edge.staging = IsStaging(graphs_[i], graphs_[i].edges[e]);
       }
     }
-    from = to;
+    from = visits[i].waypoint;
   }
 }
 
@@ -177,23 +164,19 @@ PlannerAnswer PlannerServer::Plan() {
   PlannerAnswer answer;
   const auto begin = std::chrono::steady_clock::now();
   try {
-    graphs_ = kg_compiler::CompileNavGraphs(rules_, Worlds(), &cache_);
+    graphs_ = kg_selector::CompileWalkedGraphs(rules_, Worlds(), &cache_);
   } catch (const InputError& error) {
     graphs_.clear();
-    answer.candidates = Header(0);
-    answer.candidates.note = error.what();
+    trouble_ = error.what();
+    answer.candidates = Stitch({}, 0);
+    answer.candidates.note = trouble_;
     return answer;
   }
   const double graphs_s = Seconds(begin);
-  const kg_msgs::Candidates stitched = Stitch({});
-  answer.candidates = Header(0);
-  answer.candidates.pathlets = stitched.pathlets;
-  answer.candidates.note = stitched.note;
-  answer.candidates.proven = stitched.proven;
-  answer.candidates.bound = stitched.bound;
-  answer.candidates.stages = {
-      Stage("nav_graphs", graphs_s, CountEdges(graphs_)),
-      Stage("stitch", Seconds(begin) - graphs_s, stitched.pathlets.size())};
+  answer.candidates = Stitch({}, 0);
+  answer.candidates.stages.insert(
+      answer.candidates.stages.begin(),
+      Stage("nav_graphs", graphs_s, CountEdges(graphs_)));
   for (const NavGraph& graph : graphs_) {
     answer.nav_graphs.push_back(ToMessage(graph, rules_));
     answer.nav_graphs.back().cycle = cycle_;
@@ -203,27 +186,17 @@ PlannerAnswer PlannerServer::Plan() {
   return answer;
 }
 
-std::vector<PlannerAnswer> PlannerServer::PlanAround(
+std::optional<PlannerAnswer> PlannerServer::PlanAgain(
     const kg_msgs::Rejections& message) {
-  if (message.cycle != cycle_ || message.round == 0 || graphs_.empty()) {
-    return {};
+  if (message.cycle != cycle_ || message.round == 0 || due_) {
+    return std::nullopt;
   }
-  std::vector<const kg_msgs::Cooling*> cooling;
-  for (const kg_msgs::Cooling& one : message.cooling) {
-    if (one.agent == rules_.agent_id) cooling.push_back(&one);
-  }
-  if (cooling.empty()) return {};
-  const auto begin = std::chrono::steady_clock::now();
-  const kg_msgs::Candidates stitched = Stitch(cooling);
+  const std::optional<AskedOf> asked = AskOf(message, rules_.agent_id);
+  if (!asked) return std::nullopt;
   PlannerAnswer answer;
-  answer.candidates = Header(message.round);
-  answer.candidates.pathlets = stitched.pathlets;
-  answer.candidates.note = stitched.note;
-  answer.candidates.proven = stitched.proven;
-  answer.candidates.bound = stitched.bound;
-  answer.candidates.stages = {
-      Stage("stitch", Seconds(begin), stitched.pathlets.size())};
-  return {answer};
+  answer.candidates = Stitch(*asked, message.round);
+  if (graphs_.empty()) answer.candidates.note = trouble_;
+  return answer;
 }
 
 }  // namespace kg_ros

@@ -8,12 +8,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "kg_compiler/compile/mission_compiler.h"
 #include "kg_compiler/control_plane/nav_graphs.h"
-#include "kg_compiler/control_plane/seam_cache.h"
 #include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
 #include "kg_msgs/Candidates.h"
@@ -22,6 +22,8 @@
 #include "kg_msgs/Rejections.h"
 #include "kg_msgs/SeamRules.h"
 #include "kg_msgs/WorkField.h"
+#include "kg_selector/walks.h"
+#include "kg_ros/conversion/ask_conversion.h"
 
 namespace kg_ros {
 
@@ -49,16 +51,16 @@ class PlannerServer {
   // (no waypoint within reach) is an answer without pathlets and with a note.
   PlannerAnswer Plan();
 
-  // Plans around what `message` asks of this agent; nothing if it does not, or
-  // answers for another cycle.
-  std::vector<PlannerAnswer> PlanAround(const kg_msgs::Rejections& message);
+  // Plans under what `message` asks of this agent: around those committed, at
+  // its prices. Nothing if it does not ask, or is of another cycle. Throws
+  // kg_core::InputError for prices that make no sense.
+  std::optional<PlannerAnswer> PlanAgain(const kg_msgs::Rejections& message);
 
   std::uint64_t cycle() const { return cycle_; }
 
  private:
   std::vector<kg_compiler::WindowWorld> Worlds() const;
-  kg_msgs::Candidates Stitch(
-      const std::vector<const kg_msgs::Cooling*>& cooling);
+  kg_msgs::Candidates Stitch(const AskedOf& asked, std::uint32_t round) const;
   void MarkStaging(const kg_msgs::Candidates& candidates,
                    std::vector<kg_msgs::NavGraph>* graphs) const;
   kg_msgs::Candidates Header(std::uint32_t round) const;
@@ -69,7 +71,8 @@ class PlannerServer {
   std::map<int, std::shared_ptr<const kg_compiler::MissionTensor>> tensors_;
   std::map<int, std::shared_ptr<const kg_compiler::WorkField>> fields_;
   kg_compiler::NavGraphs graphs_;  // Of the last plan.
-  kg_compiler::SeamCache cache_;   // For the next one.
+  kg_selector::GraphCache cache_;  // For the next one.
+  std::string trouble_;            // Why there are none.
 };
 
 }  // namespace kg_ros

@@ -5,27 +5,46 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
+#include "kg_ros/conversion/ask_conversion.h"
+#include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/conversion/rules_conversion.h"
 #include "kg_ros/knowledge/pending_reports.h"
+#include "kg_selector/stability.h"
 #include "ros/time.h"
 
 namespace kg_ros {
 namespace {
 
-using kg_selector::Conflict;
-using kg_selector::ConflictKind;
 using kg_selector::Pathlet;
 using kg_selector::Rejection;
 
 double Now_s() { return ros::WallTime::now().toSec(); }
 
-std::vector<Pathlet> FromMessage(const kg_msgs::Candidates& message) {
-  std::vector<Pathlet> pathlets;
+kg_selector::Candidates FromMessage(const kg_msgs::Candidates& message) {
+  kg_selector::Candidates candidates;
   for (const kg_msgs::Pathlet& pathlet : message.pathlets) {
-    pathlets.push_back(kg_ros::FromMessage(pathlet, message.agent));
+    candidates.pathlets.push_back(kg_ros::FromMessage(pathlet, message.agent));
   }
-  return pathlets;
+  candidates.proven = message.proven;
+  candidates.note = message.note;
+  candidates.bound = message.bound;
+  if (candidates.pathlets.empty() && message.proven) {
+    candidates.bound = -std::numeric_limits<double>::infinity();  // As planned.
+  }
+  return candidates;
+}
+
+// By waypoints, of a message or not.
+template <typename PathletType>
+std::vector<std::uint32_t> PlacesOf(const PathletType& pathlet) {
+  std::vector<std::uint32_t> places;
+  for (const auto& visit : pathlet.visits) {
+    places.push_back(static_cast<std::uint32_t>(visit.via.size()));
+    for (const auto& stop : visit.via) places.push_back(stop.waypoint);
+    places.push_back(visit.waypoint);
+  }
+  return places;
 }
 
 }  // namespace
@@ -50,18 +69,21 @@ SelectorAnswer SelectorServer::KnowRun(const std::uint64_t run) {
 
 SelectorAnswer SelectorServer::Take(const kg_msgs::CoordinationRules& message) {
   if (rules_ && message.cycle <= rules_->cycle) return {};
-  team_rules_ = kg_ros::FromMessage(message);
+  kg_selector::TeamRules rules = kg_ros::FromMessage(message);
+  auto team = kg_selector::MakeCoordinator(rules, message.agents);
+  team_rules_ = std::move(rules);
   rules_ = message;
-  Begin();
+  Begin(std::move(team));
   return Step();
 }
 
-void SelectorServer::Begin() {
-  team_ = kg_selector::MakeCoordinator(team_rules_, rules_->agents);
+void SelectorServer::Begin(std::unique_ptr<kg_selector::Coordinator> team) {
+  team_ = std::move(team);
   run_ = last_run_ + 1;
   round_ = 0;
   finished_ = false;
   offered_.clear();
+  pathlets_.clear();
   began_s_ = waiting_since_s_ = Now_s();
   complete_s_ = 0.0;
   for (const auto& [agent, candidates] : unmasked_) {
@@ -70,6 +92,7 @@ void SelectorServer::Begin() {
 }
 
 SelectorAnswer SelectorServer::Take(const kg_msgs::Candidates& message) {
+  FromMessage(message);  // What makes no sense is not kept.
   if (message.round == 0) {
     kg_msgs::Candidates& known = unmasked_[message.agent];
     if (message.cycle < known.cycle) return {};
@@ -78,7 +101,9 @@ SelectorAnswer SelectorServer::Take(const kg_msgs::Candidates& message) {
     if (!rules_ || message.cycle != rules_->cycle) return {};
     // A planner that came back, or one that was given up: if it has something
     // new to say for this cycle, the team is put together again.
-    if (finished_ && is_new) Begin();
+    if (finished_ && is_new) {
+      Begin(kg_selector::MakeCoordinator(team_rules_, rules_->agents));
+    }
     if (finished_) return {};
   }
   if (!rules_ || message.cycle != rules_->cycle || message.round != round_) {
@@ -89,13 +114,11 @@ SelectorAnswer SelectorServer::Take(const kg_msgs::Candidates& message) {
 }
 
 void SelectorServer::Offer(const kg_msgs::Candidates& message) {
-  kg_selector::Candidates candidates;
-  candidates.pathlets = FromMessage(message);
-  candidates.proven = message.proven;
-  candidates.bound = message.bound;
-  candidates.note = message.note;
-  team_->Offer(message.agent, std::move(candidates));
+  team_->Offer(message.agent, FromMessage(message));
   offered_[message.agent] = message;
+  for (const kg_msgs::Pathlet& pathlet : message.pathlets) {
+    pathlets_[{message.agent, PlacesOf(pathlet)}] = pathlet;
+  }
   waiting_since_s_ = Now_s();
 }
 
@@ -127,26 +150,13 @@ SelectorAnswer SelectorServer::Step() {
   return answer;
 }
 
-// Everybody who is in the way is told of all that is committed.
+// Everybody who is waited for, and what for.
 kg_msgs::Rejections SelectorServer::Ask() {
   kg_msgs::Rejections message = Header<kg_msgs::Rejections>();
   message.round = ++round_;
   waiting_since_s_ = Now_s();
   for (const std::string& agent : team_->waiting_for()) {
-    const kg_selector::Ask ask = team_->AskOf(agent);
-    for (const Pathlet& pathlet : ask.around) {
-      kg_msgs::Cooling cooling;
-      cooling.agent = agent;
-      cooling.by_agent = pathlet.agent;
-      cooling.separation_m =
-          team_rules_.separation_is_hard ? team_rules_.separation_m : 0.0;
-      cooling.factor = 0.0;
-      cooling.expires = message.header.stamp;
-      cooling.track = ToMessage(pathlet.track);
-      cooling.full_events.assign(ask.full_events.begin(),
-                                 ask.full_events.end());
-      message.cooling.push_back(cooling);
-    }
+    AddAsk(agent, team_->AskOf(agent), team_rules_, &message);
   }
   return message;
 }
@@ -162,22 +172,36 @@ kg_msgs::Rejections SelectorServer::End() const {
   return message;
 }
 
-kg_msgs::Assignments SelectorServer::Plan() const {
+// The path as it was offered, worth what the team makes of it.
+kg_msgs::Assignment SelectorServer::Assign(const Pathlet& pathlet) const {
+  kg_msgs::Assignment assignment;
+  assignment.agent = pathlet.agent;
+  assignment.agent_iri = offered_.at(pathlet.agent).agent_iri;
+  assignment.pathlet = pathlets_.at({pathlet.agent, PlacesOf(pathlet)});
+  assignment.pathlet.rank = pathlet.rank;
+  assignment.pathlet.reward = pathlet.reward;
+  assignment.pathlet.seam_cost = pathlet.seam_cost;
+  for (std::size_t i = 0; i < pathlet.visits.size(); ++i) {
+    assignment.pathlet.visits[i].reward = pathlet.visits[i].reward;
+    assignment.pathlet.visits[i].events = pathlet.visits[i].events;
+  }
+  return assignment;
+}
+
+kg_msgs::Assignments SelectorServer::Plan() {
   kg_msgs::Assignments plan = Header<kg_msgs::Assignments>();
   plan.rounds = round_;
   plan.mode = team_rules_.mode;
-  plan.bound = team_->outcome().bound;
-  plan.stability = plan.displacement_m =
-      std::numeric_limits<double>::quiet_NaN();
+  plan.bound = FiniteOrUnknown(team_->outcome().bound);
+  const kg_selector::Stability stability =
+      kg_selector::StabilityOf(last_plan_, team_->outcome().committed);
+  plan.stability = stability.share;
+  plan.displacement_m = stability.displacement_m;
+  last_plan_ = team_->outcome().committed;
   for (const Pathlet& pathlet : team_->outcome().committed) {
-    const kg_msgs::Candidates& offered = offered_.at(pathlet.agent);
-    kg_msgs::Assignment assignment;
-    assignment.agent = pathlet.agent;
-    assignment.agent_iri = offered.agent_iri;
-    assignment.pathlet = offered.pathlets.at(pathlet.rank);
-    plan.reward += assignment.pathlet.reward;
-    plan.seam_cost += assignment.pathlet.seam_cost;
-    plan.assignments.push_back(assignment);
+    plan.assignments.push_back(Assign(pathlet));
+    plan.reward += pathlet.reward;
+    plan.seam_cost += pathlet.seam_cost;
   }
   for (const auto& [agent, why] : team_->outcome().unassigned) {
     const auto offered = offered_.find(agent);

@@ -2,7 +2,10 @@
 
 #include "kg_ros/selection/selector_server.h"
 
+#include <cmath>
+
 #include "gtest/gtest.h"
+#include "kg_core/base/input_error.h"
 #include "kg_core/base/units.h"
 #include "ros/time.h"
 
@@ -16,7 +19,10 @@ kg_msgs::CoordinationRules Rules(std::uint64_t cycle) {
   rules.world_version = 3;
   rules.cycle = cycle;
   rules.agents = {"alpha", "bravo"};
+  rules.energy_budget_j = {1e6, 1e6};
   rules.mode = "greedy";
+  rules.auction_epsilon = 0.05;
+  rules.fairness = "scarcity";
   rules.separation_m = kSeparation_m;
   rules.separation_is_hard = true;
   rules.max_rounds = 5;
@@ -78,6 +84,7 @@ TEST_F(SelectorServerTest, AsksWhoIsInTheWayToPlanAgain) {
   ASSERT_FALSE(asked.assignments);
   ASSERT_TRUE(asked.rejections);
   EXPECT_EQ(asked.rejections->round, 1u);
+  EXPECT_EQ(asked.rejections->asked, std::vector<std::string>{"bravo"});
   ASSERT_EQ(asked.rejections->cooling.size(), 1u);
   EXPECT_EQ(asked.rejections->cooling[0].agent, "bravo");
   EXPECT_EQ(asked.rejections->cooling[0].by_agent, "alpha");
@@ -88,6 +95,67 @@ TEST_F(SelectorServerTest, AsksWhoIsInTheWayToPlanAgain) {
   ASSERT_EQ(done.rejections->rejections.size(), 1u);
   EXPECT_EQ(done.rejections->rejections[0].kind, "separation");
   EXPECT_EQ(done.rejections->rejections[0].to_agent, "alpha");
+}
+
+TEST_F(SelectorServerTest, RulesThatMakeNoSenseChangeNothing) {
+  SelectorServer server;
+  server.KnowRun(0);
+  server.Take(Rules(1));
+  server.Take(Offer("alpha", 1, 0, StayAt(-90, 5)));
+  for (const char* mode : {"lottery", ""}) {
+    kg_msgs::CoordinationRules bad = Rules(2);
+    bad.mode = mode;
+    EXPECT_THROW(server.Take(bad), kg_core::InputError);
+  }
+  EXPECT_EQ(server.WaitingFor(), std::vector<std::string>{"bravo"});
+  EXPECT_TRUE(server.Take(Offer("bravo", 1, 0, StayAt(-80, 4))).assignments);
+}
+
+TEST_F(SelectorServerTest, CandidatesThatMakeNoSenseAreNotKept) {
+  SelectorServer server;
+  server.KnowRun(0);
+  server.Take(Offer("bravo", 1, 0, StayAt(-80, 4)));
+  EXPECT_THROW(server.Take(Offer("alpha", 1, 0, StayAt(-90, NAN))),
+               kg_core::InputError);
+  EXPECT_FALSE(server.Take(Rules(1)).assignments);
+  EXPECT_EQ(server.WaitingFor(), std::vector<std::string>{"alpha"});
+  EXPECT_TRUE(server.Take(Offer("alpha", 1, 0, StayAt(-90, 5))).assignments);
+}
+
+TEST_F(SelectorServerTest, SaysHowMuchOfThePlanBeforeIsKept) {
+  SelectorServer server;
+  server.KnowRun(0);
+  const auto plan = [&](std::uint64_t cycle, double bravo_lon_deg) {
+    server.Take(Rules(cycle));
+    server.Take(Offer("alpha", cycle, 0, StayAt(-90, 5)));
+    return *server.Take(Offer("bravo", cycle, 0, StayAt(bravo_lon_deg, 4)))
+                .assignments;
+  };
+  const kg_msgs::Assignments first = plan(1, -80);
+  EXPECT_TRUE(std::isnan(first.stability));
+  EXPECT_TRUE(std::isnan(first.displacement_m));
+  const kg_msgs::Assignments same = plan(2, -80);
+  EXPECT_EQ(same.stability, 1.0);
+  EXPECT_EQ(same.displacement_m, 0.0);
+  const kg_msgs::Assignments moved = plan(3, -81);
+  EXPECT_EQ(moved.stability, 0.5);
+  EXPECT_NEAR(moved.displacement_m, 0.5 * 111.3e3, 100.0);  // On the equator.
+  EXPECT_EQ(plan(4, -81).stability, 1.0);  // Against the last one committed.
+}
+
+TEST_F(SelectorServerTest, APlanSaysItsModeAndBound) {
+  SelectorServer server;
+  server.KnowRun(0);
+  server.Take(Rules(1));
+  kg_msgs::Candidates alpha = Offer("alpha", 1, 0, StayAt(-90, 5));
+  kg_msgs::Candidates bravo = Offer("bravo", 1, 0, StayAt(-80, 4));
+  alpha.proven = bravo.proven = true;
+  alpha.bound = 5;
+  bravo.bound = 4;
+  server.Take(alpha);
+  const kg_msgs::Assignments plan = *server.Take(bravo).assignments;
+  EXPECT_EQ(plan.mode, "greedy");
+  EXPECT_EQ(plan.bound, 9.0);
 }
 
 TEST_F(SelectorServerTest, AnswersOfAnotherCycleAreNeverUsed) {
