@@ -26,7 +26,7 @@
 // gets there differs by the way one came. Whoever strings them together adds
 // the travel_s of a window's edges up and holds them against the window's
 // length and base_travel_m / cruise_mps, as each single edge has been, and
-// flies what is found from its true departure (kg_selector/walks.h).
+// flies what is found from its true departure (kg_selector/paths/walks.h).
 
 #ifndef KG_COMPILER_CONTROL_PLANE_NAV_GRAPH_H_
 #define KG_COMPILER_CONTROL_PLANE_NAV_GRAPH_H_

@@ -11,8 +11,8 @@
 #include "kg_ros/command/command.h"
 #include "kg_ros/command/target.h"
 #include "kg_ros/knowledge/start_state.h"
-#include "kg_selector/explain_plan.h"
-#include "kg_selector/plan_mission.h"
+#include "kg_selector/explain/explain_plan.h"
+#include "kg_selector/team/plan_mission.h"
 
 namespace kg_ros::command {
 namespace {

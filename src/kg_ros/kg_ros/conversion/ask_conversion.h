@@ -7,8 +7,8 @@
 #include <string>
 
 #include "kg_msgs/Rejections.h"
-#include "kg_selector/conflict.h"
-#include "kg_selector/coordinator.h"
+#include "kg_selector/paths/conflict.h"
+#include "kg_selector/team/coordinator.h"
 
 namespace kg_ros {
 

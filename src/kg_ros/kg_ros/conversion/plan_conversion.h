@@ -16,9 +16,9 @@
 #include "kg_msgs/Pathlet.h"
 #include "kg_msgs/Rejection.h"
 #include "kg_msgs/TimedPoint.h"
-#include "kg_selector/coordinator.h"
-#include "kg_selector/pathlet.h"
-#include "kg_selector/plan_mission.h"
+#include "kg_selector/paths/pathlet.h"
+#include "kg_selector/team/coordinator.h"
+#include "kg_selector/team/plan_mission.h"
 
 namespace kg_ros {
 

@@ -14,7 +14,7 @@
 #include "kg_msgs/CoordinationRules.h"
 #include "kg_msgs/SeamRules.h"
 #include "kg_msgs/WindowInfo.h"
-#include "kg_selector/conflict.h"
+#include "kg_selector/paths/conflict.h"
 
 namespace kg_ros {
 

@@ -12,7 +12,7 @@
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/knowledge/test_mission.h"
 #include "kg_ros/knowledge/test_team.h"
-#include "kg_selector/plan_mission.h"
+#include "kg_selector/team/plan_mission.h"
 
 namespace kg_ros {
 namespace {

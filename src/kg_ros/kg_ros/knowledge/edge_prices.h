@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_selector/plan_mission.h"
+#include "kg_selector/team/plan_mission.h"
 
 namespace kg_ros {
 

@@ -9,7 +9,7 @@
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/knowledge/mission_server.h"
-#include "kg_selector/plan_mission.h"
+#include "kg_selector/team/plan_mission.h"
 
 namespace kg_ros {
 namespace {

@@ -10,7 +10,7 @@
 #include "kg_ros/conversion/rules_conversion.h"
 #include "kg_ros/conversion/tensor_conversion.h"
 #include "kg_ros/knowledge/pending_reports.h"
-#include "kg_selector/plan_team.h"
+#include "kg_selector/team/plan_team.h"
 #include "ros/time.h"
 
 namespace kg_ros {

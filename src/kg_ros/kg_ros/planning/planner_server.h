@@ -22,8 +22,8 @@
 #include "kg_msgs/Rejections.h"
 #include "kg_msgs/SeamRules.h"
 #include "kg_msgs/WorkField.h"
-#include "kg_selector/walks.h"
 #include "kg_ros/conversion/ask_conversion.h"
+#include "kg_selector/paths/walks.h"
 
 namespace kg_ros {
 

@@ -17,7 +17,7 @@
 #include "kg_msgs/Candidates.h"
 #include "kg_msgs/CoordinationRules.h"
 #include "kg_msgs/Rejections.h"
-#include "kg_selector/coordinator.h"
+#include "kg_selector/team/coordinator.h"
 
 namespace kg_ros {
 

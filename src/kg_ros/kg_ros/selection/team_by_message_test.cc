@@ -21,8 +21,8 @@
 #include "kg_ros/knowledge/test_team.h"
 #include "kg_ros/planning/planner_server.h"
 #include "kg_ros/selection/selector_server.h"
-#include "kg_selector/coordinator.h"
-#include "kg_selector/plan_mission.h"
+#include "kg_selector/team/coordinator.h"
+#include "kg_selector/team/plan_mission.h"
 #include "ros/serialization.h"
 
 namespace kg_ros {

@@ -1,0 +1,106 @@
+#include "kg_planner/k_best/detours.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace kg_planner {
+namespace {
+
+constexpr double kNone = -std::numeric_limits<double>::infinity();
+constexpr std::size_t kKeptNodes = 12;  // A stage.
+
+// Those of the largest max-marginals that a path leads through, ascending.
+std::vector<int> NodesToKeep(const MaxMarginals& marginals, std::size_t s,
+                             int count) {
+  std::vector<int> nodes;
+  for (int v = 0; v < count; ++v)
+    if (marginals.Of(s, v) > kNone) nodes.push_back(v);
+  const std::size_t kept = std::min(nodes.size(), kKeptNodes);
+  std::partial_sort(nodes.begin(), nodes.begin() + kept, nodes.end(),
+                    [&](int a, int b) {
+                      const double more = marginals.Of(s, a);
+                      const double less = marginals.Of(s, b);
+                      return more != less ? more > less : a < b;
+                    });
+  nodes.resize(kept);
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+}  // namespace
+
+Detours::Detours(const SearchTrellis& search, const ScoreGrid& grid,
+                 const Prices& prices, const MaxMarginals& marginals)
+    : search_(search), stages_(search.stages.size()) {
+  for (std::size_t s = 0; s < stages_.size(); ++s) {
+    stages_[s].nodes = NodesToKeep(marginals, s, search.stages[s].nodes);
+    stages_[s].taken.assign(stages_[s].nodes.size(), 0);
+    AddSeams(grid, prices, s);
+  }
+}
+
+void Detours::AddSeams(const ScoreGrid& grid, const Prices& prices,
+                       std::size_t s) {
+  const SearchStage& stage = search_.stages[s];
+  KeptStage& kept = stages_[s];
+  std::vector<int> place(stage.nodes, -1);
+  for (std::size_t v = 0; v < kept.nodes.size(); ++v)
+    place[kept.nodes[v]] = static_cast<int>(v);
+  const std::vector<int> start{0};
+  const std::vector<int>& before = s == 0 ? start : stages_[s - 1].nodes;
+  const Seam* end = stage.seams + stage.seam_count;
+  for (std::size_t u = 0; u < before.size(); ++u) {
+    const Seam* seam =
+        std::lower_bound(stage.seams, end, before[u],
+                         [](const Seam& a, int from) { return a.from < from; });
+    for (; seam != end && seam->from == before[u]; ++seam) {
+      if (place[seam->to] < 0) continue;
+      const int i = static_cast<int>(seam - stage.seams);
+      kept.seams.push_back(
+          {static_cast<int>(u), place[seam->to], i,
+           stage.Gain(i) - PricedCost(stage, i, grid, prices)});
+    }
+  }
+}
+
+void Detours::Take(const std::vector<int>& nodes) {
+  for (std::size_t s = 0; s < stages_.size(); ++s) {
+    KeptStage& kept = stages_[s];
+    for (std::size_t v = 0; v < kept.nodes.size(); ++v)
+      if (search_.stages[s].OriginNode(kept.nodes[v]) == nodes[s])
+        ++kept.taken[v];
+  }
+}
+
+std::vector<int> Detours::Best(double penalty) const {
+  std::vector<std::vector<int>> into(stages_.size());  // Kept seam, by node.
+  std::vector<double> best{0.0};
+  for (std::size_t s = 0; s < stages_.size(); ++s) {
+    const KeptStage& kept = stages_[s];
+    std::vector<double> next(kept.nodes.size(), kNone);
+    into[s].assign(kept.nodes.size(), -1);
+    for (std::size_t i = 0; i < kept.seams.size(); ++i) {
+      const KeptSeam& seam = kept.seams[i];
+      const double score = best[seam.from] + seam.weight;
+      if (!(score > next[seam.to])) continue;
+      next[seam.to] = score;
+      into[s][seam.to] = static_cast<int>(i);
+    }
+    for (std::size_t v = 0; v < next.size(); ++v)
+      next[v] -= penalty * kept.taken[v];
+    best = std::move(next);
+  }
+  const auto most = std::max_element(best.begin(), best.end());
+  if (most == best.end() || !(*most > kNone)) return {};
+  int node = static_cast<int>(most - best.begin());
+  std::vector<int> seams(stages_.size());
+  for (std::size_t s = stages_.size(); s-- > 0;) {
+    const KeptSeam& seam = stages_[s].seams[into[s][node]];
+    seams[s] = seam.seam;
+    node = seam.from;
+  }
+  return seams;
+}
+
+}  // namespace kg_planner

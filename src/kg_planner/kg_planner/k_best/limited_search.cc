@@ -1,0 +1,64 @@
+#include "kg_planner/k_best/limited_search.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "kg_planner/k_best/reduction.h"
+#include "kg_planner/k_best/token_unrolling.h"
+#include "kg_planner/trellis/survey.h"
+
+namespace kg_planner {
+namespace {
+
+// Larger than what unrolled tokens ask of any sensible trellis; 40 MB.
+constexpr std::size_t kMaxUnrolledSeams = 500000;
+
+// As many of the repeated tokens as can be.
+void Unroll(LimitedSearch* limited) {
+  std::vector<int> tokens = RepeatedTokens(limited->search);
+  for (; !tokens.empty(); tokens.pop_back()) {
+    auto unrolled =
+        UnrollTokens(limited->search, tokens, limited->grid, kMaxUnrolledSeams);
+    if (unrolled) {
+      limited->search = std::move(*unrolled);
+      return;
+    }
+    limited->tokens_are_exact = false;
+  }
+}
+
+LimitedSearch MakePlain(const Trellis& trellis, PlainPass pass) {
+  const ScoreGrid grid(pass.largest_total);
+  const std::vector<char> sorted(trellis.stages.size(), 1);
+  return {ToSearch(trellis, sorted, {}, grid),
+          grid,
+          pass.largest_total,
+          LimitsOf(trellis),
+          true,
+          std::move(pass.levels)};
+}
+
+}  // namespace
+
+bool LimitedSearch::IsLimited() const {
+  return std::any_of(limits.begin(), limits.end(), [](double limit) {
+    return limit < std::numeric_limits<double>::infinity();
+  });
+}
+
+LimitedSearch MakeSearch(const Trellis& trellis, const Masks& masks) {
+  if (masks.nodes.empty() && masks.seams.empty())
+    if (auto pass = PassPlain(trellis))
+      return MakePlain(trellis, std::move(*pass));
+  const Survey survey = CheckAndSurvey(trellis);
+  const ScoreGrid grid(survey.largest_total);
+  LimitedSearch limited{ToSearch(trellis, survey.sorted, masks, grid), grid,
+                        survey.largest_total, LimitsOf(trellis), true};
+  DropUnaffordable(limited.limits, &limited.search);
+  Unroll(&limited);
+  return limited;
+}
+
+}  // namespace kg_planner

@@ -1,0 +1,18 @@
+// Smaller trellises that lose no allowed path: numbers of nodes stay.
+
+#ifndef KG_PLANNER_K_BEST_REDUCTION_H_
+#define KG_PLANNER_K_BEST_REDUCTION_H_
+
+#include <vector>
+
+#include "kg_planner/k_best/search_trellis.h"
+
+namespace kg_planner {
+
+// Without the seams that lead nowhere, or that no path within a limit can use
+// (one limit at a time). `limits` by resource; infinity = no limit.
+void DropUnaffordable(const std::vector<double>& limits, SearchTrellis* search);
+
+}  // namespace kg_planner
+
+#endif  // KG_PLANNER_K_BEST_REDUCTION_H_

@@ -1,0 +1,166 @@
+#include "kg_planner/k_best/row_kernel.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+// One function, several machines; the dynamic linker takes the best. Not under
+// sanitizers, which are not ready when it does.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define KG_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define KG_WIDE
+#endif
+
+#define KG_INLINE inline __attribute__((always_inline))
+
+namespace kg_planner {
+namespace {
+
+// Four seams are three vectors of four words,
+//
+//   e0 c0 r0 e1 | c1 r1 e2 c2 | r2 e3 c3 r3      e = to << 32 | from,
+//
+// c the cost and r the resource. Where a machine has e the other way round no
+// row is sound here, and all are checked one by one elsewhere.
+static_assert(sizeof(Seam) == 24 && offsetof(Seam, cost) == 8 &&
+                  offsetof(Seam, resource) == 16,
+              "a seam is three words");
+
+using Reals = double __attribute__((vector_size(32)));
+using Words = std::uint64_t __attribute__((vector_size(32)));
+using LooseReals = double __attribute__((vector_size(32), aligned(8)));
+using LooseWords =
+    std::uint64_t __attribute__((vector_size(32), aligned(8), may_alias));
+
+constexpr double kNone = -std::numeric_limits<double>::infinity();
+constexpr std::uint64_t kNextTo = std::uint64_t{1} << 32;
+// Added to what is not finite, this reaches the sign bit; never to a sound e.
+constexpr std::uint64_t kExponentOne = std::uint64_t{1} << 52;
+
+KG_INLINE std::uint64_t Bits(double x) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+
+KG_INLINE std::uint64_t Ends(const Seam& seam) {
+  return std::uint64_t{static_cast<std::uint32_t>(seam.to)} << 32 |
+         static_cast<std::uint32_t>(seam.from);
+}
+
+// What is found so far: bit 63 of `bad`, and bits 63 and 31 to 0 of `ends`, are
+// 0 while all is sound.
+struct Sums {
+  double best = kNone;
+  double largest_cost = 0.0;
+  std::uint64_t bad = 0;
+  std::uint64_t ends = 0;
+};
+
+KG_INLINE void AddOne(const Seam* seam, bool first, double onward, double shift,
+                      Sums* sums) {
+  sums->best = std::max(sums->best, onward - ((seam->cost + shift) - shift));
+  sums->largest_cost = std::max(sums->largest_cost, seam->cost);
+  const std::uint64_t cost = Bits(seam->cost);
+  const std::uint64_t resource = Bits(seam->resource);
+  sums->bad |= Ends(*seam) | cost | (cost + kExponentOne) | resource |
+               (resource + kExponentOne);
+  if (!first) sums->ends |= Ends(*seam) - Ends(seam[-1]) - kNextTo;
+}
+
+struct Lanes {
+  Words bad = {};
+  Words ends[3] = {};
+  Reals most[3] = {};
+  Reals best = {kNone, kNone, kNone, kNone};
+};
+
+// `onward`: of seams 1, 0, 3, 2.
+KG_INLINE void AddFour(const Seam* seams, const Reals& onward, double shift,
+                       Lanes* lanes) {
+  const char* bytes = reinterpret_cast<const char*>(seams);
+  Reals reals[3];
+  for (int i = 0; i < 3; ++i) {
+    const Words words = *reinterpret_cast<const LooseWords*>(bytes + 32 * i);
+    const Words before =
+        *reinterpret_cast<const LooseWords*>(bytes + 32 * i - sizeof(Seam));
+    lanes->ends[i] |= words - before - kNextTo;
+    lanes->bad |= words | (words + kExponentOne);
+    reals[i] = reinterpret_cast<Reals>(words);
+    lanes->most[i] = reals[i] > lanes->most[i] ? reals[i] : lanes->most[i];
+  }
+  const Reals costs_102 =
+      __builtin_shufflevector(reals[0], reals[1], 4, 1, 2, 7);
+  const Reals costs = __builtin_shufflevector(costs_102, reals[2], 0, 1, 6, 3);
+  const Reals scores = onward - ((costs + shift) - shift);
+  lanes->best = scores > lanes->best ? scores : lanes->best;
+}
+
+KG_INLINE RowScan Finish(const Lanes& lanes, Sums sums) {
+  for (int i = 0; i < 4; ++i) {
+    sums.best = std::max(sums.best, lanes.best[i]);
+    sums.bad |= lanes.bad[i];
+  }
+  sums.ends |=
+      lanes.ends[0][0] | lanes.ends[0][3] | lanes.ends[1][2] | lanes.ends[2][1];
+  sums.largest_cost =
+      std::max({sums.largest_cost, lanes.most[0][1], lanes.most[1][0],
+                lanes.most[1][3], lanes.most[2][2]});
+  const bool sound = sums.bad >> 63 == 0 && sums.ends >> 63 == 0 &&
+                     static_cast<std::uint32_t>(sums.ends) == 0;
+  return {sums.best, sums.largest_cost, sound};
+}
+
+// Every node from the first `to` to the last.
+KG_INLINE RowScan ScanWhole(const Seam* seams, int count,
+                            const Onward& onward) {
+  const double* by_seam = onward.by_node + seams->to;
+  Sums sums;
+  Lanes lanes;
+  AddOne(seams, true, by_seam[0], onward.shift, &sums);
+  int i = 1;
+  for (; i + 4 <= count; i += 4) {
+    const Reals four = *reinterpret_cast<const LooseReals*>(by_seam + i);
+    AddFour(seams + i, __builtin_shufflevector(four, four, 1, 0, 3, 2),
+            onward.shift, &lanes);
+  }
+  for (; i < count; ++i)
+    AddOne(seams + i, false, by_seam[i], onward.shift, &sums);
+  return Finish(lanes, sums);
+}
+
+KG_INLINE double Look(const Onward& onward, const Seam& seam) {
+  const auto last = static_cast<std::uint32_t>(onward.nodes - 1);
+  return onward.by_node[std::min(static_cast<std::uint32_t>(seam.to), last)];
+}
+
+KG_INLINE RowScan ScanSparse(const Seam* seams, int count,
+                             const Onward& onward) {
+  Sums sums;
+  Lanes lanes;
+  AddOne(seams, true, Look(onward, seams[0]), onward.shift, &sums);
+  int i = 1;
+  for (; i + 4 <= count; i += 4) {
+    const Seam* four = seams + i;
+    const Reals there = {Look(onward, four[1]), Look(onward, four[0]),
+                         Look(onward, four[3]), Look(onward, four[2])};
+    AddFour(four, there, onward.shift, &lanes);
+  }
+  for (; i < count; ++i)
+    AddOne(seams + i, false, Look(onward, seams[i]), onward.shift, &sums);
+  return Finish(lanes, sums);
+}
+
+}  // namespace
+
+KG_WIDE RowScan ScanRow(const Seam* seams, int count, const Onward& onward) {
+  const bool whole = seams[count - 1].to - seams[0].to == count - 1;
+  return whole ? ScanWhole(seams, count, onward)
+               : ScanSparse(seams, count, onward);
+}
+
+}  // namespace kg_planner

@@ -1,0 +1,32 @@
+// One pass over the seams that leave one node: the best rest over any of them,
+// and whether their numbers are sound. As fast as memory: the check costs
+// nothing beside the reading.
+
+#ifndef KG_PLANNER_K_BEST_ROW_KERNEL_H_
+#define KG_PLANNER_K_BEST_ROW_KERNEL_H_
+
+#include "kg_planner/trellis/trellis.h"
+
+namespace kg_planner {
+
+struct RowScan {
+  double best = 0.0;          // max of onward[to] - round(cost).
+  double largest_cost = 0.0;  // If sound.
+  // `from` is that of the first, `to` ascends, costs and resources are finite
+  // and >= 0 (a -0 counts as not sound).
+  bool sound = false;
+};
+
+struct Onward {
+  const double* by_node = nullptr;
+  int nodes = 0;
+  double shift = 0.0;  // ScoreGrid::shift().
+};
+
+// The first `to` must be >= 0 and the last < nodes; what is between them is
+// checked here. `count` > 0.
+RowScan ScanRow(const Seam* seams, int count, const Onward& onward);
+
+}  // namespace kg_planner
+
+#endif  // KG_PLANNER_K_BEST_ROW_KERNEL_H_

@@ -1,0 +1,44 @@
+// A stage as micro_paths' searches read it: checked, legs in order and found by
+// their pair.
+
+#ifndef KG_PLANNER_TOURS_MICRO_GRAPH_H_
+#define KG_PLANNER_TOURS_MICRO_GRAPH_H_
+
+#include <cstddef>
+#include <vector>
+
+#include "kg_planner/tours/micro_paths.h"
+
+namespace kg_planner {
+
+class MicroGraph {
+ public:
+  // Throws std::invalid_argument as FindMicroPaths does.
+  explicit MicroGraph(const StageProblem& problem);
+
+  int size() const { return static_cast<int>(nodes_.size()); }
+  double duration_limit() const { return duration_limit_; }
+  // Legs out of a node, -1 for the entry, in the order of their ends.
+  const Leg* begin(int from) const { return legs_.data() + first_[from + 1]; }
+  const Leg* end(int from) const { return legs_.data() + first_[from + 2]; }
+  const Leg* Find(int from, int to) const;  // nullptr: there is none.
+
+  // What a set of nodes, in ascending order, earns: tokens once.
+  double RewardOf(const std::vector<int>& set) const;
+  // The path through `nodes`; empty if a leg is missing or the limit is broken.
+  MicroPath Walk(const std::vector<int>& nodes) const;
+
+ private:
+  std::vector<Node> nodes_;
+  std::vector<Leg> legs_;           // By (from, to).
+  std::vector<std::size_t> first_;  // By from + 1, index in legs_.
+  double duration_limit_ = 0.0;
+  bool has_tokens_ = false;
+};
+
+// Of the same set of nodes and end: is `a` to be given rather than `b`?
+bool BetterOrder(const MicroPath& a, const MicroPath& b);
+
+}  // namespace kg_planner
+
+#endif  // KG_PLANNER_TOURS_MICRO_GRAPH_H_

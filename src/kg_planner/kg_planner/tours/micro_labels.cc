@@ -1,0 +1,153 @@
+#include "kg_planner/tours/micro_labels.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace kg_planner {
+namespace {
+
+struct Label {
+  std::vector<int> set;  // Ascending; the key, with the path's last node.
+  MicroPath path;
+  int end() const { return path.nodes.back(); }
+};
+
+bool SameKey(const Label& a, const Label& b) {
+  return a.end() == b.end() && a.set == b.set;
+}
+
+bool ByKeyThenOrder(const Label& a, const Label& b) {
+  const int a_end = a.end();
+  const int b_end = b.end();
+  if (std::tie(a_end, a.set) != std::tie(b_end, b.set)) {
+    return std::tie(a_end, a.set) < std::tie(b_end, b.set);
+  }
+  return BetterOrder(a.path, b.path);
+}
+
+bool ByEndThenScore(const Label& a, const Label& b) {
+  if (a.end() != b.end()) return a.end() < b.end();
+  const double a_score = a.path.score();
+  const double b_score = b.path.score();
+  if (a_score != b_score) return a_score > b_score;
+  return BetterOrder(a.path, b.path);
+}
+
+class Labels {
+ public:
+  Labels(const MicroGraph& graph, const LabelOptions& options)
+      : graph_(graph), options_(options) {}
+
+  LabelSearch Search() {
+    std::vector<Label> level;
+    Label entry;
+    Extend(entry, -1, &level);
+    for (int nodes = 1; !level.empty() && !given_up_; ++nodes) {
+      DropDominated(&level);
+      Collect(level);
+      if (nodes == options_.max_nodes) break;
+      if (options_.beam > 0) Cut(&level);
+      std::vector<Label> next;
+      for (const Label& label : level) {
+        if (TimeIsUp()) given_up_ = true;
+        Extend(label, label.end(), &next);
+      }
+      level = std::move(next);
+    }
+    search_.complete = search_.complete && !given_up_;
+    return std::move(search_);
+  }
+
+ private:
+  bool TimeIsUp() const {
+    return options_.deadline != std::chrono::steady_clock::time_point::max() &&
+           std::chrono::steady_clock::now() >= options_.deadline;
+  }
+
+  void Extend(const Label& label, int at, std::vector<Label>* next) {
+    if (given_up_) return;
+    for (const Leg* leg = graph_.begin(at); leg != graph_.end(at); ++leg) {
+      const double duration = label.path.duration + leg->duration;
+      if (!(duration <= graph_.duration_limit())) continue;
+      const auto place =
+          std::lower_bound(label.set.begin(), label.set.end(), leg->to);
+      if (place != label.set.end() && *place == leg->to) continue;
+      if (++made_ > options_.max_labels) {
+        given_up_ = true;
+        return;
+      }
+      Label longer = label;
+      longer.set.insert(longer.set.begin() + (place - label.set.begin()),
+                        leg->to);
+      longer.path.nodes.push_back(leg->to);
+      longer.path.reward = graph_.RewardOf(longer.set);
+      longer.path.cost += leg->cost;
+      longer.path.resource += leg->resource;
+      longer.path.duration = duration;
+      next->push_back(std::move(longer));
+    }
+  }
+
+  // Sorted by cost within a key, so a label is dominated unless it is quicker
+  // than all before it.
+  static void DropDominated(std::vector<Label>* level) {
+    std::sort(level->begin(), level->end(), ByKeyThenOrder);
+    std::vector<Label> kept;
+    double quickest = std::numeric_limits<double>::infinity();
+    for (Label& label : *level) {
+      const bool first = kept.empty() || !SameKey(kept.back(), label);
+      if (!first && !(label.path.duration < quickest)) continue;
+      quickest = label.path.duration;
+      kept.push_back(std::move(label));
+    }
+    *level = std::move(kept);
+  }
+
+  void Collect(const std::vector<Label>& level) {
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      if (i > 0 && SameKey(level[i - 1], level[i])) continue;
+      search_.paths.push_back(level[i].path);
+    }
+  }
+
+  // Of each end the best, and the quickest: it may lead where no other can.
+  void Cut(std::vector<Label>* level) {
+    std::sort(level->begin(), level->end(), ByEndThenScore);
+    std::vector<Label> kept;
+    for (std::size_t begin = 0, end = 0; begin < level->size(); begin = end) {
+      while (end < level->size() &&
+             (*level)[end].end() == (*level)[begin].end()) {
+        ++end;
+      }
+      const std::size_t cut = std::min(end, begin + options_.beam);
+      const auto first = level->begin();
+      const auto quickest = std::min_element(
+          first + begin, first + end, [](const Label& a, const Label& b) {
+            return a.path.duration < b.path.duration;
+          });
+      const bool quickest_is_cut = quickest >= first + cut;
+      search_.complete = search_.complete && cut == end;
+      if (quickest_is_cut) kept.push_back(*quickest);
+      std::move(first + begin, first + cut, std::back_inserter(kept));
+    }
+    *level = std::move(kept);
+  }
+
+  const MicroGraph& graph_;
+  const LabelOptions& options_;
+  std::size_t made_ = 0;
+  bool given_up_ = false;
+  LabelSearch search_;
+};
+
+}  // namespace
+
+LabelSearch SearchLabels(const MicroGraph& graph, const LabelOptions& options) {
+  return Labels(graph, options).Search();
+}
+
+}  // namespace kg_planner

@@ -1,0 +1,44 @@
+// One look at every number of a trellis: is it sound, in which order do its
+// seams stand, and how large can a path's total get.
+//
+// The order of ties of seams from one node: by (to, via).
+
+#ifndef KG_PLANNER_TRELLIS_SURVEY_H_
+#define KG_PLANNER_TRELLIS_SURVEY_H_
+
+#include <cstddef>
+#include <vector>
+
+#include "kg_planner/trellis/trellis.h"
+
+namespace kg_planner {
+
+struct Survey {
+  std::vector<char> sorted;    // By stage: its seams ascend by (from, to, via).
+  double largest_total = 0.0;  // No part of a path's score is larger.
+};
+
+// The nodes a seam visits on its way.
+inline const std::vector<int>& ViaOf(const Stage& stage, std::size_t seam) {
+  static const std::vector<int> none;
+  return stage.via.empty() ? none : stage.via[seam];
+}
+
+// Of resource r, the first being 0.
+inline double ResourceOf(const Stage& stage, std::size_t seam, std::size_t r) {
+  return r == 0 ? stage.seams[seam].resource
+                : stage.more_resources[r - 1][seam];
+}
+
+// Whether seam a stands before seam b: by (from, to, via).
+bool StandsBefore(const Stage& stage, std::size_t a, std::size_t b);
+
+// Nodes that seams into `stage` come from: one before the first stage.
+int NodesBefore(const Trellis& trellis, std::size_t stage);
+
+// Throws as Check() does.
+Survey CheckAndSurvey(const Trellis& trellis);
+
+}  // namespace kg_planner
+
+#endif  // KG_PLANNER_TRELLIS_SURVEY_H_

@@ -1,0 +1,63 @@
+// What a planner sees of the world: stages of nodes with rewards, and seams
+// between consecutive stages with costs. Nothing else.
+//
+//   maximise  J = sum of rewards of the nodes visited - sum of seam costs
+//
+// one node a stage, from the start through every stage. A token is a reward
+// that several nodes offer but a path earns once. Resources are used by seams
+// and limited over the whole path.
+//
+// A seam may visit nodes of its stage on the way (`via`): the path earns their
+// rewards and tokens, too. So there may be several seams of one pair of nodes.
+
+#ifndef KG_PLANNER_TRELLIS_TRELLIS_H_
+#define KG_PLANNER_TRELLIS_TRELLIS_H_
+
+#include <limits>
+#include <vector>
+
+namespace kg_planner {
+
+struct TokenReward {
+  int token = 0;        // Identity over the whole trellis.
+  double reward = 0.0;  // >= 0; a path earns the largest it meets, once.
+};
+
+struct Node {
+  double reward = 0.0;
+  std::vector<TokenReward> tokens;
+};
+
+struct Seam {
+  int from = 0;           // Node of the stage before; 0 = the start, if first.
+  int to = 0;             // Node of this stage.
+  double cost = 0.0;      // >= 0.
+  double resource = 0.0;  // >= 0.
+};
+
+struct Stage {
+  std::vector<Node> nodes;
+  std::vector<Seam> seams;  // Into this stage; one per (from, to, via).
+  // By seam, the nodes of this stage visited on the way; empty = no seam of
+  // this stage has any.
+  std::vector<std::vector<int>> via = {};
+  // By resource after the first, by seam, >= 0; as many as `more_limits`.
+  std::vector<std::vector<double>> more_resources = {};
+};
+
+struct Trellis {
+  std::vector<Stage> stages;
+  // Of the sum over a path's seams, in their order.
+  double resource_limit = std::numeric_limits<double>::infinity();
+  std::vector<double> more_limits = {};  // Of the resources after the first.
+};
+
+// Throws std::invalid_argument naming stage and seam if indices are out of
+// range, a number is not finite, a cost is negative, a seam occurs twice, a
+// seam visits a node twice, or `via`, `more_resources` and `more_limits` are of
+// different lengths.
+void Check(const Trellis& trellis);
+
+}  // namespace kg_planner
+
+#endif  // KG_PLANNER_TRELLIS_TRELLIS_H_

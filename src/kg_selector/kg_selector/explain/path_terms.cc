@@ -1,0 +1,253 @@
+#include "kg_selector/explain/path_terms.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "kg_compiler/explain/explain_seam.h"
+#include "kg_compiler/explain/explain_tensor.h"
+#include "kg_core/rdf/namespaces.h"
+#include "kg_planner/k_best/k_best.h"
+#include "kg_selector/paths/churn.h"
+#include "kg_selector/paths/masking.h"
+
+namespace kg_selector {
+namespace {
+
+using kg_compiler::Contribution;
+using kg_compiler::Explanation;
+using kg_compiler::operator+;
+using kg_compiler::Facts;
+using kg_compiler::SeamWeights;
+using kg_compiler::Short;
+
+// "waypoint 3", "waypoints 1, 3".
+std::string StopNames(const std::vector<int>& stops) {
+  std::string names;
+  for (const int stop : stops)
+    names += (names.empty() ? "" : ", ") + std::to_string(stop);
+  return (stops.size() == 1 ? "waypoint " : "waypoints ") + names;
+}
+
+std::string EventNames(const Visit& visit) {
+  std::string names;
+  for (const std::string& event : visit.events)
+    names += (names.empty() ? "" : ", ") + kg_core::AbbreviateIri(event);
+  return names;
+}
+
+void AddSeam(const TeamMember& member, std::size_t stage,
+             const kg_compiler::TraverseEdge& edge,
+             std::vector<PathTerm>* terms) {
+  const SeamWeights& weights = member.rules.weights;
+  const kg_compiler::Flight& flight = edge.flight;
+  const int window = member.graphs[stage].window;
+  const double doubt = 1.0 - member.rules.windows[stage].confidence;
+  terms->push_back(
+      {window, TermKind::kTime, -weights.time_per_s * flight.travel_s, ""});
+  terms->push_back(
+      {window, TermKind::kEnergy, -weights.energy_per_j * flight.energy_j, ""});
+  const double hazard_s = flight.hazard_s + edge.isolation_s;
+  terms->push_back(
+      {window, TermKind::kRisk, -weights.risk_per_s * hazard_s, ""});
+  terms->push_back(
+      {window, TermKind::kUncertainty, -weights.uncertainty * doubt, ""});
+}
+
+const std::vector<const char*>& PolicyProperties(TermKind kind) {
+  static const std::vector<const char*> properties[] = {
+      {"ex:alpha_base", "ex:gamma_front", "ex:beta_poi"},
+      {},
+      {"ex:lambda_time"},
+      {"ex:lambda_energy"},
+      {"ex:lambda_risk", "ex:isolationWeight"},
+      {"ex:lambda_unc"},
+      {"ex:churnWeight"},
+      {}};
+  return properties[static_cast<int>(kind)];
+}
+
+Facts EventFacts(const PlannedWorld& world, const PathTerm& term) {
+  Facts facts;
+  for (const kg_core::Event& event : world.compilation->mission.events)
+    if (term.where.find(kg_core::AbbreviateIri(event.iri)) != std::string::npos)
+      facts = std::move(facts) + world.facts().Event(event.iri);
+  return facts;
+}
+
+Facts LayerFacts(const PlannedWorld& world, const kg_core::Agent& agent,
+                 int window) {
+  const auto inputs =
+      kg_compiler::FindTensorInputs(*world.compilation, agent, window);
+  return world.facts().Layer(inputs.rasters->value_iri);
+}
+
+Facts MotionFacts(const PlannedWorld& world, const kg_core::Agent& agent,
+                  int window) {
+  return kg_compiler::MotionFacts(
+      kg_compiler::FindSeamContext(*world.compilation, agent,
+                                   FindMember(world, agent).rules, window),
+      world.facts());
+}
+
+bool SamePath(const Pathlet& a, const Pathlet& b) {
+  return std::equal(a.visits.begin(), a.visits.end(), b.visits.begin(),
+                    b.visits.end(), [](const Visit& x, const Visit& y) {
+                      return x.window == y.window && StopsOf(x) == StopsOf(y);
+                    });
+}
+
+}  // namespace
+
+const char* Name(TermKind kind) {
+  static const char* const names[] = {"value",  "events",    "time",
+                                      "energy", "risk",      "uncertainty",
+                                      "churn",  "separation"};
+  return names[static_cast<int>(kind)];
+}
+
+std::vector<PathTerm> TermsOf(const PlannedWorld& world,
+                              const TeamMember& member,
+                              const Pathlet& pathlet) {
+  std::vector<PathTerm> terms;
+  for (std::size_t s = 0; s < pathlet.visits.size(); ++s) {
+    const Visit& visit = pathlet.visits[s];
+    const std::vector<int> stops = StopsOf(visit);
+    double score = 0.0;
+    for (const int stop : stops)
+      score += member.graphs[s].waypoints.at(stop).score;
+    terms.push_back({visit.window, TermKind::kValue, score, StopNames(stops)});
+    terms.push_back({visit.window, TermKind::kEvents, visit.reward - score,
+                     EventNames(visit)});
+    AddSeam(member, s, EdgeTaken(member, pathlet, s), &terms);
+    terms.push_back({visit.window, TermKind::kChurn,
+                     -ChurnCost(member.rules, visit.window, visit.position),
+                     ""});
+  }
+  const double penalty =
+      SoftPenalty(world.rules, CommittedBefore(world, pathlet.agent), pathlet);
+  if (penalty != 0.0)
+    terms.push_back({-1, TermKind::kSeparation, -penalty, ""});
+  return terms;
+}
+
+double Sum(const std::vector<PathTerm>& terms) {
+  double sum = 0.0;
+  for (const PathTerm& term : terms) sum += term.value;
+  return sum;
+}
+
+Facts TermFacts(const PlannedWorld& world, const kg_core::Agent& agent,
+                const PathTerm& term) {
+  const kg_compiler::CitedFacts facts = world.facts();
+  const Facts policy = facts.Policy(agent, PolicyProperties(term.kind));
+  if (term.kind == TermKind::kSeparation)
+    return facts.Quote({world.compilation->mission.iri,
+                        {"ex:minimumSeparationKm", "ex:separationIsHard",
+                         "ex:separationWeight"}});
+  const Facts window =
+      facts.Window(world.compilation->mission.windows.at(term.window),
+                   {"ex:index", "ex:confidence"});
+  switch (term.kind) {
+    case TermKind::kValue:
+      return policy + LayerFacts(world, agent, term.window) + window;
+    case TermKind::kEvents:
+      return EventFacts(world, term) + window;
+    case TermKind::kTime:
+    case TermKind::kEnergy:
+      return policy + MotionFacts(world, agent, term.window) +
+             facts.Capabilities(agent, {"ex:energyPerKm", "ex:hotelLoadW"});
+    case TermKind::kRisk:
+    case TermKind::kUncertainty:
+    case TermKind::kChurn:
+    case TermKind::kSeparation:
+      return policy + window;
+  }
+  return {};
+}
+
+std::string Describe(const PathTerm& term) {
+  const std::string where = term.where.empty() ? "" : " of " + term.where;
+  return (term.window < 0 ? ""
+                          : "window " + std::to_string(term.window) + ": ") +
+         Name(term.kind) + where;
+}
+
+std::vector<Contribution> PathContributions(const PlannedWorld& world,
+                                            const TeamMember& member,
+                                            const Pathlet& pathlet) {
+  const kg_core::Agent& agent = FindAgent(world, pathlet.agent);
+  std::vector<Contribution> parts;
+  for (const PathTerm& term : TermsOf(world, member, pathlet)) {
+    if (term.value == 0.0) continue;
+    parts.push_back({term.value, Name(term.kind), TermFacts(world, agent, term),
+                     Describe(term)});
+  }
+  return parts;
+}
+
+Explanation Difference(const PlannedWorld& world, const TeamMember& member,
+                       const Pathlet& chosen, const Pathlet& other) {
+  const kg_core::Agent& agent = FindAgent(world, chosen.agent);
+  std::vector<PathTerm> ours = TermsOf(world, member, chosen);
+  std::vector<PathTerm> theirs = TermsOf(world, member, other);
+  Explanation explanation;
+  explanation.unit = "reward";
+  explanation.value = Sum(ours) - Sum(theirs);
+  const auto add = [&](const PathTerm& a, const PathTerm* b) {
+    const double value = a.value - (b ? b->value : 0.0);
+    const bool moved = b && b->where != a.where && !b->where.empty();
+    const Facts facts = TermFacts(world, agent, a) +
+                        (moved ? TermFacts(world, agent, *b) : Facts());
+    explanation.AddIfAny({value, Name(a.kind), facts,
+                          Describe(a) + ": " + Short(a.value) + " against " +
+                              Short(b ? b->value : 0.0) +
+                              (moved ? " of " + b->where : std::string())});
+  };
+  for (const PathTerm& a : ours) {
+    const auto b =
+        std::find_if(theirs.begin(), theirs.end(), [&](const PathTerm& term) {
+          return term.window == a.window && term.kind == a.kind;
+        });
+    add(a, b == theirs.end() ? nullptr : &*b);
+    if (b != theirs.end()) theirs.erase(b);
+  }
+  for (PathTerm rest : theirs) {  // A soft separation only the other breaks.
+    const PathTerm theirs_alone = rest;
+    rest.value = 0.0;
+    add(rest, &theirs_alone);
+  }
+  return explanation;
+}
+
+FoundPath FindBest(const PlannedWorld& world, const TeamMember& member,
+                   const PathSearch& search) {
+  const std::vector<Pathlet> before =
+      CommittedBefore(world, member.rules.agent_iri);
+  const kg_compiler::SeamRules open =
+      CloseEvents(member.rules, FullEvents(world.rules, before));
+  kg_planner::Masks masks = MaskCommitted(world.rules, member.graphs, before);
+  masks.nodes.insert(masks.nodes.end(), search.masks.nodes.begin(),
+                     search.masks.nodes.end());
+  masks.seams.insert(masks.seams.end(), search.masks.seams.begin(),
+                     search.masks.seams.end());
+  kg_planner::KBestOptions options;
+  options.paths =
+      std::max(world.rules.separation_is_hard ? 2 : open.candidates, 2);
+  const kg_planner::KBest best =
+      kg_planner::FindKBest(ToTrellis(open, member.graphs), masks, options);
+  FoundPath found;
+  found.proven = best.proven;
+  double most = 0.0;
+  for (const kg_planner::Path& path : best.paths) {
+    Pathlet pathlet = ToPathlet(open, member.graphs, path, 0);
+    if (search.except && SamePath(pathlet, *search.except)) continue;
+    const double value =
+        pathlet.score() - SoftPenalty(world.rules, before, pathlet);
+    if (found.pathlet && !(value > most)) continue;
+    most = value;
+    found.pathlet = std::move(pathlet);
+  }
+  return found;
+}
+
+}  // namespace kg_selector

@@ -1,0 +1,65 @@
+// A world with its plan, as one immutable value: all that explanations are made
+// from. The facts, what was compiled from them, the waypoint graphs that were
+// made of that, and what the selector decided, all of one world version.
+
+#ifndef KG_SELECTOR_EXPLAIN_PLANNED_WORLD_H_
+#define KG_SELECTOR_EXPLAIN_PLANNED_WORLD_H_
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kg_compiler/compile/mission_compiler.h"
+#include "kg_compiler/explain/cited_facts.h"
+#include "kg_core/rdf/graph_view.h"
+#include "kg_selector/team/plan_team.h"
+
+namespace kg_selector {
+
+struct PlannedWorld {
+  std::shared_ptr<const kg_core::GraphView> view;  // The facts.
+  std::shared_ptr<const kg_compiler::Compilation> compilation;
+  TeamRules rules;
+  std::vector<TeamMember> members;  // As many graphs each as have come.
+  bool has_plan = false;
+  TeamPlan plan;        // Agents by IRI. Tracks may be missing in rejections.
+  std::string run_iri;  // The ex:PlanRun; empty if it is not among the facts.
+  std::string plan_graph;
+  // Who has visited an event in a window that is over, by event IRI.
+  std::map<std::string, std::vector<std::string>> past_visits;
+
+  kg_compiler::CitedFacts facts() const {
+    return kg_compiler::CitedFacts(*view, plan_graph);
+  }
+};
+
+// Planners and selectors may name agents by their ex:id: makes it their IRIs.
+void NameAgentsByIri(PlannedWorld* world);
+
+// By ex:id, "ex:alpha" or IRI. Throws kg_core::InputError naming those known.
+const kg_core::Agent& FindAgent(const PlannedWorld& world,
+                                const std::string& name);
+// With a graph for each of its windows; throws kg_core::InputError if they have
+// not all come.
+const TeamMember& FindMember(const PlannedWorld& world,
+                             const kg_core::Agent& agent);
+// Index of a window in the member's graphs; throws kg_core::InputError.
+std::size_t FindStage(const TeamMember& member, int window);
+// The path committed for an agent; null = none.
+const Pathlet* FindPath(const PlannedWorld& world,
+                        const std::string& agent_iri);
+// The same; throws kg_core::InputError with the reason if it has none.
+const Pathlet& NeedPath(const PlannedWorld& world, const kg_core::Agent& agent);
+// Those committed before an agent's path, in order; all if it has none.
+std::vector<Pathlet> CommittedBefore(const PlannedWorld& world,
+                                     const std::string& agent_iri);
+// The edge that a path takes into the stage's window. Throws std::logic_error
+// if its graph does not have it.
+const kg_compiler::TraverseEdge& EdgeTaken(const TeamMember& member,
+                                           const Pathlet& pathlet,
+                                           std::size_t stage);
+
+}  // namespace kg_selector
+
+#endif  // KG_SELECTOR_EXPLAIN_PLANNED_WORLD_H_

@@ -1,0 +1,23 @@
+// What keeps a place from being a waypoint of an agent in a window: it cannot
+// be there (explain_place.h), or it was not sampled.
+
+#ifndef KG_SELECTOR_EXPLAIN_WHY_NOT_PLACE_H_
+#define KG_SELECTOR_EXPLAIN_WHY_NOT_PLACE_H_
+
+#include <cstddef>
+
+#include "kg_compiler/explain/explanation.h"
+#include "kg_core/geo/lon_lat.h"
+#include "kg_selector/explain/planned_world.h"
+
+namespace kg_selector {
+
+// No waypoint of the stage lies there.
+kg_compiler::Explanation NoWaypointThere(const PlannedWorld& world,
+                                         const kg_core::Agent& agent,
+                                         kg_core::LonLat place,
+                                         std::size_t stage);
+
+}  // namespace kg_selector
+
+#endif  // KG_SELECTOR_EXPLAIN_WHY_NOT_PLACE_H_

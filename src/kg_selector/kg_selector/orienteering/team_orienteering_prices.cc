@@ -1,0 +1,268 @@
+// Teams by auction and by Lagrangian prices (team_orienteering.h).
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "kg_selector/orienteering/team_orienteering.h"
+
+namespace kg_selector {
+namespace {
+
+using kg_planner::Orienteering;
+using kg_planner::Tour;
+using kg_planner::TourSearch;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kEpsilon = 0.1;  // Least raise, of the mean reward.
+constexpr int kChunks = 6;        // Of steps, for one agent's tour.
+constexpr std::size_t kSteps = 40;
+constexpr double kBounding = 0.15;  // Of the time, kept for the bound.
+constexpr int kPatience = 8;        // Rounds before a smaller step.
+
+double Sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+// One agent's planner: its best tour for these rewards, from what it has.
+Tour PlanAlone(const Orienteering& problem, const std::vector<double>& rewards,
+               const Tour& from, unsigned seed) {
+  const Orienteering alone = AloneWith(problem, rewards);
+  TourSearch search(alone, seed);
+  if (!from.points.empty()) {
+    search.Restart({kg_planner::MakeTour(alone, from.points)});
+  }
+  double share = 0.04;
+  for (int chunk = 0; chunk < kChunks; ++chunk, share *= 0.6) {
+    search.Run(kSteps, share * search.reward());
+  }
+  return search.best()[0];
+}
+
+double Worth(const std::vector<double>& rewards, const Tour& tour) {
+  double worth = 0.0;
+  for (int point : tour.points) worth += rewards[point];
+  return worth;
+}
+
+class Auction {
+ public:
+  Auction(const Orienteering& problem, const TeamTourOptions& options)
+      : problem_(problem),
+        options_(options),
+        budget_(options.seconds),
+        prices_(problem.size(), 0.0),
+        holders_(problem.size(), -1),
+        tours_(problem.tours) {
+    double sum = 0.0;
+    int count = 0;
+    for (double reward : problem.rewards) {
+      if (!(reward > 0.0)) continue;
+      sum += reward;
+      ++count;
+    }
+    epsilon_ = count > 0 ? kEpsilon * sum / count : 1.0;
+  }
+
+  TeamTours Run() {
+    TeamTours best;
+    do {
+      Settle();
+      double value = 0.0;
+      for (const Tour& tour : tours_) value += tour.reward;
+      best.bound =
+          std::min(best.bound, BoundAt(problem_, prices_, tours_.front()));
+      if (best.tours.empty() || value > best.value) {
+        best.value = value;
+        best.tours = tours_;
+      } else {
+        break;
+      }
+    } while (Reopen() && budget_.spent_s() < Until_s());
+    return best;
+  }
+
+ private:
+  double Until_s() const { return (1.0 - kBounding) * budget_.seconds(); }
+
+  // Bids until nobody wants to change.
+  void Settle() {
+    std::deque<int> unhappy(problem_.tours);
+    std::iota(unhappy.begin(), unhappy.end(), 0);
+    while (!unhappy.empty() && budget_.spent_s() < Until_s()) {
+      const int agent = unhappy.front();
+      unhappy.pop_front();
+      Bid(agent, &unhappy);
+    }
+  }
+
+  // What nobody holds in the end is free again. False if there is none.
+  bool Reopen() {
+    bool any = false;
+    for (int p = 0; p < problem_.size(); ++p) {
+      if (holders_[p] >= 0 || prices_[p] <= 0.0) continue;
+      prices_[p] = 0.0;
+      any = true;
+    }
+    return any;
+  }
+
+  // Rewards less what the points cost this agent.
+  std::vector<double> NetOf(int agent) const {
+    std::vector<double> net = problem_.rewards;
+    for (int p = 0; p < problem_.size(); ++p) {
+      const bool of_another = holders_[p] >= 0 && holders_[p] != agent;
+      net[p] -= prices_[p] + (of_another ? epsilon_ : 0.0);
+    }
+    return net;
+  }
+
+  void Bid(int agent, std::deque<int>* unhappy) {
+    const std::vector<double> net = NetOf(agent);
+    const Tour wanted = PlanAlone(problem_, net, tours_[agent], options_.seed);
+    if (!(Worth(net, wanted) > Worth(net, tours_[agent]) + 1e-9)) return;
+    for (int point : tours_[agent].points) holders_[point] = -1;
+    for (int point : wanted.points) {
+      const int loser = std::exchange(holders_[point], agent);
+      if (loser < 0) continue;
+      prices_[point] += epsilon_;
+      Lose(loser, point);
+      if (std::find(unhappy->begin(), unhappy->end(), loser) ==
+          unhappy->end()) {
+        unhappy->push_back(loser);
+      }
+    }
+    tours_[agent] = kg_planner::MakeTour(problem_, wanted.points);
+  }
+
+  void Lose(int agent, int point) {
+    std::vector<int> points = tours_[agent].points;
+    points.erase(std::remove(points.begin(), points.end(), point),
+                 points.end());
+    tours_[agent] = kg_planner::MakeTour(problem_, std::move(points));
+    if (tours_[agent].length <= problem_.limit) return;
+    // Lengths of no plane: without the point it is too long. It starts anew.
+    for (int held : tours_[agent].points) holders_[held] = -1;
+    tours_[agent] = {};
+  }
+
+  const Orienteering& problem_;
+  const TeamTourOptions& options_;
+  const TimeBudget budget_;
+  double epsilon_ = 1.0;
+  std::vector<double> prices_;
+  std::vector<int> holders_;  // By point; -1 = nobody.
+  std::vector<Tour> tours_;   // By agent.
+};
+
+class Prices {
+ public:
+  Prices(const Orienteering& problem, const TeamTourOptions& options)
+      : problem_(problem),
+        options_(options),
+        budget_(options.seconds),
+        prices_(problem.size(), 0.0) {}
+
+  TeamTours Run() {
+    do {
+      Round();
+    } while (budget_.left_s() > 0.0 && !IsClosed());
+    return best_;
+  }
+
+ private:
+  bool IsClosed() const {
+    const double all = AllRewards(problem_);
+    return best_.value >= std::min(best_.bound, all) - 1e-9;
+  }
+
+  void Round() {
+    std::vector<double> net = problem_.rewards;
+    for (int p = 0; p < problem_.size(); ++p) net[p] -= prices_[p];
+    // All agents are alike, so under the same prices all want the same.
+    const Tour wanted = PlanAlone(problem_, net, {}, options_.seed + rounds_++);
+    const double value = problem_.tours * wanted.reward + Sum(prices_);
+    if (provable_) {
+      const double bound = BoundAt(problem_, prices_, wanted);
+      provable_ = std::isfinite(bound);
+      best_.bound = std::min(best_.bound, bound);
+    }
+    Assign(net, wanted);
+    MovePrices(wanted, value);
+  }
+
+  // Who comes first has what it wants, the others plan under the same prices
+  // around it; at last each looks what is left over without them.
+  void Assign(std::vector<double> net, const Tour& wanted) {
+    std::vector<Tour> tours;
+    std::vector<double> left = problem_.rewards;
+    for (int agent = 0; agent < problem_.tours; ++agent) {
+      Tour tour =
+          agent == 0 ? wanted : PlanAlone(problem_, net, {}, options_.seed);
+      for (int point : tour.points) net[point] = left[point] = 0.0;
+      tours.push_back(kg_planner::MakeTour(problem_, tour.points));
+    }
+    double value = 0.0;
+    for (Tour& tour : tours) {
+      for (int point : tour.points) left[point] = problem_.rewards[point];
+      tour = PlanAlone(problem_, left, tour, options_.seed);
+      for (int point : tour.points) left[point] = 0.0;
+      value += Worth(problem_.rewards, tour);
+    }
+    if (!(value > best_.value)) return;
+    best_.value = value;
+    best_.tours = std::move(tours);
+  }
+
+  // Along the subgradient, by a share of what is between value and best team.
+  void MovePrices(const Tour& wanted, double value) {
+    if (value < least_ - 1e-9) {
+      least_ = value;
+      stale_ = 0;
+    } else if (++stale_ == kPatience) {
+      share_ *= 0.5;
+      stale_ = 0;
+    }
+    std::vector<double> excess(problem_.size(), -1.0);
+    for (int point : wanted.points) excess[point] += problem_.tours;
+    double square = 0.0;
+    for (int p = 0; p < problem_.size(); ++p) {
+      if (prices_[p] <= 0.0 && excess[p] < 0.0) excess[p] = 0.0;
+      square += excess[p] * excess[p];
+    }
+    if (square == 0.0) return;
+    const double step = share_ * std::max(0.0, value - best_.value) / square;
+    for (int p = 0; p < problem_.size(); ++p) {
+      prices_[p] = std::max(0.0, prices_[p] + step * excess[p]);
+    }
+  }
+
+  const Orienteering& problem_;
+  const TeamTourOptions& options_;
+  const TimeBudget budget_;
+  std::vector<double> prices_;
+  TeamTours best_;
+  unsigned rounds_ = 0;
+  bool provable_ = true;      // The best tour could be proven so far.
+  double least_ = kInfinity;  // Value of the relaxation.
+  double share_ = 1.0;
+  int stale_ = 0;
+};
+
+}  // namespace
+
+TeamTours PlanToursByAuction(const Orienteering& problem,
+                             const TeamTourOptions& options) {
+  return Auction(problem, options).Run();
+}
+
+TeamTours PlanToursByPrices(const Orienteering& problem,
+                            const TeamTourOptions& options) {
+  return Prices(problem, options).Run();
+}
+
+}  // namespace kg_selector

@@ -1,0 +1,385 @@
+#include "kg_selector/packing/packing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "kg_selector/packing/linear_program.h"
+#include "kg_selector/packing/packing_cliques.h"
+
+namespace kg_selector {
+namespace {
+
+bool IsIndex(int index, std::size_t size) {
+  return index >= 0 && index < static_cast<int>(size);
+}
+
+// By agent that a column names.
+std::map<int, double> LoadsOf(const Packing& packing,
+                              const std::vector<int>& chosen) {
+  std::map<int, double> loads;
+  for (const Column& column : packing.columns) loads[column.agent] = 0.0;
+  for (int c : chosen) {
+    loads[packing.columns[c].agent] += packing.columns[c].load;
+  }
+  return loads;
+}
+
+struct Extent {
+  double least = 0.0;
+  double largest = 0.0;
+};
+Extent ExtentOf(const std::map<int, double>& loads) {
+  if (loads.empty()) return {};
+  const auto [least, largest] =
+      std::minmax_element(loads.begin(), loads.end(),
+                          [](auto& a, auto& b) { return a.second < b.second; });
+  return {least->second, largest->second};
+}
+
+using Terms = std::vector<std::pair<int, double>>;
+
+// Rows first, then agents, then cliques of conflicts.
+LinearProgram ProgramOf(const Packing& packing) {
+  LinearProgram program;
+  const int columns = static_cast<int>(packing.columns.size());
+  program.binaries = columns;
+  for (int count : packing.row_capacities) {
+    program.rows.push_back({{}, static_cast<double>(count)});
+  }
+  const std::size_t agents = program.rows.size();
+  for (int count : packing.agent_counts) {
+    program.rows.push_back({{}, static_cast<double>(count)});
+  }
+  for (int c = 0; c < columns; ++c) {
+    const Column& column = packing.columns[c];
+    program.objective.push_back(column.score);
+    for (int row : column.rows) program.rows[row].terms.push_back({c, 1.0});
+    program.rows[agents + column.agent].terms.push_back({c, 1.0});
+  }
+  for (const auto& clique : CliquesOf(columns, packing.conflicts)) {
+    Terms terms;
+    for (int c : clique) terms.push_back({c, 1.0});
+    program.rows.push_back({std::move(terms), 1.0});
+  }
+  return program;
+}
+
+// Two more variables, above and below every load, as far apart as they cost.
+void AddBalance(const Packing& packing, LinearProgram* program) {
+  std::map<int, Terms> loads;
+  for (std::size_t c = 0; c < packing.columns.size(); ++c) {
+    const Column& column = packing.columns[c];
+    loads[column.agent].push_back({static_cast<int>(c), column.load});
+  }
+  if (loads.empty() || packing.weight == 0.0) return;
+  const int largest = static_cast<int>(program->objective.size());
+  const int least = largest + 1;
+  program->objective.push_back(-packing.weight);
+  program->objective.push_back(packing.weight);
+  for (const auto& [agent, terms] : loads) {
+    LinearRow below{terms, 0.0};
+    below.terms.push_back({largest, -1.0});
+    LinearRow above{{}, 0.0};
+    for (const auto& [c, load] : terms) above.terms.push_back({c, -load});
+    above.terms.push_back({least, 1.0});
+    program->rows.push_back(std::move(below));
+    program->rows.push_back(std::move(above));
+  }
+}
+
+// The program without the columns that cannot be part of anything better than
+// `value`; `kept` are those left.
+LinearProgram Reduced(const LinearProgram& program, const Relaxation& relaxed,
+                      double value, std::vector<int>* kept) {
+  LinearProgram reduced;
+  std::vector<int> renumbered(program.objective.size(), -1);
+  for (int j = 0; j < static_cast<int>(program.objective.size()); ++j) {
+    const bool binary = j < program.binaries;
+    const double slack = 1e-7 * (1.0 + std::abs(value));
+    if (binary && relaxed.solved &&
+        relaxed.value + relaxed.reduced_costs[j] < value - slack) {
+      continue;
+    }
+    renumbered[j] = static_cast<int>(reduced.objective.size());
+    reduced.objective.push_back(program.objective[j]);
+    if (binary) kept->push_back(j);
+  }
+  reduced.binaries = static_cast<int>(kept->size());
+  for (const LinearRow& row : program.rows) {
+    LinearRow shorter{{}, row.at_most};
+    for (const auto& [j, coefficient] : row.terms) {
+      if (renumbered[j] < 0) continue;
+      shorter.terms.push_back({renumbered[j], coefficient});
+    }
+    if (!shorter.terms.empty()) reduced.rows.push_back(std::move(shorter));
+  }
+  return reduced;
+}
+
+// When the time is up, on the clock that the options name.
+class Deadline {
+ public:
+  explicit Deadline(const PackingOptions& options)
+      : options_(options), begin_s_(ClockNow_s(options.processor_time)) {}
+  double left_s() const {
+    return options_.time_limit_s -
+           (ClockNow_s(options_.processor_time) - begin_s_);
+  }
+  BinaryOptions Options(double better_than) const {
+    return {left_s(), options_.processor_time, better_than};
+  }
+
+ private:
+  const PackingOptions& options_;
+  const double begin_s_;
+};
+
+std::vector<int> WholeColumns(const Relaxation& relaxed, int binaries) {
+  std::vector<int> chosen;
+  for (int c = 0; c < binaries; ++c) {
+    if (relaxed.values[c] > 0.5) chosen.push_back(c);
+  }
+  return chosen;
+}
+
+// A packing to improve. `everybody`: every agent that columns name must have a
+// column.
+struct Task {
+  const Packing& packing;
+  bool everybody = false;
+};
+
+void Accept(const Task& task, const std::vector<int>& chosen, Chosen* best) {
+  if (!IsPacking(task.packing, chosen)) return;
+  if (task.everybody && chosen.size() != LoadsOf(task.packing, {}).size()) {
+    return;
+  }
+  const double objective = ObjectiveOf(task.packing, chosen);
+  if (!(objective > best->objective)) return;
+  best->chosen = chosen;
+  best->objective = objective;
+}
+
+bool IsProven(const Chosen& best) {
+  return best.bound <= best.objective + 1e-9 * (1.0 + std::abs(best.objective));
+}
+
+LinearProgram ProgramOf(const Task& task) {
+  LinearProgram program = ProgramOf(task.packing);
+  if (task.packing.fairness == Fairness::kBalance) {
+    AddBalance(task.packing, &program);
+  }
+  if (!task.everybody) return program;
+  std::map<int, Terms> columns;
+  for (std::size_t c = 0; c < task.packing.columns.size(); ++c) {
+    columns[task.packing.columns[c].agent].push_back(
+        {static_cast<int>(c), -1.0});
+  }
+  for (auto& [agent, terms] : columns) {
+    program.rows.push_back({std::move(terms), -1.0});
+  }
+  return program;
+}
+
+// Improves `best` on the score, or on what kBalance says.
+void Solve(const Task& task, const Deadline& deadline, Chosen* best) {
+  const LinearProgram program = ProgramOf(task);
+  const Relaxation relaxed = Relax(program);
+  if (relaxed.solved) {
+    best->bound = relaxed.value;
+    Accept(task, WholeColumns(relaxed, program.binaries), best);
+  }
+  best->optimal = IsProven(*best);
+  if (best->optimal || deadline.left_s() <= 0.0) return;
+  std::vector<int> kept;
+  const LinearProgram reduced =
+      Reduced(program, relaxed, best->objective, &kept);
+  const BinarySolution solution =
+      SolveBinary(reduced, deadline.Options(best->objective));
+  std::vector<int> chosen;
+  for (std::size_t i = 0; i < solution.chosen.size(); ++i) {
+    if (solution.chosen[i]) chosen.push_back(kept[i]);
+  }
+  Accept(task, chosen, best);
+  best->optimal = solution.finished;
+  const double bound = std::min(best->bound, solution.bound);
+  best->bound =
+      solution.finished ? best->objective : std::max(best->objective, bound);
+}
+
+// Only columns of at least this load, and a column for every agent.
+Packing Demanding(const Packing& packing, double load, std::vector<int>* kept) {
+  Packing part = packing;
+  part.fairness = Fairness::kNone;
+  part.columns.clear();
+  part.conflicts.clear();
+  std::vector<int> renumbered(packing.columns.size(), -1);
+  for (std::size_t c = 0; c < packing.columns.size(); ++c) {
+    if (packing.columns[c].load < load) continue;
+    renumbered[c] = static_cast<int>(part.columns.size());
+    part.columns.push_back(packing.columns[c]);
+    kept->push_back(static_cast<int>(c));
+  }
+  for (const auto& [a, b] : packing.conflicts) {
+    if (renumbered[a] < 0 || renumbered[b] < 0) continue;
+    part.conflicts.push_back({renumbered[a], renumbered[b]});
+  }
+  return part;
+}
+
+struct Attempt {
+  std::vector<int> chosen;
+  bool everybody = false;  // Has a column.
+  bool proven = false;
+};
+
+// Can everybody have a column of at least this load?
+Attempt TryLoad(const Packing& packing, double load, const Deadline& deadline) {
+  std::vector<int> kept;
+  Packing part = Demanding(packing, load, &kept);
+  for (Column& column : part.columns) column.score = 1.0;
+  Chosen best;
+  best.chosen = PackQuickly(part, {});
+  best.objective = ObjectiveOf(part, best.chosen);
+  Solve({part}, deadline, &best);
+  Attempt attempt;
+  for (int c : best.chosen) attempt.chosen.push_back(kept[c]);
+  attempt.everybody = best.chosen.size() == LoadsOf(packing, {}).size();
+  attempt.proven = best.optimal;
+  return attempt;
+}
+
+// The best score of columns of at least this load, from a choice of such. One
+// for everybody if the load is above 0: an agent without a column has 0.
+Chosen BestWithLoad(const Packing& packing, double load,
+                    const std::vector<int>& start, const Deadline& deadline) {
+  std::vector<int> kept;
+  const Packing part = Demanding(packing, load, &kept);
+  Chosen best;
+  for (int c : start) {
+    const auto at = std::lower_bound(kept.begin(), kept.end(), c);
+    best.chosen.push_back(static_cast<int>(at - kept.begin()));
+  }
+  best.objective = ObjectiveOf(part, best.chosen);
+  Solve({part, load > 0.0}, deadline, &best);
+  for (int& c : best.chosen) c = kept[c];
+  return best;
+}
+
+std::vector<double> PositiveLoads(const Packing& packing) {
+  std::set<double> loads;
+  for (const Column& column : packing.columns) {
+    if (column.load > 0.0) loads.insert(column.load);
+  }
+  return {loads.begin(), loads.end()};
+}
+
+bool IsFairer(const Packing& packing, const Chosen& a, const Chosen& b) {
+  const double least_a = ExtentOf(LoadsOf(packing, a.chosen)).least;
+  const double least_b = ExtentOf(LoadsOf(packing, b.chosen)).least;
+  if (least_a != least_b) return least_a > least_b;
+  return ObjectiveOf(packing, a.chosen) > ObjectiveOf(packing, b.chosen);
+}
+
+// The largest load that everybody can have, by halving; then the best score
+// with it.
+Chosen SolveMaxMin(const Packing& packing, const std::vector<int>& start,
+                   const Deadline& deadline) {
+  const std::vector<double> loads = PositiveLoads(packing);
+  std::size_t possible = 0;  // Loads below this index are.
+  std::size_t impossible = loads.size();
+  bool proven = true;
+  std::vector<int> everybody;
+  while (possible < impossible) {
+    const std::size_t middle = possible + (impossible - possible) / 2;
+    const Attempt attempt = TryLoad(packing, loads[middle], deadline);
+    if (attempt.everybody) {
+      everybody = attempt.chosen;
+      possible = middle + 1;
+    } else {
+      proven = proven && attempt.proven;
+      impossible = middle;
+    }
+  }
+  const double load = possible == 0 ? 0.0 : loads[possible - 1];
+  Chosen best = BestWithLoad(packing, load, everybody, deadline);
+  best.optimal = best.optimal && proven;
+  for (const auto& other : {start, PackQuickly(packing, start)}) {
+    Chosen chosen;
+    chosen.chosen = other;
+    if (!best.optimal && IsFairer(packing, chosen, best)) best = chosen;
+  }
+  return best;
+}
+
+}  // namespace
+
+double ObjectiveOf(const Packing& packing, const std::vector<int>& chosen) {
+  double sum = 0.0;
+  for (int c : chosen) sum += packing.columns[c].score;
+  if (packing.fairness != Fairness::kBalance) return sum;
+  const Extent extent = ExtentOf(LoadsOf(packing, chosen));
+  return sum - packing.weight * (extent.largest - extent.least);
+}
+
+bool IsPacking(const Packing& packing, const std::vector<int>& chosen) {
+  std::set<int> columns;
+  std::vector<int> agents = packing.agent_counts;
+  std::vector<int> rows = packing.row_capacities;
+  for (int c : chosen) {
+    if (!IsIndex(c, packing.columns.size()) || !columns.insert(c).second) {
+      return false;
+    }
+    if (--agents[packing.columns[c].agent] < 0) return false;
+    for (int row : packing.columns[c].rows) {
+      if (--rows[row] < 0) return false;
+    }
+  }
+  return std::none_of(packing.conflicts.begin(), packing.conflicts.end(),
+                      [&](const std::pair<int, int>& conflict) {
+                        return columns.count(conflict.first) > 0 &&
+                               columns.count(conflict.second) > 0;
+                      });
+}
+
+PackingPrices PriceRows(const Packing& packing) {
+  Check(packing);
+  PackingPrices prices;
+  const Relaxation relaxed = Relax(ProgramOf(packing));
+  if (!relaxed.solved) throw std::logic_error("a packing without relaxation");
+  const auto rows = relaxed.row_prices.begin();
+  const std::size_t count = packing.row_capacities.size();
+  prices.rows.assign(rows, rows + count);
+  prices.agents.assign(rows + count,
+                       rows + count + packing.agent_counts.size());
+  prices.bound = relaxed.value;
+  return prices;
+}
+
+Chosen SolvePacking(const Packing& packing, const PackingOptions& options) {
+  Check(packing);
+  if (!IsPacking(packing, options.start)) {
+    throw std::invalid_argument("start: no packing");
+  }
+  const Deadline deadline(options);
+  Chosen best;
+  if (packing.fairness == Fairness::kMaxMin) {
+    best = SolveMaxMin(packing, options.start, deadline);
+  } else {
+    best.objective = ObjectiveOf(packing, {});
+    const Task task{packing};
+    Accept(task, options.start, &best);
+    Accept(task, PackQuickly(packing, options.start), &best);
+    Solve(task, deadline, &best);
+  }
+  std::sort(best.chosen.begin(), best.chosen.end());
+  best.objective = ObjectiveOf(packing, best.chosen);
+  if (best.optimal) best.bound = best.objective;
+  best.least_load = ExtentOf(LoadsOf(packing, best.chosen)).least;
+  return best;
+}
+
+}  // namespace kg_selector

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "kg_selector/packing/packing.h"
+
+namespace kg_selector {
+namespace {
+
+// A choice as it grows, with what is left of rows and agents.
+class Start {
+ public:
+  explicit Start(const Packing& packing)
+      : packing_(packing),
+        rows_(packing.row_capacities.size()),
+        agents_(packing.agent_counts.size()),
+        enemies_(packing.columns.size()),
+        by_score_(packing.columns.size()) {
+    for (const auto& [a, b] : packing.conflicts) {
+      enemies_[a].push_back(b);
+      enemies_[b].push_back(a);
+    }
+    std::iota(by_score_.begin(), by_score_.end(), 0);
+    std::stable_sort(by_score_.begin(), by_score_.end(),
+                     [&](int a, int b) { return Score(a) > Score(b); });
+  }
+
+  void Take(int column) {
+    chosen_.insert(column);
+    agents_[packing_.columns[column].agent].insert(column);
+    for (int row : packing_.columns[column].rows) rows_[row].insert(column);
+  }
+
+  void Fill() {
+    for (int column : by_score_) {
+      if (Score(column) <= 0.0) break;
+      if (chosen_.count(column) > 0 || !IsOpen(column)) continue;
+      const std::set<int> blockers = BlockersOf(column);
+      if (blockers.empty()) Take(column);
+    }
+  }
+
+  // One column for those in its way, wherever that pays.
+  bool ExchangeOnce() {
+    for (int column : by_score_) {
+      if (chosen_.count(column) > 0 || !IsOpen(column)) continue;
+      const std::set<int> blockers = BlockersOf(column);
+      double lost = 0.0;
+      for (int blocker : blockers) lost += Score(blocker);
+      if (!(Score(column) > lost + 1e-12)) continue;
+      for (int blocker : blockers) Leave(blocker);
+      Take(column);
+      return true;
+    }
+    return false;
+  }
+
+  std::vector<int> chosen() const { return {chosen_.begin(), chosen_.end()}; }
+
+ private:
+  double Score(int column) const { return packing_.columns[column].score; }
+
+  // Can it be chosen at all?
+  bool IsOpen(int column) const {
+    const Column& c = packing_.columns[column];
+    return packing_.agent_counts[c.agent] > 0 &&
+           std::all_of(c.rows.begin(), c.rows.end(), [&](int row) {
+             return packing_.row_capacities[row] > 0;
+           });
+  }
+
+  void Leave(int column) {
+    chosen_.erase(column);
+    agents_[packing_.columns[column].agent].erase(column);
+    for (int row : packing_.columns[column].rows) rows_[row].erase(column);
+  }
+
+  // Those that must go: of a full row or agent the one worth least.
+  std::set<int> BlockersOf(int column) const {
+    std::set<int> blockers;
+    for (int enemy : enemies_[column]) {
+      if (chosen_.count(enemy) > 0) blockers.insert(enemy);
+    }
+    const Column& c = packing_.columns[column];
+    MakeRoom(agents_[c.agent], packing_.agent_counts[c.agent], &blockers);
+    for (int row : c.rows) {
+      MakeRoom(rows_[row], packing_.row_capacities[row], &blockers);
+    }
+    return blockers;
+  }
+
+  void MakeRoom(const std::set<int>& users, int capacity,
+                std::set<int>* blockers) const {
+    if (static_cast<int>(users.size()) < capacity) return;
+    int least = -1;
+    for (int user : users) {
+      if (blockers->count(user) > 0) return;
+      if (least < 0 || Score(user) < Score(least)) least = user;
+    }
+    if (least >= 0) blockers->insert(least);
+  }
+
+  const Packing& packing_;
+  std::vector<std::set<int>> rows_;    // Columns that use each.
+  std::vector<std::set<int>> agents_;  // Columns of each.
+  std::vector<std::vector<int>> enemies_;
+  std::vector<int> by_score_;
+  std::set<int> chosen_;
+};
+
+}  // namespace
+
+std::vector<int> PackQuickly(const Packing& packing,
+                             const std::vector<int>& start) {
+  Start choice(packing);
+  for (int column : start) choice.Take(column);
+  choice.Fill();
+  while (choice.ExchangeOnce()) choice.Fill();
+  return choice.chosen();
+}
+
+}  // namespace kg_selector

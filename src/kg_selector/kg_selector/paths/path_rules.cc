@@ -1,0 +1,89 @@
+#include "kg_selector/paths/path_rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include "kg_core/base/units.h"
+#include "kg_planner/k_best/diverse_paths.h"
+
+namespace kg_selector {
+namespace {
+
+using kg_compiler::SeamRules;
+
+constexpr int kMostDecimals = 9;
+
+struct Unit {
+  const char* best;  // The path that needs least.
+  const char* name;
+  const char* of;  // Behind the budget's unit.
+  double size;
+};
+constexpr Unit kEnergy = {"thriftiest", "Wh", "", kg_core::kJoulesPerWh};
+constexpr Unit kHazard = {"safest", "h", " of hazard",
+                          kg_core::kSecondsPerHour};
+
+std::string Number(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+// With as many decimals as tell the two apart.
+std::string Exceeded(const Unit& unit, double budget, double above) {
+  const double allowed = budget / unit.size;
+  const double taken = (budget + above) / unit.size;
+  int decimals = 1;
+  while (decimals < kMostDecimals &&
+         Number(allowed, decimals) == Number(taken, decimals))
+    ++decimals;
+  return "no path within " + Number(allowed, decimals) + " " + unit.name +
+         unit.of + ": the " + unit.best + " takes " + Number(taken, decimals) +
+         " " + unit.name;
+}
+
+}  // namespace
+
+void LimitHazard(const SeamRules& rules, const kg_compiler::NavGraphs& graphs,
+                 kg_planner::Trellis* trellis) {
+  if (!std::isfinite(rules.hazard_budget_s)) return;
+  trellis->more_limits = {rules.hazard_budget_s};
+  for (std::size_t s = 0; s < graphs.size(); ++s) {
+    std::vector<double> hazard_s;
+    for (const kg_compiler::TraverseEdge& edge : graphs[s].edges)
+      hazard_s.push_back(edge.flight.hazard_s + edge.isolation_s);
+    trellis->stages[s].more_resources = {std::move(hazard_s)};
+  }
+}
+
+kg_planner::KBest ChoosePaths(const SeamRules& rules,
+                              const kg_planner::Trellis& trellis,
+                              const kg_planner::Masks& masks) {
+  const int paths = std::max(1, rules.candidates);
+  if (rules.diverse) {
+    kg_planner::DiverseOptions options;
+    options.paths = paths;
+    options.minimum_difference = rules.minimum_difference;
+    return kg_planner::FindDiverse(trellis, masks, options);
+  }
+  kg_planner::KBestOptions options;
+  options.paths = paths;
+  return kg_planner::FindKBest(trellis, masks, options);
+}
+
+std::string BudgetNote(const SeamRules& rules, const kg_planner::KBest& found) {
+  const std::vector<double>& above = found.above_limits;
+  const auto is_to_blame = [&](std::size_t resource) {
+    return resource < above.size() && std::isfinite(above[resource]) &&
+           above[resource] > 0.0;
+  };
+  if (is_to_blame(0)) return Exceeded(kEnergy, rules.energy_budget_j, above[0]);
+  if (is_to_blame(1)) return Exceeded(kHazard, rules.hazard_budget_s, above[1]);
+  return "";
+}
+
+}  // namespace kg_selector

@@ -1,0 +1,222 @@
+#include "kg_selector/paths/pathlet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kg_core/base/units.h"
+#include "kg_core/geo/geodesy.h"
+
+namespace kg_selector {
+namespace {
+
+using kg_compiler::TimedPoint;
+using kg_core::LonLat;
+using Track = std::vector<TimedPoint>;
+
+// In [-180, 180]; std::remainder is slow and hardly ever needed.
+double Wrapped(double eastward_deg) {
+  return eastward_deg >= -180.0 && eastward_deg <= 180.0
+             ? eastward_deg
+             : std::remainder(eastward_deg, 360.0);
+}
+
+LonLat Between(LonLat a, LonLat b, double share) {
+  const double eastward_deg = Wrapped(b.lon_deg - a.lon_deg);
+  return {a.lon_deg + share * eastward_deg,
+          a.lat_deg + share * (b.lat_deg - a.lat_deg)};
+}
+
+LonLat PositionAt(const TimedPoint& from, const TimedPoint& to, double time_s) {
+  const double duration_s = to.time_s - from.time_s;
+  if (!(duration_s > 0.0)) return from.position;
+  const double share = (time_s - from.time_s) / duration_s;
+  return Between(from.position, to.position, std::clamp(share, 0.0, 1.0));
+}
+
+struct Offset {
+  double east_m = 0.0;
+  double north_m = 0.0;
+  double length_m() const { return std::hypot(east_m, north_m); }
+};
+
+Offset OffsetOf(LonLat a, LonLat b, const kg_core::DegreesPerMetre& scale) {
+  return {Wrapped(b.lon_deg - a.lon_deg) / scale.lon_deg,
+          (b.lat_deg - a.lat_deg) / scale.lat_deg};
+}
+
+double MidLatitudeDistance_m(LonLat a, LonLat b) {
+  const auto scale = kg_core::LocalScale(0.5 * (a.lat_deg + b.lat_deg));
+  return OffsetOf(a, b, scale).length_m();
+}
+
+// Both tracks straight and steady between two times.
+struct Interval {
+  double begin_s = 0.0;
+  double end_s = 0.0;
+  LonLat a_begin, a_end;
+  LonLat b_begin, b_end;
+};
+
+// The plane's minimum, measured again at its own middle latitude.
+Approach ApproachWithin(const Interval& interval) {
+  const auto scale = kg_core::LocalScale(
+      0.25 * (interval.a_begin.lat_deg + interval.a_end.lat_deg +
+              interval.b_begin.lat_deg + interval.b_end.lat_deg));
+  const Offset begin = OffsetOf(interval.a_begin, interval.b_begin, scale);
+  const Offset end = OffsetOf(interval.a_end, interval.b_end, scale);
+  const double east_m = end.east_m - begin.east_m;
+  const double north_m = end.north_m - begin.north_m;
+  const double squared = east_m * east_m + north_m * north_m;
+  const double along = -(begin.east_m * east_m + begin.north_m * north_m);
+  const double share =
+      squared > 0.0 ? std::clamp(along / squared, 0.0, 1.0) : 0.0;
+  return {
+      MidLatitudeDistance_m(Between(interval.a_begin, interval.a_end, share),
+                            Between(interval.b_begin, interval.b_end, share)),
+      interval.begin_s + share * (interval.end_s - interval.begin_s)};
+}
+
+double LeastOf(double begin, double end) {
+  return begin * end > 0.0 ? std::min(std::abs(begin), std::abs(end)) : 0.0;
+}
+
+// Not more than the approach, from differences of latitude and longitude alone:
+// a degree is at least 110574 m northward and 111319 m cos(lat) eastward, and
+// cos(x) >= 1 - x^2 / 2. A hair is taken off for rounding.
+double LeastPossible_m(const Interval& interval) {
+  const double north_deg =
+      LeastOf(interval.b_begin.lat_deg - interval.a_begin.lat_deg,
+              interval.b_end.lat_deg - interval.a_end.lat_deg);
+  const double east_deg =
+      LeastOf(Wrapped(interval.b_begin.lon_deg - interval.a_begin.lon_deg),
+              Wrapped(interval.b_end.lon_deg - interval.a_end.lon_deg));
+  const double lat_rad = kg_core::DegToRad(std::max(
+      {std::abs(interval.a_begin.lat_deg), std::abs(interval.a_end.lat_deg),
+       std::abs(interval.b_begin.lat_deg), std::abs(interval.b_end.lat_deg)}));
+  const double cos_lat = std::max(0.0, 1.0 - 0.5 * lat_rad * lat_rad);
+  return 0.999999 *
+         std::max(110574.0 * north_deg, 111319.0 * cos_lat * east_deg);
+}
+
+// Index of the last point that is not after time_s.
+std::size_t PointAt(const Track& track, double time_s) {
+  const auto later = std::upper_bound(
+      track.begin(), track.end(), time_s,
+      [](double t, const TimedPoint& point) { return t < point.time_s; });
+  return later == track.begin() ? 0 : later - track.begin() - 1;
+}
+
+// Walks the pieces of a track.
+class Piece {
+ public:
+  Piece(const Track& track, double time_s)
+      : track_(track), index_(PointAt(track, time_s)) {}
+
+  const TimedPoint& from() const { return track_[index_]; }
+  const TimedPoint& to() const {
+    return track_[std::min(index_ + 1, track_.size() - 1)];
+  }
+  bool Advance(double time_s) {
+    if (index_ + 2 >= track_.size() || !(to().time_s <= time_s)) return false;
+    ++index_;
+    return true;
+  }
+  double EndBefore(double time_s) const {
+    return index_ + 1 < track_.size() ? std::min(time_s, to().time_s) : time_s;
+  }
+
+ private:
+  const Track& track_;
+  std::size_t index_;
+};
+
+// The common times of the tracks within `span`; empty if to < from.
+Span CommonSpan(const Track& a, const Track& b, const Span& span) {
+  if (a.empty() || b.empty()) return {0.0, -1.0};
+  return {std::max({span.from_s, a.front().time_s, b.front().time_s}),
+          std::min({span.to_s, a.back().time_s, b.back().time_s})};
+}
+
+// Calls visit(Interval) in order of time until it returns false.
+template <typename Visit>
+void ForEachInterval(const Track& a, const Track& b, const Span& span,
+                     const Visit& visit) {
+  const Span common = CommonSpan(a, b, span);
+  if (!(common.from_s <= common.to_s)) return;
+  Piece of_a(a, common.from_s);
+  Piece of_b(b, common.from_s);
+  double begin_s = common.from_s;
+  for (bool more = true; more;) {
+    const double end_s =
+        std::max(begin_s, of_b.EndBefore(of_a.EndBefore(common.to_s)));
+    const Interval interval{begin_s,
+                            end_s,
+                            PositionAt(of_a.from(), of_a.to(), begin_s),
+                            PositionAt(of_a.from(), of_a.to(), end_s),
+                            PositionAt(of_b.from(), of_b.to(), begin_s),
+                            PositionAt(of_b.from(), of_b.to(), end_s)};
+    if (!visit(interval)) return;
+    begin_s = end_s;
+    const bool a_moved = of_a.Advance(end_s);
+    more = of_b.Advance(end_s) || a_moved;
+  }
+}
+
+}  // namespace
+
+std::vector<int> ViaOf(const Visit& visit) {
+  std::vector<int> via;
+  for (const Stop& stop : visit.via) via.push_back(stop.waypoint);
+  return via;
+}
+
+std::vector<int> StopsOf(const Visit& visit) {
+  std::vector<int> stops = ViaOf(visit);
+  stops.push_back(visit.waypoint);
+  return stops;
+}
+
+std::optional<Approach> ClosestApproach(const Track& a, const Track& b,
+                                        const Span& span) {
+  std::optional<Approach> closest;
+  ForEachInterval(a, b, span, [&](const Interval& interval) {
+    const Approach approach = ApproachWithin(interval);
+    if (!closest || approach.distance_m < closest->distance_m)
+      closest = approach;
+    return true;
+  });
+  return closest;
+}
+
+std::optional<Approach> ClosestApproach(const Track& a, const Track& b) {
+  return ClosestApproach(a, b, Span());
+}
+
+bool ComeCloserThan(const Track& a, const Track& b, double distance_m,
+                    const Span& span) {
+  bool closer = false;
+  ForEachInterval(a, b, span, [&](const Interval& interval) {
+    closer = LeastPossible_m(interval) < distance_m &&
+             ApproachWithin(interval).distance_m < distance_m;
+    return !closer;
+  });
+  return closer;
+}
+
+std::optional<double> FirstTimeApart(const Track& a, const Track& b,
+                                     double distance_m, const Span& span) {
+  std::optional<double> first_s;
+  const auto apart = [&](LonLat at_a, LonLat at_b) {
+    return MidLatitudeDistance_m(at_a, at_b) >= distance_m;
+  };
+  ForEachInterval(a, b, span, [&](const Interval& interval) {
+    if (apart(interval.a_begin, interval.b_begin))
+      first_s = interval.begin_s;
+    else if (apart(interval.a_end, interval.b_end))
+      first_s = interval.end_s;
+    return !first_s;
+  });
+  return first_s;
+}
+
+}  // namespace kg_selector

@@ -1,0 +1,172 @@
+#include "kg_selector/team/plan_mission.h"
+
+#include <chrono>
+#include <stdexcept>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/base/parallel.h"
+
+namespace kg_selector {
+namespace {
+
+using kg_compiler::Compilation;
+using kg_compiler::NavGraphs;
+using kg_compiler::SeamRules;
+using kg_compiler::WindowWorld;
+
+struct Graphs {
+  NavGraphs graphs;
+  std::string trouble;  // Why there are none.
+  GraphCache cache;
+};
+
+// A compilation's rasters by hash.
+class RasterIndex {
+ public:
+  explicit RasterIndex(const Compilation& compilation) {
+    for (const auto& tensor : compilation.tensors) {
+      tensors_.emplace(tensor->hash, tensor.get());
+    }
+    for (const auto& field : compilation.fields) {
+      fields_.emplace(field->hash, &field->field);
+    }
+  }
+
+  // In the order of the rules' windows.
+  std::vector<WindowWorld> WorldsOf(const SeamRules& rules) const {
+    std::vector<WindowWorld> worlds;
+    for (const kg_compiler::WindowRules& window : rules.windows) {
+      worlds.push_back({Find(tensors_, window.tensor_hash),
+                        Find(fields_, window.field_hash)});
+    }
+    return worlds;
+  }
+
+ private:
+  template <typename T>
+  using ByHash = std::unordered_map<std::string_view, const T*>;
+
+  template <typename T>
+  static const T* Find(const ByHash<T>& rasters, const std::string& hash) {
+    const auto found = rasters.find(hash);
+    if (found != rasters.end()) return found->second;
+    throw std::logic_error("the compilation has no raster " + hash);
+  }
+
+  ByHash<kg_compiler::MissionTensor> tensors_;
+  ByHash<kg_core::VectorField> fields_;
+};
+
+Graphs CompileGraphs(const SeamRules& rules,
+                     const std::vector<WindowWorld>& worlds,
+                     const PlannedMission* previous) {
+  Graphs made;
+  if (previous) {
+    const auto last = previous->caches.find(rules.agent_id);
+    if (last != previous->caches.end()) made.cache = last->second;
+  }
+  try {
+    made.graphs = CompileWalkedGraphs(rules, worlds, &made.cache);
+  } catch (const kg_core::InputError& error) {
+    made.trouble = error.what();
+  }
+  return made;
+}
+
+std::vector<Graphs> CompileAll(const Compilation& compilation,
+                               const PlannedMission* previous) {
+  const RasterIndex rasters(compilation);
+  std::vector<Graphs> made(compilation.rules.size());
+  kg_core::ForEachInParallel(made.size(), [&](std::size_t i) {
+    const SeamRules& rules = compilation.rules[i];
+    made[i] = CompileGraphs(rules, rasters.WorldsOf(rules), previous);
+  });
+  return made;
+}
+
+double SecondsSince(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+      .count();
+}
+
+// A planner that finds no path says so in its own words, which go before the
+// selector's.
+void TellWhy(const std::map<std::string, std::string>& unplannable,
+             TeamPlan* plan) {
+  for (auto& [agent, why] : plan->unassigned) {
+    const auto note = plan->notes.find(agent);
+    if (note != plan->notes.end()) why = note->second;
+    const auto trouble = unplannable.find(agent);
+    if (trouble != unplannable.end()) why = trouble->second;
+  }
+}
+
+}  // namespace
+
+const TeamMember* PlannedMission::FindMember(const std::string& agent) const {
+  for (const TeamMember& member : members) {
+    if (NameOf(member) == agent) return &member;
+  }
+  return nullptr;
+}
+
+const Pathlet* PlannedMission::FindPath(const std::string& agent) const {
+  for (const Pathlet& pathlet : plan.committed) {
+    if (pathlet.agent == agent) return &pathlet;
+  }
+  return nullptr;
+}
+
+TeamRules ToTeamRules(const Compilation& compilation) {
+  const kg_core::CoordinationFacts& facts = compilation.coordination.facts;
+  TeamRules team;
+  team.event_capacity = compilation.coordination.event_capacity;
+  team.event_windows = compilation.coordination.event_windows;
+  team.separation_m = facts.separation_m;
+  team.separation_is_hard = facts.separation_is_hard;
+  team.separation_weight_per_m = facts.separation_weight;
+  team.mode = facts.mode;
+  team.max_rounds = facts.max_rounds;
+  team.gap_goal = facts.gap_goal;
+  team.auction_epsilon = facts.auction_epsilon;
+  team.time_limit_s = facts.select_limit_s;
+  team.fairness = facts.fairness;
+  team.fairness_weight = facts.fairness_weight;
+  for (const SeamRules& rules : compilation.rules)
+    team.energy_budget_j[rules.agent_id] = rules.energy_budget_j;
+  for (const kg_core::TimeWindow& window : compilation.mission.windows)
+    if (window.index >= compilation.first_window)
+      team.window_end_s[window.index] = window.end_s;
+  return team;
+}
+
+std::vector<WindowWorld> WorldsOf(const Compilation& compilation,
+                                  const SeamRules& rules) {
+  return RasterIndex(compilation).WorldsOf(rules);
+}
+
+PlannedMission PlanMission(const Compilation& compilation,
+                           const PlannedMission* previous) {
+  PlannedMission planned;
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<Graphs> graphs = CompileAll(compilation, previous);
+  planned.stage_seconds["graphs"] = SecondsSince(begin);
+  planned.rules = ToTeamRules(compilation);
+  for (const SeamRules& rules : compilation.rules) {
+    Graphs& made = graphs[planned.members.size()];
+    if (!made.trouble.empty())
+      planned.unplannable[rules.agent_id] = made.trouble;
+    planned.members.push_back({rules, std::move(made.graphs)});
+    planned.caches[rules.agent_id] = std::move(made.cache);
+  }
+  const auto graphs_made = std::chrono::steady_clock::now();
+  planned.plan = PlanTeam(planned.rules, planned.members);
+  planned.stage_seconds["team"] = SecondsSince(graphs_made);
+  TellWhy(planned.unplannable, &planned.plan);
+  return planned;
+}
+
+}  // namespace kg_selector

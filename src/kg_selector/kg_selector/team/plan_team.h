@@ -1,0 +1,47 @@
+// The whole way from everybody's NavGraphs to a team plan, in one process: what
+// planner and selector nodes do together, for what-ifs and benchmarks.
+
+#ifndef KG_SELECTOR_TEAM_PLAN_TEAM_H_
+#define KG_SELECTOR_TEAM_PLAN_TEAM_H_
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "kg_compiler/control_plane/nav_graphs.h"
+#include "kg_compiler/control_plane/seam_rules.h"
+#include "kg_selector/paths/conflict.h"
+#include "kg_selector/paths/pathlet.h"
+#include "kg_selector/team/coordinator.h"
+#include "kg_selector/team/plan_under.h"
+
+namespace kg_selector {
+
+struct TeamMember {
+  kg_compiler::SeamRules rules;
+  // One a window of `rules`; none = the agent cannot be planned.
+  kg_compiler::NavGraphs graphs;
+};
+
+// What a team calls its members, as the selector node does: the ex:id, or the
+// IRI of who has none.
+const std::string& NameOf(const TeamMember& member);
+
+// One agent's best paths, its prices taken off, around those committed; none
+// has a hard conflict with them.
+Candidates PlanUnder(const TeamRules& rules, const TeamMember& member,
+                     const Ask& ask);
+
+struct TeamPlan : TeamOutcome {
+  bool proven = true;  // Every path was proven best for its agent.
+  // What those without a path said with their last offer, if anything.
+  std::map<std::string, std::string> notes{};
+  double score() const;
+};
+
+// rules.window_end_s as far as it is missing is taken from the members.
+TeamPlan PlanTeam(TeamRules rules, const std::vector<TeamMember>& members);
+
+}  // namespace kg_selector
+
+#endif  // KG_SELECTOR_TEAM_PLAN_TEAM_H_

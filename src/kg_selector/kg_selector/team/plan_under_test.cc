@@ -1,0 +1,137 @@
+#include "kg_selector/team/plan_under.h"
+
+#include <cmath>
+#include <limits>
+
+#include "gtest/gtest.h"
+#include "kg_core/base/input_error.h"
+#include "kg_selector/team/every_path.h"
+#include "kg_selector/team/random_team.h"
+
+namespace kg_selector {
+namespace {
+
+double Price(const Ask& ask, int window, int waypoint) {
+  double sum = 0.0;
+  for (const WaypointPrice& price : ask.waypoint_prices)
+    if (price.window == window && price.waypoint == waypoint)
+      sum += price.price;
+  return sum;
+}
+
+// What a path is worth if it earns what pays.
+struct Worth {
+  double score = 0.0;
+  double paid = 0.0;
+  std::set<std::string> earned;
+};
+
+Worth WorthUnder(const Ask& ask, const EveryPath& path) {
+  Worth worth{path.score, 0.0, {}};
+  for (std::size_t w = 0; w < path.nodes.size(); ++w)
+    worth.paid += Price(ask, static_cast<int>(w), path.nodes[w]);
+  for (const auto& [event, reward] : path.events) {
+    const auto price = ask.event_prices.find(event);
+    const double of_event =
+        price == ask.event_prices.end() ? 0.0 : price->second;
+    if (ask.full_events.count(event) > 0 || !(reward > of_event)) continue;
+    worth.score += reward;
+    worth.paid += of_event;
+    worth.earned.insert(event);
+  }
+  return worth;
+}
+
+Ask RandomAsk(RandomTeam* random) {
+  Ask ask;
+  for (int i = random->Whole(0, 6); i > 0; --i)
+    ask.waypoint_prices.push_back(
+        {random->Whole(0, 2), random->Whole(0, 3), random->Number(0.0, 6.0)});
+  for (int i = 0; i < 2; ++i) {
+    const std::string event = "ex:event" + std::to_string(i);
+    if (random->Whole(0, 1) == 1)
+      ask.event_prices[event] = random->Number(0.0, 8.0);
+    if (random->Whole(0, 5) == 0) ask.full_events.insert(event);
+  }
+  return ask;
+}
+
+std::set<std::string> EarnedBy(const Pathlet& pathlet) {
+  std::set<std::string> earned;
+  for (const Visit& visit : pathlet.visits)
+    earned.insert(visit.events.begin(), visit.events.end());
+  return earned;
+}
+
+TEST(PlanUnderTest, FindsTheBestPathsLessPricesByExhaustion) {
+  int dear_events = 0;
+  for (unsigned seed = 1; seed <= 1000; ++seed) {
+    RandomTeam random({}, seed);
+    const TeamMember member = random.MakeMembers().front();
+    const Ask ask = RandomAsk(&random);
+    const Candidates found = PlanUnder({}, member, ask);
+    std::vector<double> values;
+    std::map<std::vector<int>, Worth> by_nodes;
+    for (const EveryPath& path : EveryPathOf(member)) {
+      const Worth worth = WorthUnder(ask, path);
+      values.push_back(worth.score - worth.paid);
+      by_nodes[path.nodes] = worth;
+      dear_events += worth.earned.size() < path.events.size();
+    }
+    std::sort(values.rbegin(), values.rend());
+    ASSERT_EQ(found.pathlets.size(), std::min<std::size_t>(5, values.size()));
+    for (std::size_t i = 0; i < found.pathlets.size(); ++i) {
+      const Pathlet& pathlet = found.pathlets[i];
+      std::vector<int> nodes;
+      for (const Visit& visit : pathlet.visits) nodes.push_back(visit.waypoint);
+      const Worth& worth = by_nodes.at(nodes);
+      EXPECT_NEAR(pathlet.score(), worth.score, 1e-9);
+      EXPECT_NEAR(worth.score - worth.paid, values[i], 1e-9);
+      EXPECT_EQ(EarnedBy(pathlet), worth.earned);
+    }
+    if (!values.empty()) {
+      EXPECT_NEAR(found.bound, values[0], 1e-9);
+    }
+  }
+  EXPECT_GT(dear_events, 1000);
+}
+
+TEST(PlanUnderTest, PricesOfNothingChangeNothing) {
+  RandomTeam random({}, 3);
+  const TeamMember member = random.MakeMembers().front();
+  Ask free;
+  free.waypoint_prices = {{0, 1, 0.0}, {2, 3, 0.0}};
+  free.event_prices["ex:event0"] = 0.0;
+  const Candidates plain = PlanUnder({}, member, {});
+  const Candidates priced = PlanUnder({}, member, free);
+  ASSERT_EQ(plain.pathlets.size(), priced.pathlets.size());
+  for (std::size_t i = 0; i < plain.pathlets.size(); ++i) {
+    EXPECT_NEAR(plain.pathlets[i].score(), priced.pathlets[i].score(), 1e-9);
+    EXPECT_EQ(EarnedBy(plain.pathlets[i]), EarnedBy(priced.pathlets[i]));
+  }
+}
+
+TEST(PlanUnderTest, RefusesPricesOfNonsense) {
+  RandomTeam random({}, 3);
+  const TeamMember member = random.MakeMembers().front();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double price : {-1.0, nan, infinity}) {
+    Ask ask;
+    ask.waypoint_prices = {{0, 1, price}};
+    EXPECT_THROW(PlanUnder({}, member, ask), kg_core::InputError);
+    ask = {};
+    ask.event_prices["ex:event0"] = price;
+    EXPECT_THROW(PlanUnder({}, member, ask), kg_core::InputError);
+  }
+  for (const WaypointPrice& price :
+       {WaypointPrice{3, 0, 1.0}, WaypointPrice{0, 4, 1.0},
+        WaypointPrice{0, -1, 1.0}}) {
+    Ask ask;
+    ask.waypoint_prices = {price};
+    EXPECT_THROW(PlanUnder({}, member, ask), kg_core::InputError);
+  }
+}
+
+}  // namespace
+}  // namespace kg_selector

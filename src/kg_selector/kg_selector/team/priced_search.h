@@ -1,0 +1,72 @@
+// Mode "priced": everybody plans under common prices of scarce rows, which rise
+// where too many want the same (team_prices.h), until the plan is as close to
+// its bound as wanted.
+//
+// 1. Prices. All are asked under the prices, until they have settled or half of
+//    the rounds are gone. What they answer fits together but for a few.
+// 2. Repair. Who lost a row is asked again, at the same prices, beside those
+// who
+//    keep theirs, until everybody has a path or there is none.
+// 3. Groups plan again beside the others (group_exchange.h), wave by wave.
+// 4. Whoever has no path is asked for one beside the plan.
+// After each round Exchange() over all columns so far; the best plan is kept.
+//
+// Rounds are bounded by max_rounds, and only a better plan replaces the best:
+// no sequence of plans can come back to one that was left.
+
+#ifndef KG_SELECTOR_TEAM_PRICED_SEARCH_H_
+#define KG_SELECTOR_TEAM_PRICED_SEARCH_H_
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "kg_selector/team/group_exchange.h"
+#include "kg_selector/team/team_prices.h"
+#include "kg_selector/team/team_search.h"
+
+namespace kg_selector {
+
+class PricedSearch : public TeamSearch {
+ public:
+  explicit PricedSearch(SearchOptions options) : options_(options) {}
+
+  ColumnAsks Next(const TeamColumns& pool,
+                  const ColumnAnswers& answers) override;
+  void Drop(int agent) override;
+  const TeamChoice& choice() const override { return best_; }
+  double bound() const override { return prices_.bound(); }
+  const std::vector<double>& prices() const override {
+    return prices_.best_prices();
+  }
+  int rounds() const { return rounds_; }
+
+ private:
+  enum class Phase { kPrices, kRepair, kGroups, kUnserved };
+
+  void Fit(const TeamColumns& pool, const ColumnAnswers& answers);
+  void Keep(const TeamColumns& pool, TeamChoice choice, int columns);
+  bool IsCloseEnough(const TeamColumns& pool) const;
+  ColumnAsks AfterPrices(const TeamColumns& pool, const ColumnAnswers& answers);
+  ColumnAsks AfterRepair(const TeamColumns& pool, const ColumnAnswers& answers);
+  ColumnAsks AfterGroups(const TeamColumns& pool, const ColumnAnswers& answers);
+  ColumnAsks AskAtPrices(const TeamColumns& pool);
+  ColumnAsks AskGroups(const TeamColumns& pool);
+  ColumnAsks AskUnserved();
+
+  SearchOptions options_;
+  TeamPrices prices_;
+  GroupExchange groups_;
+  TeamChoice best_;
+  TeamChoice current_;    // That groups go on from.
+  TeamChoice partial_;    // Kept in the repair under way.
+  std::set<int> losers_;  // To be asked in it.
+  std::set<int> dropped_;
+  std::set<TeamChoice> asked_unserved_;  // Plans around which it was done.
+  Phase phase_ = Phase::kPrices;
+  int rounds_ = 0;
+};
+
+}  // namespace kg_selector
+
+#endif  // KG_SELECTOR_TEAM_PRICED_SEARCH_H_
