@@ -5,11 +5,13 @@
 #include <cmath>
 
 #include "kg_core/base/input_error.h"
+#include "kg_planner/k_best/staging.h"
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/conversion/rules_conversion.h"
 #include "kg_ros/conversion/tensor_conversion.h"
 #include "kg_ros/knowledge/pending_reports.h"
+#include "kg_selector/paths/masking.h"
 #include "kg_selector/team/plan_team.h"
 #include "ros/time.h"
 
@@ -31,31 +33,31 @@ std::size_t CountEdges(const NavGraphs& graphs) {
   return count;
 }
 
-// What a step brings at once: the rewards on its way less its price.
-double Immediate(const NavGraph& graph, const kg_compiler::TraverseEdge& edge) {
-  double reward = 0.0;
-  for (const int stop : kg_compiler::StopsOf(edge)) {
-    const kg_compiler::Waypoint& waypoint = graph.waypoints[stop];
-    reward += waypoint.score + waypoint.event_reward;
-  }
-  return reward - edge.seam_cost;
-}
-
-// Staging: the plan takes this edge though another from the same place would
-// bring more at once (A45).
-bool IsStaging(const NavGraph& graph, const kg_compiler::TraverseEdge& taken) {
-  const double now = Immediate(graph, taken);
-  return std::any_of(graph.edges.begin(), graph.edges.end(),
-                     [&](const kg_compiler::TraverseEdge& edge) {
-                       return edge.from == taken.from &&
-                              Immediate(graph, edge) > now;
-                     });
-}
-
 std::vector<std::uint32_t> ViaOf(const kg_msgs::Visit& visit) {
   std::vector<std::uint32_t> via;
   for (const kg_msgs::Stop& stop : visit.via) via.push_back(stop.waypoint);
   return via;
+}
+
+// The edges that a pathlet flies, by window: the message's edges are the
+// graph's, in their order. Ends where there is none.
+std::vector<int> EdgesOf(const kg_msgs::Pathlet& pathlet,
+                         const std::vector<kg_msgs::NavGraph>& graphs) {
+  std::vector<int> edges;
+  std::uint32_t from = 0;
+  for (std::size_t i = 0; i < pathlet.visits.size() && i < graphs.size(); ++i) {
+    const kg_msgs::Visit& visit = pathlet.visits[i];
+    const auto& all = graphs[i].edges;
+    const auto edge = std::find_if(
+        all.begin(), all.end(), [&](const kg_msgs::TraverseEdge& one) {
+          return !one.within_window && one.from == from &&
+                 one.to == visit.waypoint && one.via == ViaOf(visit);
+        });
+    if (edge == all.end()) break;
+    edges.push_back(static_cast<int>(edge - all.begin()));
+    from = visit.waypoint;
+  }
+  return edges;
 }
 
 }  // namespace
@@ -141,21 +143,17 @@ kg_msgs::Candidates PlannerServer::Stitch(const AskedOf& asked,
   return candidates;
 }
 
+// Edges of the best path that the planner takes for what comes later (A45).
 void PlannerServer::MarkStaging(const kg_msgs::Candidates& candidates,
                                 std::vector<kg_msgs::NavGraph>* graphs) const {
   if (candidates.pathlets.empty()) return;
-  std::uint32_t from = 0;
-  const auto& visits = candidates.pathlets.front().visits;
-  for (std::size_t i = 0; i < visits.size() && i < graphs->size(); ++i) {
-    // The message's edges are the graph's, in their order.
-    for (std::size_t e = 0; e < graphs_[i].edges.size(); ++e) {
-      kg_msgs::TraverseEdge& edge = (*graphs)[i].edges[e];
-      if (edge.from == from && edge.to == visits[i].waypoint &&
-          edge.via == ViaOf(visits[i])) {
-        edge.staging = IsStaging(graphs_[i], graphs_[i].edges[e]);
-      }
-    }
-    from = visits[i].waypoint;
+  kg_planner::Path path;
+  path.seams = EdgesOf(candidates.pathlets.front(), *graphs);
+  if (path.seams.size() != graphs_.size()) return;
+  const std::vector<bool> staging = kg_planner::FindStaging(
+      kg_selector::ToTrellis(rules_, graphs_), {}, path);
+  for (std::size_t i = 0; i < staging.size(); ++i) {
+    (*graphs)[i].edges[path.seams[i]].staging = staging[i];
   }
 }
 
