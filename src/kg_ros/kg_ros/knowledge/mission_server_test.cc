@@ -432,7 +432,6 @@ TEST_F(MissionServerTest, StopsAreFactsThatConformAndSurviveARestart) {
     for (const kg_msgs::Visit& visit : plan.assignments[0].pathlet.visits)
       if (!visit.via.empty()) made = visit;
     ASSERT_FALSE(made.via.empty());
-    server.AddExecuted({"alpha", plan.assignments[0].agent_iri, made});
     Record(plan, answer, &server);
     RecordGraphs(answer, &server);
     ExpectAllConforms(server);
@@ -444,6 +443,8 @@ TEST_F(MissionServerTest, StopsAreFactsThatConformAndSurviveARestart) {
                     "SELECT ?x { ?x a ex:Assignment ; "
                     "ex:stopsWKT ?wkt ; ex:status \"planned\" }"),
               0u);
+    server.AddExecuted({"alpha", plan.assignments[0].agent_iri, made});
+    Record(PlanOf(*server.BeginCycle(), server, &answer), answer, &server);
   }
   MissionServer server(folders_);
   ASSERT_EQ(server.executed().size(), 1u);
