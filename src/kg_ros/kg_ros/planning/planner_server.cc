@@ -130,7 +130,7 @@ kg_msgs::Candidates PlannerServer::Stitch(const AskedOf& asked,
   }
   const auto begin = std::chrono::steady_clock::now();
   const kg_selector::Candidates found =
-      kg_selector::PlanUnder(team, {rules_, graphs_}, asked.ask);
+      kg_selector::PlanUnder(team, {rules_, graphs_, memory_}, asked.ask);
   kg_msgs::Candidates candidates = Header(round);
   candidates.proven = found.proven;
   candidates.bound = FiniteOrUnknown(found.bound);

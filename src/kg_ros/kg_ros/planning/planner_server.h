@@ -73,6 +73,8 @@ class PlannerServer {
   kg_compiler::NavGraphs graphs_;  // Of the last plan.
   kg_selector::GraphCache cache_;  // For the next one.
   std::string trouble_;            // Why there are none.
+  std::shared_ptr<kg_planner::KBestMemory> memory_ =
+      std::make_shared<kg_planner::KBestMemory>();
 };
 
 }  // namespace kg_ros

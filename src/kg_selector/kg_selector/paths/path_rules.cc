@@ -62,7 +62,8 @@ void LimitHazard(const SeamRules& rules, const kg_compiler::NavGraphs& graphs,
 
 kg_planner::KBest ChoosePaths(const SeamRules& rules,
                               const kg_planner::Trellis& trellis,
-                              const kg_planner::Masks& masks) {
+                              const kg_planner::Masks& masks,
+                              kg_planner::KBestMemory* memory) {
   const int paths = std::max(1, rules.candidates);
   if (rules.diverse) {
     kg_planner::DiverseOptions options;
@@ -72,7 +73,8 @@ kg_planner::KBest ChoosePaths(const SeamRules& rules,
   }
   kg_planner::KBestOptions options;
   options.paths = paths;
-  return kg_planner::FindKBest(trellis, masks, options);
+  return memory ? kg_planner::FindKBest(trellis, masks, options, memory)
+                : kg_planner::FindKBest(trellis, masks, options);
 }
 
 std::string BudgetNote(const SeamRules& rules, const kg_planner::KBest& found) {

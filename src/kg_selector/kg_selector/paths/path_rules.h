@@ -21,10 +21,11 @@ void LimitHazard(const kg_compiler::SeamRules& rules,
 
 // The paths that are offered: the K best, or if the policy says so K that
 // differ (diverse_paths.h). Every planner calls this, in which process it may
-// be.
+// be. `memory` (may be null) is of the agent's last search for the K best.
 kg_planner::KBest ChoosePaths(const kg_compiler::SeamRules& rules,
                               const kg_planner::Trellis& trellis,
-                              const kg_planner::Masks& masks);
+                              const kg_planner::Masks& masks,
+                              kg_planner::KBestMemory* memory = nullptr);
 
 // By how much the budgets are too small, if `found` says that this is why it
 // has no path: "no path within 12.3 Wh: the thriftiest takes 15.1 Wh". Else

@@ -4,18 +4,6 @@
 
 namespace kg_selector {
 
-const std::string& NameOf(const TeamMember& member) {
-  return member.rules.agent_id.empty() ? member.rules.agent_iri
-                                       : member.rules.agent_id;
-}
-
-Candidates PlanUnder(const TeamRules& rules, const TeamMember& member,
-                     const Ask& ask) {
-  Candidates candidates = PlanUnder(rules, member.rules, member.graphs, ask);
-  for (Pathlet& pathlet : candidates.pathlets) pathlet.agent = NameOf(member);
-  return candidates;
-}
-
 double TeamPlan::score() const {
   double sum = 0.0;
   for (const Pathlet& pathlet : committed) sum += pathlet.score();

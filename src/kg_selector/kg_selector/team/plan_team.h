@@ -17,21 +17,6 @@
 
 namespace kg_selector {
 
-struct TeamMember {
-  kg_compiler::SeamRules rules;
-  // One a window of `rules`; none = the agent cannot be planned.
-  kg_compiler::NavGraphs graphs;
-};
-
-// What a team calls its members, as the selector node does: the ex:id, or the
-// IRI of who has none.
-const std::string& NameOf(const TeamMember& member);
-
-// One agent's best paths, its prices taken off, around those committed; none
-// has a hard conflict with them.
-Candidates PlanUnder(const TeamRules& rules, const TeamMember& member,
-                     const Ask& ask);
-
 struct TeamPlan : TeamOutcome {
   bool proven = true;  // Every path was proven best for its agent.
   // What those without a path said with their last offer, if anything.

@@ -71,6 +71,11 @@ std::vector<int> VisitedNodes(const kg_planner::Stage& stage,
 
 }  // namespace
 
+const std::string& NameOf(const TeamMember& member) {
+  return member.rules.agent_id.empty() ? member.rules.agent_iri
+                                       : member.rules.agent_id;
+}
+
 const char* NoPathNote(const bool alone) {
   return alone ? "no path leads through all windows"
                : "no path is left beside the others'";
@@ -128,15 +133,17 @@ kg_planner::Path Unpriced(const Trellis& unpriced, kg_planner::Path path) {
   return path;
 }
 
-Candidates PlanUnder(const TeamRules& team, const SeamRules& rules,
-                     const NavGraphs& graphs, const Ask& ask) {
+Candidates PlanUnder(const TeamRules& team, const TeamMember& member,
+                     const Ask& ask) {
+  const SeamRules& rules = member.rules;
+  const NavGraphs& graphs = member.graphs;
   if (graphs.empty()) return {};
   const SeamRules open = OpenUnder(rules, ask);
   const Trellis unpriced = ToTrellis(open, graphs);
   const bool priced = HasPrices(ask);
   const kg_planner::KBest best =
       ChoosePaths(rules, priced ? PricedTrellis(open, graphs, ask) : unpriced,
-                  MaskCommitted(team, graphs, ask.around));
+                  MaskCommitted(team, graphs, ask.around), member.memory.get());
   Candidates candidates;
   candidates.proven = best.proven;
   candidates.bound = best.bound;
@@ -144,6 +151,7 @@ Candidates PlanUnder(const TeamRules& team, const SeamRules& rules,
     candidates.pathlets.push_back(
         ToPathlet(open, graphs, priced ? Unpriced(unpriced, path) : path,
                   static_cast<int>(candidates.pathlets.size())));
+  for (Pathlet& pathlet : candidates.pathlets) pathlet.agent = NameOf(member);
   if (best.paths.empty()) candidates.note = BudgetNote(rules, best);
   if (best.paths.empty() && candidates.note.empty())
     candidates.note = NoPathNote(ask.around.empty());

@@ -12,13 +12,30 @@
 #ifndef KG_SELECTOR_TEAM_PLAN_UNDER_H_
 #define KG_SELECTOR_TEAM_PLAN_UNDER_H_
 
+#include <memory>
+#include <string>
+
 #include "kg_compiler/control_plane/nav_graphs.h"
 #include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_planner/k_best/k_best.h"
+#include "kg_planner/k_best/k_best_memory.h"
 #include "kg_planner/trellis/trellis.h"
 #include "kg_selector/team/coordinator.h"
 
 namespace kg_selector {
+
+struct TeamMember {
+  kg_compiler::SeamRules rules;
+  // One a window of `rules`; none = the agent cannot be planned.
+  kg_compiler::NavGraphs graphs;
+  // What the last search for the K best left for the next one; may be null. The
+  // paths are the same without it.
+  std::shared_ptr<kg_planner::KBestMemory> memory = {};
+};
+
+// What a team calls its members, as the selector node does: the ex:id, or the
+// IRI of who has none.
+const std::string& NameOf(const TeamMember& member);
 
 // What a planner says that found no path, alone or around those committed.
 const char* NoPathNote(bool alone);
@@ -41,8 +58,8 @@ kg_planner::Path Unpriced(const kg_planner::Trellis& unpriced,
 
 // None of the paths has a hard conflict with ask.around. Of the team's rules
 // those of separation and the windows' ends are read.
-Candidates PlanUnder(const TeamRules& team, const kg_compiler::SeamRules& rules,
-                     const kg_compiler::NavGraphs& graphs, const Ask& ask);
+Candidates PlanUnder(const TeamRules& team, const TeamMember& member,
+                     const Ask& ask);
 
 }  // namespace kg_selector
 
