@@ -5,7 +5,8 @@
 //   kGreedy   the best tour alone, its points masked, the next agent
 //   kAuction  who is outbid plans again; to take a point from another raises
 //             its price by epsilon, until nobody wants to change [1]; then what
-//             nobody holds is free again, as long as that pays
+//             nobody holds is free again, as long as that pays; last, each
+//             plans around the others without prices
 //   kPriced   prices are broadcast, all plan under them, and they rise where
 //             more than one agent goes and fall where none does [2]
 //   kExact    a pool of tours from a search over all tours together and from

@@ -49,6 +49,23 @@ double Worth(const std::vector<double>& rewards, const Tour& tour) {
   return worth;
 }
 
+// Each in turn plans again around the others, without prices.
+double PlanAround(const Orienteering& problem, unsigned seed,
+                  std::vector<Tour>* tours) {
+  std::vector<double> left = problem.rewards;
+  for (const Tour& tour : *tours) {
+    for (int point : tour.points) left[point] = 0.0;
+  }
+  double value = 0.0;
+  for (Tour& tour : *tours) {
+    for (int point : tour.points) left[point] = problem.rewards[point];
+    tour = PlanAlone(problem, left, tour, seed);
+    for (int point : tour.points) left[point] = 0.0;
+    value += Worth(problem.rewards, tour);
+  }
+  return value;
+}
+
 class Auction {
  public:
   Auction(const Orienteering& problem, const TeamTourOptions& options)
@@ -72,13 +89,13 @@ class Auction {
     TeamTours best;
     do {
       Settle();
-      double value = 0.0;
-      for (const Tour& tour : tours_) value += tour.reward;
+      std::vector<Tour> tours = tours_;
+      const double value = PlanAround(problem_, options_.seed, &tours);
       best.bound =
           std::min(best.bound, BoundAt(problem_, prices_, tours_.front()));
       if (best.tours.empty() || value > best.value) {
         best.value = value;
-        best.tours = tours_;
+        best.tours = std::move(tours);
       } else {
         break;
       }
@@ -199,20 +216,13 @@ class Prices {
   // around it; at last each looks what is left over without them.
   void Assign(std::vector<double> net, const Tour& wanted) {
     std::vector<Tour> tours;
-    std::vector<double> left = problem_.rewards;
     for (int agent = 0; agent < problem_.tours; ++agent) {
       Tour tour =
           agent == 0 ? wanted : PlanAlone(problem_, net, {}, options_.seed);
-      for (int point : tour.points) net[point] = left[point] = 0.0;
+      for (int point : tour.points) net[point] = 0.0;
       tours.push_back(kg_planner::MakeTour(problem_, tour.points));
     }
-    double value = 0.0;
-    for (Tour& tour : tours) {
-      for (int point : tour.points) left[point] = problem_.rewards[point];
-      tour = PlanAlone(problem_, left, tour, options_.seed);
-      for (int point : tour.points) left[point] = 0.0;
-      value += Worth(problem_.rewards, tour);
-    }
+    const double value = PlanAround(problem_, options_.seed, &tours);
     if (!(value > best_.value)) return;
     best_.value = value;
     best_.tours = std::move(tours);
