@@ -22,6 +22,7 @@
 #include "kg_msgs/Rejections.h"
 #include "kg_msgs/SeamRules.h"
 #include "kg_msgs/WorkField.h"
+#include "kg_planner/k_best/k_best_memory.h"
 #include "kg_ros/conversion/ask_conversion.h"
 #include "kg_selector/paths/walks.h"
 
