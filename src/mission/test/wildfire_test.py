@@ -59,7 +59,8 @@ class WildfireTest(MissionTestCase):
             'SELECT ?edge ?order (COUNT(?stop) AS ?stops) WHERE { '
             '?edge ex:via ?stop ; ex:stopOrder ?order . '
             '?stop a ex:Waypoint ; ex:inGraph ?graph . '
-            '?edge ex:inGraph ?graph } GROUP BY ?edge ?order'), CHANGE_S, 'walks')
+            '?edge ex:inGraph ?graph } GROUP BY ?edge ?order'),
+                           CHANGE_S, 'walks')
         for row in walks:
             name = row['edge'].rsplit('/', 1)[1]
             self.assertEqual(row['order'].split(), name.split('-')[1:-1])
