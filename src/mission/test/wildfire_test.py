@@ -9,8 +9,8 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
-from mission_test import (ROOT, House, MissionTestCase, by_agent, main,
-                          track_deg)
+from mission_test import (CHANGE_S, ROOT, House, MissionTestCase, by_agent,
+                          main, track_deg, wait_until)
 
 AGENTS = {'osprey', 'kestrel', 'harrier'}
 WINDOWS = 6
@@ -55,12 +55,12 @@ class WildfireTest(MissionTestCase):
         self.assertFalse(self.house.ask('ASK { ?f a ex:CurrentField }'))
 
     def test_3_stops_are_facts_in_their_order(self):
-        walks = self.house.select(
+        walks = wait_until(lambda: self.house.select(
             'SELECT ?edge ?order (COUNT(?stop) AS ?stops) WHERE { '
             '?edge ex:via ?stop ; ex:stopOrder ?order . '
             '?stop a ex:Waypoint ; ex:inGraph ?graph . '
-            '?edge ex:inGraph ?graph } GROUP BY ?edge ?order')
-        self.assertTrue(walks)
+            '?edge ex:inGraph ?graph } GROUP BY ?edge ?order'),
+                           CHANGE_S, 'walks')
         for row in walks:
             name = row['edge'].rsplit('/', 1)[1]
             self.assertEqual(row['order'].split(), name.split('-')[1:-1])
