@@ -2,9 +2,9 @@
 // mode "edges", A22).
 //
 // From every place one can come from, the planner looks for good micro-paths
-// (kg_planner/tours/micro_paths.h): the edge into the window, then inner edges, their
-// rewards less what the legs cost. There legs last and cost what they do when
-// the window begins, which is not when one really gets there. So each walk
+// (kg_planner/tours/micro_paths.h): the edge into the window, then inner edges,
+// their rewards less what the legs cost. There legs last and cost what they do
+// when the window begins, which is not when one really gets there. So each walk
 // found is then flown as a whole, along the tracks of its edges from its true
 // departure times, until the deadline; what cannot be flown so is left out. Its
 // S is that of one edge with this flight (nav_graph.h), and it stands in the
