@@ -42,9 +42,8 @@ kg_selector::Rejection ToRejection(const kg_msgs::Rejection& message) {
   rejection.pathlet.reward = message.score;
   rejection.round = static_cast<int>(message.round);
   rejection.reason = message.reason;
-  rejection.conflict.kind = message.kind == Name(ConflictKind::kCapacity)
-                                ? ConflictKind::kCapacity
-                                : ConflictKind::kSeparation;
+  rejection.conflict.kind =
+      ConflictKindOf(message.kind).value_or(ConflictKind::kMalformed);
   rejection.conflict.with_agent = message.to_agent;
   rejection.conflict.window = message.window;
   rejection.conflict.event = message.event;

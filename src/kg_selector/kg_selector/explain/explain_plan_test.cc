@@ -248,6 +248,29 @@ TEST(ExplainPlan, RejectionsSumToTheirMargins) {
   EXPECT_GT(capacities, 3);
 }
 
+TEST(ExplainPlan, PathsTurnedAwayForOtherReasonsSumToTheirMargins) {
+  ForEachWorld(3, [](const PlannedWorld& planned) {
+    if (planned.plan.committed.empty()) return;
+    PlannedWorld world = planned;
+    const Pathlet& path = world.plan.committed.front();
+    const std::map<ConflictKind, double> margins = {
+        {ConflictKind::kEnergy, 360.0},
+        {ConflictKind::kExpired, 2.0},
+        {ConflictKind::kOutbid, 0.5}};
+    for (const auto& [kind, margin] : margins) {
+      Conflict conflict{kind, "", -1, "", margin};
+      world.plan.rejections = {{path, conflict, conflict.Line(), 1}};
+      Question question = About(Why::kRejection, "", -1);
+      question.id = "0";
+      const Explanation explanation = Explain(world, question);
+      ExpectSums(explanation);
+      EXPECT_EQ(margin, explanation.value);
+      EXPECT_EQ(Name(kind), explanation.verdict);
+      EXPECT_EQ(kind, ConflictKindOf(Name(kind)));
+    }
+  });
+}
+
 TEST(ExplainPlan, TensorCellsAreTheCompiledOnes) {
   ForEachWorld(3, [](const PlannedWorld& world) {
     for (const auto& tensor : world.compilation->tensors)

@@ -33,9 +33,18 @@ class RejectionExplainer {
         AddCapacity();
         break;
       case ConflictKind::kEnergy:
-      case ConflictKind::kExpired:
+        AddEnergy();
+        break;
       case ConflictKind::kOutbid:
-        AddMargin();
+        AddOutbid();
+        break;
+      case ConflictKind::kExpired:
+        explanation_.unit = "windows";
+        explanation_.parts = {{conflict_.margin, "windows too late",
+                               facts_.Event(conflict_.event),
+                               rejection_.reason}};
+        break;
+      case ConflictKind::kMalformed:  // Nothing to weigh.
         break;
     }
     explanation_.text = "A path of " + AbbreviateIri(rejection_.pathlet.agent) +
@@ -94,12 +103,34 @@ class RejectionExplainer {
          "the path itself"}};
   }
 
-  void AddMargin() {
-    explanation_.unit = conflict_.kind == ConflictKind::kEnergy    ? "J"
-                        : conflict_.kind == ConflictKind::kExpired ? "windows"
-                                                                   : "reward";
+  void AddEnergy() {
+    const Agent& agent = FindAgent(world_, rejection_.pathlet.agent);
+    const TeamMember& member = FindMember(world_, agent);
+    const double budget_j = member.rules.energy_budget_j;
+    explanation_.unit = "J";
     explanation_.parts = {
-        {conflict_.margin, Name(conflict_.kind), Winner(), rejection_.reason}};
+        {budget_j + conflict_.margin,
+         "energy of the path",
+         {},
+         "what its ways take"},
+        {-budget_j, "- what is left",
+         facts_.Quote({agent.capabilities.iri, {"ex:energyBudget"}}),
+         "of the energy budget"}};
+  }
+
+  // The margin is what it forgoes by the path it got.
+  void AddOutbid() {
+    const double score = rejection_.pathlet.score();
+    explanation_.unit = "reward";
+    explanation_.parts = {
+        {score, "the path", Quoted(rejection_.pathlet.agent),
+         "reward less cost of the path that lost"},
+        {conflict_.margin - score, "- what it got",
+         Quoted(rejection_.pathlet.agent),
+         "with what the others then have, the team is worth more"}};
+  }
+  Facts Quoted(const std::string& agent) const {
+    return facts_.Quote({agent, {"ex:id", "ex:usesPolicy"}});
   }
 
   const PlannedWorld& world_;

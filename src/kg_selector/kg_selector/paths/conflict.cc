@@ -121,8 +121,19 @@ const char* Name(ConflictKind kind) {
       return "expired";
     case ConflictKind::kOutbid:
       return "outbid";
+    case ConflictKind::kMalformed:
+      return "malformed";
   }
   return "";
+}
+
+std::optional<ConflictKind> ConflictKindOf(const std::string& name) {
+  for (const ConflictKind kind :
+       {ConflictKind::kSeparation, ConflictKind::kCapacity,
+        ConflictKind::kEnergy, ConflictKind::kExpired, ConflictKind::kOutbid,
+        ConflictKind::kMalformed})
+    if (name == Name(kind)) return kind;
+  return std::nullopt;
 }
 
 std::string Conflict::Line() const {
@@ -144,6 +155,9 @@ std::string Conflict::Line() const {
     case ConflictKind::kOutbid:
       line << "outbid by " << (with_agent.empty() ? "the others" : with_agent)
            << ", " << margin << " short";
+      break;
+    case ConflictKind::kMalformed:
+      line << "malformed";
       break;
   }
   if (window >= 0) line << ", window " << window;

@@ -60,9 +60,18 @@ constexpr double kSamePlace_m = 1.0;
 // What no two tracks may come closer than [m].
 double HardSeparation_m(const TeamRules& rules);
 
-enum class ConflictKind { kSeparation, kCapacity, kEnergy, kExpired, kOutbid };
-// "separation", "capacity", "energy", "expired", "outbid"
+enum class ConflictKind {
+  kSeparation,
+  kCapacity,
+  kEnergy,
+  kExpired,
+  kOutbid,
+  kMalformed
+};
+// "separation", "capacity", "energy", "expired", "outbid", "malformed"
 const char* Name(ConflictKind kind);
+// The inverse; nothing for another name.
+std::optional<ConflictKind> ConflictKindOf(const std::string& name);
 
 struct Conflict {
   ConflictKind kind = ConflictKind::kSeparation;

@@ -5,8 +5,7 @@
 // 1. Prices. All are asked under the prices, until they have settled or half of
 //    the rounds are gone. What they answer fits together but for a few.
 // 2. Repair. Who lost a row is asked again, at the same prices, beside those
-// who
-//    keep theirs, until everybody has a path or there is none.
+//    who keep theirs, until everybody has a path or there is none.
 // 3. Groups plan again beside the others (group_exchange.h), wave by wave.
 // 4. Whoever has no path is asked for one beside the plan.
 // After each round Exchange() over all columns so far; the best plan is kept.

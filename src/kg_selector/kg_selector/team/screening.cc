@@ -78,8 +78,10 @@ Screened Screen(const TeamRules& rules, const std::string& agent,
     const auto violation = malformed.empty() ? FindViolation(rules, pathlet)
                                              : std::optional<Conflict>();
     if (!malformed.empty()) {
+      Conflict conflict;
+      conflict.kind = ConflictKind::kMalformed;
       screened.rejected.push_back(
-          {std::move(pathlet), {}, "malformed: " + malformed, round});
+          {std::move(pathlet), conflict, "malformed: " + malformed, round});
     } else if (violation) {
       screened.rejected.push_back(
           {std::move(pathlet), *violation, violation->Line(), round});
