@@ -42,8 +42,8 @@ kg_selector::Rejection ToRejection(const kg_msgs::Rejection& message) {
   rejection.pathlet.reward = message.score;
   rejection.round = static_cast<int>(message.round);
   rejection.reason = message.reason;
-  rejection.conflict.kind =
-      ConflictKindOf(message.kind).value_or(ConflictKind::kMalformed);
+  rejection.conflict.kind = kg_selector::ConflictKindOf(message.kind)
+                                .value_or(ConflictKind::kMalformed);
   rejection.conflict.with_agent = message.to_agent;
   rejection.conflict.window = message.window;
   rejection.conflict.event = message.event;
