@@ -395,7 +395,6 @@ kg_compiler::NavGraph SmallGraph() {
   edge.flight.speed_mps = 0.6875;
   edge.seam_cost = 0.375;
   edge.isolation_s = 0.0625;
-  edge.via = {0, 1};
   graph.edges = {edge};
   edge.via = {1, 0};
   graph.edges.push_back(edge);
