@@ -27,13 +27,7 @@ using Rows = std::vector<std::vector<std::string>>;
 class PlanFactsTest : public testing::Test {
  protected:
   PlanFactsTest() {
-    ros::Time::init();
-    MissionFolders folders;
-    folders.mission = folder_ / "mission";
-    folders.state = folder_ / "state";
-    folders.ontology = "../kg_core/ontology";
-    WriteTestMission(folders.mission);
-    server_ = std::make_unique<MissionServer>(folders);
+    server_ = StartTestServer(folder_);
     team_ = std::make_unique<TestTeam>(server_.get());
     kg_core::FactUpdate join;
     join.author = "operator";

@@ -30,13 +30,7 @@ constexpr char kWay[] =
 class ProvenanceTest : public testing::Test {
  protected:
   ProvenanceTest() {
-    ros::Time::init();
-    MissionFolders folders;
-    folders.mission = folder_ / "mission";
-    folders.state = folder_ / "state";
-    folders.ontology = "../kg_core/ontology";
-    WriteTestMission(folders.mission);
-    server_ = std::make_unique<MissionServer>(folders);
+    server_ = StartTestServer(folder_);
     team_ = std::make_unique<TestTeam>(server_.get());
     kg_core::FactUpdate update;
     update.id = "join";

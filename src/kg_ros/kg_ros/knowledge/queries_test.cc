@@ -54,13 +54,7 @@ const Case kCases[] = {
 class House {
  public:
   House() {
-    ros::Time::init();
-    MissionFolders folders;
-    folders.mission = folder_ / "mission";
-    folders.state = folder_ / "state";
-    folders.ontology = "../kg_core/ontology";
-    WriteTestMission(folders.mission);
-    server_ = std::make_unique<MissionServer>(folders);
+    server_ = StartTestServer(folder_);
     kg_core::FactUpdate join;
     join.id = "join";
     join.author = "operator";

@@ -5,14 +5,17 @@
 #define KG_ROS_KNOWLEDGE_TEST_TEAM_H_
 
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "kg_core/base/temporary_folder.h"
 #include "kg_ros/conversion/rules_conversion.h"
 #include "kg_ros/conversion/tensor_conversion.h"
 #include "kg_ros/knowledge/mission_server.h"
 #include "kg_ros/knowledge/plan_progress.h"
+#include "kg_ros/knowledge/test_mission.h"
 #include "kg_ros/planning/planner_server.h"
 #include "kg_ros/selection/selector_server.h"
 #include "ros/time.h"
@@ -28,6 +31,18 @@ ex:bravo a ex:Agent ; ex:id "bravo" ; ex:mobility "glider" ;
 ex:bravo_start a ex:AgentState ; ex:forAgent ex:bravo ; ex:forWindow ex:w0 ;
     geo:asWKT "POINT(-90.85 25.72)"^^geo:wktLiteral ; ex:headingDeg 0 .
 )ttl";
+
+// A server of the test mission, which is written into `folder`.
+inline std::unique_ptr<MissionServer> StartTestServer(
+    const kg_core::TemporaryFolder& folder) {
+  ros::Time::init();
+  MissionFolders folders;
+  folders.mission = folder / "mission";
+  folders.state = folder / "state";
+  folders.ontology = "../kg_core/ontology";
+  WriteTestMission(folders.mission);
+  return std::make_unique<MissionServer>(folders);
+}
 
 class TestTeam {
  public:

@@ -33,29 +33,24 @@ std::size_t CountEdges(const NavGraphs& graphs) {
   return count;
 }
 
-std::vector<std::uint32_t> ViaOf(const kg_msgs::Visit& visit) {
-  std::vector<std::uint32_t> via;
-  for (const kg_msgs::Stop& stop : visit.via) via.push_back(stop.waypoint);
-  return via;
-}
-
-// The edges that a pathlet flies, by window: the message's edges are the
-// graph's, in their order. Ends where there is none.
+// The edges that a pathlet flies, by window, of the graphs it was made of. Ends
+// where there is none.
 std::vector<int> EdgesOf(const kg_msgs::Pathlet& pathlet,
-                         const std::vector<kg_msgs::NavGraph>& graphs) {
+                         const NavGraphs& graphs) {
   std::vector<int> edges;
-  std::uint32_t from = 0;
+  int from = 0;
   for (std::size_t i = 0; i < pathlet.visits.size() && i < graphs.size(); ++i) {
     const kg_msgs::Visit& visit = pathlet.visits[i];
-    const auto& all = graphs[i].edges;
-    const auto edge = std::find_if(
-        all.begin(), all.end(), [&](const kg_msgs::TraverseEdge& one) {
-          return !one.within_window && one.from == from &&
-                 one.to == visit.waypoint && one.via == ViaOf(visit);
-        });
-    if (edge == all.end()) break;
-    edges.push_back(static_cast<int>(edge - all.begin()));
-    from = visit.waypoint;
+    std::vector<int> via;
+    for (const kg_msgs::Stop& stop : visit.via) {
+      via.push_back(static_cast<int>(stop.waypoint));
+    }
+    const int to = static_cast<int>(visit.waypoint);
+    const kg_compiler::TraverseEdge* edge =
+        kg_compiler::FindEdge(graphs[i], from, to, via);
+    if (edge == nullptr) break;
+    edges.push_back(static_cast<int>(edge - graphs[i].edges.data()));
+    from = to;
   }
   return edges;
 }
@@ -148,10 +143,11 @@ void PlannerServer::MarkStaging(const kg_msgs::Candidates& candidates,
                                 std::vector<kg_msgs::NavGraph>* graphs) const {
   if (candidates.pathlets.empty()) return;
   kg_planner::Path path;
-  path.seams = EdgesOf(candidates.pathlets.front(), *graphs);
+  path.seams = EdgesOf(candidates.pathlets.front(), graphs_);
   if (path.seams.size() != graphs_.size()) return;
   const std::vector<bool> staging = kg_planner::FindStaging(
       kg_selector::ToTrellis(rules_, graphs_), {}, path);
+  // The messages' edges are the graphs', in their order.
   for (std::size_t i = 0; i < staging.size(); ++i) {
     (*graphs)[i].edges[path.seams[i]].staging = staging[i];
   }

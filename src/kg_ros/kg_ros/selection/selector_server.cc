@@ -87,12 +87,14 @@ void SelectorServer::Begin(std::unique_ptr<kg_selector::Coordinator> team) {
   began_s_ = waiting_since_s_ = Now_s();
   complete_s_ = 0.0;
   for (const auto& [agent, candidates] : unmasked_) {
-    if (candidates.cycle == rules_->cycle) Offer(candidates);
+    if (candidates.cycle == rules_->cycle)
+      Offer(candidates, FromMessage(candidates));
   }
 }
 
 SelectorAnswer SelectorServer::Take(const kg_msgs::Candidates& message) {
-  FromMessage(message);  // What makes no sense is not kept.
+  // What makes no sense is not kept.
+  kg_selector::Candidates candidates = FromMessage(message);
   if (message.round == 0) {
     kg_msgs::Candidates& known = unmasked_[message.agent];
     if (message.cycle < known.cycle) return {};
@@ -109,12 +111,13 @@ SelectorAnswer SelectorServer::Take(const kg_msgs::Candidates& message) {
   if (!rules_ || message.cycle != rules_->cycle || message.round != round_) {
     return {};
   }
-  Offer(message);
+  Offer(message, std::move(candidates));
   return Step();
 }
 
-void SelectorServer::Offer(const kg_msgs::Candidates& message) {
-  team_->Offer(message.agent, FromMessage(message));
+void SelectorServer::Offer(const kg_msgs::Candidates& message,
+                           kg_selector::Candidates candidates) {
+  team_->Offer(message.agent, std::move(candidates));
   offered_[message.agent] = message;
   for (const kg_msgs::Pathlet& pathlet : message.pathlets) {
     pathlets_[{message.agent, PlacesOf(pathlet)}] = pathlet;

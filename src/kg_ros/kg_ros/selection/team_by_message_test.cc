@@ -130,13 +130,7 @@ class Wire {
 class TeamByMessageTest : public testing::TestWithParam<const char*> {
  protected:
   TeamByMessageTest() {
-    ros::Time::init();
-    MissionFolders folders;
-    folders.mission = folder_ / "mission";
-    folders.state = folder_ / "state";
-    folders.ontology = "../kg_core/ontology";
-    WriteTestMission(folders.mission);
-    server_ = std::make_unique<MissionServer>(folders);
+    server_ = StartTestServer(folder_);
     kg_core::FactUpdate join;
     join.author = "operator";
     join.turtle = kSecondAgent;

@@ -7,16 +7,15 @@
 #include <set>
 
 #include "gtest/gtest.h"
-#include "kg_core/geo/geodesy.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/team/greedy_team.h"
 #include "kg_selector/team/random_team.h"
+#include "kg_selector/team/sampled_distance.h"
 
 namespace kg_selector {
 namespace {
 
 using kg_compiler::TimedPoint;
-using kg_core::LonLat;
 
 // --- The reference: all paths of all agents, best first, filter, again. ---
 
@@ -142,27 +141,6 @@ TEST(PlanTeamTest, EqualsBestFirstMaskAndPlanAgainByExhaustion) {
 
 // --- The checker: looks at the plan only, minute by minute. ---
 
-LonLat PlaceAt(const std::vector<TimedPoint>& track, double time_s) {
-  std::size_t i = 1;
-  while (i + 1 < track.size() && track[i].time_s < time_s) ++i;
-  const TimedPoint& p = track[i - 1];
-  const TimedPoint& q = track[i];
-  const double share =
-      q.time_s > p.time_s ? (time_s - p.time_s) / (q.time_s - p.time_s) : 1.0;
-  return {
-      p.position.lon_deg + share * (q.position.lon_deg - p.position.lon_deg),
-      p.position.lat_deg + share * (q.position.lat_deg - p.position.lat_deg)};
-}
-
-double LeastDistance_m(const Pathlet& a, const Pathlet& b, double from_s) {
-  double least_m = 1e12;
-  const double end_s = a.track.back().time_s;
-  for (double t_s = from_s; t_s <= end_s; t_s += 60.0)
-    least_m = std::min(least_m, kg_core::Distance_m(PlaceAt(a.track, t_s),
-                                                    PlaceAt(b.track, t_s)));
-  return least_m;
-}
-
 // Number of violations. Those from one ship are looked at from the end of the
 // first window on.
 int Violations(const TeamRules& rules, const std::vector<Pathlet>& plan,
@@ -170,7 +148,7 @@ int Violations(const TeamRules& rules, const std::vector<Pathlet>& plan,
   int violations = 0;
   for (std::size_t i = 0; i < plan.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
-      violations += LeastDistance_m(plan[i], plan[k], from_s) <
+      violations += LeastDistance_m(plan[i], plan[k], {from_s, 60.0}) <
                     0.9999 * std::max(1.0, rules.separation_m);
   for (const auto& [event, capacity] : rules.event_capacity) {
     std::set<std::string> agents;

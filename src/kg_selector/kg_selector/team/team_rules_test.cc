@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "gtest/gtest.h"
-#include "kg_core/geo/geodesy.h"
 #include "kg_selector/team/every_path.h"
 #include "kg_selector/team/plan_team.h"
 #include "kg_selector/team/random_team.h"
+#include "kg_selector/team/sampled_distance.h"
 
 namespace kg_selector {
 namespace {
@@ -17,28 +17,6 @@ const char* const kModes[] = {"greedy", "auction", "priced", "exact"};
 
 // --- The checker: looks at plan and members only, every two minutes, with
 // geodesics. ---
-
-kg_core::LonLat PlaceAt(const std::vector<kg_compiler::TimedPoint>& track,
-                        double time_s) {
-  std::size_t i = 1;
-  while (i + 1 < track.size() && track[i].time_s < time_s) ++i;
-  const auto& p = track[i - 1];
-  const auto& q = track[i];
-  const double share =
-      q.time_s > p.time_s ? (time_s - p.time_s) / (q.time_s - p.time_s) : 1.0;
-  return {
-      p.position.lon_deg + share * (q.position.lon_deg - p.position.lon_deg),
-      p.position.lat_deg + share * (q.position.lat_deg - p.position.lat_deg)};
-}
-
-double LeastDistance_m(const Pathlet& a, const Pathlet& b, double from_s) {
-  double least_m = 1e12;
-  for (double t_s = from_s; t_s <= a.track.back().time_s; t_s += 120.0) {
-    least_m = std::min(least_m, kg_core::Distance_m(PlaceAt(a.track, t_s),
-                                                    PlaceAt(b.track, t_s)));
-  }
-  return least_m;
-}
 
 struct Mission {
   double separation_m = 0.0;  // None may come closer.
@@ -52,7 +30,7 @@ int TooCloseOnes(const Mission& mission, const std::vector<Pathlet>& plan) {
   int count = 0;
   for (std::size_t i = 0; i < plan.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
-      count += LeastDistance_m(plan[i], plan[k], mission.from_s) <
+      count += LeastDistance_m(plan[i], plan[k], {mission.from_s, 120.0}) <
                0.9999 * mission.separation_m;
   return count;
 }
