@@ -6,7 +6,7 @@
 #include "kg_core/mission/ingest.h"
 #include "kg_ros/command/command.h"
 #include "kg_ros/knowledge/mission_state.h"
-#include "kg_ros/knowledge/plan_facts.h"
+#include "kg_ros/knowledge/plan_status.h"
 
 namespace kg_ros::command {
 

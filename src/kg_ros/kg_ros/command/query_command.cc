@@ -10,7 +10,7 @@
 #include "kg_ros/command/command.h"
 #include "kg_ros/command/target.h"
 #include "kg_ros/knowledge/mission_state.h"
-#include "kg_ros/knowledge/plan_facts.h"
+#include "kg_ros/knowledge/plan_names.h"
 
 namespace kg_ros::command {
 namespace {

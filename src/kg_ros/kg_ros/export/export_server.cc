@@ -12,7 +12,7 @@
 #include "kg_ros/export/plan_formats.h"
 #include "kg_ros/export/plan_tracks.h"
 #include "kg_ros/knowledge/mission_state.h"
-#include "kg_ros/knowledge/plan_facts.h"
+#include "kg_ros/knowledge/plan_names.h"
 
 namespace kg_ros {
 namespace {

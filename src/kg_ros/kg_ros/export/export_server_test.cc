@@ -26,6 +26,7 @@
 #include "kg_ros/export/cf_trajectory.h"
 #include "kg_ros/export/plan_formats.h"
 #include "kg_ros/export/plan_tracks.h"
+#include "kg_ros/knowledge/plan_names.h"
 #include "kg_ros/knowledge/test_mission.h"
 #include "kg_ros/knowledge/test_team.h"
 

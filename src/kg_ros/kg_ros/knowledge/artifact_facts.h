@@ -19,26 +19,10 @@
 #include "kg_core/mission/mission.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_core/rdf/store.h"
+#include "kg_ros/knowledge/artifact_names.h"
 #include "kg_ros/knowledge/fleet_state.h"
 
 namespace kg_ros {
-
-// One of an artifact's hash and sources; the agent's ex:id and the window make
-// it readable.
-kg_core::Term TensorNode(const kg_compiler::MissionTensor& tensor,
-                         const kg_core::Mission& mission);
-kg_core::Term SeamRulesNode(const kg_compiler::SeamRules& rules);
-kg_core::Term StateNodeOf(const std::string& agent_id, std::uint64_t cycle);
-kg_core::Term CompileNode(const std::string& plane, std::uint64_t cycle);
-
-// The tensor of (agent, window), or null.
-const kg_compiler::MissionTensor* FindTensor(
-    const kg_compiler::Compilation& compilation, const std::string& agent_iri,
-    int window);
-const kg_compiler::SeamRules* FindRules(
-    const kg_compiler::Compilation& compilation, const std::string& agent_iri);
-// The window's IRI; one of its own for a window that is no more.
-kg_core::Term WindowTerm(const kg_core::Mission& mission, int window);
 
 // Is it described in the provenance graph?
 bool IsDescribed(const kg_core::GraphView& view, const kg_core::Term& node);
@@ -56,12 +40,11 @@ void StageArtifacts(const kg_compiler::Compilation& compilation,
                     std::uint64_t cycle, const CompileTimes& times,
                     kg_core::Transaction* transaction);
 
-// Stages the state that an agent had reported when a cycle began.
-// What the plan of a run commits an agent to.
-kg_core::Term CommitmentNode(std::uint64_t run, const std::string& agent_id);
+// Stages what the plan of a run commits an agent to.
 void StageCommitment(std::uint64_t run, const kg_compiler::SeamRules& rules,
                      kg_core::Transaction* transaction);
 
+// Stages the state that an agent had reported when a cycle began.
 void StageReportedState(const kg_core::Agent& agent, const AgentPose& pose,
                         std::uint64_t cycle, kg_core::Transaction* transaction);
 

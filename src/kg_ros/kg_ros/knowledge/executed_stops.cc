@@ -7,7 +7,7 @@
 #include "kg_core/geo/wkt.h"
 #include "kg_core/mission/terms.h"
 #include "kg_ros/conversion/message_units.h"
-#include "kg_ros/knowledge/plan_facts.h"
+#include "kg_ros/knowledge/plan_names.h"
 
 namespace kg_ros {
 namespace {

@@ -16,6 +16,7 @@
 #include "kg_core/mission/vocabulary.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/watch/watch_facts.h"
+#include "kg_ros/knowledge/plan_status.h"
 
 namespace kg_ros {
 namespace {

@@ -14,6 +14,7 @@
 #include "kg_core/sparql/query_engine.h"
 #include "kg_ros/conversion/rules_conversion.h"
 #include "kg_ros/conversion/tensor_conversion.h"
+#include "kg_ros/knowledge/plan_names.h"
 #include "kg_ros/knowledge/test_mission.h"
 #include "kg_ros/planning/planner_server.h"
 #include "kg_ros/selection/selector_server.h"

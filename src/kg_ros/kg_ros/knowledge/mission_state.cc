@@ -7,7 +7,7 @@
 #include "kg_core/geo/wkt.h"
 #include "kg_core/mission/terms.h"
 #include "kg_core/rdf/namespaces.h"
-#include "kg_ros/knowledge/plan_facts.h"
+#include "kg_ros/knowledge/plan_names.h"
 
 namespace kg_ros {
 namespace {

@@ -6,6 +6,7 @@
 #include "kg_ros/knowledge/artifact_facts.h"
 #include "kg_ros/knowledge/fact_writer.h"
 #include "kg_ros/knowledge/plan_facts.h"
+#include "kg_ros/knowledge/plan_names.h"
 
 namespace kg_ros {
 namespace {

@@ -9,6 +9,7 @@
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/knowledge/artifact_facts.h"
+#include "kg_ros/knowledge/plan_names.h"
 
 namespace kg_ros {
 namespace {
@@ -334,24 +335,6 @@ class PlanWriter {
 
 }  // namespace
 
-Term PlanGraph(unsigned long long run) {
-  return Iri(kg_core::kPlanGraphPrefix + std::to_string(run));
-}
-
-Term PlanRunNode(unsigned long long run) {
-  return Ex("plan/" + std::to_string(run));
-}
-
-Term SelectRunNode(unsigned long long run) {
-  return Iri(PlanRunNode(run).text + "/select");
-}
-
-Term AssignmentNode(unsigned long long run, const std::string& agent_id,
-                    int window) {
-  return Iri(PlanRunNode(run).text + "/" + agent_id + "/w" +
-             std::to_string(window));
-}
-
 std::vector<Statement> PlanStatements(const PlanRecord& record,
                                       const Compilation& compilation) {
   return PlanWriter(record, compilation).Write();
@@ -363,17 +346,6 @@ void WriteCost(const kg_msgs::EdgeCost& cost, FactWriter* write) {
       .Number("costRisk",
               (cost.hazard_s + cost.isolation_s) / kg_core::kSecondsPerHour)
       .Number("seamCost", cost.seam_cost);
-}
-
-void StagePlanStatus(const std::uint64_t run, const char* status,
-                     kg_core::Transaction* transaction) {
-  const Term node = PlanRunNode(run);
-  const Term property = kg_core::Ex("status");
-  const Term graph = PlanGraph(run);
-  const kg_core::GraphView& view = transaction->view();
-  if (!kg_core::FirstObject(view, graph.text, node, property)) return;
-  transaction->RemoveMatching(&node, &property, nullptr, graph);
-  transaction->Add({node, property, kg_core::Literal(status), graph});
 }
 
 }  // namespace kg_ros

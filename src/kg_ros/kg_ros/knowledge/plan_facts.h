@@ -49,21 +49,10 @@ struct PlanRecord {
   double ended_s = 0.0;
 };
 
-kg_core::Term PlanGraph(unsigned long long run);
-kg_core::Term PlanRunNode(unsigned long long run);
-kg_core::Term SelectRunNode(unsigned long long run);
-kg_core::Term AssignmentNode(unsigned long long run,
-                             const std::string& agent_id, int window);
-
 // The run, its assignments, rejections and what they cooled, for its own graph
 // and the provenance graph.
 std::vector<kg_core::Statement> PlanStatements(
     const PlanRecord& record, const kg_compiler::Compilation& compilation);
-
-// What has become of a run ("stale", "superseded"), if its graph is still
-// there.
-void StagePlanStatus(std::uint64_t run, const char* status,
-                     kg_core::Transaction* transaction);
 
 // ex:costHours, ex:costEnergy, ex:costRisk, ex:seamCost.
 void WriteCost(const kg_msgs::EdgeCost& cost, FactWriter* write);

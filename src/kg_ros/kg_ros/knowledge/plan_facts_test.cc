@@ -16,6 +16,7 @@
 #include "kg_core/mission/validator.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/sparql/query_engine.h"
+#include "kg_ros/knowledge/plan_names.h"
 #include "kg_ros/knowledge/test_mission.h"
 #include "kg_ros/knowledge/test_team.h"
 

@@ -13,6 +13,7 @@
 #include "kg_core/sparql/query_engine.h"
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
+#include "kg_ros/knowledge/plan_names.h"
 #include "kg_ros/knowledge/test_mission.h"
 #include "kg_ros/knowledge/test_team.h"
 

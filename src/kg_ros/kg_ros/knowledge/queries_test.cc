@@ -15,6 +15,7 @@
 #include "kg_core/base/text.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_core/sparql/results.h"
+#include "kg_ros/knowledge/plan_names.h"
 #include "kg_ros/knowledge/test_mission.h"
 #include "kg_ros/knowledge/test_team.h"
 

@@ -8,6 +8,8 @@
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/knowledge/fact_writer.h"
 #include "kg_ros/knowledge/mission_server.h"
+#include "kg_ros/knowledge/plan_names.h"
+#include "kg_ros/knowledge/plan_status.h"
 
 namespace kg_ros {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "kg_compiler/as_sent.h"
 #include "kg_ros/knowledge/artifact_facts.h"
-#include "kg_ros/knowledge/executed_stops.h"
 #include "kg_ros/knowledge/mission_state.h"
 
 namespace kg_ros {

@@ -11,8 +11,8 @@
 #include "kg_compiler/compile/mission_compiler.h"
 #include "kg_core/mission/mission.h"
 #include "kg_core/rdf/graph_view.h"
+#include "kg_ros/knowledge/executed_stops.h"
 #include "kg_ros/knowledge/fleet_state.h"
-#include "kg_ros/knowledge/plan_facts.h"
 
 namespace kg_ros {
 

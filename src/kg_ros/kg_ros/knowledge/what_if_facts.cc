@@ -6,6 +6,7 @@
 #include "kg_core/rdf/namespaces.h"
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/knowledge/nav_graph_facts.h"
+#include "kg_ros/knowledge/plan_names.h"
 
 namespace kg_ros {
 namespace {

@@ -9,6 +9,7 @@
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/knowledge/mission_server.h"
+#include "kg_ros/knowledge/plan_names.h"
 #include "kg_selector/team/plan_mission.h"
 
 namespace kg_ros {
