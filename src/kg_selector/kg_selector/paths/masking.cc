@@ -131,6 +131,8 @@ Visit VisitOf(const NavGraph& graph, const TraverseEdge& edge) {
     visit.reward += place->score;
   for (const int id : edge.via)
     visit.via.push_back({id, graph.waypoints.at(id).position});
+  visit.cost = kg_compiler::CostOfEdge(edge);
+  visit.edge = static_cast<int>(&edge - graph.edges.data());
   return visit;
 }
 

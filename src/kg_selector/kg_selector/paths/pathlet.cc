@@ -164,6 +164,28 @@ void ForEachInterval(const Track& a, const Track& b, const Span& span,
 
 }  // namespace
 
+bool operator==(const Visit& a, const Visit& b) {
+  const auto same_stop = [](const Stop& one, const Stop& other) {
+    return one.waypoint == other.waypoint && one.position == other.position;
+  };
+  return a.window == b.window && a.waypoint == b.waypoint &&
+         a.position == b.position && a.reward == b.reward &&
+         a.events == b.events && a.cost == b.cost &&
+         std::equal(a.via.begin(), a.via.end(), b.via.begin(), b.via.end(),
+                    same_stop);
+}
+
+bool IsSamePath(const Pathlet& a, const Pathlet& b) {
+  const auto same_point = [](const TimedPoint& one, const TimedPoint& other) {
+    return one.time_s == other.time_s && one.position == other.position;
+  };
+  return a.rank == b.rank && a.reward == b.reward &&
+         a.seam_cost == b.seam_cost && a.energy_j == b.energy_j &&
+         a.visits == b.visits &&
+         std::equal(a.track.begin(), a.track.end(), b.track.begin(),
+                    b.track.end(), same_point);
+}
+
 std::vector<int> ViaOf(const Visit& visit) {
   std::vector<int> via;
   for (const Stop& stop : visit.via) via.push_back(stop.waypoint);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "kg_compiler/control_plane/edge_cost.h"
 #include "kg_compiler/traversal/traversal.h"
 #include "kg_core/geo/lon_lat.h"
 
@@ -26,7 +27,13 @@ struct Visit {
   double reward = 0.0;              // Of the window, stops included.
   std::vector<std::string> events;  // IRIs of events that reward the window.
   std::vector<Stop> via = {};
+  kg_compiler::EdgeCost cost = {};  // Of the whole way through the window.
+  // Index of the edge taken among those of the NavGraph; -1 = not known, as in
+  // a pathlet that came by message.
+  int edge = -1;
 };
+// But for the index of the edge.
+bool operator==(const Visit& a, const Visit& b);
 
 std::vector<int> ViaOf(const Visit& visit);    // Waypoints on the way.
 std::vector<int> StopsOf(const Visit& visit);  // And where it ends.
@@ -42,6 +49,9 @@ struct Pathlet {
   std::vector<kg_compiler::TimedPoint> track;  // Where it is when.
   double score() const { return reward - seam_cost; }
 };
+
+// Equal figures, visits and tracks, whoever offered them in which round.
+bool IsSamePath(const Pathlet& a, const Pathlet& b);
 
 // Closest approach of two tracks while both exist [m]; straight (in longitude
 // and latitude) and steady between points, whose times must not descend.

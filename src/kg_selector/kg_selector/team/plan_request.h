@@ -1,0 +1,79 @@
+// What a team asks of its planners between two rounds, and what it says when
+// the run has ended. Planners may be anywhere: these values are all that goes
+// to them, and candidates (agent_candidates.h) all that comes back.
+
+#ifndef KG_SELECTOR_TEAM_PLAN_REQUEST_H_
+#define KG_SELECTOR_TEAM_PLAN_REQUEST_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kg_compiler/traversal/traversal.h"
+#include "kg_selector/paths/conflict.h"
+#include "kg_selector/team/committed_plan.h"
+#include "kg_selector/team/coordinator.h"
+
+namespace kg_selector {
+
+// What one agent must plan around in the round: the track of an agent that is
+// committed, or events that are full (then by_agent and track may be empty).
+struct CoolingConstraint {
+  std::string agent;          // ex:id of the agent to be cooled.
+  std::string by_agent;       // ex:id of the committed agent.
+  double separation_m = 0.0;  // From its track at all times.
+  double factor = 0.0;        // Of rewards there: 0 = forbidden, in [0, 1].
+  double expires_s = 0.0;     // Unix seconds.
+  std::vector<kg_compiler::TimedPoint> track;
+  std::vector<std::string> full_events;  // IRIs.
+};
+
+// The price of visiting a waypoint, or of earning an event's reward.
+struct VisitPrice {
+  std::string agent;  // ex:id; empty: all agents.
+  int window = 0;
+  int waypoint = 0;    // Id in the agent's NavGraph.
+  std::string event;   // IRI; if not empty the price is that of the event.
+  double price = 0.0;  // Reward units.
+};
+
+// Those asked plan again, around what cools them and at these prices alone
+// (earlier rounds are forgotten).
+struct PlanRequest {
+  double time_s = 0.0;  // Unix seconds.
+  std::uint64_t world_version = 0;
+  std::uint64_t cycle = 0;
+  std::uint64_t run = 0;
+  std::uint32_t round = 0;         // That is asked for; > 0.
+  std::vector<std::string> asked;  // ex:id.
+  std::vector<CoolingConstraint> cooling;
+  std::vector<VisitPrice> prices;
+};
+
+// The run has ended: what was rejected in all its rounds.
+struct RunEnd {
+  double time_s = 0.0;
+  std::uint64_t world_version = 0;
+  std::uint64_t cycle = 0;
+  std::uint64_t run = 0;
+  std::vector<RejectedPath> rejections;
+};
+
+// Adds who is asked, and what for, to a request whose time is set.
+void AddAsk(const std::string& agent, const Ask& ask, const TeamRules& rules,
+            PlanRequest* request);
+
+struct AskedOf {
+  Ask ask;
+  double separation_m = 0.0;  // From those committed.
+};
+// What the request asks of an agent; nothing if it does not. Prices without an
+// agent are for all. Throws kg_core::InputError if a price is not a finite
+// number >= 0.
+std::optional<AskedOf> AskOf(const PlanRequest& request,
+                             const std::string& agent);
+
+}  // namespace kg_selector
+
+#endif  // KG_SELECTOR_TEAM_PLAN_REQUEST_H_
