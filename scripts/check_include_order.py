@@ -4,7 +4,8 @@ not belong, or if the planner knows something of anybody's domain.
 
     check_include_order.py [REPOSITORY]        prints file:line: what is wrong
 
-The order is kg_core < kg_compiler < kg_planner < kg_selector < kg_ros. The
+The order is kg_core < kg_compiler < kg_planner < kg_selector <
+kg_engine < kg_ros. The
 planner stands on a floor of its own: it may include itself and the standard
 library only (gtest in tests). ROS is known to kg_ros and kg_rviz_plugins.
 """
@@ -13,7 +14,8 @@ import pathlib
 import re
 import sys
 
-HOUSE = ("kg_core", "kg_compiler", "kg_planner", "kg_selector", "kg_ros")
+HOUSE = ("kg_core", "kg_compiler", "kg_planner", "kg_selector",
+         "kg_engine", "kg_ros")
 ALONE = "kg_planner"
 KNOW_ROS = ("kg_ros", "kg_rviz_plugins")
 ROS = re.compile(

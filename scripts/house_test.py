@@ -13,7 +13,7 @@ import xml.etree.ElementTree as xml
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent
 PACKAGES = sorted(REPOSITORY.glob("src/*/package.xml"))
 ARCHITECTURE = {"kg_core", "kg_compiler", "kg_planner", "kg_selector",
-                "kg_msgs", "kg_ros", "mission"}
+                "kg_engine", "kg_msgs", "kg_ros", "mission"}
 DEPENDS = ("depend", "build_depend", "exec_depend", "buildtool_depend",
            "build_export_depend", "test_depend")
 # ROS packages that Debian names otherwise than lib<name>-dev and the like.

@@ -21,7 +21,7 @@ sys.path.insert(0, str(REPOSITORY / "src/mission/test"))
 
 import small_mission  # After its folder is known.
 
-PROGRAM = REPOSITORY / "devel/lib/kg_ros/kg"
+PROGRAM = REPOSITORY / "devel/lib/kg_engine/kg"
 MISSIONS = REPOSITORY / "config/missions"
 SUITES = pathlib.Path(os.environ.get(
     "KG_SHARED_DATA", REPOSITORY.parent / "shared/data")) / "w3c"
@@ -430,7 +430,7 @@ class TheReadme(unittest.TestCase):
         for link in ("config", "devel", "src"):
             (pathlib.Path(folder) / link).symlink_to(REPOSITORY / link)
         for command in commands:
-            plain = command.replace("rosrun kg_ros kg", str(PROGRAM))
+            plain = command.replace("rosrun kg_engine kg", str(PROGRAM))
             done = subprocess.run(plain, shell=True, cwd=folder, check=False,
                                   capture_output=True, text=True, timeout=120)
             self.assertEqual(0, done.returncode, f"{command}: {done.stderr}")

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <random>
 #include <set>
 #include <string>
@@ -10,7 +11,8 @@
 #include "gtest/gtest.h"
 #include "kg_compiler/as_sent.h"
 #include "kg_core/base/input_error.h"
-#include "kg_ros/conversion/ask_conversion.h"
+#include "kg_engine/simulation/agent_simulator.h"
+#include "kg_ros/conversion/agent_conversion.h"
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/conversion/rules_conversion.h"
@@ -268,7 +270,7 @@ TEST(ConversionTest, RefusesTeamRulesThatMakeNoSense) {
 }
 
 // What planners are asked: whoever is named, under exactly that.
-TEST(ConversionTest, AnAskComesBackAsItWas) {
+TEST(ConversionTest, ARequestComesBackAsItWas) {
   kg_selector::Pathlet committed;
   committed.agent = "alpha";
   committed.track = {{{-90.0, 25.0}, 1.8e9}, {{-89.0, 24.0}, 1.8e9 + 9.0}};
@@ -279,10 +281,26 @@ TEST(ConversionTest, AnAskComesBackAsItWas) {
   ask.event_prices = {{"ex:g", 2.5}};
   kg_selector::TeamRules rules;
   rules.separation_m = 3000.0;
-  kg_msgs::Rejections message;
-  AddAsk("bravo", ask, rules, &message);
-  AddAsk("charlie", {}, rules, &message);
-  const auto back = AskOf(message, "bravo");
+  kg_selector::PlanRequest request;
+  request.time_s = 1.75e9;
+  request.world_version = 5;
+  request.cycle = 6;
+  request.run = 7;
+  request.round = 2;
+  kg_selector::AddAsk("bravo", ask, rules, &request);
+  kg_selector::AddAsk("charlie", {}, rules, &request);
+  const kg_msgs::Rejections message = ToMessage(request);
+  ASSERT_FALSE(IsEndOfRun(message));
+  const kg_selector::PlanRequest same = RequestFromMessage(message);
+  EXPECT_EQ(same.time_s, 1.75e9);
+  EXPECT_EQ(same.world_version, 5u);
+  EXPECT_EQ(same.cycle, 6u);
+  EXPECT_EQ(same.run, 7u);
+  EXPECT_EQ(same.round, 2u);
+  ASSERT_EQ(same.cooling.size(), 1u);
+  EXPECT_EQ(same.cooling[0].by_agent, "alpha");
+  EXPECT_EQ(same.cooling[0].expires_s, 1.75e9);
+  const auto back = kg_selector::AskOf(same, "bravo");
   ASSERT_TRUE(back);
   EXPECT_EQ(back->separation_m, 3000.0);
   ASSERT_EQ(back->ask.around.size(), 1u);
@@ -294,39 +312,129 @@ TEST(ConversionTest, AnAskComesBackAsItWas) {
   EXPECT_EQ(back->ask.waypoint_prices[0].waypoint, 7);
   EXPECT_EQ(back->ask.waypoint_prices[0].price, 0.1);
   EXPECT_EQ(back->ask.event_prices, ask.event_prices);
-  const auto free = AskOf(message, "charlie");
+  const auto free = kg_selector::AskOf(same, "charlie");
   ASSERT_TRUE(free);  // Asked for nothing but another answer.
   EXPECT_TRUE(free->ask.around.empty());
   EXPECT_TRUE(free->ask.waypoint_prices.empty());
-  EXPECT_FALSE(AskOf(message, "alpha"));
+  EXPECT_FALSE(kg_selector::AskOf(same, "alpha"));
 }
 
-TEST(ConversionTest, AnEventMayBeFullWithoutATrackInTheWay) {
-  kg_selector::Ask ask;
-  ask.full_events = {"ex:e"};
-  kg_msgs::Rejections message;
-  AddAsk("bravo", ask, {}, &message);
-  const auto back = AskOf(message, "bravo");
-  ASSERT_TRUE(back);
-  EXPECT_TRUE(back->ask.around.empty());
-  EXPECT_EQ(back->ask.full_events, ask.full_events);
+TEST(ConversionTest, TheEndOfARunComesBackWithItsRejections) {
+  kg_selector::RunEnd end;
+  end.run = 7;
+  end.rejections.resize(1);
+  end.rejections[0].agent_iri = "ex:bravo";
+  kg_selector::Rejection& lost = end.rejections[0].rejection;
+  lost.pathlet.agent = "bravo";
+  lost.pathlet.rank = 2;
+  lost.pathlet.reward = 4.5;
+  lost.pathlet.seam_cost = 0.5;
+  lost.round = 1;
+  lost.reason = "too near";
+  lost.conflict.kind = kg_selector::ConflictKind::kEnergy;
+  lost.conflict.with_agent = "alpha";
+  lost.conflict.window = 3;
+  lost.conflict.event = "ex:e";
+  lost.conflict.margin = -2.0;
+  const kg_msgs::Rejections message = ToMessage(end);
+  ASSERT_TRUE(IsEndOfRun(message));
+  EXPECT_EQ(message.rejections.at(0).kind, "energy");
+  const kg_selector::RunEnd back = EndFromMessage(message);
+  EXPECT_EQ(back.run, 7u);
+  ASSERT_EQ(back.rejections.size(), 1u);
+  EXPECT_EQ(back.rejections[0].agent_iri, "ex:bravo");
+  const kg_selector::Rejection& same = back.rejections[0].rejection;
+  EXPECT_EQ(same.pathlet.agent, "bravo");
+  EXPECT_EQ(same.pathlet.rank, 2);
+  EXPECT_EQ(same.pathlet.score(), 4.0);
+  EXPECT_EQ(same.round, 1);
+  EXPECT_EQ(same.reason, "too near");
+  EXPECT_EQ(same.conflict.kind, kg_selector::ConflictKind::kEnergy);
+  EXPECT_EQ(same.conflict.with_agent, "alpha");
+  EXPECT_EQ(same.conflict.window, 3);
+  EXPECT_EQ(same.conflict.event, "ex:e");
+  EXPECT_EQ(same.conflict.margin, -2.0);
 }
 
-TEST(ConversionTest, APriceWithoutAnAgentIsForAllWhoAreAsked) {
-  kg_msgs::Rejections message;
-  message.asked = {"alpha", "bravo"};
-  message.prices.resize(2);
-  message.prices[0].event = "ex:e";
-  message.prices[0].price = 2.0;
-  message.prices[1].agent = "bravo";
-  message.prices[1].price = 1.0;
-  EXPECT_EQ(AskOf(message, "alpha")->ask.event_prices.at("ex:e"), 2.0);
-  EXPECT_TRUE(AskOf(message, "alpha")->ask.waypoint_prices.empty());
-  EXPECT_EQ(AskOf(message, "bravo")->ask.waypoint_prices.size(), 1u);
-  for (const double bad : {-1.0, static_cast<double>(NAN)}) {
-    message.prices[1].price = bad;
-    EXPECT_THROW(AskOf(message, "bravo"), InputError);
-    EXPECT_NO_THROW(AskOf(message, "alpha"));
+TEST(ConversionTest, APlanComesBackAsItWas) {
+  kg_selector::CommittedPlan plan;
+  plan.time_s = 1.75e9;
+  plan.world_version = 3;
+  plan.cycle = 4;
+  plan.run = 5;
+  plan.rounds = 6;
+  plan.reward = 7.5;
+  plan.seam_cost = 0.25;
+  plan.bound = std::numeric_limits<double>::infinity();
+  plan.mode = "exact";
+  plan.stability = 0.5;
+  plan.displacement_m = 100.0;
+  plan.assignments.resize(1);
+  plan.assignments[0].agent_iri = "ex:alpha";
+  plan.assignments[0].pathlet.agent = "alpha";
+  plan.unassigned = {{"bravo", "no path: none"}};
+  plan.stages = {{"select", 0.5, 2}};
+  const kg_msgs::Assignments message = ToMessage(plan);
+  EXPECT_TRUE(std::isnan(message.bound));
+  EXPECT_EQ(message.unassigned.at(0), "bravo: no path: none");
+  const kg_selector::CommittedPlan back = FromMessage(message);
+  EXPECT_EQ(back.time_s, plan.time_s);
+  EXPECT_EQ(back.world_version, 3u);
+  EXPECT_EQ(back.cycle, 4u);
+  EXPECT_EQ(back.run, 5u);
+  EXPECT_EQ(back.rounds, 6);
+  EXPECT_EQ(back.reward, 7.5);
+  EXPECT_EQ(back.seam_cost, 0.25);
+  EXPECT_EQ(back.mode, "exact");
+  EXPECT_EQ(back.stability, 0.5);
+  EXPECT_EQ(back.displacement_m, 100.0);
+  ASSERT_EQ(back.assignments.size(), 1u);
+  EXPECT_EQ(back.assignments[0].agent_iri, "ex:alpha");
+  EXPECT_EQ(back.assignments[0].pathlet.agent, "alpha");
+  EXPECT_EQ(back.unassigned, plan.unassigned);
+  ASSERT_EQ(back.stages.size(), 1u);
+  EXPECT_EQ(back.stages[0].stage, "select");
+  EXPECT_EQ(back.stages[0].count, 2u);
+}
+
+TEST(ConversionTest, CandidatesThatMakeNoSenseAreRefused) {
+  kg_msgs::Candidates message;
+  message.agent = "alpha";
+  message.proven = true;
+  message.bound = 9.0;
+  EXPECT_EQ(FromMessage(message).found.bound,
+            -std::numeric_limits<double>::infinity());  // There is no path.
+  message.pathlets.resize(1);
+  message.pathlets[0].reward = 5.0;
+  EXPECT_EQ(FromMessage(message).found.bound, 9.0);
+  EXPECT_EQ(FromMessage(message).found.pathlets.at(0).agent, "alpha");
+  message.pathlets[0].reward = NAN;
+  EXPECT_THROW(FromMessage(message), InputError);
+}
+
+TEST(ConversionTest, SimulatedAgentsGoOnAlongTheLastPlanWhenPlanningFailed) {
+  constexpr double kBegin_s = 1000000.0;
+  kg_msgs::World world;
+  world.mission_time = ToRosTime(kBegin_s);
+  world.windows.resize(1);
+  world.windows[0].end = ToRosTime(kBegin_s + 86400.0);
+  world.agents.resize(1);
+  world.agents[0].id = "alpha";
+  kg_selector::CommittedPlan plan;
+  plan.assignments.resize(1);
+  plan.assignments[0].pathlet.agent = "alpha";
+  plan.assignments[0].pathlet.track = {{{0.0, 0.0}, kBegin_s},
+                                       {{1.0, 0.0}, kBegin_s + 86400.0}};
+  kg_engine::AgentSimulator simulator(3600.0);
+  simulator.Take(plan);
+  for (const auto [status, moves] : {std::pair{kg_msgs::World::PLAN_NONE, 0u},
+                                     {kg_msgs::World::PLAN_OK, 1u},
+                                     {kg_msgs::World::PLAN_STALE, 0u},
+                                     {kg_msgs::World::PLAN_FAILED, 1u}}) {
+    world.plan_status = status;
+    simulator.Take(FromMessage(world));
+    EXPECT_EQ(simulator.agents(), std::vector<std::string>{"alpha"});
+    EXPECT_EQ(simulator.Advance(1.0).size(), moves);
   }
 }
 
@@ -338,23 +446,15 @@ TEST(ConversionTest, APathComesBackWithItsStops) {
   pathlet.seam_cost = 0.5;
   pathlet.energy_j = 1234.5;
   pathlet.visits = {{3, 1, {-89.0, 24.0}, 4.5, {"ex:e"}, {{0, {-90.0, 25.0}}}}};
-  kg_compiler::NavGraph graph;
-  graph.waypoints.resize(2);
-  for (const bool by_way_of : {false, true}) {
-    kg_compiler::TraverseEdge edge;
-    edge.to = 1;
-    if (by_way_of) edge.via = {0};
-    edge.flight.travel_s = by_way_of ? 20.0 : 10.0;
-    graph.edges.push_back(edge);
-  }
-  const kg_msgs::Pathlet message =
-      ToMessage(pathlet, kg_compiler::NavGraphs({graph}));
-  EXPECT_EQ(message.visits.at(0).cost.travel_s, 20.0);  // Of the walk.
+  pathlet.visits[0].cost = {20.0, 7.5, 0.125, 0.0625, 6.0, 0.6875, 0.375};
+  const kg_msgs::Pathlet message = ToMessage(pathlet);
+  EXPECT_EQ(message.visits.at(0).cost.travel_s, 20.0);
   const kg_selector::Pathlet back = FromMessage(message, "alpha");
   EXPECT_EQ(back.rank, 3);
   EXPECT_EQ(back.energy_j, 1234.5);
   ASSERT_EQ(back.visits.size(), 1u);
   EXPECT_EQ(back.visits[0].events, pathlet.visits[0].events);
+  EXPECT_TRUE(back.visits[0].cost == pathlet.visits[0].cost);
   ASSERT_EQ(back.visits[0].via.size(), 1u);
   EXPECT_EQ(back.visits[0].via[0].waypoint, 0);
   EXPECT_NEAR(back.visits[0].via[0].position.lon_deg, -90.0, 1e-12);
@@ -375,6 +475,17 @@ TEST(ConversionTest, RefusesATrackThatGoesBackInTime) {
   track[0].stamp = ros::Time(20.0);
   track[1].stamp = ros::Time(10.0);
   EXPECT_THROW(FromMessage(track), InputError);
+}
+
+kg_engine::AgentGraph Made(const kg_compiler::NavGraph& graph) {
+  kg_engine::AgentGraph made;
+  made.made_s = 1.75e9;
+  made.world_version = 8;
+  made.cycle = 9;
+  made.agent = "alpha";
+  made.graph = std::make_shared<const kg_compiler::NavGraph>(graph);
+  made.staging = {false, true};
+  return made;
 }
 
 kg_compiler::NavGraph SmallGraph() {
@@ -407,7 +518,16 @@ kg_compiler::NavGraph SmallGraph() {
 
 TEST(ConversionTest, AWaypointGraphComesBackAsItWas) {
   const kg_compiler::NavGraph graph = SmallGraph();
-  const kg_compiler::NavGraph back = FromMessage(ToMessage(graph, {}));
+  const kg_msgs::NavGraph message = ToMessage(Made(graph));
+  EXPECT_FALSE(message.edges.at(0).staging);
+  EXPECT_TRUE(message.edges.at(1).staging);
+  const kg_engine::AgentGraph made = FromMessage(message);
+  EXPECT_EQ(made.made_s, 1.75e9);
+  EXPECT_EQ(made.world_version, 8u);
+  EXPECT_EQ(made.cycle, 9u);
+  EXPECT_EQ(made.agent, "alpha");
+  EXPECT_EQ(made.staging, (std::vector<bool>{false, true}));
+  const kg_compiler::NavGraph& back = *made.graph;
   EXPECT_EQ(graph.agent_iri, back.agent_iri);
   EXPECT_EQ(graph.window, back.window);
   EXPECT_EQ(graph.hash, back.hash);
@@ -445,29 +565,8 @@ TEST(ConversionTest, AWaypointGraphComesBackAsItWas) {
   EXPECT_EQ(1, back.inner_edges[0].to);
 }
 
-TEST(ConversionTest, APathKeepsItsStopsAndTheCostOfTheWalk) {
-  kg_compiler::NavGraph graph = SmallGraph();
-  for (auto& edge : graph.edges) edge.from = 0;
-  graph.edges[1].seam_cost = 0.75;
-  kg_selector::Pathlet path;
-  path.visits = {{3, 1, {-89.0, 24.0}, 3.75, {"e"}, {}}};
-  for (const bool stops : {false, true}) {
-    if (stops) path.visits[0].via = {{1, {-89.0, 24.0}}, {0, {-90.0, 25.0}}};
-    const kg_msgs::Pathlet message =
-        ToMessage(path, kg_compiler::NavGraphs({graph}));
-    EXPECT_EQ(message.visits[0].cost.seam_cost, stops ? 0.75 : 0.375);
-    const kg_selector::Pathlet back = FromMessage(message, "a");
-    EXPECT_EQ(kg_selector::StopsOf(back.visits[0]),
-              kg_selector::StopsOf(path.visits[0]));
-    EXPECT_EQ(back.visits[0].events, path.visits[0].events);
-    for (std::size_t i = 0; i < path.visits[0].via.size(); ++i)
-      EXPECT_NEAR(back.visits[0].via[i].position.lon_deg,
-                  path.visits[0].via[i].position.lon_deg, 1e-12);
-  }
-}
-
 TEST(ConversionTest, RefusesAWaypointGraphThatMakesNoSense) {
-  const kg_msgs::NavGraph good = ToMessage(SmallGraph(), {});
+  const kg_msgs::NavGraph good = ToMessage(Made(SmallGraph()));
   kg_msgs::NavGraph message = good;
   message.waypoints[1].id = 7;
   EXPECT_THROW(FromMessage(message), InputError);
@@ -486,15 +585,6 @@ TEST(ConversionTest, RefusesAWaypointGraphThatMakesNoSense) {
   message = good;
   message.movement_mode = "leaps";
   EXPECT_THROW(FromMessage(message), InputError);
-}
-
-TEST(ConversionTest, APositionLiesBetweenItsNeighboursInTime) {
-  const std::vector<kg_compiler::TimedPoint> track = {{{-90.0, 25.0}, 100.0},
-                                                      {{-89.0, 26.0}, 200.0}};
-  EXPECT_EQ(PositionAt(track, 50.0), (kg_core::LonLat{-90.0, 25.0}));
-  EXPECT_EQ(PositionAt(track, 250.0), (kg_core::LonLat{-89.0, 26.0}));
-  EXPECT_NEAR(PositionAt(track, 125.0).lon_deg, -89.75, 1e-12);
-  EXPECT_NEAR(PositionAt(track, 125.0).lat_deg, 25.25, 1e-12);
 }
 
 }  // namespace

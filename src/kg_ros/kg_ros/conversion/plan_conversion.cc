@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "kg_core/base/input_error.h"
 #include "kg_ros/conversion/message_units.h"
@@ -11,8 +13,8 @@
 namespace kg_ros {
 namespace {
 
+using kg_compiler::EdgeCost;
 using kg_compiler::NavGraph;
-using kg_compiler::NavGraphs;
 using kg_compiler::TimedPoint;
 using kg_compiler::TraverseEdge;
 
@@ -62,7 +64,7 @@ kg_msgs::TraverseEdge ToMessage(const TraverseEdge& edge) {
   message.from = edge.from;
   message.to = edge.to;
   message.via.assign(edge.via.begin(), edge.via.end());
-  message.cost = CostMessage(edge);
+  message.cost = kg_ros::ToMessage(kg_compiler::CostOfEdge(edge));
   message.track = kg_ros::ToMessage(edge.flight.track);
   return message;
 }
@@ -86,6 +88,7 @@ kg_msgs::Visit ToMessage(const kg_selector::Visit& visit) {
     message.via.back().waypoint = stop.waypoint;
     SetPosition(stop.position, &message.via.back());
   }
+  message.cost = kg_ros::ToMessage(visit.cost);
   return message;
 }
 
@@ -110,21 +113,151 @@ kg_selector::Visit FromMessage(const kg_msgs::Visit& message,
     RequireFinite(stop.lon_rad + stop.lat_rad, agent, "the place of a stop");
     visit.via.push_back({static_cast<int>(stop.waypoint), GetPosition(stop)});
   }
+  visit.cost = kg_ros::FromMessage(message.cost);
   return visit;
+}
+
+kg_msgs::Cooling ToMessage(const kg_selector::CoolingConstraint& cooling) {
+  kg_msgs::Cooling message;
+  message.agent = cooling.agent;
+  message.by_agent = cooling.by_agent;
+  message.separation_m = cooling.separation_m;
+  message.factor = cooling.factor;
+  message.expires = ToRosTime(cooling.expires_s);
+  message.track = kg_ros::ToMessage(cooling.track);
+  message.full_events = cooling.full_events;
+  return message;
+}
+
+kg_selector::CoolingConstraint FromMessage(const kg_msgs::Cooling& message) {
+  kg_selector::CoolingConstraint cooling;
+  cooling.agent = message.agent;
+  cooling.by_agent = message.by_agent;
+  cooling.separation_m = message.separation_m;
+  cooling.factor = message.factor;
+  cooling.expires_s = FromRosTime(message.expires);
+  cooling.track = kg_ros::FromMessage(message.track);
+  cooling.full_events = message.full_events;
+  return cooling;
+}
+
+kg_msgs::Price ToMessage(const kg_selector::VisitPrice& price) {
+  kg_msgs::Price message;
+  message.agent = price.agent;
+  message.window = price.window;
+  message.waypoint = price.waypoint;
+  message.event = price.event;
+  message.price = price.price;
+  return message;
+}
+
+kg_selector::VisitPrice FromMessage(const kg_msgs::Price& message) {
+  return {message.agent, message.window, static_cast<int>(message.waypoint),
+          message.event, message.price};
+}
+
+kg_msgs::Rejection ToMessage(const kg_selector::RejectedPath& rejected) {
+  const kg_selector::Rejection& rejection = rejected.rejection;
+  kg_msgs::Rejection message;
+  message.agent = rejection.pathlet.agent;
+  message.agent_iri = rejected.agent_iri;
+  message.rank = rejection.pathlet.rank;
+  message.round = rejection.round;
+  message.score = rejection.pathlet.score();
+  message.kind = kg_selector::Name(rejection.conflict.kind);
+  message.to_agent = rejection.conflict.with_agent;
+  message.window = rejection.conflict.window;
+  message.event = rejection.conflict.event;
+  message.margin = rejection.conflict.margin;
+  message.reason = rejection.reason;
+  return message;
+}
+
+// Of the pathlet only agent, rank and score come by message.
+kg_selector::RejectedPath FromMessage(const kg_msgs::Rejection& message) {
+  kg_selector::RejectedPath rejected;
+  rejected.agent_iri = message.agent_iri;
+  kg_selector::Rejection& rejection = rejected.rejection;
+  rejection.pathlet.agent = message.agent;
+  rejection.pathlet.rank = static_cast<int>(message.rank);
+  rejection.pathlet.reward = message.score;
+  rejection.round = static_cast<int>(message.round);
+  rejection.reason = message.reason;
+  rejection.conflict.kind =
+      kg_selector::ConflictKindOf(message.kind)
+          .value_or(kg_selector::ConflictKind::kMalformed);
+  rejection.conflict.with_agent = message.to_agent;
+  rejection.conflict.window = message.window;
+  rejection.conflict.event = message.event;
+  rejection.conflict.margin = message.margin;
+  return rejected;
+}
+
+// Time, version, cycle and run of what a selector says.
+template <typename Message, typename Value>
+void SetHeader(const Value& value, Message* message) {
+  message->header.stamp = ToRosTime(value.time_s);
+  message->world_version = value.world_version;
+  message->cycle = value.cycle;
+  message->plan_run = value.run;
+}
+template <typename Value, typename Message>
+Value FromHeader(const Message& message) {
+  Value value;
+  value.time_s = FromRosTime(message.header.stamp);
+  value.world_version = message.world_version;
+  value.cycle = message.cycle;
+  value.run = message.plan_run;
+  return value;
+}
+
+// "id: reason".
+void AddUnassigned(const std::string& line, kg_selector::CommittedPlan* plan) {
+  const std::size_t colon = line.find(": ");
+  const bool has_reason = colon != std::string::npos;
+  plan->unassigned[line.substr(0, colon)] =
+      has_reason ? line.substr(colon + 2) : "";
 }
 
 }  // namespace
 
-kg_msgs::EdgeCost CostMessage(const TraverseEdge& edge) {
-  kg_msgs::EdgeCost cost;
-  cost.travel_s = edge.flight.travel_s;
-  cost.energy_j = edge.flight.energy_j;
-  cost.hazard_s = edge.flight.hazard_s;
-  cost.through_water_m = edge.flight.through_water_m;
-  cost.speed_mps = edge.flight.speed_mps;
-  cost.isolation_s = edge.isolation_s;
-  cost.seam_cost = edge.seam_cost;
+kg_msgs::EdgeCost ToMessage(const EdgeCost& cost) {
+  kg_msgs::EdgeCost message;
+  message.travel_s = cost.travel_s;
+  message.energy_j = cost.energy_j;
+  message.hazard_s = cost.hazard_s;
+  message.through_water_m = cost.through_water_m;
+  message.speed_mps = cost.speed_mps;
+  message.isolation_s = cost.isolation_s;
+  message.seam_cost = cost.seam_cost;
+  return message;
+}
+
+EdgeCost FromMessage(const kg_msgs::EdgeCost& message) {
+  EdgeCost cost;
+  cost.travel_s = message.travel_s;
+  cost.energy_j = message.energy_j;
+  cost.hazard_s = message.hazard_s;
+  cost.through_water_m = message.through_water_m;
+  cost.speed_mps = message.speed_mps;
+  cost.isolation_s = message.isolation_s;
+  cost.seam_cost = message.seam_cost;
   return cost;
+}
+
+kg_msgs::StageTime ToMessage(const kg_selector::StageTime& stage) {
+  kg_msgs::StageTime message;
+  message.stage = stage.stage;
+  message.seconds = stage.seconds;
+  message.count = static_cast<unsigned>(stage.count);
+  return message;
+}
+
+std::vector<kg_msgs::StageTime> ToMessage(
+    const std::vector<kg_selector::StageTime>& stages) {
+  std::vector<kg_msgs::StageTime> message;
+  for (const auto& stage : stages) message.push_back(ToMessage(stage));
+  return message;
 }
 
 std::vector<kg_msgs::TimedPoint> ToMessage(
@@ -156,11 +289,13 @@ std::vector<TimedPoint> FromMessage(
   return track;
 }
 
-kg_msgs::NavGraph ToMessage(const NavGraph& graph,
-                            const kg_compiler::SeamRules& rules) {
+kg_msgs::NavGraph ToMessage(const kg_engine::AgentGraph& made) {
+  const NavGraph& graph = *made.graph;
   kg_msgs::NavGraph message;
-  message.world_version = rules.world_version;
-  message.agent = rules.agent_id;
+  message.header.stamp = ToRosTime(made.made_s);
+  message.world_version = made.world_version;
+  message.cycle = made.cycle;
+  message.agent = made.agent;
   message.agent_iri = graph.agent_iri;
   message.window = graph.window;
   message.movement_mode = kg_compiler::Name(graph.movement_mode);
@@ -171,6 +306,9 @@ kg_msgs::NavGraph ToMessage(const NavGraph& graph,
   for (const TraverseEdge& edge : graph.edges) {
     message.edges.push_back(ToMessage(edge));
   }
+  for (std::size_t i = 0; i < made.staging.size(); ++i) {
+    message.edges[i].staging = made.staging[i];
+  }
   for (const TraverseEdge& edge : graph.inner_edges) {
     message.edges.push_back(ToMessage(edge));
     message.edges.back().within_window = true;
@@ -178,7 +316,12 @@ kg_msgs::NavGraph ToMessage(const NavGraph& graph,
   return message;
 }
 
-NavGraph FromMessage(const kg_msgs::NavGraph& message) {
+kg_engine::AgentGraph FromMessage(const kg_msgs::NavGraph& message) {
+  kg_engine::AgentGraph made;
+  made.made_s = FromRosTime(message.header.stamp);
+  made.world_version = message.world_version;
+  made.cycle = message.cycle;
+  made.agent = message.agent;
   NavGraph graph;
   graph.agent_iri = message.agent_iri;
   graph.window = message.window;
@@ -204,27 +347,20 @@ NavGraph FromMessage(const kg_msgs::NavGraph& message) {
     }
     auto& edges = edge.within_window ? graph.inner_edges : graph.edges;
     edges.push_back(FromMessage(edge));
+    if (!edge.within_window) made.staging.push_back(edge.staging);
   }
-  return graph;
+  made.graph = std::make_shared<const NavGraph>(std::move(graph));
+  return made;
 }
 
-kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
-                           const NavGraphs& graphs) {
+kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet) {
   kg_msgs::Pathlet message;
   message.rank = pathlet.rank;
   message.reward = pathlet.reward;
   message.seam_cost = pathlet.seam_cost;
   message.energy_j = pathlet.energy_j;
-  int from = 0;
-  for (std::size_t i = 0; i < pathlet.visits.size(); ++i) {
-    const kg_selector::Visit& visit = pathlet.visits[i];
+  for (const kg_selector::Visit& visit : pathlet.visits) {
     message.visits.push_back(ToMessage(visit));
-    if (i < graphs.size()) {
-      const TraverseEdge* edge = kg_compiler::FindEdge(
-          graphs[i], from, visit.waypoint, kg_selector::ViaOf(visit));
-      if (edge != nullptr) message.visits.back().cost = CostMessage(*edge);
-    }
-    from = visit.waypoint;
   }
   message.track = ToMessage(pathlet.track);
   return message;
@@ -248,59 +384,134 @@ kg_selector::Pathlet FromMessage(const kg_msgs::Pathlet& message,
   return pathlet;
 }
 
-kg_msgs::Rejection ToMessage(const kg_selector::Rejection& rejection,
-                             const std::string& agent_iri) {
-  kg_msgs::Rejection message;
-  message.agent = rejection.pathlet.agent;
-  message.agent_iri = agent_iri;
-  message.rank = rejection.pathlet.rank;
-  message.round = rejection.round;
-  message.score = rejection.pathlet.score();
-  message.kind = kg_selector::Name(rejection.conflict.kind);
-  message.to_agent = rejection.conflict.with_agent;
-  message.window = rejection.conflict.window;
-  message.event = rejection.conflict.event;
-  message.margin = rejection.conflict.margin;
-  message.reason = rejection.reason;
+kg_msgs::Candidates ToMessage(const kg_selector::AgentCandidates& candidates) {
+  kg_msgs::Candidates message;
+  message.header.stamp = ToRosTime(candidates.time_s);
+  message.world_version = candidates.world_version;
+  message.cycle = candidates.cycle;
+  message.agent = candidates.agent;
+  message.agent_iri = candidates.agent_iri;
+  message.round = candidates.round;
+  for (const kg_selector::Pathlet& pathlet : candidates.found.pathlets) {
+    message.pathlets.push_back(ToMessage(pathlet));
+  }
+  message.proven = candidates.found.proven;
+  message.bound = FiniteOrUnknown(candidates.found.bound);
+  message.note = candidates.found.note;
+  message.stages = ToMessage(candidates.stages);
   return message;
 }
 
-kg_msgs::Assignments ToMessage(const kg_selector::PlannedMission& planned) {
+kg_selector::AgentCandidates FromMessage(const kg_msgs::Candidates& message) {
+  kg_selector::AgentCandidates candidates;
+  candidates.time_s = FromRosTime(message.header.stamp);
+  candidates.world_version = message.world_version;
+  candidates.cycle = message.cycle;
+  candidates.agent = message.agent;
+  candidates.agent_iri = message.agent_iri;
+  candidates.round = message.round;
+  kg_selector::Candidates& found = candidates.found;
+  for (const kg_msgs::Pathlet& pathlet : message.pathlets) {
+    found.pathlets.push_back(FromMessage(pathlet, message.agent));
+  }
+  found.proven = message.proven;
+  found.note = message.note;
+  found.bound = message.bound;
+  if (found.pathlets.empty() && message.proven) {
+    // Nothing is worth anything: as the planner had it.
+    found.bound = -std::numeric_limits<double>::infinity();
+  }
+  return candidates;
+}
+
+kg_msgs::Rejections ToMessage(const kg_selector::PlanRequest& request) {
+  kg_msgs::Rejections message;
+  SetHeader(request, &message);
+  message.round = request.round;
+  message.asked = request.asked;
+  for (const auto& one : request.cooling) {
+    message.cooling.push_back(ToMessage(one));
+  }
+  for (const auto& one : request.prices) {
+    message.prices.push_back(ToMessage(one));
+  }
+  return message;
+}
+
+kg_msgs::Rejections ToMessage(const kg_selector::RunEnd& end) {
+  kg_msgs::Rejections message;
+  SetHeader(end, &message);
+  message.round = 0;
+  for (const auto& one : end.rejections) {
+    message.rejections.push_back(ToMessage(one));
+  }
+  return message;
+}
+
+kg_selector::PlanRequest RequestFromMessage(
+    const kg_msgs::Rejections& message) {
+  auto request = FromHeader<kg_selector::PlanRequest>(message);
+  request.round = message.round;
+  request.asked = message.asked;
+  for (const kg_msgs::Cooling& one : message.cooling) {
+    request.cooling.push_back(FromMessage(one));
+  }
+  for (const kg_msgs::Price& one : message.prices) {
+    request.prices.push_back(FromMessage(one));
+  }
+  return request;
+}
+
+kg_selector::RunEnd EndFromMessage(const kg_msgs::Rejections& message) {
+  auto end = FromHeader<kg_selector::RunEnd>(message);
+  for (const kg_msgs::Rejection& one : message.rejections) {
+    end.rejections.push_back(FromMessage(one));
+  }
+  return end;
+}
+
+kg_msgs::Assignments ToMessage(const kg_selector::CommittedPlan& plan) {
   kg_msgs::Assignments message;
-  message.rounds = planned.plan.rounds - 1;  // Of planning again.
-  message.mode = planned.rules.mode;
-  message.bound = FiniteOrUnknown(planned.plan.bound);
-  message.stability = message.displacement_m =
-      std::numeric_limits<double>::quiet_NaN();
-  for (const kg_selector::Pathlet& pathlet : planned.plan.committed) {
-    const kg_selector::TeamMember* member = planned.FindMember(pathlet.agent);
-    kg_msgs::Assignment assignment;
-    assignment.agent = pathlet.agent;
-    assignment.agent_iri = member->rules.agent_iri;
-    assignment.pathlet = ToMessage(pathlet, member->graphs);
-    message.reward += pathlet.reward;
-    message.seam_cost += pathlet.seam_cost;
-    message.assignments.push_back(assignment);
+  SetHeader(plan, &message);
+  message.rounds = plan.rounds;
+  message.reward = plan.reward;
+  message.seam_cost = plan.seam_cost;
+  message.bound = FiniteOrUnknown(plan.bound);
+  message.mode = plan.mode;
+  message.stability = plan.stability;
+  message.displacement_m = plan.displacement_m;
+  for (const kg_selector::PathAssignment& assignment : plan.assignments) {
+    message.assignments.emplace_back();
+    message.assignments.back().agent = assignment.pathlet.agent;
+    message.assignments.back().agent_iri = assignment.agent_iri;
+    message.assignments.back().pathlet = ToMessage(assignment.pathlet);
   }
-  for (const auto& [agent, why] : planned.plan.unassigned) {
-    message.unassigned.push_back(agent + ": " + why);
-  }
+  message.unassigned = kg_selector::UnassignedLines(plan);
+  message.stages = ToMessage(plan.stages);
   return message;
 }
 
-kg_core::LonLat PositionAt(const std::vector<TimedPoint>& track,
-                           const double time_s) {
-  const auto after = std::lower_bound(
-      track.begin(), track.end(), time_s,
-      [](const TimedPoint& point, double t) { return point.time_s < t; });
-  if (after == track.begin()) return track.front().position;
-  if (after == track.end()) return track.back().position;
-  const TimedPoint& a = *(after - 1);
-  const TimedPoint& b = *after;
-  const double share = (time_s - a.time_s) / (b.time_s - a.time_s);
-  return {
-      a.position.lon_deg + share * (b.position.lon_deg - a.position.lon_deg),
-      a.position.lat_deg + share * (b.position.lat_deg - a.position.lat_deg)};
+kg_selector::CommittedPlan FromMessage(const kg_msgs::Assignments& message) {
+  auto plan = FromHeader<kg_selector::CommittedPlan>(message);
+  plan.rounds = static_cast<int>(message.rounds);
+  plan.reward = message.reward;
+  plan.seam_cost = message.seam_cost;
+  plan.bound = message.bound;
+  plan.mode = message.mode;
+  plan.stability = message.stability;
+  plan.displacement_m = message.displacement_m;
+  for (const kg_msgs::Assignment& assignment : message.assignments) {
+    plan.assignments.push_back(
+        {assignment.agent_iri,
+         FromMessage(assignment.pathlet, assignment.agent)});
+  }
+  for (const std::string& line : message.unassigned) {
+    AddUnassigned(line, &plan);
+  }
+  for (const kg_msgs::StageTime& stage : message.stages) {
+    plan.stages.push_back({stage.stage, stage.seconds, stage.count});
+  }
+  return plan;
 }
 
 }  // namespace kg_ros

@@ -1,24 +1,28 @@
-// Waypoint graphs, pathlets and tracks <-> messages.
+// Waypoint graphs, pathlets, candidates, requests and plans <-> messages. From
+// a message every number that is planned by is checked: kg_core::InputError
+// names the field.
 
 #ifndef KG_ROS_CONVERSION_PLAN_CONVERSION_H_
 #define KG_ROS_CONVERSION_PLAN_CONVERSION_H_
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "kg_compiler/control_plane/nav_graphs.h"
-#include "kg_compiler/control_plane/seam_rules.h"
+#include "kg_compiler/control_plane/edge_cost.h"
 #include "kg_compiler/traversal/traversal.h"
+#include "kg_engine/planning/agent_graph.h"
 #include "kg_msgs/Assignments.h"
+#include "kg_msgs/Candidates.h"
 #include "kg_msgs/EdgeCost.h"
 #include "kg_msgs/NavGraph.h"
 #include "kg_msgs/Pathlet.h"
-#include "kg_msgs/Rejection.h"
+#include "kg_msgs/Rejections.h"
+#include "kg_msgs/StageTime.h"
 #include "kg_msgs/TimedPoint.h"
 #include "kg_selector/paths/pathlet.h"
-#include "kg_selector/team/coordinator.h"
-#include "kg_selector/team/plan_mission.h"
+#include "kg_selector/team/agent_candidates.h"
+#include "kg_selector/team/committed_plan.h"
+#include "kg_selector/team/plan_request.h"
 
 namespace kg_ros {
 
@@ -28,30 +32,37 @@ std::vector<kg_msgs::TimedPoint> ToMessage(
 std::vector<kg_compiler::TimedPoint> FromMessage(
     const std::vector<kg_msgs::TimedPoint>& message);
 
-kg_msgs::EdgeCost CostMessage(const kg_compiler::TraverseEdge& edge);
-kg_msgs::NavGraph ToMessage(const kg_compiler::NavGraph& graph,
-                            const kg_compiler::SeamRules& rules);
+kg_msgs::EdgeCost ToMessage(const kg_compiler::EdgeCost& cost);
+kg_compiler::EdgeCost FromMessage(const kg_msgs::EdgeCost& message);
 
-// The inverse. Throws kg_core::InputError if ids are not those of the order, or
-// numbers are not finite.
-kg_compiler::NavGraph FromMessage(const kg_msgs::NavGraph& message);
+kg_msgs::StageTime ToMessage(const kg_selector::StageTime& stage);
+std::vector<kg_msgs::StageTime> ToMessage(
+    const std::vector<kg_selector::StageTime>& stages);
 
-// With the cost of every seam, looked up in the graphs the path was made of.
-kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
-                           const kg_compiler::NavGraphs& graphs);
+kg_msgs::NavGraph ToMessage(const kg_engine::AgentGraph& graph);
+// Throws kg_core::InputError if ids are not those of the order, or numbers are
+// not finite.
+kg_engine::AgentGraph FromMessage(const kg_msgs::NavGraph& message);
+
+kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet);
 kg_selector::Pathlet FromMessage(const kg_msgs::Pathlet& message,
                                  const std::string& agent);
 
-kg_msgs::Rejection ToMessage(const kg_selector::Rejection& rejection,
-                             const std::string& agent_iri);
-// The plan as the selector node commits it, but for header, versions, run and
-// stages.
-kg_msgs::Assignments ToMessage(const kg_selector::PlannedMission& planned);
+kg_msgs::Candidates ToMessage(const kg_selector::AgentCandidates& candidates);
+kg_selector::AgentCandidates FromMessage(const kg_msgs::Candidates& message);
 
-// Where a track is at a time: before its begin its first point, after its end
-// its last. The track must not be empty.
-kg_core::LonLat PositionAt(const std::vector<kg_compiler::TimedPoint>& track,
-                           double time_s);
+// A Rejections message of a round above 0 is a request, one of round 0 the end
+// of a run.
+inline bool IsEndOfRun(const kg_msgs::Rejections& message) {
+  return message.round == 0;
+}
+kg_msgs::Rejections ToMessage(const kg_selector::PlanRequest& request);
+kg_msgs::Rejections ToMessage(const kg_selector::RunEnd& end);
+kg_selector::PlanRequest RequestFromMessage(const kg_msgs::Rejections& message);
+kg_selector::RunEnd EndFromMessage(const kg_msgs::Rejections& message);
+
+kg_msgs::Assignments ToMessage(const kg_selector::CommittedPlan& plan);
+kg_selector::CommittedPlan FromMessage(const kg_msgs::Assignments& message);
 
 }  // namespace kg_ros
 

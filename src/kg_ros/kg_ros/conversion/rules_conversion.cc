@@ -319,4 +319,9 @@ kg_selector::TeamRules FromMessage(const kg_msgs::CoordinationRules& message) {
   return rules;
 }
 
+kg_engine::TeamTask ToTask(const kg_msgs::CoordinationRules& message) {
+  return {message.world_version, message.cycle, message.agents,
+          FromMessage(message)};
+}
+
 }  // namespace kg_ros

@@ -11,6 +11,7 @@
 #include "kg_compiler/compile/mission_compiler.h"
 #include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_core/mission/mission.h"
+#include "kg_engine/planning/team_selector.h"
 #include "kg_msgs/CoordinationRules.h"
 #include "kg_msgs/SeamRules.h"
 #include "kg_msgs/WindowInfo.h"
@@ -36,6 +37,8 @@ Coordination CoordinationOf(const kg_compiler::Compilation& compilation,
                             std::uint64_t cycle);
 kg_msgs::CoordinationRules ToMessage(const Coordination& coordination);
 kg_selector::TeamRules FromMessage(const kg_msgs::CoordinationRules& message);
+// With whom and what they are of.
+kg_engine::TeamTask ToTask(const kg_msgs::CoordinationRules& message);
 
 }  // namespace kg_ros
 

@@ -71,15 +71,15 @@ double WidthOf(const Grid& grid, const MapProjection& map) {
          map.Forward({grid.west_deg(), 0.0}).x_m;
 }
 
-nav_msgs::Path ToPath(const kg_msgs::Pathlet& pathlet,
+nav_msgs::Path ToPath(const kg_selector::Pathlet& pathlet,
                       const MapProjection& map) {
   nav_msgs::Path path;
   path.header.frame_id = kMapFrame;
-  for (const kg_msgs::TimedPoint& point : pathlet.track) {
+  for (const kg_compiler::TimedPoint& point : pathlet.track) {
     path.poses.emplace_back();
     path.poses.back().header.frame_id = kMapFrame;
-    path.poses.back().header.stamp = point.stamp;
-    path.poses.back().pose.position = ToPoint(map, GetPosition(point), 500.0);
+    path.poses.back().header.stamp = ToRosTime(point.time_s);
+    path.poses.back().pose.position = ToPoint(map, point.position, 500.0);
     path.poses.back().pose.orientation.w = 1.0;
   }
   return path;
@@ -179,67 +179,76 @@ void MarkerPainter::PaintField(const kg_compiler::WorkField& field,
   }
 }
 
-void MarkerPainter::PaintNavGraph(const kg_msgs::NavGraph& graph) {
-  Marker& nodes = Add("nav_graph/" + graph.agent, Marker::POINTS);
+void MarkerPainter::PaintTrack(
+    const std::vector<kg_compiler::TimedPoint>& track, const double z_m,
+    Marker* marker) const {
+  for (const kg_compiler::TimedPoint& point : track) {
+    marker->points.push_back(ToPoint(map_, point.position, z_m));
+  }
+}
+
+void MarkerPainter::PaintNavGraph(const kg_engine::AgentGraph& graph) {
+  const std::string name = "nav_graph/" + graph.agent;
+  Marker& nodes = Add(name, Marker::POINTS);
   nodes.scale.x = nodes.scale.y = 6000.0 * size_;
   nodes.color = Colour(0.2, 0.2, 0.2, 0.9);
-  for (const kg_msgs::Waypoint& waypoint : graph.waypoints) {
-    nodes.points.push_back(ToPoint(map_, GetPosition(waypoint), 350.0));
+  for (const kg_compiler::Waypoint& waypoint : graph.graph->waypoints) {
+    nodes.points.push_back(ToPoint(map_, waypoint.position, 350.0));
   }
-  Marker& edges = Add("nav_graph/" + graph.agent, Marker::LINE_LIST);
-  edges.scale.x = 700.0 * size_;
-  edges.color = Colour(0.4, 0.4, 0.4, 0.35);
-  for (const kg_msgs::TraverseEdge& edge : graph.edges) {
-    for (std::size_t i = 1; i < edge.track.size(); ++i) {
-      edges.points.push_back(
-          ToPoint(map_, GetPosition(edge.track[i - 1]), 320.0));
-      edges.points.push_back(ToPoint(map_, GetPosition(edge.track[i]), 320.0));
+  Marker& lines = Add(name, Marker::LINE_LIST);
+  lines.scale.x = 700.0 * size_;
+  lines.color = Colour(0.4, 0.4, 0.4, 0.35);
+  for (const auto* edges : {&graph.graph->edges, &graph.graph->inner_edges}) {
+    for (const kg_compiler::TraverseEdge& edge : *edges) {
+      const auto& track = edge.flight.track;
+      for (std::size_t i = 1; i < track.size(); ++i) {
+        lines.points.push_back(ToPoint(map_, track[i - 1].position, 320.0));
+        lines.points.push_back(ToPoint(map_, track[i].position, 320.0));
+      }
     }
   }
 }
 
-void MarkerPainter::PaintStaging(const kg_msgs::NavGraph& graph) {
-  for (const kg_msgs::TraverseEdge& edge : graph.edges) {
-    if (!edge.staging) continue;
+void MarkerPainter::PaintStaging(const kg_engine::AgentGraph& graph) {
+  for (std::size_t i = 0; i < graph.staging.size(); ++i) {
+    if (!graph.staging[i]) continue;
     Marker& marker = Add("staging/" + graph.agent, Marker::LINE_STRIP);
     marker.scale.x = 2500.0 * size_;
     marker.color = Colour(0.6, 0.1, 0.8, 1.0);
-    for (const kg_msgs::TimedPoint& point : edge.track) {
-      marker.points.push_back(ToPoint(map_, GetPosition(point), 450.0));
-    }
+    PaintTrack(graph.graph->edges[i].flight.track, 450.0, &marker);
   }
 }
 
-void MarkerPainter::PaintCandidates(const kg_msgs::Candidates& candidates) {
-  for (const kg_msgs::Pathlet& pathlet : candidates.pathlets) {
+void MarkerPainter::PaintCandidates(
+    const kg_selector::AgentCandidates& candidates) {
+  for (const kg_selector::Pathlet& pathlet : candidates.found.pathlets) {
     Marker& marker = Add("candidates/" + candidates.agent, Marker::LINE_STRIP);
     marker.scale.x = 1500.0 * size_;
     marker.color = Colour(0.2, 0.5, 1.0, 0.4);
-    for (const kg_msgs::TimedPoint& point : pathlet.track) {
-      marker.points.push_back(ToPoint(map_, GetPosition(point), 400.0));
-    }
+    PaintTrack(pathlet.track, 400.0, &marker);
   }
 }
 
-void MarkerPainter::PaintAssignment(const kg_msgs::Assignment& assignment) {
-  Marker& marker = Add("assigned/" + assignment.agent, Marker::LINE_STRIP);
+void MarkerPainter::PaintAssignment(
+    const kg_selector::PathAssignment& assignment) {
+  const std::string name = "assigned/" + assignment.pathlet.agent;
+  Marker& marker = Add(name, Marker::LINE_STRIP);
   marker.scale.x = 5000.0 * size_;
   marker.color = Colour(0.0, 1.0, 0.0, 1.0);
-  for (const kg_msgs::TimedPoint& point : assignment.pathlet.track) {
-    marker.points.push_back(ToPoint(map_, GetPosition(point), 460.0));
-  }
-  Marker& stops = Add("assigned/" + assignment.agent, Marker::POINTS);
+  PaintTrack(assignment.pathlet.track, 460.0, &marker);
+  Marker& stops = Add(name, Marker::POINTS);
   stops.scale.x = stops.scale.y = 14000.0 * size_;
   stops.color = Colour(0.0, 0.6, 0.0, 1.0);
-  for (const kg_msgs::Visit& visit : assignment.pathlet.visits) {
-    for (const kg_msgs::Stop& stop : visit.via) {
-      stops.points.push_back(ToPoint(map_, GetPosition(stop), 465.0));
+  for (const kg_selector::Visit& visit : assignment.pathlet.visits) {
+    for (const kg_selector::Stop& stop : visit.via) {
+      stops.points.push_back(ToPoint(map_, stop.position, 465.0));
     }
   }
 }
 
-void MarkerPainter::PaintAgents(const std::map<std::string, AgentPose>& poses,
-                                const Grid& grid) {
+void MarkerPainter::PaintAgents(
+    const std::map<std::string, kg_engine::AgentPose>& poses,
+    const Grid& grid) {
   const double size_m = WidthOf(grid, map_) / kAgentsAcross;
   for (const auto& [id, pose] : poses) {
     // Compass heading to half the yaw from east.

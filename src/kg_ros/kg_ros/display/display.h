@@ -11,17 +11,16 @@
 #include "kg_compiler/compile/mission_compiler.h"
 #include "kg_core/geo/map_projection.h"
 #include "kg_core/mission/mission.h"
-#include "kg_msgs/Assignment.h"
-#include "kg_msgs/Candidates.h"
-#include "kg_msgs/NavGraph.h"
-#include "kg_msgs/Pathlet.h"
-#include "kg_ros/knowledge/fleet_state.h"
+#include "kg_engine/planning/agent_graph.h"
+#include "kg_engine/state/fleet_state.h"
+#include "kg_selector/team/agent_candidates.h"
+#include "kg_selector/team/committed_plan.h"
 #include "nav_msgs/Path.h"
 #include "visualization_msgs/MarkerArray.h"
 
 namespace kg_ros {
 
-nav_msgs::Path ToPath(const kg_msgs::Pathlet& pathlet,
+nav_msgs::Path ToPath(const kg_selector::Pathlet& pathlet,
                       const kg_core::MapProjection& map);
 
 // From the grid's western to its eastern edge [m].
@@ -44,21 +43,23 @@ class MarkerPainter {
   void PaintLand(const kg_core::VectorField& field);
   // Arrows on a thinned grid, at the window's middle.
   void PaintField(const kg_compiler::WorkField& field, double time_s);
-  void PaintNavGraph(const kg_msgs::NavGraph& graph);
+  void PaintNavGraph(const kg_engine::AgentGraph& graph);
   // Its staging edges, in purple, whatever the window.
-  void PaintStaging(const kg_msgs::NavGraph& graph);
-  void PaintCandidates(const kg_msgs::Candidates& candidates);
+  void PaintStaging(const kg_engine::AgentGraph& graph);
+  void PaintCandidates(const kg_selector::AgentCandidates& candidates);
   // Its track, and the stops on the way through its windows.
-  void PaintAssignment(const kg_msgs::Assignment& assignment);
+  void PaintAssignment(const kg_selector::PathAssignment& assignment);
 
   // An arrow and a name for each, sized to be seen on `grid` as a whole.
-  void PaintAgents(const std::map<std::string, AgentPose>& poses,
+  void PaintAgents(const std::map<std::string, kg_engine::AgentPose>& poses,
                    const kg_core::Grid& grid);
 
   // Everything painted, after a marker that erases what was there before.
   visualization_msgs::MarkerArray Take();
 
  private:
+  void PaintTrack(const std::vector<kg_compiler::TimedPoint>& track, double z_m,
+                  visualization_msgs::Marker* marker) const;
   visualization_msgs::Marker& Add(const std::string& name, int type);
 
   kg_core::MapProjection map_;

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "gtest/gtest.h"
-#include "kg_ros/conversion/message_units.h"
-#include "kg_ros/display/layers.h"
+#include "kg_engine/display/layers.h"
 #include "kg_ros/display/raster_map.h"
 
 namespace kg_ros {
@@ -38,7 +38,17 @@ kg_compiler::MissionTensor TensorWithOneHill(int rows, int cols) {
 
 nav_msgs::OccupancyGrid ToHeatmap(const kg_compiler::MissionTensor& tensor,
                                   const kg_core::MapProjection& map) {
-  return ToOccupancyGrid(tensor.grid, FusedPercents(tensor), map);
+  return ToOccupancyGrid(tensor.grid, kg_engine::FusedPercents(tensor), map);
+}
+
+kg_engine::AgentGraph GraphOf(
+    const std::vector<kg_compiler::TraverseEdge>& edges) {
+  kg_compiler::NavGraph made;
+  made.edges = edges;
+  kg_engine::AgentGraph graph;
+  graph.agent = "alpha";
+  graph.graph = std::make_shared<const kg_compiler::NavGraph>(made);
+  return graph;
 }
 
 int ValueAt(const nav_msgs::OccupancyGrid& heatmap,
@@ -81,9 +91,7 @@ TEST(DisplayTest, AnAllZeroTensorIsShownAsZero) {
 
 TEST(DisplayTest, EmptyLinesAreLeftOut) {
   MarkerPainter paint{kg_core::MapProjection({-90.0, 25.0})};
-  kg_msgs::NavGraph graph;
-  graph.agent = "alpha";
-  paint.PaintNavGraph(graph);
+  paint.PaintNavGraph(GraphOf({}));
   const visualization_msgs::MarkerArray markers = paint.Take();
   ASSERT_EQ(markers.markers.size(), 1u);
   EXPECT_EQ(markers.markers[0].action, visualization_msgs::Marker::DELETEALL);
@@ -112,16 +120,16 @@ TEST(DisplayTest, ArrowsFollowTheFieldAndAreFinite) {
 TEST(DisplayTest, TracksAreDrawnWithTheirTurningPoints) {
   const kg_core::MapProjection map({-90.0, 25.0});
   const kg_core::LonLat way[] = {{-90.2, 25.0}, {-89.8, 25.0}, {-89.8, 25.4}};
-  std::vector<kg_msgs::TimedPoint> track(3);
-  for (int i = 0; i < 3; ++i) SetPosition(way[i], &track[i]);
-  kg_msgs::NavGraph graph;
-  graph.edges.resize(1);
-  graph.edges[0].track = track;
-  graph.edges[0].staging = true;
-  kg_msgs::Assignment assignment;
+  std::vector<kg_compiler::TimedPoint> track(3);
+  for (int i = 0; i < 3; ++i) track[i].position = way[i];
+  kg_compiler::TraverseEdge edge;
+  edge.flight.track = track;
+  kg_engine::AgentGraph graph = GraphOf({edge});
+  graph.staging = {true};
+  kg_selector::PathAssignment assignment;
   assignment.pathlet.track = track;
-  kg_msgs::Candidates candidates;
-  candidates.pathlets = {assignment.pathlet};
+  kg_selector::AgentCandidates candidates;
+  candidates.found.pathlets = {assignment.pathlet};
   MarkerPainter paint{map};
   paint.PaintNavGraph(graph);
   paint.PaintStaging(graph);
@@ -144,12 +152,10 @@ TEST(DisplayTest, TracksAreDrawnWithTheirTurningPoints) {
 
 TEST(DisplayTest, StagingEdgesArePurple) {
   MarkerPainter paint{kg_core::MapProjection({-90.0, 25.0})};
-  kg_msgs::NavGraph graph;
-  graph.agent = "alpha";
-  graph.edges.resize(2);
-  graph.edges[0].track.resize(2);
-  graph.edges[1].track.resize(2);
-  graph.edges[1].staging = true;
+  kg_compiler::TraverseEdge edge;
+  edge.flight.track.resize(2);
+  kg_engine::AgentGraph graph = GraphOf({edge, edge});
+  graph.staging = {false, true};
   paint.PaintStaging(graph);
   const visualization_msgs::MarkerArray markers = paint.Take();
   ASSERT_EQ(markers.markers.size(), 2u);

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "kg_engine/display/layers.h"
 #include "kg_ros/base/names.h"
-#include "kg_ros/display/layers.h"
 #include "kg_ros/display/raster_map.h"
 #include "kg_ros/display/work_marker.h"
 #include "ros/console.h"
@@ -16,6 +16,11 @@ namespace {
 
 using kg_compiler::WorkMap;
 using kg_core::MapProjection;
+using kg_engine::AgentView;
+using kg_engine::FusedPercents;
+using kg_engine::Percents;
+using kg_engine::ShownLayer;
+using kg_engine::ShownLayers;
 using nav_msgs::OccupancyGrid;
 using visualization_msgs::Marker;
 
@@ -74,7 +79,7 @@ LayerPublisher::LayerPublisher(const ros::NodeHandle& node) : node_(node) {
                             this);
 }
 
-void LayerPublisher::Show(Scene scene, const MapProjection& map) {
+void LayerPublisher::Show(kg_engine::Scene scene, const MapProjection& map) {
   scene_ = std::move(scene);
   map_ = map;
   std::set<std::string> ids;

@@ -12,7 +12,7 @@
 
 #include "geometry_msgs/PointStamped.h"
 #include "kg_core/geo/map_projection.h"
-#include "kg_ros/display/agent_view.h"
+#include "kg_engine/display/agent_view.h"
 #include "kg_ros/display/on_demand_topic.h"
 #include "nav_msgs/OccupancyGrid.h"
 #include "ros/node_handle.h"
@@ -26,7 +26,7 @@ class LayerPublisher {
   explicit LayerPublisher(const ros::NodeHandle& node);
 
   // From now on this is looked at. Cheap while nobody listens.
-  void Show(Scene scene, const kg_core::MapProjection& map);
+  void Show(kg_engine::Scene scene, const kg_core::MapProjection& map);
 
  private:
   struct AgentTopics {
@@ -40,11 +40,11 @@ class LayerPublisher {
 
   void HandleClick(const geometry_msgs::PointStamped& message);
   void ShowAgent(const std::string& agent_id);
-  void ShowClick(const std::string& agent_id, const AgentView& view);
+  void ShowClick(const std::string& agent_id, const kg_engine::AgentView& view);
 
   ros::NodeHandle node_;
   ros::Subscriber clicks_;
-  Scene scene_;
+  kg_engine::Scene scene_;
   kg_core::MapProjection map_{kg_core::LonLat{}};
   std::optional<kg_core::LonLat> clicked_;
   std::map<std::string, AgentTopics> agents_;  // By ex:id.

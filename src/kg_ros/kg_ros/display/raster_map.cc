@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "kg_engine/display/layers.h"
 #include "kg_ros/base/names.h"
 
 namespace kg_ros {
@@ -11,6 +12,7 @@ namespace {
 using kg_core::Axis;
 using kg_core::Grid;
 using kg_core::MapPoint;
+using kg_engine::kNoDataPercent;
 
 constexpr int kOutside = -1;
 

@@ -13,8 +13,6 @@
 
 namespace kg_ros {
 
-inline constexpr std::int8_t kNoDataPercent = -1;
-
 // `percents`: one a cell of the grid. Outside of it is no data.
 nav_msgs::OccupancyGrid ToOccupancyGrid(
     const kg_core::Grid& grid, const std::vector<std::int8_t>& percents,

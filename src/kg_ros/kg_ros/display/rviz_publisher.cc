@@ -100,16 +100,17 @@ void RvizPublisher::Refresh() {
   ShowMarkers();
 }
 
-void RvizPublisher::ShowPlan(const kg_msgs::Assignments& plan) {
+void RvizPublisher::ShowPlan(const kg_selector::CommittedPlan& plan) {
   scene_.plan = plan;
-  for (const kg_msgs::Assignment& assignment : plan.assignments) {
+  for (const kg_selector::PathAssignment& assignment : plan.assignments) {
     nav_msgs::Path path = ToPath(assignment.pathlet, map_);
     path.header.stamp = ros::Time::now();
-    Latched<nav_msgs::Path>(AgentTopic(assignment.agent, kPath)).publish(path);
+    Latched<nav_msgs::Path>(AgentTopic(assignment.pathlet.agent, kPath))
+        .publish(path);
   }
 }
 
-void RvizPublisher::ShowFleet(const FleetState& fleet) {
+void RvizPublisher::ShowFleet(const kg_engine::FleetState& fleet) {
   scene_.poses = fleet.poses();
   scene_.time_s = fleet.time_s();
   std::vector<geometry_msgs::TransformStamped> transforms;
@@ -129,11 +130,11 @@ void RvizPublisher::ShowFleet(const FleetState& fleet) {
   frames_.sendTransform(transforms);  // At once: who knows one, knows all.
 }
 
-void RvizPublisher::Keep(const kg_msgs::NavGraph& graph) {
-  graphs_[{graph.agent, graph.window}] = graph;
+void RvizPublisher::Keep(const kg_engine::AgentGraph& graph) {
+  graphs_[{graph.agent, graph.window()}] = graph;
 }
 
-void RvizPublisher::Keep(const kg_msgs::Candidates& candidates) {
+void RvizPublisher::Keep(const kg_selector::AgentCandidates& candidates) {
   candidates_[candidates.agent] = candidates;
 }
 
@@ -158,7 +159,8 @@ void RvizPublisher::ShowMarkers() {
   for (const auto& [id, candidates] : candidates_) {
     paint.PaintCandidates(candidates);
   }
-  for (const kg_msgs::Assignment& assignment : scene_.plan.assignments) {
+  for (const kg_selector::PathAssignment& assignment :
+       scene_.plan.assignments) {
     paint.PaintAssignment(assignment);
   }
   visualization_msgs::MarkerArray markers = paint.Take();

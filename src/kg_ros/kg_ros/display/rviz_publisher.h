@@ -10,12 +10,12 @@
 
 #include "kg_compiler/compile/mission_compiler.h"
 #include "kg_core/geo/map_projection.h"
-#include "kg_msgs/Assignments.h"
-#include "kg_msgs/Candidates.h"
-#include "kg_msgs/NavGraph.h"
-#include "kg_ros/display/agent_view.h"
+#include "kg_engine/display/agent_view.h"
+#include "kg_engine/planning/agent_graph.h"
+#include "kg_engine/state/fleet_state.h"
 #include "kg_ros/display/layer_publisher.h"
-#include "kg_ros/knowledge/fleet_state.h"
+#include "kg_selector/team/agent_candidates.h"
+#include "kg_selector/team/committed_plan.h"
 #include "ros/node_handle.h"
 #include "ros/publisher.h"
 #include "tf2_ros/static_transform_broadcaster.h"
@@ -31,11 +31,11 @@ class RvizPublisher {
   // compiled.
   void Show(std::shared_ptr<const kg_compiler::Compilation> compilation,
             int window);
-  void ShowPlan(const kg_msgs::Assignments& plan);
-  void ShowFleet(const FleetState& fleet);
+  void ShowPlan(const kg_selector::CommittedPlan& plan);
+  void ShowFleet(const kg_engine::FleetState& fleet);
   // Kept for the next Refresh().
-  void Keep(const kg_msgs::NavGraph& graph);
-  void Keep(const kg_msgs::Candidates& candidates);
+  void Keep(const kg_engine::AgentGraph& graph);
+  void Keep(const kg_selector::AgentCandidates& candidates);
   // Shows what has come, and where the agents have gone, since Show().
   void Refresh();
 
@@ -52,9 +52,9 @@ class RvizPublisher {
   ros::Publisher markers_;
   LayerPublisher layers_;
   std::map<std::string, ros::Publisher> publishers_;  // By topic.
-  std::map<std::pair<std::string, int>, kg_msgs::NavGraph> graphs_;
-  std::map<std::string, kg_msgs::Candidates> candidates_;
-  Scene scene_;
+  std::map<std::pair<std::string, int>, kg_engine::AgentGraph> graphs_;
+  std::map<std::string, kg_selector::AgentCandidates> candidates_;
+  kg_engine::Scene scene_;
 };
 
 }  // namespace kg_ros

@@ -10,14 +10,16 @@
 #include "ros/service_server.h"
 #include "ros/spinner.h"
 
-namespace kg_ros {
-
+namespace kg_engine {
 class MissionServer;
+}
+
+namespace kg_ros {
 
 class CheckServer {
  public:
   // `server` must outlive this; only present() and files() are used.
-  CheckServer(const ros::NodeHandle& node, MissionServer* server);
+  CheckServer(const ros::NodeHandle& node, kg_engine::MissionServer* server);
   ~CheckServer();
   CheckServer(const CheckServer&) = delete;
   CheckServer& operator=(const CheckServer&) = delete;
@@ -28,7 +30,7 @@ class CheckServer {
 
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
-  MissionServer* server_;
+  kg_engine::MissionServer* server_;
   ros::ServiceServer service_;
   ros::AsyncSpinner spinner_;
 };

@@ -7,15 +7,20 @@
 #include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/validator.h"
 #include "kg_ros/base/names.h"
+#include "kg_ros/conversion/agent_conversion.h"
 #include "kg_ros/conversion/fact_conversion.h"
-#include "kg_ros/conversion/message_units.h"
-#include "kg_ros/knowledge/world_conversion.h"
+#include "kg_ros/conversion/plan_conversion.h"
+#include "kg_ros/conversion/world_conversion.h"
 #include "ros/callback_queue.h"
 #include "ros/console.h"
 
 namespace kg_ros {
 namespace {
 
+using kg_engine::Decision;
+using kg_engine::Expired;
+using kg_engine::HttpDoorOptions;
+using kg_engine::MissionFolders;
 using kg_msgs::UpdateReport;
 using kg_msgs::World;
 
@@ -28,6 +33,11 @@ constexpr double kPatience_s = 0.5;       // For poses of all at a new window.
 constexpr double kHttpPatience_s = 30.0;  // Until an update is begun.
 
 double Now_s() { return ros::WallTime::now().toSec(); }
+
+kg_msgs::StageTime Stage(const std::string& name, double seconds,
+                         std::size_t count) {
+  return ToMessage(kg_selector::StageTime{name, seconds, count});
+}
 
 }  // namespace
 
@@ -74,7 +84,7 @@ KgNode::~KgNode() { main_thread_.Close(); }
 void KgNode::OpenHttpDoor(const HttpDoorOptions& options) {
   kg_core::EndpointStore store;
   store.read = [this] { return server_.Read(); };
-  store.dataset = CurrentDataset;
+  store.dataset = kg_engine::CurrentDataset;
   store.update = [this](const kg_core::FactUpdate& update) {
     return DecideForHttp(update);
   };
@@ -120,16 +130,16 @@ void KgNode::Spin() {
     if (cycle_is_due_ && FleetIsReady()) {
       StartCycle();
     } else if (plan_status_ == World::PLAN_OK && queue->isEmpty()) {
-      const kg_msgs::NavGraph* graph = progress_.NextUnrecorded();
-      if (graph == nullptr) continue;
-      const auto previous =
-          progress_.nav_graphs().find({graph->agent, graph->window - 1});
-      server_.RecordNavGraph(*graph, previous == progress_.nav_graphs().end()
-                                         ? ""
-                                         : previous->second.hash);
+      RecordNextGraph();
     }
   }
   server_.Save();
+}
+
+void KgNode::RecordNextGraph() {
+  const kg_engine::AgentGraph* graph = progress_.NextUnrecorded();
+  if (graph == nullptr) return;
+  server_.RecordGraph(*graph, progress_.HashBefore(*graph));
 }
 
 // Facts ---------------------------------------------------------------------
@@ -291,44 +301,58 @@ void KgNode::FailCycle(const std::string& why) {
   PublishWorld();
 }
 
+void KgNode::Guarded(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const kg_core::InputError& error) {
+    ROS_ERROR_STREAM("[plan] answer ignored: " << error.what());
+  }
+}
+
 void KgNode::HandleNavGraph(const kg_msgs::NavGraph& message) {
-  if (!progress_.Take(message)) return;
-  why_.archive().Take(message);
-  rviz_.Keep(message);
-  graphs_are_new_ = true;
+  Guarded([&] {
+    const kg_engine::AgentGraph graph = FromMessage(message);
+    if (!progress_.Take(graph)) return;
+    why_.archive().Take(graph);
+    rviz_.Keep(graph);
+    graphs_are_new_ = true;
+  });
 }
 
 void KgNode::HandleCandidates(const kg_msgs::Candidates& message) {
   if (message.cycle != server_.cycle()) return;
-  rviz_.Keep(message);
-  graphs_are_new_ = true;
+  Guarded([&] {
+    rviz_.Keep(FromMessage(message));
+    graphs_are_new_ = true;
+  });
 }
 
 void KgNode::HandleRejections(const kg_msgs::Rejections& message) {
-  if (progress_.Take(message)) CommitFinishedPlan();
+  Guarded([&] {
+    const bool is_taken = IsEndOfRun(message)
+                              ? progress_.Take(EndFromMessage(message))
+                              : progress_.Take(RequestFromMessage(message));
+    if (is_taken) CommitFinishedPlan();
+  });
 }
 
 void KgNode::HandleAssignments(const kg_msgs::Assignments& message) {
-  if (progress_.Take(message)) CommitFinishedPlan();
+  Guarded([&] {
+    if (progress_.Take(FromMessage(message))) CommitFinishedPlan();
+  });
 }
 
 void KgNode::CommitFinishedPlan() {
-  const std::optional<kg_msgs::Assignments> plan = progress_.TakeFinishedPlan();
+  const std::optional<kg_selector::CommittedPlan> plan =
+      progress_.TakeFinishedPlan();
   if (!plan || cycle_is_due_) return;
-  if (plan->plan_run <= server_.plan_run()) {
-    ROS_WARN("[commit] run %lu is not newer than run %lu: dropped",
-             plan->plan_run, server_.plan_run());
+  if (plan->run <= server_.plan_run()) {
+    ROS_WARN("[commit] run %lu is not newer than run %lu: dropped", plan->run,
+             server_.plan_run());
     return;
   }
   const double begin_s = Now_s();
-  PlanRecord record;
-  record.assignments = *plan;
-  record.rejections = progress_.rejections();
-  record.cooling = progress_.cooling();
-  record.prices = progress_.prices();
-  for (const auto& [key, graph] : progress_.nav_graphs()) {
-    record.nav_graphs[key] = StampOf(graph);
-  }
+  kg_engine::PlanRecord record = progress_.MakeRecord(*plan);
   record.started_s = cycle_began_s_;
   record.ended_s = begin_s;
   try {
@@ -341,26 +365,28 @@ void KgNode::CommitFinishedPlan() {
   }
   plan_ = *plan;
   plan_status_ = plan->unassigned.empty() ? World::PLAN_OK : World::PLAN_FAILED;
-  plan_note_ = plan->unassigned.empty() ? "" : plan->unassigned.front();
+  plan_note_ = plan->unassigned.empty()
+                   ? ""
+                   : kg_selector::UnassignedLines(*plan).front();
   rviz_.ShowPlan(*plan);
   graphs_are_new_ = true;
   ReportPlan(*plan, Now_s() - begin_s);
   PublishWorld();
 }
 
-void KgNode::ReportPlan(const kg_msgs::Assignments& plan,
+void KgNode::ReportPlan(const kg_selector::CommittedPlan& plan,
                         const double commit_s) {
   for (const UpdateReport& report : pending_.Answer(plan, commit_s)) {
     updates_.publish(report);
   }
-  for (const kg_msgs::StageTime& stage : plan.stages) {
-    ROS_INFO("[%s] %u in %.3f s", stage.stage.c_str(), stage.count,
+  for (const kg_selector::StageTime& stage : plan.stages) {
+    ROS_INFO("[%s] %zu in %.3f s", stage.stage.c_str(), stage.count,
              stage.seconds);
   }
   ROS_INFO(
       "[commit] plan %lu for world version %lu: %zu agents, reward %.2f, "
       "seam cost %.2f; %.3f s after the cycle began",
-      plan.plan_run, plan.world_version, plan.assignments.size(), plan.reward,
+      plan.run, plan.world_version, plan.assignments.size(), plan.reward,
       plan.seam_cost, Now_s() - cycle_began_s_);
 }
 
@@ -368,12 +394,7 @@ void KgNode::ReportPlan(const kg_msgs::Assignments& plan,
 
 void KgNode::HandleAgentState(const kg_msgs::AgentState& message) {
   const int before = server_.current_window();
-  AgentPose pose;
-  pose.position = GetPosition(message);
-  pose.heading_rad = message.heading_rad;
-  pose.time_s = FromRosTime(message.header.stamp);
-  pose.energy_left_j = message.energy_left_j;
-  if (!server_.Observe(message.agent, pose)) {
+  if (!server_.Observe(message.agent, FromMessage(message))) {
     ROS_WARN_STREAM_THROTTLE(10, "[agents] state of '"
                                      << message.agent
                                      << "' refused: unknown agent or numbers "
@@ -389,10 +410,11 @@ void KgNode::HandleAgentState(const kg_msgs::AgentState& message) {
 // What was planned for the windows that are over has been done.
 void KgNode::PassWindows(const int from, const int to) {
   if (plan_) {
-    for (const kg_msgs::Assignment& assignment : plan_->assignments) {
-      for (const kg_msgs::Visit& visit : assignment.pathlet.visits) {
+    for (const kg_selector::PathAssignment& assignment : plan_->assignments) {
+      for (const kg_selector::Visit& visit : assignment.pathlet.visits) {
         if (visit.window < from || visit.window >= to) continue;
-        server_.AddExecuted({assignment.agent, assignment.agent_iri, visit});
+        server_.AddExecuted(
+            {assignment.pathlet.agent, assignment.agent_iri, visit});
       }
     }
   }

@@ -1,15 +1,20 @@
-// kg_node's door to ROS: converts messages, asks the MissionServer, publishes.
+// kg_node beside its main(): converts messages, asks the MissionServer,
+// publishes.
 // What each topic and service carries: docs/interface.md.
 
 #ifndef KG_ROS_KNOWLEDGE_KG_NODE_H_
 #define KG_ROS_KNOWLEDGE_KG_NODE_H_
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnostic_updater/diagnostic_updater.h"
+#include "kg_engine/http/http_door.h"
+#include "kg_engine/server/mission_server.h"
+#include "kg_engine/server/plan_progress.h"
 #include "kg_msgs/AgentState.h"
 #include "kg_msgs/Assignments.h"
 #include "kg_msgs/Candidates.h"
@@ -20,18 +25,15 @@
 #include "kg_msgs/UpdateReport.h"
 #include "kg_msgs/Validate.h"
 #include "kg_msgs/World.h"
+#include "kg_ros/base/main_thread.h"
 #include "kg_ros/display/rviz_publisher.h"
 #include "kg_ros/knowledge/artifact_publisher.h"
 #include "kg_ros/knowledge/check_server.h"
-#include "kg_ros/knowledge/mission_server.h"
 #include "kg_ros/knowledge/pending_reports.h"
-#include "kg_ros/knowledge/plan_progress.h"
 #include "kg_ros/knowledge/query_server.h"
 #include "kg_ros/knowledge/watch_server.h"
 #include "kg_ros/knowledge/what_if_server.h"
 #include "kg_ros/knowledge/why_server.h"
-#include "kg_ros/protocol/http_door.h"
-#include "kg_ros/protocol/main_thread.h"
 #include "ros/node_handle.h"
 #include "ros/timer.h"
 
@@ -40,8 +42,9 @@ namespace kg_ros {
 class KgNode {
  public:
   // Opens the mission: throws kg_core::InputError.
-  KgNode(const MissionFolders& folders, const HttpDoorOptions& http,
-         const ros::NodeHandle& node, const ros::NodeHandle& own);
+  KgNode(const kg_engine::MissionFolders& folders,
+         const kg_engine::HttpDoorOptions& http, const ros::NodeHandle& node,
+         const ros::NodeHandle& own);
   ~KgNode();
 
   // Until ROS shuts down. Messages that are waiting are taken first; then what
@@ -63,11 +66,12 @@ class KgNode {
   void HandleRejections(const kg_msgs::Rejections& message);
 
   kg_msgs::UpdateReport Decide(const kg_core::FactUpdate& update);
-  void OpenHttpDoor(const HttpDoorOptions& options);
+  void OpenHttpDoor(const kg_engine::HttpDoorOptions& options);
   // From any thread but the main one, where it is decided.
   kg_core::UpdateVerdict DecideForHttp(const kg_core::FactUpdate& update);
   kg_msgs::UpdateReport Report(const kg_core::FactUpdate& update,
-                               const Decision& decision, std::uint64_t before);
+                               const kg_engine::Decision& decision,
+                               std::uint64_t before);
   // Facts that mission time has outlived are taken back.
   void ExpireFacts();
   // Times that no window covers, when they have changed.
@@ -76,7 +80,11 @@ class KgNode {
   bool FleetIsReady() const;
   void FailCycle(const std::string& why);
   void CommitFinishedPlan();
-  void ReportPlan(const kg_msgs::Assignments& plan, double commit_s);
+  void ReportPlan(const kg_selector::CommittedPlan& plan, double commit_s);
+  // Runs `work`; what makes no sense in the message it reads is logged.
+  static void Guarded(const std::function<void()>& work);
+  // While the node is idle: the facts of one waypoint graph of the plan.
+  void RecordNextGraph();
   void PassWindows(int from, int to);
   // Twice a second: who is missing, which window is looked at.
   void Watch();
@@ -88,7 +96,7 @@ class KgNode {
   ros::NodeHandle node_;
   ros::NodeHandle own_;
   double opening_s_;  // When the server began to open, Unix seconds.
-  MissionServer server_;
+  kg_engine::MissionServer server_;
   ArtifactPublisher artifacts_;
   RvizPublisher rviz_;
   QueryServer queries_;
@@ -96,7 +104,7 @@ class KgNode {
   CheckServer checks_;
   WatchServer watches_;
   WhyServer why_;
-  PlanProgress progress_;
+  kg_engine::PlanProgress progress_;
   diagnostic_updater::Updater diagnostics_;
 
   std::vector<ros::Subscriber> subscribers_;
@@ -106,7 +114,7 @@ class KgNode {
   ros::WallTimer watch_;
 
   std::shared_ptr<const kg_compiler::Compilation> compilation_;
-  std::optional<kg_msgs::Assignments> plan_;  // The last one committed.
+  std::optional<kg_selector::CommittedPlan> plan_;  // The last one committed.
   PendingReports pending_;
   std::vector<std::string> gaps_;  // Told last.
   bool cycle_is_due_ = true;
@@ -120,7 +128,8 @@ class KgNode {
   std::string plan_note_;
 
   MainThread main_thread_;
-  std::optional<HttpDoor> http_;  // Ends first: its threads use the others.
+  std::optional<kg_engine::HttpDoor>
+      http_;  // Ends first: its threads use the others.
 };
 
 }  // namespace kg_ros

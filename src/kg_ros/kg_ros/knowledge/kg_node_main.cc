@@ -22,14 +22,14 @@ constexpr double kRetry_s = 10.0;
 constexpr double kPoll_s = 0.1;
 
 struct Parameters {
-  kg_ros::MissionFolders folders;
-  kg_ros::HttpDoorOptions http;
+  kg_engine::MissionFolders folders;
+  kg_engine::HttpDoorOptions http;
 };
 
 Parameters ReadParameters(const ros::NodeHandle& own) {
   kg_ros::ParameterReader read(own);
   Parameters parameters;
-  kg_ros::MissionFolders& folders = parameters.folders;
+  kg_engine::MissionFolders& folders = parameters.folders;
   folders.mission = read.Text("mission_folder");
   folders.data = read.Text("data_folder", "");
   folders.state = read.Text("state_folder");

@@ -2,74 +2,39 @@
 
 #include <utility>
 
+#include "kg_engine/facts/recompiled_artifact.h"
+#include "kg_ros/conversion/answer_conversion.h"
+#include "kg_ros/conversion/plan_conversion.h"
+
 namespace kg_ros {
-namespace {
 
 using kg_msgs::UpdateReport;
-
-std::string DirtyHash(const kg_compiler::Compilation& compilation,
-                      const kg_compiler::DirtyArtifact& dirty) {
-  for (const auto& tensor : compilation.tensors) {
-    if (dirty.kind == "tensor" && tensor->agent_iri == dirty.agent &&
-        tensor->window == dirty.window) {
-      return tensor->hash;
-    }
-  }
-  for (const auto& field : compilation.fields) {
-    if (dirty.kind == "work_field" && field->window == dirty.window) {
-      return field->hash;
-    }
-  }
-  return "";
-}
-
-}  // namespace
-
-std::vector<kg_msgs::DirtyArtifact> DirtyMessages(
-    const kg_compiler::Compilation& compilation) {
-  std::vector<kg_msgs::DirtyArtifact> messages;
-  for (const kg_compiler::DirtyArtifact& dirty : compilation.dirty) {
-    kg_msgs::DirtyArtifact message;
-    message.kind = dirty.kind;
-    const kg_core::Agent* agent = compilation.mission.FindAgent(dirty.agent);
-    message.agent = agent == nullptr ? "" : agent->id;
-    message.window = dirty.window;
-    message.hash = DirtyHash(compilation, dirty);
-    messages.push_back(message);
-  }
-  return messages;
-}
-
-kg_msgs::StageTime Stage(const std::string& name, double seconds,
-                         std::size_t count) {
-  kg_msgs::StageTime stage;
-  stage.stage = name;
-  stage.seconds = seconds;
-  stage.count = static_cast<unsigned>(count);
-  return stage;
-}
 
 void PendingReports::Compiled(const kg_compiler::Compilation& compilation,
                               const double compile_s, const double publish_s) {
   for (UpdateReport& report : reports_) {
     if (!report.dirty.empty()) continue;
-    report.dirty = DirtyMessages(compilation);
+    report.dirty = ToMessage(kg_engine::ListRecompiled(compilation));
+    report.stages.push_back(ToMessage(kg_selector::StageTime{
+        "compile", compile_s, compilation.dirty.size()}));
     report.stages.push_back(
-        Stage("compile", compile_s, compilation.dirty.size()));
-    report.stages.push_back(Stage("publish", publish_s, 0));
+        ToMessage(kg_selector::StageTime{"publish", publish_s, 0}));
   }
 }
 
 std::vector<UpdateReport> PendingReports::Answer(
-    const kg_msgs::Assignments& plan, const double commit_s) {
+    const kg_selector::CommittedPlan& plan, const double commit_s) {
   for (UpdateReport& report : reports_) {
     report.plan_status = plan.unassigned.empty() ? UpdateReport::PLAN_OK
                                                  : UpdateReport::PLAN_FAILED;
-    report.warnings.insert(report.warnings.end(), plan.unassigned.begin(),
-                           plan.unassigned.end());
-    report.stages.insert(report.stages.end(), plan.stages.begin(),
-                         plan.stages.end());
-    report.stages.push_back(Stage("commit", commit_s, 1));
+    for (const std::string& line : kg_selector::UnassignedLines(plan)) {
+      report.warnings.push_back(line);
+    }
+    for (const kg_selector::StageTime& stage : plan.stages) {
+      report.stages.push_back(ToMessage(stage));
+    }
+    report.stages.push_back(
+        ToMessage(kg_selector::StageTime{"commit", commit_s, 1}));
   }
   return std::exchange(reports_, {});
 }

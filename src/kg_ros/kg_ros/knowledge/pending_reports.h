@@ -5,24 +5,14 @@
 #ifndef KG_ROS_KNOWLEDGE_PENDING_REPORTS_H_
 #define KG_ROS_KNOWLEDGE_PENDING_REPORTS_H_
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_msgs/Assignments.h"
-#include "kg_msgs/DirtyArtifact.h"
-#include "kg_msgs/StageTime.h"
 #include "kg_msgs/UpdateReport.h"
+#include "kg_selector/team/committed_plan.h"
 
 namespace kg_ros {
-
-// What `compilation` made anew.
-std::vector<kg_msgs::DirtyArtifact> DirtyMessages(
-    const kg_compiler::Compilation& compilation);
-
-kg_msgs::StageTime Stage(const std::string& name, double seconds,
-                         std::size_t count);
 
 class PendingReports {
  public:
@@ -34,8 +24,8 @@ class PendingReports {
                 double publish_s);
 
   // All that wait, with the end of their story; then nothing waits.
-  std::vector<kg_msgs::UpdateReport> Answer(const kg_msgs::Assignments& plan,
-                                            double commit_s);
+  std::vector<kg_msgs::UpdateReport> Answer(
+      const kg_selector::CommittedPlan& plan, double commit_s);
   std::vector<kg_msgs::UpdateReport> Fail(const std::string& why);
 
  private:

@@ -5,11 +5,12 @@
 #include "kg_core/base/input_error.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_core/sparql/results.h"
+#include "kg_engine/export/export_server.h"
+#include "kg_engine/server/mission_server.h"
+#include "kg_engine/state/mission_state.h"
 #include "kg_msgs/Export.h"
 #include "kg_ros/base/names.h"
-#include "kg_ros/export/export_server.h"
-#include "kg_ros/knowledge/mission_server.h"
-#include "kg_ros/knowledge/mission_state.h"
+#include "kg_ros/conversion/answer_conversion.h"
 
 namespace kg_ros {
 namespace {
@@ -36,7 +37,7 @@ const kg_core::ResultFormat& FormatNamed(const std::string& name) {
 }  // namespace
 
 QueryServer::QueryServer(const ros::NodeHandle& node,
-                         const MissionServer* server)
+                         const kg_engine::MissionServer* server)
     : query_node_(node),
       node_(node),
       server_(server),
@@ -50,7 +51,8 @@ QueryServer::QueryServer(const ros::NodeHandle& node,
                              kg_msgs::Export::Response&)>
       do_export = [server](kg_msgs::Export::Request& request,
                            kg_msgs::Export::Response& response) {
-        response = ExportServer::Answer(*server->Read(), request);
+        response =
+            ToMessage(kg_engine::Export(*server->Read(), FromMessage(request)));
         return true;
       };
   services_.push_back(node_.advertiseService(kExportService, do_export));
@@ -68,8 +70,8 @@ bool QueryServer::HandleQuery(kg_msgs::Query::Request& request,
   const std::shared_ptr<const kg_core::GraphView> view = server_->Read();
   response.world_version = view->world_version();
   try {
-    const QueryResult result =
-        kg_core::RunQuery(*view, request.query, CurrentDataset(*view), {});
+    const QueryResult result = kg_core::RunQuery(
+        *view, request.query, kg_engine::CurrentDataset(*view), {});
     response.text = kg_core::ToTextTable(result);
     if (IsGraph(result)) {
       response.rows = static_cast<unsigned>(result.triples.size());

@@ -14,14 +14,17 @@
 #include "ros/service_server.h"
 #include "ros/spinner.h"
 
-namespace kg_ros {
-
+namespace kg_engine {
 class MissionServer;
+}
+
+namespace kg_ros {
 
 class QueryServer {
  public:
   // `server` must outlive this; only its Read() is used.
-  QueryServer(const ros::NodeHandle& node, const MissionServer* server);
+  QueryServer(const ros::NodeHandle& node,
+              const kg_engine::MissionServer* server);
   ~QueryServer();
   QueryServer(const QueryServer&) = delete;
   QueryServer& operator=(const QueryServer&) = delete;
@@ -34,7 +37,7 @@ class QueryServer {
   ros::CallbackQueue queue_;
   ros::NodeHandle query_node_;
   ros::NodeHandle node_;
-  const MissionServer* server_;
+  const kg_engine::MissionServer* server_;
   std::vector<ros::ServiceServer> services_;
   ros::AsyncSpinner query_spinner_;
   ros::AsyncSpinner spinner_;

@@ -8,10 +8,11 @@
 #include "kg_core/rdf/same_state.h"
 #include "kg_core/sparql/results.h"
 #include "kg_core/watch/watch_facts.h"
+#include "kg_engine/server/mission_server.h"
+#include "kg_engine/state/mission_state.h"
 #include "kg_msgs/WatchedAnswer.h"
 #include "kg_ros/base/names.h"
-#include "kg_ros/knowledge/mission_server.h"
-#include "kg_ros/knowledge/mission_state.h"
+#include "kg_ros/conversion/answer_conversion.h"
 #include "ros/console.h"
 
 namespace kg_ros {
@@ -26,31 +27,10 @@ double Steady_s() {
       .count();
 }
 
-std::string RowsJson(const std::vector<std::string>& variables,
-                     const kg_core::Rows& rows) {
-  kg_core::QueryResult result;
-  result.variables = variables;
-  result.rows = rows;
-  return kg_core::ToJson(result);
-}
-
-kg_msgs::WatchedAnswer ToMessage(const kg_core::WatchedAnswer& answer) {
-  const std::vector<std::string>& variables = answer.answer.variables;
-  kg_msgs::WatchedAnswer message;
-  message.header.stamp = ros::Time::now();
-  message.id = answer.id;
-  message.world_version = answer.world_version;
-  message.first = static_cast<unsigned char>(answer.is_first);
-  message.error = answer.error;
-  message.result = kg_core::ToJson(answer.answer);
-  message.added = RowsJson(variables, answer.added);
-  message.removed = RowsJson(variables, answer.removed);
-  return message;
-}
-
 }  // namespace
 
-WatchServer::WatchServer(const ros::NodeHandle& node, MissionServer* server)
+WatchServer::WatchServer(const ros::NodeHandle& node,
+                         kg_engine::MissionServer* server)
     : server_(server), node_(node), spinner_(1, &queue_) {
   node_.setCallbackQueue(&queue_);
   for (kg_core::WatchDefinition& watch :
@@ -107,7 +87,7 @@ void WatchServer::Begin(const kg_core::WatchDefinition& definition,
   const std::lock_guard<std::mutex> lock(list_mutex_);
   const auto view = server_->Read();
   const kg_core::WatchedAnswer answer =
-      list_.Watch(definition, *view, CurrentDataset(*view));
+      list_.Watch(definition, *view, kg_engine::CurrentDataset(*view));
   server_->KeepWatches(list_.definitions());
   response->id = answer.id;
   response->world_version = answer.world_version;
@@ -151,12 +131,14 @@ void WatchServer::LookAtAll() {
 void WatchServer::LookAt(const std::string& id) {
   const std::lock_guard<std::mutex> lock(list_mutex_);
   const auto view = server_->Read();
-  const auto answer = list_.Look(id, *view, CurrentDataset(*view));
+  const auto answer = list_.Look(id, *view, kg_engine::CurrentDataset(*view));
   if (!answer) return;
   if (!answer->error.empty()) {
     ROS_WARN_STREAM("[watch] " << id << ": " << answer->error);
   }
-  watched_.publish(ToMessage(*answer));
+  kg_msgs::WatchedAnswer message = ToMessage(*answer);
+  message.header.stamp = ros::Time::now();
+  watched_.publish(message);
 }
 
 bool WatchServer::RestFor(double seconds) {

@@ -21,15 +21,17 @@
 #include "ros/service_server.h"
 #include "ros/spinner.h"
 
-namespace kg_ros {
-
+namespace kg_engine {
 class MissionServer;
+}
+
+namespace kg_ros {
 
 class WatchServer {
  public:
   // Goes on with the watches that the store kept. `server` must outlive this;
   // only what it gives to any thread is used.
-  WatchServer(const ros::NodeHandle& node, MissionServer* server);
+  WatchServer(const ros::NodeHandle& node, kg_engine::MissionServer* server);
   ~WatchServer();
   WatchServer(const WatchServer&) = delete;
   WatchServer& operator=(const WatchServer&) = delete;
@@ -46,7 +48,7 @@ class WatchServer {
   // Until then, or until the end.
   bool RestFor(double seconds);
 
-  MissionServer* const server_;
+  kg_engine::MissionServer* const server_;
   std::mutex list_mutex_;  // Held while one query runs.
   kg_core::WatchList list_;
   std::mutex end_mutex_;

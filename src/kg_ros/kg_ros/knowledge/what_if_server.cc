@@ -1,13 +1,14 @@
 #include "kg_ros/knowledge/what_if_server.h"
 
+#include "kg_engine/server/mission_server.h"
 #include "kg_ros/base/names.h"
-#include "kg_ros/conversion/fact_conversion.h"
-#include "kg_ros/knowledge/mission_server.h"
+#include "kg_ros/conversion/answer_conversion.h"
 #include "ros/console.h"
 
 namespace kg_ros {
 
-WhatIfServer::WhatIfServer(const ros::NodeHandle& node, MissionServer* server)
+WhatIfServer::WhatIfServer(const ros::NodeHandle& node,
+                           kg_engine::MissionServer* server)
     : node_(node),
       server_(server),
       what_if_(server->files()),
@@ -23,9 +24,7 @@ WhatIfServer::~WhatIfServer() { spinner_.stop(); }
 bool WhatIfServer::Handle(kg_msgs::WhatIf::Request& request,
                           kg_msgs::WhatIf::Response& response) {
   const ros::WallTime begin = ros::WallTime::now();
-  response = what_if_.Ask(
-      server_->present(),
-      {FromMessage(request.update), request.query, request.time_limit_s});
+  response = ToMessage(what_if_.Ask(server_->present(), FromMessage(request)));
   response.plan.header.stamp = ros::Time::now();
   ROS_INFO("[what if] world version %lu, %s: %zu artifacts dirty, %.3f s",
            response.world_version, response.ok ? "answered" : "refused",

@@ -4,21 +4,23 @@
 #ifndef KG_ROS_KNOWLEDGE_WHAT_IF_SERVER_H_
 #define KG_ROS_KNOWLEDGE_WHAT_IF_SERVER_H_
 
+#include "kg_engine/what_if/what_if.h"
 #include "kg_msgs/WhatIf.h"
-#include "kg_ros/knowledge/what_if.h"
 #include "ros/callback_queue.h"
 #include "ros/node_handle.h"
 #include "ros/service_server.h"
 #include "ros/spinner.h"
 
-namespace kg_ros {
-
+namespace kg_engine {
 class MissionServer;
+}
+
+namespace kg_ros {
 
 class WhatIfServer {
  public:
   // `server` must outlive this; only present() and files() are used.
-  WhatIfServer(const ros::NodeHandle& node, MissionServer* server);
+  WhatIfServer(const ros::NodeHandle& node, kg_engine::MissionServer* server);
   ~WhatIfServer();
   WhatIfServer(const WhatIfServer&) = delete;
   WhatIfServer& operator=(const WhatIfServer&) = delete;
@@ -29,8 +31,8 @@ class WhatIfServer {
 
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
-  const MissionServer* server_;
-  WhatIf what_if_;
+  const kg_engine::MissionServer* server_;
+  kg_engine::WhatIf what_if_;
   ros::ServiceServer service_;
   ros::AsyncSpinner spinner_;
 };

@@ -5,12 +5,22 @@
 
 #include <cstdlib>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "kg_core/base/input_error.h"
+#include "kg_engine/planning/agent_planner.h"
+#include "kg_msgs/Candidates.h"
+#include "kg_msgs/MissionTensor.h"
+#include "kg_msgs/NavGraph.h"
+#include "kg_msgs/Rejections.h"
+#include "kg_msgs/SeamRules.h"
+#include "kg_msgs/WorkField.h"
 #include "kg_ros/base/names.h"
 #include "kg_ros/base/parameter_reader.h"
-#include "kg_ros/planning/planner_server.h"
+#include "kg_ros/conversion/plan_conversion.h"
+#include "kg_ros/conversion/rules_conversion.h"
+#include "kg_ros/conversion/tensor_conversion.h"
 #include "ros/callback_queue.h"
 #include "ros/ros.h"
 
@@ -42,7 +52,7 @@ class PlannerNode {
   void Spin() {
     while (ros::ok()) {
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
-      if (server_.IsDue() && server_.IsComplete()) Plan();
+      if (planner_.IsDue() && planner_.IsComplete()) Plan();
     }
   }
 
@@ -51,9 +61,23 @@ class PlannerNode {
   ros::Subscriber Subscribe(const std::string& topic, unsigned queue) {
     const boost::function<void(const boost::shared_ptr<const Message>&)>
         handle = [this](const boost::shared_ptr<const Message>& message) {
-          Guarded([&] { server_.Take(*message); });
+          Guarded([&] { Take(*message); });
         };
     return node_.subscribe<Message>(topic, queue, handle);
+  }
+
+  void Take(const kg_msgs::SeamRules& message) {
+    planner_.Take(FromMessage(message), message.cycle);
+  }
+  void Take(const kg_msgs::MissionTensor& message) {
+    if (planner_.HasTensor(message.window, message.hash)) return;
+    planner_.Take(std::make_shared<const kg_compiler::MissionTensor>(
+        FromMessage(message)));
+  }
+  void Take(const kg_msgs::WorkField& message) {
+    if (planner_.HasField(message.window, message.hash)) return;
+    planner_.Take(
+        std::make_shared<const kg_compiler::WorkField>(FromMessage(message)));
   }
 
   void SubscribeRasters() {
@@ -64,12 +88,12 @@ class PlannerNode {
 
   // A raster may be lost on the way: a new subscriber is sent them all.
   void AskAgain() {
-    if (!server_.IsDue() || server_.IsComplete()) {
+    if (!planner_.IsDue() || planner_.IsComplete()) {
       was_waiting_ = false;
       return;
     }
     if (was_waiting_) {
-      ROS_WARN_STREAM("[plan] " << agent_ << " waits for " << server_.Missing()
+      ROS_WARN_STREAM("[plan] " << agent_ << " waits for " << planner_.Missing()
                                 << ": asking again");
       SubscribeRasters();
     }
@@ -86,11 +110,11 @@ class PlannerNode {
 
   void Plan() {
     Guarded([this] {
-      const PlannerAnswer answer = server_.Plan();
-      for (const kg_msgs::NavGraph& graph : answer.nav_graphs) {
-        nav_graphs_.publish(graph);
+      const kg_engine::PlannerAnswer answer = planner_.Plan();
+      for (const kg_engine::AgentGraph& graph : answer.graphs) {
+        nav_graphs_.publish(ToMessage(graph));
       }
-      last_ = answer.candidates;
+      last_ = ToMessage(answer.candidates);
       has_planned_ = true;
       candidates_.publish(last_);
     });
@@ -98,20 +122,23 @@ class PlannerNode {
   }
 
   void HandleRejections(const kg_msgs::Rejections& message) {
-    asked_ = message;
+    Guarded([&] {
+      asked_ = IsEndOfRun(message) ? kg_selector::PlanRequest()
+                                   : RequestFromMessage(message);
+    });
     PlanAgain();
   }
 
   void PlanAgain() {
     Guarded([this] {
-      const auto answer = server_.PlanAgain(asked_);
-      if (answer) candidates_.publish(answer->candidates);
+      const auto answer = planner_.PlanAgain(asked_);
+      if (answer) candidates_.publish(ToMessage(answer->candidates));
     });
   }
 
   ros::NodeHandle node_;
   std::string agent_;
-  PlannerServer server_;
+  kg_engine::AgentPlanner planner_;
   ros::Publisher nav_graphs_;
   ros::Publisher candidates_;
   ros::Subscriber tensors_;
@@ -119,8 +146,8 @@ class PlannerNode {
   ros::Subscriber rules_;
   ros::Subscriber rejections_;
   ros::WallTimer patience_;
-  kg_msgs::Rejections asked_;  // Last.
-  kg_msgs::Candidates last_;   // Of round 0.
+  kg_selector::PlanRequest asked_;  // Last.
+  kg_msgs::Candidates last_;        // Of round 0.
   bool has_planned_ = false;
   bool was_waiting_ = false;
 };

@@ -7,10 +7,16 @@
 #include <functional>
 
 #include "kg_core/base/input_error.h"
+#include "kg_engine/planning/team_selector.h"
+#include "kg_msgs/Assignments.h"
+#include "kg_msgs/Candidates.h"
+#include "kg_msgs/CoordinationRules.h"
+#include "kg_msgs/Rejections.h"
 #include "kg_msgs/World.h"
 #include "kg_ros/base/names.h"
 #include "kg_ros/base/parameter_reader.h"
-#include "kg_ros/selection/selector_server.h"
+#include "kg_ros/conversion/plan_conversion.h"
+#include "kg_ros/conversion/rules_conversion.h"
 #include "ros/ros.h"
 
 namespace kg_ros {
@@ -39,32 +45,33 @@ class SelectorNode {
  private:
   // Runs are numbered above those of a predecessor that was killed.
   void HandleWorld(const kg_msgs::World& message) {
-    Answer([&] { return server_.KnowRun(message.plan_run); });
+    Answer([&] { return selector_.KnowRun(message.plan_run); });
   }
 
   void HandleCoordination(const kg_msgs::CoordinationRules& message) {
-    Answer([&] { return server_.Take(message); });
+    Answer([&] { return selector_.Take(ToTask(message)); });
   }
 
   void HandleCandidates(const kg_msgs::Candidates& message) {
-    Answer([&] { return server_.Take(message); });
+    Answer([&] { return selector_.Take(FromMessage(message)); });
   }
 
   void WatchTheDeadline() {
-    if (server_.WaitingFor().empty()) return;
+    if (selector_.WaitingFor().empty()) return;
     const double waited_s =
-        ros::WallTime::now().toSec() - server_.waiting_since_s();
+        ros::WallTime::now().toSec() - selector_.waiting_since_s();
     if (waited_s < deadline_s_) return;
     ROS_WARN("[select] %s is late by more than %.1f s: going on without it",
-             server_.WaitingFor().front().c_str(), deadline_s_);
-    Answer([this] { return server_.GiveUpWaiting(); });
+             selector_.WaitingFor().front().c_str(), deadline_s_);
+    Answer([this] { return selector_.GiveUpWaiting(); });
   }
 
-  void Answer(const std::function<SelectorAnswer()>& step) {
+  void Answer(const std::function<kg_engine::SelectorAnswer()>& step) {
     try {
-      const SelectorAnswer answer = step();
-      if (answer.rejections) rejections_.publish(*answer.rejections);
-      if (answer.assignments) assignments_.publish(*answer.assignments);
+      const kg_engine::SelectorAnswer answer = step();
+      if (answer.request) rejections_.publish(ToMessage(*answer.request));
+      if (answer.end) rejections_.publish(ToMessage(*answer.end));
+      if (answer.plan) assignments_.publish(ToMessage(*answer.plan));
     } catch (const kg_core::InputError& error) {
       ROS_ERROR_STREAM("[select] " << error.what());
     }
@@ -72,7 +79,7 @@ class SelectorNode {
 
   ros::NodeHandle node_;
   double deadline_s_;
-  SelectorServer server_;
+  kg_engine::TeamSelector selector_;
   ros::Publisher assignments_;
   ros::Publisher rejections_;
   std::vector<ros::Subscriber> subscribers_;

@@ -7,9 +7,15 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/units.h"
+#include "kg_engine/simulation/agent_simulator.h"
+#include "kg_msgs/AgentState.h"
+#include "kg_msgs/Assignments.h"
+#include "kg_msgs/SeamRules.h"
+#include "kg_msgs/World.h"
 #include "kg_ros/base/names.h"
 #include "kg_ros/base/parameter_reader.h"
-#include "kg_ros/simulation/agent_simulator.h"
+#include "kg_ros/conversion/agent_conversion.h"
+#include "kg_ros/conversion/plan_conversion.h"
 #include "ros/ros.h"
 
 namespace kg_ros {
@@ -34,7 +40,7 @@ class AgentSimNode {
 
  private:
   void HandleWorld(const kg_msgs::World& message) {
-    simulator_.Take(message);
+    simulator_.Take(FromMessage(message));
     for (const std::string& agent : simulator_.agents()) {
       if (rules_.count(agent) > 0) continue;
       rules_[agent] = node_.subscribe(AgentTopic(agent, kSeamRules), 1,
@@ -44,27 +50,27 @@ class AgentSimNode {
 
   void HandleAssignments(const kg_msgs::Assignments& message) {
     try {
-      simulator_.Take(message);
+      simulator_.Take(FromMessage(message));
     } catch (const kg_core::InputError& error) {
       ROS_ERROR_STREAM("[sim] plan not followed: " << error.what());
     }
   }
 
   void HandleRules(const kg_msgs::SeamRules& message) {
-    simulator_.Take(message);
+    simulator_.TakeEnergy(message.agent, message.energy_budget_j);
   }
 
   void Tick() {
     const ros::SteadyTime now = ros::SteadyTime::now();
     const double real_s = (now - last_tick_).toSec();
     last_tick_ = now;
-    for (const kg_msgs::AgentState& state : simulator_.Advance(real_s)) {
-      states_.publish(state);
+    for (const auto& state : simulator_.Advance(real_s)) {
+      states_.publish(ToMessage(state));
     }
   }
 
   ros::NodeHandle node_;
-  AgentSimulator simulator_;
+  kg_engine::AgentSimulator simulator_;
   ros::SteadyTime last_tick_;
   ros::Publisher states_;
   ros::Subscriber world_;

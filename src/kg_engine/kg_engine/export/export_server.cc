@@ -1,0 +1,145 @@
+#include "kg_engine/export/export_server.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/rdf/syntax.h"
+#include "kg_core/sparql/dataset.h"
+#include "kg_engine/export/atomic_file.h"
+#include "kg_engine/export/cf_trajectory.h"
+#include "kg_engine/export/plan_formats.h"
+#include "kg_engine/export/plan_tracks.h"
+#include "kg_engine/state/mission_state.h"
+#include "kg_engine/terms/plan_names.h"
+
+namespace kg_engine {
+namespace {
+
+namespace fs = std::filesystem;
+using kg_core::GraphView;
+using kg_core::InputError;
+
+constexpr char kGotoFile[] = "goto_l10.ma";
+
+// Answers in text where no path is given.
+std::string Deliver(const std::string& path, std::string text) {
+  if (path.empty()) return text;
+  WriteAtomically(path, text);
+  return "";
+}
+
+std::string GeoJson(const PlanTracks& plan, const std::string& path) {
+  return Deliver(path, ToGeoJson(plan));
+}
+
+std::string Gpx(const PlanTracks& plan, const std::string& path) {
+  return Deliver(path, ToGpx(plan));
+}
+
+std::string Goto(const PlanTracks& plan, const std::string& path) {
+  std::string all;
+  for (const PlannedAgent& agent : plan.agents) {
+    const std::string list = ToGotoList(plan, agent);
+    if (path.empty()) {
+      all += "# " + agent.id + "/" + kGotoFile + "\n" + list + "\n";
+      continue;
+    }
+    const fs::path folder = fs::path(path) / agent.id;
+    std::error_code error;
+    if (folder.is_absolute()) fs::create_directories(folder, error);
+    if (error) {
+      throw InputError(folder.string() +
+                       ": cannot be made: " + error.message());
+    }
+    WriteAtomically((folder / kGotoFile).string(), list);
+  }
+  return all;
+}
+
+std::string NetCdf(const PlanTracks& plan, const std::string& path) {
+  if (path.empty()) {
+    throw InputError("format 'netcdf' is not text: expected a path");
+  }
+  WriteAtomically(path, [&](const std::string& temporary) {
+    WriteCfTrajectory(plan, temporary);
+  });
+  return "";
+}
+
+struct PlanFormat {
+  const char* name;
+  std::string (*write)(const PlanTracks& plan, const std::string& path);
+};
+constexpr PlanFormat kPlanFormats[] = {
+    {"geojson", GeoJson}, {"gpx", Gpx}, {"goto", Goto}, {"netcdf", NetCdf}};
+
+// Of the store; throws InputError.
+std::string GraphNamed(const GraphView& view, const std::string& name) {
+  const std::string iri = kg_core::ExpandPrefixed(name).value_or(name);
+  if (kg_core::sparql::HasGraph(view, iri)) return iri;
+  throw InputError("graph '" + name + "' is not in the store");
+}
+
+std::string WriteFacts(const GraphView& view, kg_core::RdfSyntax syntax,
+                       const ExportRequest& request) {
+  kg_core::RdfSelection selection;
+  for (const std::string& name : request.graphs) {
+    selection.graphs.push_back(GraphNamed(view, name));
+  }
+  if (selection.graphs.empty()) selection.graphs = {kg_core::kFactsGraph};
+  return Deliver(request.path, kg_core::WriteRdf(view, selection, syntax));
+}
+
+std::string PlanGraphOf(const GraphView& view, const ExportRequest& request) {
+  if (request.graphs.size() > 1) {
+    throw InputError("expected the graph of one plan, or none for the current");
+  }
+  if (!request.graphs.empty()) return GraphNamed(view, request.graphs[0]);
+  const std::uint64_t run = LoadState(view).plan_run;
+  if (run == 0) throw InputError("there is no plan yet");
+  return PlanGraph(run).text;
+}
+
+std::string Write(const GraphView& view, const ExportRequest& request) {
+  if (const auto* syntax = kg_core::SyntaxNamed(request.format)) {
+    return WriteFacts(view, syntax->syntax, request);
+  }
+  for (const PlanFormat& format : kPlanFormats) {
+    if (request.format != format.name) continue;
+    return format.write(ReadPlanTracks(view, PlanGraphOf(view, request)),
+                        request.path);
+  }
+  std::string known;
+  for (const std::string& name : ExportFormats()) {
+    known += (known.empty() ? "" : ", ") + name;
+  }
+  throw InputError("format '" + request.format + "' is not known; expected " +
+                   known);
+}
+
+}  // namespace
+
+std::vector<std::string> ExportFormats() {
+  std::vector<std::string> names;
+  for (const auto& syntax : kg_core::RdfSyntaxes()) {
+    names.push_back(syntax.name);
+  }
+  for (const PlanFormat& format : kPlanFormats) names.push_back(format.name);
+  return names;
+}
+
+ExportAnswer Export(const GraphView& view, const ExportRequest& request) {
+  ExportAnswer answer;
+  answer.world_version = view.world_version();
+  try {
+    answer.data = Write(view, request);
+    answer.ok = true;
+  } catch (const InputError& error) {
+    answer.error = error.what();
+  }
+  return answer;
+}
+
+}  // namespace kg_engine

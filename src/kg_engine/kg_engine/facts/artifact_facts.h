@@ -1,0 +1,53 @@
+// What was compiled, as facts of the provenance graph: every artifact once,
+// under the activity that made it, with exactly what it was made of. A later
+// cycle that takes an artifact as it is finds it there.
+//
+//   ex:tensor\/alpha\/w2\/<id>  a ex:HeatmapArtifact ; ex:hash ;
+//       prov:wasDerivedFrom ... ; prov:wasGeneratedBy ex:compile\/phi2\/12
+//   ex:rules\/alpha\/<id>       a ex:SeamRules ; ex:hash ;
+//       prov:wasDerivedFrom ... ; prov:wasGeneratedBy ex:compile\/phi1\/12
+//   ex:state\/alpha\/12         a ex:AgentState, as reported when cycle 12
+//   began
+
+#ifndef KG_ENGINE_FACTS_ARTIFACT_FACTS_H_
+#define KG_ENGINE_FACTS_ARTIFACT_FACTS_H_
+
+#include <cstdint>
+#include <string>
+
+#include "kg_compiler/compile/mission_compiler.h"
+#include "kg_core/mission/mission.h"
+#include "kg_core/rdf/graph_view.h"
+#include "kg_core/rdf/store.h"
+#include "kg_engine/state/fleet_state.h"
+#include "kg_engine/terms/artifact_names.h"
+
+namespace kg_engine {
+
+// Is it described in the provenance graph?
+bool IsDescribed(const kg_core::GraphView& view, const kg_core::Term& node);
+
+// When the planes worked on a cycle. Unix seconds.
+struct CompileTimes {
+  double began_s = 0.0;
+  double tensors_s = 0.0;  // Phi 2 had ended.
+  double ended_s = 0.0;    // Phi 1 had.
+};
+
+// Stages what the provenance graph does not have yet of a cycle's tensors and
+// seam rules, with the activities that made it.
+void StageArtifacts(const kg_compiler::Compilation& compilation,
+                    std::uint64_t cycle, const CompileTimes& times,
+                    kg_core::Transaction* transaction);
+
+// Stages what the plan of a run commits an agent to.
+void StageCommitment(std::uint64_t run, const kg_compiler::SeamRules& rules,
+                     kg_core::Transaction* transaction);
+
+// Stages the state that an agent had reported when a cycle began.
+void StageReportedState(const kg_core::Agent& agent, const AgentPose& pose,
+                        std::uint64_t cycle, kg_core::Transaction* transaction);
+
+}  // namespace kg_engine
+
+#endif  // KG_ENGINE_FACTS_ARTIFACT_FACTS_H_

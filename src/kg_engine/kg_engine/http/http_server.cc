@@ -1,0 +1,302 @@
+#include "kg_engine/http/http_server.h"
+
+#include <httplib.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "kg_core/base/input_error.h"
+#include "kg_core/base/text.h"
+
+namespace kg_engine {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using kg_core::HttpRequest;
+using kg_core::HttpResponse;
+
+constexpr char kLoopback[] = "127.0.0.1";
+constexpr int kSlice_ms = 50;  // How soon a waiting thread sees the end.
+constexpr double kFarewell_s = 1.0;
+
+Clock::time_point In(double seconds) {
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                            std::chrono::duration<double>(seconds));
+}
+
+// One connection. Time is for all that is read, and then for all that is
+// written: a client that sends a byte now and then does not hold a thread for
+// long.
+class DeadlineStream : public httplib::Stream {
+ public:
+  DeadlineStream(socket_t socket, double seconds,
+                 const std::atomic<bool>* stopping)
+      : socket_(socket),
+        seconds_(seconds),
+        stopping_(stopping),
+        read_end_(In(seconds)) {}
+
+  bool is_readable() const override { return Wait(POLLIN, read_end_); }
+  bool is_writable() const override { return Wait(POLLOUT, write_end_); }
+  ssize_t read(char* bytes, size_t size) override {
+    is_writing_ = false;
+    if (begin_ == filled_) {
+      if (!Wait(POLLIN, read_end_)) return -1;
+      const ssize_t got = recv(socket_, buffer_, sizeof buffer_, 0);
+      if (got <= 0) return got;
+      begin_ = 0;
+      filled_ = static_cast<size_t>(got);
+    }
+    const size_t count = std::min(size, filled_ - begin_);
+    std::copy_n(buffer_ + begin_, count, bytes);
+    begin_ += count;
+    return static_cast<ssize_t>(count);
+  }
+  ssize_t write(const char* bytes, size_t size) override {
+    if (!is_writing_) write_end_ = In(seconds_);
+    is_writing_ = true;
+    if (!Wait(POLLOUT, write_end_)) return -1;
+    return send(socket_, bytes, size, MSG_NOSIGNAL | MSG_DONTWAIT);
+  }
+  void get_remote_ip_and_port(std::string& ip, int& port) const override {
+    ip = kLoopback;
+    port = 0;  // Nobody asks.
+  }
+  void get_local_ip_and_port(std::string& ip, int& port) const override {
+    ip = kLoopback;
+    port = 0;
+  }
+  socket_t socket() const override { return socket_; }
+
+  // Lets the client read what was written: closing with bytes unread would
+  // reset the connection and take the response away.
+  void SayGoodbye() {
+    shutdown(socket_, SHUT_WR);
+    const Clock::time_point end = In(kFarewell_s);
+    while (Wait(POLLIN, end) && recv(socket_, buffer_, sizeof buffer_, 0) > 0) {
+    }
+  }
+
+ private:
+  bool Wait(short event, Clock::time_point end) const {
+    while (!*stopping_ && Clock::now() < end) {
+      pollfd waiting{socket_, event, 0};
+      const int ready = poll(&waiting, 1, kSlice_ms);
+      if (ready > 0) return true;
+      if (ready < 0 && errno != EINTR) return false;
+    }
+    return false;
+  }
+
+  const socket_t socket_;
+  const double seconds_;
+  const std::atomic<bool>* const stopping_;
+  const Clock::time_point read_end_;
+  Clock::time_point write_end_;
+  bool is_writing_ = false;
+  char buffer_[16384];
+  size_t begin_ = 0;
+  size_t filled_ = 0;
+};
+
+// Lets so many in at once, others wait.
+class Turnstile {
+ public:
+  explicit Turnstile(int places) : places_(places) {}
+
+  bool Enter(double patience_s) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    if (!freed_.wait_until(lock, In(patience_s),
+                           [this] { return places_ > 0; })) {
+      return false;
+    }
+    --places_;
+    return true;
+  }
+  void Leave() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ++places_;
+    }
+    freed_.notify_one();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable freed_;
+  int places_;
+};
+
+HttpRequest FromHttplib(const httplib::Request& request, std::string body) {
+  HttpRequest out;
+  out.method = request.method;
+  out.path = request.path;
+  const std::size_t mark = request.target.find('?');
+  if (mark != std::string::npos) {
+    out.query = request.target.substr(mark + 1);
+    out.query.resize(std::min(out.query.find('#'), out.query.size()));
+  }
+  for (const auto& [name, value] : request.headers) {
+    std::string& all = out.headers[kg_core::ToLowerAscii(name)];
+    all += (all.empty() ? "" : ", ") + value;
+  }
+  out.body = std::move(body);
+  return out;
+}
+
+void ToHttplib(HttpResponse from, httplib::Response* to) {
+  to->status = from.status;
+  for (const auto& [name, value] : from.headers) to->set_header(name, value);
+  if (from.content_type.empty()) return;
+  to->set_content(std::move(from.body), from.content_type);
+}
+
+HttpResponse Refusal(int status, const std::string& why) {
+  HttpResponse response;
+  response.status = status;
+  response.content_type = kg_core::kPlainText;
+  response.body = why + "\n";
+  return response;
+}
+
+// Not SO_REUSEPORT, as httplib has it: two servers would share one port.
+void SetSocketOptions(socket_t socket) {
+  const int yes = 1;
+  setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+}
+
+}  // namespace
+
+class HttpServer::Listener : public httplib::Server {
+ public:
+  Listener(const HttpServerOptions& options, HttpServer::Handler handler)
+      : options_(options),
+        handler_(std::move(handler)),
+        turnstile_(options.answers) {
+    set_payload_max_length(options.body_bytes);
+    set_socket_options(SetSocketOptions);
+    new_task_queue = [this] {
+      return new httplib::ThreadPool(
+          static_cast<std::size_t>(options_.connections));
+    };
+    RouteAll();
+    Bind();
+    thread_ = std::thread([this] { listen_after_bind(); });
+    while (!is_running()) std::this_thread::yield();
+  }
+
+  ~Listener() override {
+    stopping_ = true;
+    stop();
+    thread_.join();
+  }
+
+  int port() const { return port_; }
+
+ private:
+  void Bind() {
+    port_ = options_.port == 0 ? bind_to_any_port(kLoopback)
+            : bind_to_port(kLoopback, options_.port) ? options_.port
+                                                     : -1;
+    if (port_ > 0) return;
+    throw kg_core::InputError("HTTP port " + std::to_string(options_.port) +
+                              " of 127.0.0.1 cannot be had: another program "
+                              "has it, or it is not allowed");
+  }
+
+  // Bodies are read here, not by httplib: it takes at most 8 KiB of a form.
+  void RouteAll() {
+    set_pre_routing_handler(
+        [this](const httplib::Request& request, httplib::Response& response) {
+          const bool has_body = request.method == "POST" ||
+                                request.method == "PUT" ||
+                                request.method == "PATCH";
+          if (has_body) return HandlerResponse::Unhandled;
+          ToHttplib(Answer(FromHttplib(request, "")), &response);
+          return HandlerResponse::Handled;
+        });
+    const auto with_body = [this](const httplib::Request& request,
+                                  httplib::Response& response,
+                                  const httplib::ContentReader& reader) {
+      AnswerWithBody(request, reader, &response);
+    };
+    Post(".*", HandlerWithContentReader(with_body));
+    Put(".*", HandlerWithContentReader(with_body));
+    Patch(".*", HandlerWithContentReader(with_body));
+  }
+
+  void AnswerWithBody(const httplib::Request& request,
+                      const httplib::ContentReader& reader,
+                      httplib::Response* response) {
+    // What httplib would take apart or unpack by itself.
+    if (request.is_multipart_form_data() ||
+        request.has_header("Content-Encoding")) {
+      const int status = kg_core::kUnsupportedMediaType;
+      return ToHttplib(Refusal(status,
+                               "expected a body as it is, neither "
+                               "multipart nor compressed"),
+                       response);
+    }
+    std::string body;
+    const bool whole = reader([&](const char* bytes, size_t size) {
+      body.append(bytes, size);
+      return body.size() <= options_.body_bytes;
+    });
+    if (whole) {
+      return ToHttplib(Answer(FromHttplib(request, std::move(body))), response);
+    }
+    const bool large = response->status == kg_core::kContentTooLarge ||
+                       body.size() > options_.body_bytes;
+    const std::string limit = std::to_string(options_.body_bytes);
+    ToHttplib(large ? Refusal(kg_core::kContentTooLarge,
+                              "the body is longer than the limit of " + limit +
+                                  " bytes")
+                    : Refusal(kRequestTimeout,
+                              "the body did not arrive whole in time"),
+              response);
+  }
+
+  HttpResponse Answer(const HttpRequest& request) {
+    if (!turnstile_.Enter(options_.request_s)) {
+      return Refusal(kg_core::kUnavailable, "too many requests at once");
+    }
+    HttpResponse response = handler_(request);  // Does not throw.
+    turnstile_.Leave();
+    return response;
+  }
+
+  bool process_and_close_socket(socket_t socket) override {
+    DeadlineStream stream(socket, options_.request_s, &stopping_);
+    bool is_closed = false;
+    const bool done = process_request(stream, true, is_closed, nullptr);
+    if (done) stream.SayGoodbye();
+    close(socket);
+    return done;
+  }
+
+  static constexpr int kRequestTimeout = 408;
+
+  const HttpServerOptions options_;
+  const HttpServer::Handler handler_;
+  Turnstile turnstile_;
+  std::atomic<bool> stopping_{false};
+  int port_ = -1;
+  std::thread thread_;
+};
+
+HttpServer::HttpServer(const HttpServerOptions& options, Handler handler)
+    : listener_(std::make_unique<Listener>(options, std::move(handler))) {}
+
+HttpServer::~HttpServer() = default;
+
+int HttpServer::port() const { return listener_->port(); }
+
+}  // namespace kg_engine

@@ -1,0 +1,91 @@
+// The team's coordination: collects everybody's candidates of one cycle, asks
+// for others as the team's mode wants them, round by round, and commits one
+// plan. Which mode that is, only MakeCoordinator() knows.
+
+#ifndef KG_ENGINE_PLANNING_TEAM_SELECTOR_H_
+#define KG_ENGINE_PLANNING_TEAM_SELECTOR_H_
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kg_compiler/compile/mission_compiler.h"
+#include "kg_selector/team/agent_candidates.h"
+#include "kg_selector/team/committed_plan.h"
+#include "kg_selector/team/coordinator.h"
+#include "kg_selector/team/plan_request.h"
+
+namespace kg_engine {
+
+// What the team is to plan in a cycle.
+struct TeamTask {
+  std::uint64_t world_version = 0;
+  std::uint64_t cycle = 0;
+  std::vector<std::string> agents;  // ex:id.
+  kg_selector::TeamRules rules;
+};
+TeamTask ToTeamTask(const kg_compiler::Compilation& compilation,
+                    std::uint64_t cycle);
+
+// What is to be said after a step: who is to plan again, or the plan and the
+// end of its run.
+struct SelectorAnswer {
+  std::optional<kg_selector::PlanRequest> request;
+  std::optional<kg_selector::RunEnd> end;
+  std::optional<kg_selector::CommittedPlan> plan;
+};
+
+class TeamSelector {
+ public:
+  // A new cycle begins. Throws kg_core::InputError (unknown mode, ...).
+  SelectorAnswer Take(const TeamTask& task);
+  // In any order, also before the task of their cycle is here.
+  SelectorAnswer Take(const kg_selector::AgentCandidates& candidates);
+  // Runs get numbers above this one: the number of the last run known. Nothing
+  // is decided before it is.
+  SelectorAnswer KnowRun(std::uint64_t run);
+
+  // Who is waited for, since when nothing has come [unix s]; empty = nobody.
+  std::vector<std::string> WaitingFor() const;
+  double waiting_since_s() const { return waiting_since_s_; }
+  // Goes on without those who are waited for.
+  SelectorAnswer GiveUpWaiting();
+
+ private:
+  // Of an agent's last answer, beside its pathlets.
+  struct Offered {
+    std::string agent_iri;
+    std::string note;
+  };
+
+  void Begin(std::unique_ptr<kg_selector::Coordinator> team);
+  void Offer(const kg_selector::AgentCandidates& candidates);
+  SelectorAnswer Step();
+  kg_selector::PlanRequest Ask();
+  kg_selector::RunEnd End() const;
+  kg_selector::CommittedPlan Plan();
+  template <typename Value>
+  Value Header() const;
+
+  std::optional<TeamTask> task_;
+  std::unique_ptr<kg_selector::Coordinator> team_;
+  // Round 0 of the newest cycle heard of, by agent: kept for a fresh start.
+  std::map<std::string, kg_selector::AgentCandidates> unmasked_;
+  std::map<std::string, Offered> offered_;  // By agent.
+  std::uint32_t round_ = 0;
+  std::uint64_t run_ = 0;       // Under way or just finished.
+  std::uint64_t last_run_ = 0;  // The highest finished one heard of.
+  bool knows_last_run_ = false;
+  bool finished_ = false;
+  std::vector<kg_selector::Pathlet> last_plan_;  // Committed before this one.
+  double began_s_ = 0.0;                         // Unix seconds; of the cycle.
+  double complete_s_ = 0.0;  // When everybody's round 0 was here.
+  double waiting_since_s_ = 0.0;
+};
+
+}  // namespace kg_engine
+
+#endif  // KG_ENGINE_PLANNING_TEAM_SELECTOR_H_

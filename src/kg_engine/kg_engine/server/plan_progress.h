@@ -1,0 +1,77 @@
+// How the plan of the current cycle is coming along: what has arrived of it,
+// whether it is complete, and what is recorded of it.
+
+#ifndef KG_ENGINE_SERVER_PLAN_PROGRESS_H_
+#define KG_ENGINE_SERVER_PLAN_PROGRESS_H_
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kg_engine/facts/plan_facts.h"
+#include "kg_engine/planning/agent_graph.h"
+#include "kg_selector/team/committed_plan.h"
+#include "kg_selector/team/plan_request.h"
+
+namespace kg_engine {
+
+class PlanProgress {
+ public:
+  using Key = std::pair<std::string, int>;  // Agent's ex:id, window.
+
+  // A new cycle: answers to older ones are dropped and counted from now on.
+  void Begin(std::uint64_t cycle);
+
+  // False if the value answers for another cycle.
+  bool Take(const kg_selector::CommittedPlan& plan);
+  bool Take(const kg_selector::PlanRequest& request);
+  bool Take(const kg_selector::RunEnd& end);
+  bool Take(const AgentGraph& graph);
+
+  // The plan, once, when it and the end of the same run are both here.
+  std::optional<kg_selector::CommittedPlan> TakeFinishedPlan();
+  // All that is recorded of it: of a plan that was taken, what has arrived
+  // beside it. Times and executed stops are the caller's.
+  PlanRecord MakeRecord(const kg_selector::CommittedPlan& plan) const;
+
+  const std::vector<kg_selector::RejectedPath>& rejections() const {
+    return end_.rejections;
+  }
+  // What agents were asked to plan around: of each pair of agents the last.
+  std::vector<kg_selector::CoolingConstraint> cooling() const;
+  // At which they were asked to plan, in the last round; as they were told.
+  const std::vector<kg_selector::VisitPrice>& prices() const { return prices_; }
+
+  // Graphs of this cycle, by agent and window.
+  const std::map<Key, AgentGraph>& graphs() const { return graphs_; }
+  // Hash of the agent's graph of the window before; empty if it is not here.
+  std::string HashBefore(const AgentGraph& graph) const;
+  // The next graph that has not been handed out yet.
+  const AgentGraph* NextUnrecorded();
+  std::uint64_t dropped() const { return dropped_; }
+
+ private:
+  template <typename Value>
+  bool IsCurrent(const Value& value);
+  void NoteRun(std::uint64_t run);
+
+  std::uint64_t cycle_ = 0;
+  std::uint64_t dropped_ = 0;
+  std::optional<kg_selector::CommittedPlan> plan_;
+  kg_selector::RunEnd end_;
+  std::uint64_t asking_run_ = 0;
+  // By who is cooled, and by whom.
+  std::map<std::pair<std::string, std::string>, kg_selector::CoolingConstraint>
+      cooling_;
+  std::uint32_t priced_round_ = 0;
+  std::vector<kg_selector::VisitPrice> prices_;
+  std::map<Key, AgentGraph> graphs_;
+  std::vector<Key> unrecorded_;
+};
+
+}  // namespace kg_engine
+
+#endif  // KG_ENGINE_SERVER_PLAN_PROGRESS_H_

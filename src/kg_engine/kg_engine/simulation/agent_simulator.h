@@ -1,0 +1,87 @@
+// Moves agents along their assigned tracks in mission time, and counts down
+// their energy: a stand-in for vehicles that follow their plan.
+//
+// Mission time goes on while the plan is up to date (or has failed: then the
+// last one is followed) and stands still while a new one is being made, so that
+// planning takes no mission time however fast the mission is played. It stops
+// at every window's end until the world has entered the next. A plan that
+// begins a moment ago (it was made while agents went on) is followed from its
+// begin.
+
+#ifndef KG_ENGINE_SIMULATION_AGENT_SIMULATOR_H_
+#define KG_ENGINE_SIMULATION_AGENT_SIMULATOR_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "kg_compiler/traversal/traversal.h"
+#include "kg_core/geo/lon_lat.h"
+#include "kg_selector/team/committed_plan.h"
+
+namespace kg_engine {
+
+// What the simulator reads of the world.
+struct SimulatedWorld {
+  double time_s = 0.0;  // Mission time, Unix seconds.
+  // The plan is up to date, or planning has failed and the last one stays.
+  bool plan_holds = false;
+  std::uint64_t plan_run = 0;
+  std::size_t current_window = 0;    // Their number: the mission has ended.
+  std::vector<double> window_end_s;  // By index.
+  std::vector<std::string> agents;   // ex:id.
+};
+
+// What a vehicle reports.
+struct SimulatedState {
+  std::string agent;    // ex:id.
+  double time_s = 0.0;  // Unix seconds.
+  kg_core::LonLat position;
+  double heading_rad = 0.0;  // Clockwise from north.
+  double speed_mps = 0.0;    // Over ground.
+  double energy_left_j = std::numeric_limits<double>::quiet_NaN();
+};
+
+class AgentSimulator {
+ public:
+  // `rate`: mission seconds per real second.
+  explicit AgentSimulator(double rate) : rate_(rate) {}
+
+  void Take(const SimulatedWorld& world);
+  void Take(const kg_selector::CommittedPlan& plan);
+  // What an agent has left when its track begins.
+  void TakeEnergy(const std::string& agent, double energy_j);
+
+  // Ids of the agents of the world.
+  const std::vector<std::string>& agents() const { return world_.agents; }
+
+  // `real_s` seconds later: where everybody is. Empty while there is no plan,
+  // or the mission has ended.
+  std::vector<SimulatedState> Advance(double real_s);
+
+ private:
+  struct Agent {
+    std::vector<kg_compiler::TimedPoint> track;
+    std::vector<kg_selector::Visit> visits;
+    double energy_j = 0.0;  // Left when the track begins.
+    bool has_energy = false;
+  };
+
+  SimulatedState StateOf(const std::string& id, const Agent& agent) const;
+  double EnergyUsed_j(const Agent& agent) const;
+  bool MayGoOn() const;
+  double Limit_s() const;
+
+  double rate_;
+  double time_s_ = 0.0;  // Mission time, Unix seconds.
+  SimulatedWorld world_;
+  std::uint64_t plan_run_ = 0;  // Of the tracks that are followed.
+  std::map<std::string, Agent> agents_;
+};
+
+}  // namespace kg_engine
+
+#endif  // KG_ENGINE_SIMULATION_AGENT_SIMULATOR_H_

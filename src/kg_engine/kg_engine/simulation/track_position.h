@@ -1,0 +1,20 @@
+// Where an agent is on its track at a time.
+
+#ifndef KG_ENGINE_SIMULATION_TRACK_POSITION_H_
+#define KG_ENGINE_SIMULATION_TRACK_POSITION_H_
+
+#include <vector>
+
+#include "kg_compiler/traversal/traversal.h"
+#include "kg_core/geo/lon_lat.h"
+
+namespace kg_engine {
+
+// Before the track's begin its first point, after its end its last; straight in
+// longitude and latitude in between. The track must not be empty.
+kg_core::LonLat PositionAt(const std::vector<kg_compiler::TimedPoint>& track,
+                           double time_s);
+
+}  // namespace kg_engine
+
+#endif  // KG_ENGINE_SIMULATION_TRACK_POSITION_H_

@@ -1,0 +1,54 @@
+// What the edges of one world's graphs would cost in another world: the paper's
+// "which TraverseEdges would become too costly".
+
+#ifndef KG_ENGINE_WHAT_IF_EDGE_PRICES_H_
+#define KG_ENGINE_WHAT_IF_EDGE_PRICES_H_
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "kg_compiler/compile/mission_compiler.h"
+#include "kg_selector/team/plan_mission.h"
+
+namespace kg_engine {
+
+// A world with the plan that the nodes would commit for it.
+struct PlannedWorld {
+  std::shared_ptr<const kg_compiler::Compilation> compilation;
+  kg_selector::PlannedMission planned;
+};
+
+// Where an edge of graph `window` (its place among the member's graphs) begins.
+kg_core::LonLat BeginOf(const kg_selector::TeamMember& member,
+                        std::size_t window,
+                        const kg_compiler::TraverseEdge& edge);
+
+// Edges are named by their places: member, its graph, the graph's edge. Prices
+// are those of the graphs of `then` where it has the same way, else the way is
+// flown again under the rules of `then`.
+class EdgePrices {
+ public:
+  // Both must outlive this.
+  EdgePrices(const kg_selector::PlannedMission& now, const PlannedWorld& then);
+
+  // Null = it cannot be flown then, or its agent or window is gone.
+  const kg_compiler::TraverseEdge* Then(std::size_t member, std::size_t window,
+                                        std::size_t edge) const;
+
+ private:
+  struct WindowPrices {
+    bool same = false;  // As they are now.
+    std::vector<std::optional<kg_compiler::TraverseEdge>> then;  // By edge.
+  };
+  WindowPrices PriceWindow(const kg_selector::TeamMember& member,
+                           std::size_t window, const PlannedWorld& then) const;
+
+  const kg_selector::PlannedMission& now_;
+  std::vector<std::vector<WindowPrices>> prices_;  // By member, graph.
+};
+
+}  // namespace kg_engine
+
+#endif  // KG_ENGINE_WHAT_IF_EDGE_PRICES_H_
