@@ -8,7 +8,7 @@
 #include "kg_core/base/text.h"
 #include "kg_core/conformance/test_case.h"
 #include "kg_core/rdf/namespaces.h"
-#include "kg_core/shacl/rdf_list.h"
+#include "kg_core/rdf/rdf_list.h"
 
 namespace kg_core {
 namespace conformance {

@@ -1,5 +1,3 @@
-#include "kg_core/conformance/rdf_xml.h"
-
 #include <map>
 #include <optional>
 #include <string>
@@ -7,6 +5,7 @@
 
 #include "kg_core/base/text.h"
 #include "kg_core/base/xml_reader.h"
+#include "kg_core/conformance/read_rdf_xml.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/fresh_blank.h"
 #include "kg_core/sparql/iri.h"

@@ -1,8 +1,7 @@
-#include "kg_core/mission/changed.h"
-
 #include <vector>
 
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/changed_subjects.h"
+#include "kg_core/facts/terms.h"
 
 namespace kg_core {
 namespace {

@@ -1,8 +1,8 @@
-#include "kg_core/mission/class_tree.h"
+#include "kg_core/facts/class_tree.h"
 
 #include <utility>
 
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 
 namespace kg_core {
 

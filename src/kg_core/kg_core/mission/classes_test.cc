@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/mission/validator.h"
 #include "kg_core/sparql/query_engine.h"
 

@@ -3,8 +3,8 @@
 #include <set>
 #include <utility>
 
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/statement_check.h"
-#include "kg_core/mission/terms.h"
 #include "kg_core/mission/validator.h"
 #include "kg_core/rules/facts_and_conclusions.h"
 #include "kg_core/rules/reasons.h"

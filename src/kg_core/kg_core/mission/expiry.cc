@@ -6,8 +6,8 @@
 #include <optional>
 #include <set>
 
-#include "kg_core/mission/literals.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/literals.h"
+#include "kg_core/facts/terms.h"
 
 namespace kg_core {
 namespace {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "kg_core/mission/entity.h"
-#include "kg_core/mission/fact_update.h"
+#include "kg_core/mission/stage_update.h"
 #include "kg_core/rdf/graph_view.h"
 
 namespace kg_core {

@@ -1,21 +1,20 @@
-#include "kg_core/mission/fact_update.h"
-
 #include <algorithm>
 #include <set>
 #include <utility>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/class_tree.h"
+#include "kg_core/facts/class_tree.h"
+#include "kg_core/facts/keys.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/facts/vocabulary.h"
 #include "kg_core/mission/conclusions.h"
 #include "kg_core/mission/derived_facts.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/ingested_facts.h"
-#include "kg_core/mission/keys.h"
 #include "kg_core/mission/mission_reader.h"
+#include "kg_core/mission/stage_update.h"
 #include "kg_core/mission/statement_check.h"
-#include "kg_core/mission/terms.h"
 #include "kg_core/mission/validator.h"
-#include "kg_core/mission/vocabulary.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/rules/inference.h"
 #include "kg_core/sparql/update_engine.h"

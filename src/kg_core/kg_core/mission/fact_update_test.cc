@@ -1,5 +1,3 @@
-#include "kg_core/mission/fact_update.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,10 +5,12 @@
 #include <string>
 
 #include "kg_core/base/sha256.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/facts/vocabulary.h"
 #include "kg_core/mission/ingest.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
-#include "kg_core/mission/vocabulary.h"
+#include "kg_core/mission/stage_update.h"
+#include "kg_core/mission/stage_vocabulary.h"
+#include "kg_core/mission/testing/mission_world.h"
 
 namespace kg_core {
 namespace {

@@ -1,4 +1,4 @@
-#include "kg_core/mission/history.h"
+#include "kg_core/facts/history.h"
 
 #include <algorithm>
 #include <map>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 
 namespace kg_core {
 namespace {

@@ -1,4 +1,4 @@
-#include "kg_core/mission/history.h"
+#include "kg_core/facts/history.h"
 
 #include <map>
 #include <random>
@@ -6,8 +6,8 @@
 
 #include "gtest/gtest.h"
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/mission/testing/mission_world.h"
 
 namespace kg_core {
 namespace {

@@ -8,8 +8,10 @@
 #include "kg_core/base/clock.h"
 #include "kg_core/base/date_time.h"
 #include "kg_core/base/input_error.h"
+#include "kg_core/facts/class_tree.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/facts/vocabulary.h"
 #include "kg_core/geo/geodesy.h"
-#include "kg_core/mission/class_tree.h"
 #include "kg_core/mission/conclusions.h"
 #include "kg_core/mission/entity.h"
 #include "kg_core/mission/ingest_times.h"
@@ -17,9 +19,7 @@
 #include "kg_core/mission/layer_files.h"
 #include "kg_core/mission/layer_reader.h"
 #include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/terms.h"
 #include "kg_core/mission/validator.h"
-#include "kg_core/mission/vocabulary.h"
 #include "kg_core/rules/inference.h"
 
 namespace kg_core {

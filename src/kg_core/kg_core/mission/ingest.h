@@ -36,8 +36,8 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/fact_update.h"
 #include "kg_core/mission/file_cache.h"
+#include "kg_core/mission/stage_update.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_core {

@@ -15,10 +15,10 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/layer_files.h"
 #include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
+#include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/mission/validator.h"
 
 namespace kg_core {

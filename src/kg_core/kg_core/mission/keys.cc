@@ -1,13 +1,13 @@
-#include "kg_core/mission/keys.h"
+#include "kg_core/facts/keys.h"
 
 #include <algorithm>
 #include <optional>
 #include <set>
 
-#include "kg_core/mission/changed.h"
-#include "kg_core/mission/class_tree.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/shacl/rdf_list.h"
+#include "kg_core/facts/changed_subjects.h"
+#include "kg_core/facts/class_tree.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/rdf/rdf_list.h"
 
 namespace kg_core {
 namespace {

@@ -1,10 +1,10 @@
-#include "kg_core/mission/keys.h"
+#include "kg_core/facts/keys.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "kg_core/mission/test_world.h"
+#include "kg_core/mission/testing/mission_world.h"
 
 namespace kg_core {
 namespace {

@@ -1,4 +1,4 @@
-#include "kg_core/mission/literals.h"
+#include "kg_core/facts/literals.h"
 
 #include <string>
 

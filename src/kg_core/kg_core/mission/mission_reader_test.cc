@@ -6,8 +6,8 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/units.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/rdf/turtle.h"
 
 namespace kg_core {

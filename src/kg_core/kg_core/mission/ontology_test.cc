@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/class_tree.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
-#include "kg_core/mission/vocabulary.h"
+#include "kg_core/facts/class_tree.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/facts/vocabulary.h"
+#include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/shacl/shapes.h"
 

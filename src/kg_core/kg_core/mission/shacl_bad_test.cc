@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/shacl/shapes.h"
 
 namespace kg_core {

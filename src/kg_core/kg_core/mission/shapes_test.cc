@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/mission/validator.h"
 
 namespace kg_core {

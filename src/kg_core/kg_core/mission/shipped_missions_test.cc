@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/fact_update.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
+#include "kg_core/mission/stage_update.h"
+#include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/mission/validator.h"
 
 namespace kg_core {

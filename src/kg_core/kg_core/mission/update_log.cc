@@ -10,8 +10,8 @@
 
 #include "kg_core/base/date_time.h"
 #include "kg_core/base/sha256.h"
-#include "kg_core/mission/fact_update.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/mission/stage_update.h"
 
 namespace kg_core {
 namespace {

@@ -1,4 +1,4 @@
-#include "kg_core/mission/vocabulary.h"
+#include "kg_core/facts/vocabulary.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,8 +8,9 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
-#include "kg_core/mission/class_tree.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/class_tree.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/mission/stage_vocabulary.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/rules/inference.h"
 

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "kg_core/mission/testing/endpoint_fixture.h"
 #include "kg_core/protocol/sparql_endpoint.h"
-#include "kg_core/protocol/test_endpoint.h"
 
 namespace kg_core {
 namespace {

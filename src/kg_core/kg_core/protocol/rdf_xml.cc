@@ -1,8 +1,7 @@
-#include "kg_core/protocol/rdf_xml.h"
-
 #include <cstddef>
 
 #include "kg_core/protocol/http.h"
+#include "kg_core/protocol/write_rdf_xml.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_core {

@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/fact_update.h"
+#include "kg_core/mission/stage_update.h"
 #include "kg_core/protocol/http.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_core/sparql/query_engine.h"

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/protocol/test_endpoint.h"
+#include "kg_core/mission/testing/endpoint_fixture.h"
 
 namespace kg_core {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/test_world.h"
+#include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/protocol/sparql_endpoint.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"

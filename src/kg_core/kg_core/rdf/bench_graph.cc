@@ -1,4 +1,4 @@
-#include "kg_core/rdf/bench_graph.h"
+#include "kg_core/rdf/testing/bench_graph.h"
 
 #include <algorithm>
 #include <cstdio>

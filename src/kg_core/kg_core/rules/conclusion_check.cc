@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/ingested_facts.h"
-#include "kg_core/mission/terms.h"
 
 namespace kg_core {
 namespace {

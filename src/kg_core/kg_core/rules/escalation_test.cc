@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
+#include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/mission/validator.h"
 #include "kg_core/rules/inference.h"
 #include "kg_core/sparql/query_engine.h"

@@ -6,8 +6,8 @@
 
 #include "absl/container/flat_hash_set.h"
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/vocabulary.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/facts/vocabulary.h"
 #include "kg_core/rules/conclusion_check.h"
 #include "kg_core/rules/rule.h"
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/literals.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/literals.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/rules/rule_analysis.h"
 #include "kg_core/sparql/algebra.h"
 #include "kg_core/sparql/parser.h"

@@ -1,4 +1,4 @@
-#include "kg_core/shacl/rdf_list.h"
+#include "kg_core/rdf/rdf_list.h"
 
 #include <set>
 

@@ -2,7 +2,7 @@
 // https://w3c.github.io/data-shapes/data-shapes-test-suite/
 
 #include "gtest/gtest.h"
-#include "kg_core/conformance/w3c_suite.h"
+#include "kg_core/conformance/testing/w3c_suite.h"
 
 namespace kg_core {
 namespace {

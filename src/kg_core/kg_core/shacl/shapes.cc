@@ -7,8 +7,8 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/rdf/namespaces.h"
+#include "kg_core/rdf/rdf_list.h"
 #include "kg_core/shacl/parameters.h"
-#include "kg_core/shacl/rdf_list.h"
 
 namespace kg_core::shacl {
 namespace {

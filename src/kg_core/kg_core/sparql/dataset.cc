@@ -1,10 +1,9 @@
-#include "kg_core/sparql/dataset.h"
-
 #include <algorithm>
 #include <vector>
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/rdf/namespaces.h"
+#include "kg_core/sparql/resolve_dataset.h"
 
 namespace kg_core::sparql {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "kg_core/sparql/brute_force_query.h"
+#include "kg_core/sparql/testing/brute_force_query.h"
 
 namespace kg_core::brute {
 

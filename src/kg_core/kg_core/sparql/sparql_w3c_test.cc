@@ -2,7 +2,7 @@
 // and result formats. https://www.w3.org/2009/sparql/docs/tests/
 
 #include "gtest/gtest.h"
-#include "kg_core/conformance/w3c_suite.h"
+#include "kg_core/conformance/testing/w3c_suite.h"
 
 namespace kg_core {
 namespace {

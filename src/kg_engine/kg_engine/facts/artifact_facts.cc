@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kg_core/base/units.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 #include "kg_engine/facts/fact_writer.h"
 #include "kg_engine/terms/plan_names.h"
 

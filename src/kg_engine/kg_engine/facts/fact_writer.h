@@ -13,8 +13,8 @@
 #include "kg_compiler/control_plane/edge_cost.h"
 #include "kg_core/base/date_time.h"
 #include "kg_core/base/units.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/geo/wkt.h"
-#include "kg_core/mission/terms.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_engine {

@@ -1,7 +1,7 @@
 #include "kg_engine/facts/nav_graph_facts.h"
 
 #include "kg_core/base/units.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 #include "kg_engine/facts/artifact_facts.h"
 #include "kg_engine/facts/fact_writer.h"
 #include "kg_engine/terms/artifact_names.h"

@@ -9,11 +9,12 @@
 #include "kg_core/base/clock.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/facts/update_log.h"
 #include "kg_core/mission/expiry.h"
 #include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/mission/stage_vocabulary.h"
 #include "kg_core/mission/validator.h"
-#include "kg_core/mission/vocabulary.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/watch/watch_facts.h"
 
@@ -178,7 +179,7 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
 
 Expired MissionServer::Expire() {
   const double now_s = fleet().time_s();
-  kg_core::Expiry expiry = kg_core::FindExpired(*Read(), now_s);
+  kg_core::ExpiredFacts expiry = kg_core::FindExpired(*Read(), now_s);
   Expired expired;
   expired.update = std::move(expiry.update);
   if (!expired.update.remove.empty()) expired.decision = Apply(expired.update);
@@ -189,10 +190,11 @@ Expired MissionServer::Expire() {
   return expired;
 }
 
-kg_core::Judgement MissionServer::Check(const kg_core::FactUpdate& update) {
+kg_core::UpdateJudgement MissionServer::Check(
+    const kg_core::FactUpdate& update) {
   Transaction transaction = store_->Begin();
   try {
-    kg_core::Judgement judgement =
+    kg_core::UpdateJudgement judgement =
         kg_core::StageUpdateWithFiles(update, files_, transaction).judgement;
     if (judgement.reasons.empty()) kg_core::ReadMission(transaction.view());
     return judgement;

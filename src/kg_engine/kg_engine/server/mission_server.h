@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_core/mission/fact_update.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/mission.h"
+#include "kg_core/mission/stage_update.h"
 #include "kg_core/rdf/store.h"
 #include "kg_core/watch/watch_list.h"
 #include "kg_engine/facts/artifact_facts.h"
@@ -60,7 +60,7 @@ class MissionServer {
   Decision Apply(const kg_core::FactUpdate& update);
   // What Apply would answer, without doing it; with the violations of shapes
   // that the update would cause.
-  kg_core::Judgement Check(const kg_core::FactUpdate& update);
+  kg_core::UpdateJudgement Check(const kg_core::FactUpdate& update);
 
   // Has mission time reached the end of some facts' lives? Takes them back, in
   // an update of its own (kg_core/mission/expiry.h).

@@ -8,8 +8,8 @@
 #include "gtest/gtest.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/temporary_folder.h"
+#include "kg_core/facts/vocabulary.h"
 #include "kg_core/mission/validator.h"
-#include "kg_core/mission/vocabulary.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_engine/planning/agent_planner.h"
@@ -135,7 +135,7 @@ TEST_F(MissionServerTest, CheckChangesNothing) {
 
 TEST_F(MissionServerTest, CheckTellsTheViolationsThatAnUpdateWouldCause) {
   MissionServer server(folders_);
-  const kg_core::Judgement judgement =
+  const kg_core::UpdateJudgement judgement =
       server.Check(Set("ex:w0", "ex:confidence", "1.2"));
   ASSERT_TRUE(judgement.violations);
   ASSERT_EQ(judgement.violations->size(), 1u);

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_engine/facts/fact_writer.h"
 #include "kg_engine/facts/nav_graph_facts.h"

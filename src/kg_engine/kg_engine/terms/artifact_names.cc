@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "kg_core/base/sha256.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 #include "kg_engine/terms/plan_names.h"
 
 namespace kg_engine {

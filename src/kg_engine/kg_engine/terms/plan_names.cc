@@ -1,6 +1,6 @@
 #include "kg_engine/terms/plan_names.h"
 
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_engine {

@@ -17,8 +17,8 @@
 #include <memory>
 #include <string>
 
-#include "kg_core/mission/fact_update.h"
 #include "kg_core/mission/ingest.h"
+#include "kg_core/mission/stage_update.h"
 #include "kg_engine/state/start_state.h"
 #include "kg_engine/what_if/edge_prices.h"
 #include "kg_engine/what_if/what_if_answer.h"
