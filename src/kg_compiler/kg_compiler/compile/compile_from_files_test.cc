@@ -15,10 +15,10 @@
 #include "kg_compiler/compile/mission_compiler.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/temporary_folder.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/vocabulary.h"
+#include "kg_core/mission/stage_vocabulary.h"
 #include "kg_core/raster/test_raster_file.h"
 
 namespace kg_compiler {

@@ -8,7 +8,7 @@
 #include "kg_core/base/text.h"
 #include "kg_core/conformance/test_case.h"
 #include "kg_core/rdf/namespaces.h"
-#include "kg_core/shacl/rdf_list.h"
+#include "kg_core/rdf/rdf_list.h"
 
 namespace kg_core {
 namespace conformance {
@@ -103,7 +103,7 @@ class Runner {
     std::vector<Term> nodes;
     for (const Term& value :
          documents.All(url, manifest, std::string(kMf) + property)) {
-      const auto list = shacl::ReadList(documents.view(), url, value);
+      const auto list = ReadList(documents.view(), url, value);
       if (!list && value.is_blank()) {
         throw InputError(PathOfUrl(url) + ": mf:" + property + " is no list");
       }

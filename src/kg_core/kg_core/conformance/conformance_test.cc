@@ -9,7 +9,7 @@
 #include "gtest/gtest.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/temporary_folder.h"
-#include "kg_core/conformance/rdf_xml.h"
+#include "kg_core/conformance/read_rdf_xml.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/isomorphism.h"
 

@@ -4,7 +4,7 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/text.h"
-#include "kg_core/conformance/rdf_xml.h"
+#include "kg_core/conformance/read_rdf_xml.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/syntax.h"
 

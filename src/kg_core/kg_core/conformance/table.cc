@@ -12,7 +12,7 @@ using Outcome = ConformanceTest::Outcome;
 using Tests = std::vector<ConformanceTest>;
 
 // In a cell of a table, in one line.
-std::string Cell(const std::string& text) {
+std::string FormatCell(const std::string& text) {
   std::string cell;
   for (const char c : text) {
     if (c == '|') cell += '\\';
@@ -26,9 +26,9 @@ std::string ResultOf(const ConformanceTest& test) {
     case Outcome::kPassed:
       return "passed";
     case Outcome::kFailed:
-      return "**failed**: " + Cell(test.message);
+      return "**failed**: " + FormatCell(test.message);
     case Outcome::kNotRun:
-      return "not run: " + Cell(test.message);
+      return "not run: " + FormatCell(test.message);
   }
   return "";
 }
@@ -53,7 +53,7 @@ std::string ConformanceTable(const Tests& tests) {
     text += "## " + group + "\n\n" + CountsOf(members) +
             "\n\n| test | kind | result |\n|---|---|---|\n";
     for (const ConformanceTest& test : members) {
-      text += "| " + Cell(test.name) + " | " + test.kind + " | " +
+      text += "| " + FormatCell(test.name) + " | " + test.kind + " | " +
               ResultOf(test) + " |\n";
     }
     text += "\n";

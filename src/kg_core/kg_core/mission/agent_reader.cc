@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "kg_core/base/units.h"
-#include "kg_core/mission/class_tree.h"
+#include "kg_core/facts/class_tree.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/policy_reader.h"
-#include "kg_core/mission/terms.h"
 #include "kg_core/rules/reasons.h"
 
 namespace kg_core {

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "kg_core/base/units.h"
+#include "kg_core/facts/literals.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/choice.h"
 #include "kg_core/mission/layer_reader.h"
-#include "kg_core/mission/literals.h"
-#include "kg_core/mission/terms.h"
 
 namespace kg_core {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "kg_core/base/date_time.h"
 #include "kg_core/base/units.h"
-#include "kg_core/mission/expiry.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/mission/validity.h"
 
 namespace kg_core {
 namespace {

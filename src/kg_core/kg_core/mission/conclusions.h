@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/vocabulary.h"
+#include "kg_core/facts/vocabulary.h"
 #include "kg_core/rdf/graph_view.h"
 
 namespace kg_core {

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/changed.h"
-#include "kg_core/mission/class_tree.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/changed_subjects.h"
+#include "kg_core/facts/class_tree.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/time_forms.h"
 
 namespace kg_core {

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/changed.h"
+#include "kg_core/facts/changed_subjects.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_core {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/literals.h"
+#include "kg_core/facts/literals.h"
 
 namespace kg_core {
 

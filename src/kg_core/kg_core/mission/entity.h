@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "kg_core/facts/terms.h"
 #include "kg_core/geo/wkt.h"
-#include "kg_core/mission/terms.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_core/rdf/term.h"
 

@@ -13,14 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/entity.h"
-#include "kg_core/mission/fact_update.h"
+#include "kg_core/facts/fact_update.h"
 #include "kg_core/rdf/graph_view.h"
 
 namespace kg_core {
-
-// When the facts about `entity` end, Unix seconds; infinity if never.
-double ValidUntil_s(const Entity& entity);
 
 // When the next fact in `view` expires after `after_s`; infinity if none.
 double NextExpiry_s(const GraphView& view, double after_s);

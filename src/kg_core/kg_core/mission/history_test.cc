@@ -1,4 +1,4 @@
-#include "kg_core/mission/history.h"
+#include "kg_core/facts/history.h"
 
 #include <map>
 #include <random>
@@ -6,8 +6,8 @@
 
 #include "gtest/gtest.h"
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/mission/testing/mission_world.h"
 
 namespace kg_core {
 namespace {
@@ -80,7 +80,7 @@ FactUpdate RandomUpdate(std::mt19937& random) {
 TEST(History, BringsBackTheFactsOfEveryVersion) {
   std::mt19937 random(7);
   for (int round = 0; round < 5; ++round) {
-    TestWorld world;
+    MissionWorld world;
     std::map<std::uint64_t, Lines> saved;
     saved[world.store.world_version()] = FactsOf(*world.store.Read());
     for (int i = 0; i < 40; ++i) {
@@ -115,7 +115,7 @@ TEST(History, BringsBackTheFactsOfEveryVersion) {
 }
 
 TEST(History, SaysWhoAndWhen) {
-  TestWorld world;
+  MissionWorld world;
   const std::uint64_t before = world.store.world_version();
   FactUpdate update;
   update.id = "u7";
@@ -144,7 +144,7 @@ TEST(History, SaysWhoAndWhen) {
 }
 
 TEST(History, RefusesAVersionThatIsYetToCome) {
-  TestWorld world;
+  MissionWorld world;
   const auto view = world.store.Read();
   EXPECT_THROW(FactsAt(*view, view->world_version() + 1), InputError);
   EXPECT_TRUE(DifferenceOf(*view, view->world_version(), view->world_version())

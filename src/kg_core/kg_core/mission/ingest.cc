@@ -6,10 +6,13 @@
 #include <utility>
 
 #include "kg_core/base/clock.h"
-#include "kg_core/base/date_time.h"
 #include "kg_core/base/input_error.h"
+#include "kg_core/facts/class_tree.h"
+#include "kg_core/facts/fact_writer.h"
+#include "kg_core/facts/literals.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/facts/vocabulary.h"
 #include "kg_core/geo/geodesy.h"
-#include "kg_core/mission/class_tree.h"
 #include "kg_core/mission/conclusions.h"
 #include "kg_core/mission/entity.h"
 #include "kg_core/mission/ingest_times.h"
@@ -17,17 +20,11 @@
 #include "kg_core/mission/layer_files.h"
 #include "kg_core/mission/layer_reader.h"
 #include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/mission/mission_rules.h"
 #include "kg_core/mission/validator.h"
-#include "kg_core/mission/vocabulary.h"
-#include "kg_core/rules/inference.h"
 
 namespace kg_core {
 namespace {
-
-Term TimeLiteral(double time_s) {
-  return Literal(FormatDateTime(time_s), std::string(kXsd) + "dateTime");
-}
 
 bool HasData(const Raster& raster) {
   const auto is_number = [](float value) { return std::isfinite(value); };
@@ -119,9 +116,6 @@ class SourceIngest {
   void Say(const Term& subject, const Term& property, const Term& object) {
     transaction_.Add({subject, property, object, Facts()});
   }
-  void SayProv(const Term& subject, const Term& property, const Term& object) {
-    transaction_.Add({subject, property, object, Iri(kProvGraph)});
-  }
 
   static void RequireData(const OceanFile& file) {
     for (const QuantitySeries& series : file.series) {
@@ -200,7 +194,7 @@ class SourceIngest {
     Say(layer, Ex("kind"), Literal(Kind()));
     Say(layer, Ex("timeIndex"), IntegerLiteral(steps.step));
     Say(layer, Iri(std::string(kSosa) + "resultTime"),
-        TimeLiteral(file.time_s.at(steps.step)));
+        DateTimeLiteral(file.time_s.at(steps.step)));
     std::string at = "@" + std::to_string(steps.step);
     if (steps.previous != steps.step) {
       Say(layer, Ex("previousTimeIndex"), IntegerLiteral(steps.previous));
@@ -219,17 +213,16 @@ class SourceIngest {
         name_.text.substr(name_.text.find_last_of("/#") + 1);
     const Term activity =
         Iri(kProvGraph + ("/ingest/v" + version + "/" + name));
-    SayProv(activity, RdfType(), Ex("Ingest"));
-    SayProv(activity, RdfType(), Prov("Activity"));
-    SayProv(activity, Prov("startedAtTime"), TimeLiteral(started_s_));
-    SayProv(activity, Prov("endedAtTime"), TimeLiteral(Now_s()));
-    SayProv(activity, Ex("worldVersion"), IntegerLiteral(number));
-    SayProv(activity, Prov("used"), name_);
-    SayProv(activity, Prov("used"), Part("file"));
+    FactWriter prov(Iri(kProvGraph));
+    prov.Activity(activity, "Ingest", started_s_, Now_s())
+        .Integer("worldVersion", number)
+        .Used(name_)
+        .Used(Part("file"));
     for (const Term& entity : generated_) {
-      SayProv(activity, Prov("generated"), entity);
-      SayProv(entity, Prov("wasGeneratedBy"), activity);
+      prov.About(activity).Add(Prov("generated"), entity);
+      prov.About(entity).Add(Prov("wasGeneratedBy"), activity);
     }
+    prov.AddTo(transaction_);
   }
 
   const Entity source_;
@@ -346,7 +339,7 @@ std::vector<std::string> StageIngest(FileCache& cache,
   DropIngestedFacts(transaction);
   try {
     std::vector<std::string> reasons = Ingest(cache, transaction).Run();
-    if (reasons.empty()) reasons = StageInferences(transaction);
+    if (reasons.empty()) reasons = StageMissionRules(transaction);
     if (reasons.empty()) reasons = Lines(ValidateChange(transaction));
     if (!reasons.empty()) return reasons;
     const GraphView& view = transaction.view();

@@ -36,8 +36,9 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/fact_update.h"
 #include "kg_core/mission/file_cache.h"
+#include "kg_core/mission/ingested_facts.h"
+#include "kg_core/mission/stage_update.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_core {
@@ -48,10 +49,6 @@ namespace kg_core {
 // shape, ...); empty = done.
 std::vector<std::string> StageIngest(FileCache& cache,
                                      Transaction& transaction);
-
-// Does the transaction change what an ingest would read (a data source, a
-// window's times, a raster that is in a file), so that StageIngest is due?
-bool IngestIsDue(const Transaction& transaction);
 
 // StageUpdate (fact_update.h), and StageIngest if that is due then: all that
 // can refuse an update but a mission that cannot be read.

@@ -15,10 +15,11 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/mission/ingested_facts.h"
 #include "kg_core/mission/layer_files.h"
 #include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
+#include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/mission/validator.h"
 
 namespace kg_core {
@@ -148,7 +149,7 @@ class IngestTest : public testing::Test {
   std::vector<std::string> Ingest(const std::string& turtle) {
     return IngestInto(&world_, turtle);
   }
-  std::vector<std::string> IngestInto(TestWorld* world,
+  std::vector<std::string> IngestInto(MissionWorld* world,
                                       const std::string& turtle) {
     Transaction transaction = world->store.Begin();
     FactUpdate update;
@@ -163,7 +164,7 @@ class IngestTest : public testing::Test {
   }
   std::string Refusal() { return Joined(Ingest(kSources)); }
 
-  TestWorld world_;
+  MissionWorld world_;
   std::string folder_;
 };
 
@@ -242,7 +243,7 @@ TEST_F(IngestTest, LoadsWhatItStated) {
 
 TEST_F(IngestTest, OtherKindsAreOfTheFieldItself) {
   for (const std::string kind : {"sst", "frontness"}) {
-    TestWorld world;
+    MissionWorld world;
     ASSERT_EQ(Joined(IngestInto(
                   &world, kSources + ("ex:sst ex:kind \"" + kind + "\" ."))),
               "");
@@ -499,7 +500,7 @@ TEST(ShippedIngestTest, MissionsIngestTheirData) {
   for (const auto& [name, file] : missions) {
     if (!fs::exists(file)) continue;
     ++count;
-    TestWorld world("");
+    MissionWorld world("");
     const std::string folder = "../../config/missions/" + name;
     Transaction transaction = world.store.Begin();
     ASSERT_EQ(Joined(StageFactsFile(folder + "/mission.ttl", transaction)), "");

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "kg_core/mission/ingest.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/layer_reader.h"
-#include "kg_core/mission/terms.h"
 
 namespace kg_core {
 namespace {

@@ -1,17 +1,17 @@
-#include "kg_core/mission/keys.h"
+#include "kg_core/facts/keys.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "kg_core/mission/test_world.h"
+#include "kg_core/mission/testing/mission_world.h"
 
 namespace kg_core {
 namespace {
 
-TestWorld& World() {
-  static TestWorld* const world =
-      new TestWorld(std::string(kTestFacts) + kTestArtifacts);
+MissionWorld& World() {
+  static MissionWorld* const world =
+      new MissionWorld(std::string(kTestFacts) + kTestArtifacts);
   return *world;
 }
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/raster/resample.h"
 
 namespace kg_core {

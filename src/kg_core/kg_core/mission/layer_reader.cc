@@ -1,7 +1,7 @@
 #include "kg_core/mission/layer_reader.h"
 
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/choice.h"
-#include "kg_core/mission/terms.h"
 
 namespace kg_core {
 namespace {

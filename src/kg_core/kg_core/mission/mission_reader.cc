@@ -6,15 +6,15 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/units.h"
+#include "kg_core/facts/class_tree.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/agent_reader.h"
 #include "kg_core/mission/area_reader.h"
 #include "kg_core/mission/calendar.h"
 #include "kg_core/mission/choice.h"
-#include "kg_core/mission/class_tree.h"
 #include "kg_core/mission/entity.h"
 #include "kg_core/mission/grid_check.h"
 #include "kg_core/mission/layer_reader.h"
-#include "kg_core/mission/terms.h"
 #include "kg_core/rules/facts_and_conclusions.h"
 
 namespace kg_core {

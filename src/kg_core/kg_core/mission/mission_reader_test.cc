@@ -6,15 +6,16 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/units.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/rdf/turtle.h"
 
 namespace kg_core {
 namespace {
 
 Mission ReadWith(const std::string& more = "") {
-  return ReadMission(*TestWorld(std::string(kTestFacts) + more).store.Read());
+  return ReadMission(
+      *MissionWorld(std::string(kTestFacts) + more).store.Read());
 }
 
 // What the reader says of facts that no shape has seen.
@@ -148,11 +149,11 @@ TEST(MissionReaderTest, OrderDoesNotDependOnTheOrderOfTheFacts) {
   const Mission a = ReadWith(
       "ex:a1 a ex:PriorLayer ; ex:name \"a\" ; "
       "geo:asWKT \"POLYGON((0 0, 1 0, 1 1, 0 0))\" .");
-  const Mission b =
-      ReadMission(*TestWorld("ex:a1 a ex:PriorLayer ; ex:name \"a\" ; "
-                             "geo:asWKT \"POLYGON((0 0, 1 0, 1 1, 0 0))\" ." +
-                             std::string(kTestFacts))
-                       .store.Read());
+  const Mission b = ReadMission(
+      *MissionWorld("ex:a1 a ex:PriorLayer ; ex:name \"a\" ; "
+                    "geo:asWKT \"POLYGON((0 0, 1 0, 1 1, 0 0))\" ." +
+                    std::string(kTestFacts))
+           .store.Read());
   ASSERT_EQ(a.priors.size(), 2u);
   EXPECT_EQ(a.priors[0].iri, b.priors[0].iri);
   EXPECT_EQ(a.priors[0].iri, Ex("a1").text);

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/class_tree.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
-#include "kg_core/mission/vocabulary.h"
+#include "kg_core/facts/class_tree.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/facts/vocabulary.h"
+#include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/shacl/shapes.h"
 
@@ -91,7 +91,7 @@ std::vector<Term> PropertiesOf(const std::optional<shacl::Path>& path) {
 
 class OntologyTest : public testing::Test {
  protected:
-  TestWorld world_{""};
+  MissionWorld world_{""};
   const std::shared_ptr<const GraphView> view_ = world_.store.Read();
 
   bool Says(const Term& subject, const Term& property) const {

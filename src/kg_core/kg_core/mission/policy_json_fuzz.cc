@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/fact_update.h"
 #include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/test_world.h"
+#include "kg_core/mission/stage_update.h"
+#include "kg_core/mission/testing/mission_world.h"
 
 namespace kg_core {
 namespace {
 
 void SetJson(const char* property, const std::string& json) {
-  static TestWorld world;
+  static MissionWorld world;
   Transaction change = world.store.Begin();
   FactUpdate update;
   update.set = {{"ex:fast", property, ToTurtle(Literal(json))}};

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "kg_core/base/units.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/choice.h"
-#include "kg_core/mission/terms.h"
 
 namespace kg_core {
 namespace {

@@ -9,12 +9,13 @@
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
 #include "kg_core/base/temporary_folder.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/expiry.h"
 #include "kg_core/mission/ingest.h"
+#include "kg_core/mission/ingested_facts.h"
 #include "kg_core/mission/layer_files.h"
 #include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
+#include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/mission/validator.h"
 #include "kg_core/raster/test_raster_file.h"
 
@@ -94,7 +95,7 @@ class RasterIngestTest : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  TestWorld world_;
+  MissionWorld world_;
 };
 
 const PriorLayer& Reefs(const Mission& mission) {

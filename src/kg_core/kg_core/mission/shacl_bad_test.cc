@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/test_world.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/shacl/shapes.h"
 
 namespace kg_core {
@@ -111,7 +111,7 @@ std::string AllFacts() { return std::string(kTestFacts) + kTestArtifacts; }
 class ShaclBadTest : public testing::TestWithParam<BadFile> {
  protected:
   static Judgement Judge(const FactUpdate& update) {
-    static TestWorld* const world = new TestWorld(AllFacts());
+    static MissionWorld* const world = new MissionWorld(AllFacts());
     Transaction transaction = world->store.Begin();
     return JudgeUpdate(update, transaction);
   }
@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(Files, ShaclBadTest, testing::ValuesIn(BadFiles()),
 
 // Every shape with a target, and every property of it.
 TEST(ShaclBadFilesTest, ThereIsOneForEveryShapeAndProperty) {
-  TestWorld world("");
+  MissionWorld world("");
   std::set<std::pair<std::string, std::string>> tried;
   for (const BadFile& file : BadFiles()) tried.insert({file.shape, file.path});
   const auto shapes = shacl::LoadShapes(*world.store.Read(), kVocabGraph);

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/facts/changed_subjects.h"
+#include "kg_core/facts/literals.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/geo/wkt.h"
-#include "kg_core/mission/changed.h"
-#include "kg_core/mission/literals.h"
-#include "kg_core/mission/terms.h"
 
 namespace kg_core {
 namespace {

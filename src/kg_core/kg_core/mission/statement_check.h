@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/vocabulary.h"
+#include "kg_core/facts/vocabulary.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_core {

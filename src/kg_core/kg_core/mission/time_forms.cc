@@ -8,9 +8,9 @@
 
 #include "kg_core/base/date_time.h"
 #include "kg_core/base/units.h"
-#include "kg_core/mission/changed.h"
-#include "kg_core/mission/literals.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/changed_subjects.h"
+#include "kg_core/facts/literals.h"
+#include "kg_core/facts/terms.h"
 
 namespace kg_core {
 namespace {

@@ -17,7 +17,7 @@
 #ifndef KG_CORE_MISSION_TIME_FORMS_H_
 #define KG_CORE_MISSION_TIME_FORMS_H_
 
-#include "kg_core/mission/changed.h"
+#include "kg_core/facts/changed_subjects.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_core {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/rdf/store.h"
 #include "kg_core/rdf/turtle.h"
 

@@ -1,6 +1,6 @@
 #include "kg_core/protocol/formats.h"
 
-#include "kg_core/protocol/rdf_xml.h"
+#include "kg_core/protocol/write_rdf_xml.h"
 #include "kg_core/rdf/term.h"
 #include "kg_core/sparql/results.h"
 

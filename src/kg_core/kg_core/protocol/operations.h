@@ -5,8 +5,8 @@
 #ifndef KG_CORE_PROTOCOL_OPERATIONS_H_
 #define KG_CORE_PROTOCOL_OPERATIONS_H_
 
+#include "kg_core/protocol/endpoint_store.h"
 #include "kg_core/protocol/http.h"
-#include "kg_core/protocol/sparql_endpoint.h"
 
 namespace kg_core::protocol {
 

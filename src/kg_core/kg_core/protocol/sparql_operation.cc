@@ -8,8 +8,9 @@
 #include "kg_core/base/text.h"
 #include "kg_core/protocol/formats.h"
 #include "kg_core/protocol/operations.h"
-#include "kg_core/sparql/dataset.h"
 #include "kg_core/sparql/parser.h"
+#include "kg_core/sparql/query_engine.h"
+#include "kg_core/sparql/resolve_dataset.h"
 
 namespace kg_core::protocol {
 namespace {

@@ -29,9 +29,9 @@
 
 #include "kg_core/base/temporary_folder.h"
 #include "kg_core/base/text.h"
-#include "kg_core/rdf/bench_graph.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/store.h"
+#include "kg_core/rdf/testing/bench_graph.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/shacl/changes.h"
 #include "kg_core/shacl/shapes.h"

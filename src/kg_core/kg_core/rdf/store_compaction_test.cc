@@ -6,7 +6,7 @@
 #include "gtest/gtest.h"
 #include "kg_core/base/temporary_folder.h"
 #include "kg_core/rdf/sqlite.h"
-#include "kg_core/rdf/store_model.h"
+#include "kg_core/rdf/testing/store_model.h"
 
 namespace kg_core {
 namespace {

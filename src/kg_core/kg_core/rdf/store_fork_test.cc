@@ -11,7 +11,7 @@
 #include "gtest/gtest.h"
 #include "kg_core/base/temporary_folder.h"
 #include "kg_core/rdf/quad_index.h"
-#include "kg_core/rdf/store_model.h"
+#include "kg_core/rdf/testing/store_model.h"
 
 namespace kg_core {
 namespace {

@@ -9,7 +9,7 @@
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/temporary_folder.h"
 #include "kg_core/rdf/namespaces.h"
-#include "kg_core/rdf/store_model.h"
+#include "kg_core/rdf/testing/store_model.h"
 #include "kg_core/rdf/turtle.h"
 
 namespace kg_core {

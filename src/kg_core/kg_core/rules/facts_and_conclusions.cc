@@ -1,6 +1,6 @@
 #include "kg_core/rules/facts_and_conclusions.h"
 
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/rules/reasons.h"
 
 namespace kg_core {

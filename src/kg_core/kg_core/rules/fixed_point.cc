@@ -8,13 +8,13 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/rules/rule_world.h"
 #include "kg_core/rules/strata.h"
 #include "kg_core/sparql/budget.h"
 #include "kg_core/sparql/construct.h"
-#include "kg_core/sparql/dataset.h"
 #include "kg_core/sparql/evaluator.h"
+#include "kg_core/sparql/resolve_dataset.h"
 #include "kg_core/sparql/term_table.h"
 
 namespace kg_core {

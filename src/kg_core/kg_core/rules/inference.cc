@@ -6,9 +6,8 @@
 
 #include "absl/container/flat_hash_set.h"
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/vocabulary.h"
-#include "kg_core/rules/conclusion_check.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/facts/vocabulary.h"
 #include "kg_core/rules/rule.h"
 
 namespace kg_core {
@@ -20,7 +19,7 @@ bool IsWorld(const Statement& statement) {
 }
 
 // What a transaction changed in facts and vocabulary.
-std::vector<Statement> ChangesOf(const Transaction& transaction) {
+std::vector<Statement> CollectWorldChanges(const Transaction& transaction) {
   std::vector<Statement> changes;
   for (auto& statements : {transaction.added(), transaction.removed()}) {
     std::copy_if(statements.begin(), statements.end(),
@@ -110,8 +109,8 @@ std::size_t CountStatements(const std::vector<Inference>& inferences) {
   return count;
 }
 
-void Infer(const std::vector<Rule>& rules, const InferenceLimits& limits,
-           Transaction& transaction) {
+void Infer(const std::vector<Rule>& rules, ForbiddenTerm forbidden,
+           const InferenceLimits& limits, Transaction& transaction) {
   const std::vector<Inference> inferences =
       RunRules(rules, transaction.view(), limits);
   if (CountStatements(inferences) > limits.statements) {
@@ -120,20 +119,23 @@ void Infer(const std::vector<Rule>& rules, const InferenceLimits& limits,
         "the limit of " +
         std::to_string(limits.statements));
   }
-  for (const Inference& inference : inferences) CheckConclusion(inference);
+  for (const Inference& inference : inferences)
+    CheckConclusion(inference, forbidden);
   Writer(transaction).Write(inferences);
 }
 
 }  // namespace
 
 std::vector<std::string> StageInferences(Transaction& transaction,
+                                         ForbiddenTerm forbidden,
                                          const InferenceLimits& limits) {
-  const std::vector<Statement> changes = ChangesOf(transaction);
+  const std::vector<Statement> changes = CollectWorldChanges(transaction);
   if (changes.empty()) return {};
   std::vector<std::string> reasons;
   const std::vector<Rule> rules = LoadRules(transaction.view(), &reasons);
   const bool others = ChangesRules(changes);
-  if (others) CheckWritten(rules, Vocabulary(transaction.view()), &reasons);
+  if (others)
+    CheckWritten(rules, Vocabulary(transaction.view()), forbidden, &reasons);
   if (!reasons.empty()) return reasons;
   const bool is_due =
       others || std::any_of(rules.begin(), rules.end(), [&](const Rule& rule) {
@@ -141,7 +143,7 @@ std::vector<std::string> StageInferences(Transaction& transaction,
       });
   if (!is_due) return {};
   try {
-    Infer(rules, limits, transaction);
+    Infer(rules, forbidden, limits, transaction);
   } catch (const InputError& error) {
     return {error.what()};
   }

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "kg_core/rules/facts_and_conclusions.h"
-#include "kg_core/rules/rule_store.h"
+#include "kg_core/rules/testing/rule_store.h"
 
 namespace kg_core {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "kg_core/base/sha256.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 
 namespace kg_core {
 namespace {

@@ -19,7 +19,7 @@
 
 #include "kg_core/rdf/graph_view.h"
 #include "kg_core/rdf/store.h"
-#include "kg_core/sparql/query_engine.h"
+#include "kg_core/sparql/query_result.h"
 
 namespace kg_core {
 

@@ -5,19 +5,15 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/literals.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/literals.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/rules/rule_analysis.h"
 #include "kg_core/sparql/algebra.h"
+#include "kg_core/sparql/limits.h"
 #include "kg_core/sparql/parser.h"
-#include "kg_core/sparql/query_engine.h"
 
 namespace kg_core {
 namespace {
-
-bool Agree(const std::optional<Term>& a, const std::optional<Term>& b) {
-  return !a || !b || *a == *b;
-}
 
 // Rules keep no order of solutions, and conclude every triple once.
 void DropOrder(sparql::Pattern* pattern);
@@ -68,20 +64,6 @@ bool IsEnabled(const GraphView& view, const Term& rule) {
 }
 
 }  // namespace
-
-bool Includes(const TripleKind& kind, const Statement& statement) {
-  if (kind.predicate && *kind.predicate != statement.predicate) return false;
-  return !kind.type || *kind.type == statement.object;
-}
-
-bool Overlap(const TripleKind& a, const TripleKind& b) {
-  return Agree(a.predicate, b.predicate) && Agree(a.type, b.type);
-}
-
-std::string ToString(const TripleKind& kind) {
-  if (kind.type) return "a " + ToTurtle(*kind.type);
-  return kind.predicate ? ToTurtle(*kind.predicate) : "any property";
-}
 
 Rule ParseRule(const Term& iri, const std::string& construct) {
   try {

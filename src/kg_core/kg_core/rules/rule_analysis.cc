@@ -3,7 +3,7 @@
 #include <string>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 
 namespace kg_core {
 namespace {

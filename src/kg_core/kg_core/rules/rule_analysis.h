@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "kg_core/rules/rule.h"
+#include "kg_core/rules/triple_kind.h"
 #include "kg_core/sparql/query.h"
 
 namespace kg_core {

@@ -5,13 +5,13 @@
 #include <string_view>
 #include <utility>
 
+#include "kg_core/facts/terms.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/shacl/validation.h"
 
 namespace kg_core::shacl {
 namespace {
 
-Term RdfType() { return Iri(std::string(kRdf) + "type"); }
 Term SubClassOf() { return Iri(std::string(kRdfs) + "subClassOf"); }
 
 // A step that validation takes from each node that `prefix` reaches.

@@ -21,7 +21,7 @@
 
 #include "kg_core/rdf/store.h"
 #include "kg_core/shacl/data_graph.h"
-#include "kg_core/shacl/shapes.h"
+#include "kg_core/shacl/shape.h"
 #include "kg_core/shacl/violation.h"
 
 namespace kg_core::shacl {

@@ -12,6 +12,7 @@
 
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
+#include "kg_core/shacl/shapes.h"
 #include "kg_core/shacl/validation.h"
 
 namespace kg_core::shacl {

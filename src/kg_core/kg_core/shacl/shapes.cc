@@ -6,18 +6,18 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/rdf/namespaces.h"
+#include "kg_core/rdf/rdf_list.h"
+#include "kg_core/shacl/components.h"
 #include "kg_core/shacl/parameters.h"
-#include "kg_core/shacl/rdf_list.h"
 
 namespace kg_core::shacl {
 namespace {
 
-constexpr int kDeepestNesting = 64;
+constexpr int kMaxShapeNesting = 64;
 
 Term Sh(std::string_view local) { return Iri(kSh + std::string(local)); }
-Term RdfType() { return Iri(std::string(kRdf) + "type"); }
-
 // Properties of a shape that constrain nothing, or that are read elsewhere.
 constexpr std::string_view kOtherProperties[] = {
     "path",
@@ -272,7 +272,7 @@ class Loader {
     if (!open_.insert(id).second) {
       RefuseShape(shape, "it refers to itself; recursion is not available");
     }
-    if (open_.size() > kDeepestNesting) {
+    if (open_.size() > kMaxShapeNesting) {
       RefuseShape(shape, "shapes are nested too deeply");
     }
     LoadPath(shape);
@@ -354,12 +354,6 @@ class Loader {
 
 ShapeGraph LoadShapes(const GraphView& view, const std::string& graph) {
   return Loader(view, graph).Load();
-}
-
-bool RefersToShapes(ParameterKind kind) {
-  return kind == ParameterKind::kShape || kind == ParameterKind::kShapeList ||
-         kind == ParameterKind::kPropertyShape ||
-         kind == ParameterKind::kQualified;
 }
 
 }  // namespace kg_core::shacl

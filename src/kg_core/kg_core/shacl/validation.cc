@@ -4,12 +4,11 @@
 #include <string>
 #include <utility>
 
+#include "kg_core/facts/terms.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_core::shacl {
 namespace {
-
-Term RdfType() { return Iri(std::string(kRdf) + "type"); }
 
 using Place = TermId Quad::*;
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "kg_core/shacl/data_graph.h"
-#include "kg_core/shacl/shapes.h"
+#include "kg_core/shacl/shape.h"
 #include "kg_core/shacl/violation.h"
 #include "kg_core/sparql/regex.h"
 

@@ -4,7 +4,7 @@
 
 namespace kg_core::sparql {
 
-using Kind = Aggregate::Kind;
+using AggregateKind = Aggregate::Kind;
 
 void Accumulator::AddRow(const Row& row) {
   if (aggregate_->distinct) {
@@ -27,26 +27,26 @@ void Accumulator::Add(TermId value) {
   ++count_;
   const Term& term = terms_->Get(value);
   switch (aggregate_->kind) {
-    case Kind::kCount:
+    case AggregateKind::kCount:
       break;
-    case Kind::kSum:
-    case Kind::kAvg:
+    case AggregateKind::kSum:
+    case AggregateKind::kAvg:
       AddNumber(term);
       break;
-    case Kind::kMin:
+    case AggregateKind::kMin:
       if (best_ == kNoTerm || OrderOf(&term, &terms_->Get(best_)) < 0) {
         best_ = value;
       }
       break;
-    case Kind::kMax:
+    case AggregateKind::kMax:
       if (best_ == kNoTerm || OrderOf(&term, &terms_->Get(best_)) > 0) {
         best_ = value;
       }
       break;
-    case Kind::kSample:
+    case AggregateKind::kSample:
       if (best_ == kNoTerm) best_ = value;
       break;
-    case Kind::kGroupConcat:
+    case AggregateKind::kGroupConcat:
       AddText(term);
       break;
   }
@@ -72,12 +72,12 @@ void Accumulator::AddText(const Term& term) {
 std::optional<Term> Accumulator::Result() const {
   const Number number = sum_.value_or(Number());
   switch (aggregate_->kind) {
-    case Kind::kCount:
+    case AggregateKind::kCount:
       return IntegerLiteral(static_cast<long long>(count_));
-    case Kind::kSum:
+    case AggregateKind::kSum:
       if (error_) return std::nullopt;
       return ToTerm(number);
-    case Kind::kAvg: {
+    case AggregateKind::kAvg: {
       if (error_) return std::nullopt;
       if (count_ == 0) return IntegerLiteral(0);
       Number count;
@@ -87,12 +87,12 @@ std::optional<Term> Accumulator::Result() const {
       if (!average) return std::nullopt;
       return ToTerm(*average);
     }
-    case Kind::kMin:
-    case Kind::kMax:
-    case Kind::kSample:
+    case AggregateKind::kMin:
+    case AggregateKind::kMax:
+    case AggregateKind::kSample:
       if (best_ == kNoTerm) return std::nullopt;
       return terms_->Get(best_);
-    case Kind::kGroupConcat:
+    case AggregateKind::kGroupConcat:
       return Literal(text_);
   }
   return std::nullopt;

@@ -7,7 +7,7 @@
 namespace kg_core::sparql {
 namespace {
 
-using Kind = Pattern::Kind;
+using PatternKind = Pattern::Kind;
 
 void InsertNode(const Node& node, VariableSet* set) {
   if (node.is_variable && node.index != kNone) set->Insert(node.index);
@@ -94,30 +94,30 @@ VariableSet CertainColumns(const Select& select) {
 VariableSet CertainVariables(const Pattern& pattern) {
   VariableSet certain;
   switch (pattern.kind) {
-    case Kind::kBasic:
+    case PatternKind::kBasic:
       return TripleVariables(pattern);
-    case Kind::kValues:
+    case PatternKind::kValues:
       return CertainValues(pattern);
-    case Kind::kSelect:
+    case PatternKind::kSelect:
       return CertainColumns(*pattern.select);
-    case Kind::kUnion:
+    case PatternKind::kUnion:
       certain = pattern.parts[0].certain;
       for (const Pattern& part : pattern.parts) {
         certain = certain.And(part.certain);
       }
       return certain;
-    case Kind::kJoin:
+    case PatternKind::kJoin:
       certain = pattern.parts[0].certain;
       certain.InsertAll(pattern.parts[1].certain);
       return certain;
-    case Kind::kGraph:
+    case PatternKind::kGraph:
       certain = pattern.parts[0].certain;
       InsertNode(pattern.graph, &certain);
       return certain;
-    case Kind::kLeftJoin:
-    case Kind::kMinus:
-    case Kind::kFilter:
-    case Kind::kExtend:
+    case PatternKind::kLeftJoin:
+    case PatternKind::kMinus:
+    case PatternKind::kFilter:
+    case PatternKind::kExtend:
       break;
   }
   return pattern.parts[0].certain;
@@ -125,11 +125,11 @@ VariableSet CertainVariables(const Pattern& pattern) {
 
 VariableSet PossibleVariables(const Pattern& pattern) {
   VariableSet possible;
-  if (pattern.kind == Kind::kBasic) return TripleVariables(pattern);
-  if (pattern.kind == Kind::kSelect) return VisibleVariables(pattern);
+  if (pattern.kind == PatternKind::kBasic) return TripleVariables(pattern);
+  if (pattern.kind == PatternKind::kSelect) return VisibleVariables(pattern);
   for (const Pattern& part : pattern.parts) {
     possible.InsertAll(part.possible);
-    if (pattern.kind == Kind::kMinus) break;
+    if (pattern.kind == PatternKind::kMinus) break;
   }
   InsertNode(pattern.graph, &possible);
   if (pattern.variable != kNone) possible.Insert(pattern.variable);
@@ -147,7 +147,7 @@ void AnalyseExists(Expression* expression) {
 void Analyse(Pattern* pattern) {
   for (Pattern& part : pattern->parts) Analyse(&part);
   for (Expression& filter : pattern->filters) AnalyseExists(&filter);
-  if (pattern->kind == Kind::kSelect) {
+  if (pattern->kind == PatternKind::kSelect) {
     Analyse(&pattern->select->where);
     ForEachExpression(pattern->select.get(), AnalyseExists);
   }
@@ -162,24 +162,24 @@ bool Push(Expression* filter, Pattern* pattern) {
     return variables.IsSubsetOf(part->certain) && Push(filter, part);
   };
   switch (pattern->kind) {
-    case Kind::kBasic:
-    case Kind::kFilter:
+    case PatternKind::kBasic:
+    case PatternKind::kFilter:
       if (!variables.IsSubsetOf(pattern->certain)) return false;
-      if (pattern->kind == Kind::kFilter && into(&pattern->parts[0])) {
+      if (pattern->kind == PatternKind::kFilter && into(&pattern->parts[0])) {
         return true;
       }
       pattern->filters.push_back(std::move(*filter));
       return true;
-    case Kind::kJoin:
+    case PatternKind::kJoin:
       return into(&pattern->parts[0]) || into(&pattern->parts[1]);
-    case Kind::kLeftJoin:
-    case Kind::kMinus:
-    case Kind::kGraph:
-    case Kind::kExtend:
+    case PatternKind::kLeftJoin:
+    case PatternKind::kMinus:
+    case PatternKind::kGraph:
+    case PatternKind::kExtend:
       return into(&pattern->parts[0]);
-    case Kind::kUnion:
-    case Kind::kValues:
-    case Kind::kSelect:
+    case PatternKind::kUnion:
+    case PatternKind::kValues:
+    case PatternKind::kSelect:
       break;
   }
   return false;
@@ -198,11 +198,12 @@ void SplitConjunction(Expression expression, std::vector<Expression>* out) {
 
 void PushFilters(Pattern* pattern) {
   for (Pattern& part : pattern->parts) PushFilters(&part);
-  if (pattern->kind == Kind::kSelect) PushFilters(&pattern->select->where);
+  if (pattern->kind == PatternKind::kSelect)
+    PushFilters(&pattern->select->where);
   for (Expression& filter : pattern->filters) {
     ForEachExists(&filter, [](Pattern* inner) { PushFilters(inner); });
   }
-  if (pattern->kind != Kind::kFilter) return;
+  if (pattern->kind != PatternKind::kFilter) return;
   std::vector<Expression> conjuncts;
   for (Expression& filter : pattern->filters) {
     SplitConjunction(std::move(filter), &conjuncts);
@@ -219,23 +220,23 @@ void PushFilters(Pattern* pattern) {
 bool SafeToSeed(const Pattern& pattern, const VariableSet& seeds) {
   VariableSet seen;  // What it looks at without binding it itself.
   switch (pattern.kind) {
-    case Kind::kBasic:
-    case Kind::kValues:
-    case Kind::kJoin:   // Its parts are marked one by one,
-    case Kind::kUnion:  // and so are these.
-    case Kind::kGraph:
+    case PatternKind::kBasic:
+    case PatternKind::kValues:
+    case PatternKind::kJoin:   // Its parts are marked one by one,
+    case PatternKind::kUnion:  // and so are these.
+    case PatternKind::kGraph:
       return true;
-    case Kind::kSelect:
+    case PatternKind::kSelect:
       return false;
-    case Kind::kExtend:
+    case PatternKind::kExtend:
       if (seeds.Contains(pattern.variable)) return false;
       seen = VariablesOfAll(pattern.filters);
       break;
-    case Kind::kFilter:
+    case PatternKind::kFilter:
       seen = VariablesOfAll(pattern.filters);
       break;
-    case Kind::kLeftJoin:
-    case Kind::kMinus:
+    case PatternKind::kLeftJoin:
+    case PatternKind::kMinus:
       seen = VariablesOfAll(pattern.filters);
       seen.InsertAll(MentionedVariables(pattern.parts[1]));
       break;
@@ -279,7 +280,7 @@ void MarkRight(Pattern* right, const Seeding& seeding) {
   Mark(right, seeding);
   const bool shares = !right->possible.And(seeding.seeds).Members().empty();
   const bool cheap =
-      right->kind == Kind::kBasic || right->kind == Kind::kValues;
+      right->kind == PatternKind::kBasic || right->kind == PatternKind::kValues;
   if (!shares && !cheap && !seeding.substitute && !right->materialise) {
     Mark(right, {});
     right->materialise = true;
@@ -289,36 +290,36 @@ void MarkRight(Pattern* right, const Seeding& seeding) {
 // Sets `materialise`; see the header.
 void Mark(Pattern* pattern, Seeding seeding) {
   pattern->materialise =
-      pattern->kind == Kind::kSelect ||
+      pattern->kind == PatternKind::kSelect ||
       (!seeding.substitute && !SafeToSeed(*pattern, seeding.seeds));
   if (pattern->materialise) seeding = {};
   Seeding inner = seeding;
   switch (pattern->kind) {
-    case Kind::kBasic:
-    case Kind::kValues:
+    case PatternKind::kBasic:
+    case PatternKind::kValues:
       break;
-    case Kind::kSelect:
+    case PatternKind::kSelect:
       MarkSelect(pattern->select.get());
       break;
-    case Kind::kJoin:
-    case Kind::kLeftJoin:
+    case PatternKind::kJoin:
+    case PatternKind::kLeftJoin:
       Mark(&pattern->parts[0], seeding);
       inner.seeds.InsertAll(pattern->parts[0].possible);
       MarkRight(&pattern->parts[1], inner);
       break;
-    case Kind::kMinus:
+    case PatternKind::kMinus:
       Mark(&pattern->parts[0], seeding);
       Mark(&pattern->parts[1], {});
       break;
-    case Kind::kUnion:
+    case PatternKind::kUnion:
       for (Pattern& part : pattern->parts) Mark(&part, seeding);
       break;
-    case Kind::kGraph:
+    case PatternKind::kGraph:
       InsertNode(pattern->graph, &inner.seeds);
       Mark(&pattern->parts[0], inner);
       break;
-    case Kind::kFilter:
-    case Kind::kExtend:
+    case PatternKind::kFilter:
+    case PatternKind::kExtend:
       Mark(&pattern->parts[0], seeding);
       break;
   }
@@ -330,11 +331,12 @@ void Mark(Pattern* pattern, Seeding seeding) {
 // VALUES first: it is small, and its values lead into the indices.
 void MoveValues(Pattern* pattern) {
   for (Pattern& part : pattern->parts) MoveValues(&part);
-  if (pattern->kind == Kind::kSelect) MoveValues(&pattern->select->where);
-  if (pattern->kind != Kind::kJoin) return;
+  if (pattern->kind == PatternKind::kSelect)
+    MoveValues(&pattern->select->where);
+  if (pattern->kind != PatternKind::kJoin) return;
   Pattern& left = pattern->parts[0];
   Pattern& right = pattern->parts[1];
-  if (right.kind == Kind::kValues && SafeToSeed(left, right.possible)) {
+  if (right.kind == PatternKind::kValues && SafeToSeed(left, right.possible)) {
     std::swap(left, right);
   }
 }
@@ -357,8 +359,8 @@ VariableSet VariablesOf(const Expression& expression) {
 
 VariableSet VisibleVariables(const Pattern& pattern) {
   VariableSet set;
-  if (pattern.kind == Kind::kBasic) return TripleVariables(pattern);
-  if (pattern.kind == Kind::kSelect) {
+  if (pattern.kind == PatternKind::kBasic) return TripleVariables(pattern);
+  if (pattern.kind == PatternKind::kSelect) {
     for (const Column& column : pattern.select->columns) {
       set.Insert(column.variable);
     }
@@ -366,7 +368,7 @@ VariableSet VisibleVariables(const Pattern& pattern) {
   }
   for (const Pattern& part : pattern.parts) {
     set.InsertAll(VisibleVariables(part));
-    if (pattern.kind == Kind::kMinus) break;
+    if (pattern.kind == PatternKind::kMinus) break;
   }
   InsertNode(pattern.graph, &set);
   if (pattern.variable != kNone) set.Insert(pattern.variable);
@@ -376,7 +378,7 @@ VariableSet VisibleVariables(const Pattern& pattern) {
 
 VariableSet MentionedVariables(const Pattern& pattern) {
   VariableSet set = VisibleVariables(pattern);
-  if (pattern.kind == Kind::kSelect) return set;
+  if (pattern.kind == PatternKind::kSelect) return set;
   set.InsertAll(VariablesOfAll(pattern.filters));
   for (const Pattern& part : pattern.parts) {
     set.InsertAll(MentionedVariables(part));

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cstddef>
 
-#include "kg_core/sparql/query_engine.h"
+#include "kg_core/sparql/limits.h"
 
 namespace kg_core::sparql {
 

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "kg_core/rdf/namespaces.h"
-#include "kg_core/sparql/date_time.h"
 #include "kg_core/sparql/functions.h"
 #include "kg_core/sparql/values.h"
+#include "kg_core/sparql/xsd_date_time.h"
 
 namespace kg_core::sparql {
 namespace {

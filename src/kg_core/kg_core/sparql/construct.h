@@ -9,7 +9,7 @@
 #include "absl/functional/function_ref.h"
 #include "kg_core/sparql/evaluator.h"
 #include "kg_core/sparql/query.h"
-#include "kg_core/sparql/query_engine.h"
+#include "kg_core/sparql/query_result.h"
 #include "kg_core/sparql/term_table.h"
 
 namespace kg_core::sparql {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "kg_core/rdf/namespaces.h"
-#include "kg_core/sparql/date_time.h"
 #include "kg_core/sparql/values.h"
+#include "kg_core/sparql/xsd_date_time.h"
 
 namespace kg_core::sparql {
 namespace {

@@ -67,7 +67,7 @@ Answer Within(FunctionContext& context, const Arguments& arguments) {
   return BooleanLiteral(pair.a->Within(*pair.b));
 }
 
-Answer Contains(FunctionContext& context, const Arguments& arguments) {
+Answer GeometryContains(FunctionContext& context, const Arguments& arguments) {
   const Pair pair = GeometriesOf(context, arguments);
   if (!pair) return std::nullopt;
   return BooleanLiteral(pair.b->Within(*pair.a));
@@ -94,7 +94,7 @@ std::vector<Function> GeoFunctions() {
   return {{geof + "sfIntersects", 2, 2, Intersects},
           {geof + "sfDisjoint", 2, 2, Disjoint},
           {geof + "sfWithin", 2, 2, Within},
-          {geof + "sfContains", 2, 2, Contains},
+          {geof + "sfContains", 2, 2, GeometryContains},
           {geof + "distance", 3, 3, Distance}};
 }
 

@@ -7,13 +7,13 @@
 namespace kg_core::sparql {
 namespace {
 
-using Kind = Pattern::Kind;
+using PatternKind = Pattern::Kind;
 
 // A triple pattern that every solution of `pattern` must match, if there is one
 // that is easy to see.
 const TriplePattern* Anchor(const Pattern& pattern) {
   switch (pattern.kind) {
-    case Kind::kBasic:
+    case PatternKind::kBasic:
       for (const TriplePattern& triple : pattern.triples) {
         const bool constant = !triple.subject.is_variable ||
                               !triple.object.is_variable ||
@@ -21,16 +21,16 @@ const TriplePattern* Anchor(const Pattern& pattern) {
         if (!triple.path && constant) return &triple;
       }
       return nullptr;
-    case Kind::kJoin:
-    case Kind::kLeftJoin:
-    case Kind::kFilter:
-    case Kind::kMinus:
-    case Kind::kExtend:
+    case PatternKind::kJoin:
+    case PatternKind::kLeftJoin:
+    case PatternKind::kFilter:
+    case PatternKind::kMinus:
+    case PatternKind::kExtend:
       return Anchor(pattern.parts[0]);
-    case Kind::kUnion:
-    case Kind::kGraph:
-    case Kind::kValues:
-    case Kind::kSelect:
+    case PatternKind::kUnion:
+    case PatternKind::kGraph:
+    case PatternKind::kValues:
+    case PatternKind::kSelect:
       break;
   }
   return nullptr;

@@ -9,16 +9,17 @@
 namespace kg_core::sparql {
 namespace {
 
-using Kind = Operation::Kind;
+using OperationKind = Operation::Kind;
 
 struct GraphWord {
   const char* word;
-  Kind kind;
+  OperationKind kind;
 };
 constexpr GraphWord kGraphWords[] = {
-    {"LOAD", Kind::kLoad},     {"CLEAR", Kind::kClear}, {"DROP", Kind::kDrop},
-    {"CREATE", Kind::kCreate}, {"COPY", Kind::kCopy},   {"MOVE", Kind::kMove},
-    {"ADD", Kind::kAdd},
+    {"LOAD", OperationKind::kLoad}, {"CLEAR", OperationKind::kClear},
+    {"DROP", OperationKind::kDrop}, {"CREATE", OperationKind::kCreate},
+    {"COPY", OperationKind::kCopy}, {"MOVE", OperationKind::kMove},
+    {"ADD", OperationKind::kAdd},
 };
 
 // DELETE WHERE: the quads are pattern and template in one.
@@ -98,12 +99,13 @@ bool Grammar::ReadGraphOperation(Operation* operation) {
   Take();
   operation->kind = found->kind;
   operation->silent = TakeWord("SILENT");
-  const bool moves = found->kind == Kind::kCopy || found->kind == Kind::kMove ||
-                     found->kind == Kind::kAdd;
+  const bool moves = found->kind == OperationKind::kCopy ||
+                     found->kind == OperationKind::kMove ||
+                     found->kind == OperationKind::kAdd;
   if (moves) {
     operation->source = ReadGraphRef(found->kind);
     ExpectWord("TO");
-  } else if (found->kind == Kind::kLoad) {
+  } else if (found->kind == OperationKind::kLoad) {
     operation->source = {GraphRef::Kind::kIri, ReadIri()};
     if (!TakeWord("INTO")) return true;
   }
@@ -113,9 +115,11 @@ bool Grammar::ReadGraphOperation(Operation* operation) {
 
 // [44] GraphRef, [45] GraphOrDefault, [47] GraphRefAll
 GraphRef Grammar::ReadGraphRef(Operation::Kind kind) {
-  const bool may_be_all = kind == Kind::kClear || kind == Kind::kDrop;
-  const bool moves =
-      kind == Kind::kCopy || kind == Kind::kMove || kind == Kind::kAdd;
+  const bool may_be_all =
+      kind == OperationKind::kClear || kind == OperationKind::kDrop;
+  const bool moves = kind == OperationKind::kCopy ||
+                     kind == OperationKind::kMove ||
+                     kind == OperationKind::kAdd;
   GraphRef graph;
   if ((may_be_all || moves) && TakeWord("DEFAULT")) return graph;
   if (may_be_all && TakeWord("NAMED")) {

@@ -4,13 +4,12 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/limit_error.h"
-#include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/algebra.h"
 #include "kg_core/sparql/budget.h"
 #include "kg_core/sparql/construct.h"
-#include "kg_core/sparql/dataset.h"
 #include "kg_core/sparql/evaluator.h"
 #include "kg_core/sparql/parser.h"
+#include "kg_core/sparql/resolve_dataset.h"
 #include "kg_core/sparql/term_table.h"
 
 namespace kg_core {
@@ -66,14 +65,6 @@ void SelectRows(const QueryRun& run, QueryResult* result) {
 }
 
 }  // namespace
-
-Dataset DefaultDataset(const std::optional<std::string>& plan_graph) {
-  Dataset dataset;
-  dataset.default_graphs = {kFactsGraph, kVocabGraph, kInferredGraph,
-                            kProvGraph, kStateGraph};
-  if (plan_graph) dataset.default_graphs.push_back(*plan_graph);
-  return dataset;
-}
 
 QueryResult RunQuery(const GraphView& view, std::string_view query_text,
                      const Dataset& dataset, const QueryLimits& limits) {

@@ -22,8 +22,8 @@
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/sparql/query_engine.h"
-#include "kg_core/sparql/random_query.h"
 #include "kg_core/sparql/results.h"
+#include "kg_core/sparql/testing/random_query.h"
 #include "kg_core/sparql/vector_view.h"
 
 namespace kg_core::brute {

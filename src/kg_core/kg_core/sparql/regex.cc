@@ -16,12 +16,6 @@ constexpr std::uint32_t kHeapLimit_KiB = 20000;
 constexpr std::size_t kPatternLimit_bytes = 4096;
 constexpr std::size_t kReplacedLimit_bytes = 1u << 20;
 
-struct Deleter {
-  void operator()(pcre2_code* p) const { pcre2_code_free(p); }
-  void operator()(pcre2_match_data* p) const { pcre2_match_data_free(p); }
-  void operator()(pcre2_match_context* p) const { pcre2_match_context_free(p); }
-};
-
 // https://www.w3.org/TR/xpath-functions/#flags
 std::optional<std::uint32_t> OptionsOf(const std::string& flags) {
   std::uint32_t options = PCRE2_UTF | PCRE2_NEVER_BACKSLASH_C;
@@ -114,6 +108,14 @@ class Regex {
   }
 
  private:
+  struct Deleter {
+    void operator()(pcre2_code* p) const { pcre2_code_free(p); }
+    void operator()(pcre2_match_data* p) const { pcre2_match_data_free(p); }
+    void operator()(pcre2_match_context* p) const {
+      pcre2_match_context_free(p);
+    }
+  };
+
   std::unique_ptr<pcre2_code, Deleter> code_;
   std::unique_ptr<pcre2_match_data, Deleter> data_;
   std::unique_ptr<pcre2_match_context, Deleter> context_;

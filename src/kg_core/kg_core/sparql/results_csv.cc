@@ -39,7 +39,7 @@ QueryResult Tabular(const QueryResult& given) {
   return result;
 }
 
-std::string Lines(const QueryResult& given, const Style& style) {
+std::string WriteRows(const QueryResult& given, const Style& style) {
   const QueryResult result = Tabular(given);
   std::string out;
   for (std::size_t i = 0; i < result.variables.size(); ++i) {
@@ -59,7 +59,7 @@ std::string Lines(const QueryResult& given, const Style& style) {
 
 }  // namespace
 
-std::string ToCsv(const QueryResult& result) { return Lines(result, kCsv); }
-std::string ToTsv(const QueryResult& result) { return Lines(result, kTsv); }
+std::string ToCsv(const QueryResult& result) { return WriteRows(result, kCsv); }
+std::string ToTsv(const QueryResult& result) { return WriteRows(result, kTsv); }
 
 }  // namespace kg_core

@@ -11,9 +11,9 @@
 
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
-#include "kg_core/sparql/brute_force_query.h"
 #include "kg_core/sparql/query_engine.h"
-#include "kg_core/sparql/random_query.h"
+#include "kg_core/sparql/testing/brute_force_query.h"
+#include "kg_core/sparql/testing/random_query.h"
 #include "kg_core/sparql/vector_view.h"
 
 namespace kg_core {

@@ -11,9 +11,9 @@
 #include "kg_core/sparql/algebra.h"
 #include "kg_core/sparql/budget.h"
 #include "kg_core/sparql/construct.h"
-#include "kg_core/sparql/dataset.h"
 #include "kg_core/sparql/evaluator.h"
 #include "kg_core/sparql/parser.h"
+#include "kg_core/sparql/resolve_dataset.h"
 #include "kg_core/sparql/term_table.h"
 #include "kg_core/sparql/update.h"
 

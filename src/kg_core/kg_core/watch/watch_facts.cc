@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_core {

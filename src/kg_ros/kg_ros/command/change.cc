@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "kg_core/base/clock.h"
+#include "kg_core/facts/update_log.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_ros/command/command.h"
 #include "kg_ros/knowledge/mission_state.h"

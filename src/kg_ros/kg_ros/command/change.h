@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/fact_update.h"
+#include "kg_core/mission/stage_update.h"
 #include "kg_ros/command/target.h"
 
 namespace kg_ros::command {

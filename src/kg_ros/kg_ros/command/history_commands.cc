@@ -3,7 +3,7 @@
 #include <charconv>
 #include <iostream>
 
-#include "kg_core/mission/history.h"
+#include "kg_core/facts/history.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_ros/command/command.h"
 #include "kg_ros/command/target.h"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/mission/fact_update.h"
 #include "kg_core/mission/ingest.h"
-#include "kg_core/mission/vocabulary.h"
+#include "kg_core/mission/stage_update.h"
+#include "kg_core/mission/stage_vocabulary.h"
 #include "kg_ros/knowledge/mission_state.h"
 #include "ros/package.h"
 

@@ -2,9 +2,9 @@
 
 #include <iostream>
 
-#include "kg_core/mission/fact_update.h"
+#include "kg_core/mission/stage_update.h"
+#include "kg_core/mission/stage_vocabulary.h"
 #include "kg_core/mission/validator.h"
-#include "kg_core/mission/vocabulary.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/syntax.h"
 #include "kg_ros/command/command.h"

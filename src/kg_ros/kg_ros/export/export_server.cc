@@ -6,7 +6,7 @@
 #include "kg_core/base/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/syntax.h"
-#include "kg_core/sparql/dataset.h"
+#include "kg_core/sparql/resolve_dataset.h"
 #include "kg_ros/export/atomic_file.h"
 #include "kg_ros/export/cf_trajectory.h"
 #include "kg_ros/export/plan_formats.h"

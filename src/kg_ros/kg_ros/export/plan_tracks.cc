@@ -6,8 +6,8 @@
 #include <map>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/geo/wkt.h"
-#include "kg_core/mission/terms.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_ros {

@@ -7,7 +7,7 @@
 
 #include "kg_core/base/sha256.h"
 #include "kg_core/base/units.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 #include "kg_ros/knowledge/fact_writer.h"
 #include "kg_ros/knowledge/plan_facts.h"
 

@@ -4,8 +4,8 @@
 #include <tuple>
 
 #include "kg_core/base/units.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/geo/wkt.h"
-#include "kg_core/mission/terms.h"
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/knowledge/plan_facts.h"
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "kg_core/base/date_time.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/geo/wkt.h"
-#include "kg_core/mission/terms.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_ros {

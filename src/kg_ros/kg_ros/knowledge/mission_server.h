@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_core/mission/fact_update.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/mission.h"
+#include "kg_core/mission/stage_update.h"
 #include "kg_core/rdf/store.h"
 #include "kg_core/watch/watch_list.h"
 #include "kg_ros/knowledge/artifact_facts.h"

@@ -1,7 +1,7 @@
 #include "kg_ros/knowledge/nav_graph_facts.h"
 
 #include "kg_core/base/units.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/knowledge/artifact_facts.h"
 #include "kg_ros/knowledge/fact_writer.h"

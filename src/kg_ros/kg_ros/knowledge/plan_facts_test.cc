@@ -12,7 +12,7 @@
 #include "gtest/gtest.h"
 #include "kg_core/base/temporary_folder.h"
 #include "kg_core/base/text.h"
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/validator.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/sparql/query_engine.h"

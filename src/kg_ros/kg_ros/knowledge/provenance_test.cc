@@ -7,8 +7,8 @@
 
 #include "gtest/gtest.h"
 #include "kg_core/base/temporary_folder.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/geo/geodesy.h"
-#include "kg_core/mission/terms.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_ros/conversion/message_units.h"

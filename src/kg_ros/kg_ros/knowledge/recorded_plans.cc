@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "kg_core/mission/terms.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/knowledge/fact_writer.h"

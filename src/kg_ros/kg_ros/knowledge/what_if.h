@@ -17,8 +17,8 @@
 #include <memory>
 #include <string>
 
-#include "kg_core/mission/fact_update.h"
 #include "kg_core/mission/ingest.h"
+#include "kg_core/mission/stage_update.h"
 #include "kg_msgs/WhatIfResponse.h"
 #include "kg_ros/knowledge/edge_prices.h"
 #include "kg_ros/knowledge/start_state.h"
