@@ -17,7 +17,7 @@ namespace {
 constexpr int kMostNesting = 200;
 
 // What an element hands down to those within it.
-struct Scope {
+struct XmlScope {
   std::map<std::string, std::string> prefixes;
   std::string language;
   std::string base;
@@ -25,11 +25,11 @@ struct Scope {
 };
 
 // A tag with its names resolved.
-struct Element {
+struct RdfXmlElement {
   XmlTag tag;
   std::string iri;
   std::map<std::string, std::string> attributes;  // By IRI.
-  Scope scope;
+  XmlScope scope;
 };
 
 std::string Rdf(const char* name) { return std::string(kRdf) + name; }
@@ -40,13 +40,13 @@ class RdfXmlParser {
       : reader_(text, source.name), source_(source) {}
 
   std::vector<Statement> Run() {
-    Scope scope;
+    XmlScope scope;
     scope.base = source_.base;
     scope.prefixes["xml"] = "http://www.w3.org/XML/1998/namespace#";
-    const Element root = Next(scope);
+    const RdfXmlElement root = Next(scope);
     if (root.iri.empty()) reader_.Expected("an element");
     if (root.iri == Rdf("RDF")) {
-      ForEachChild(root, [&](const Element& node) { ReadNode(node); });
+      ForEachChild(root, [&](const RdfXmlElement& node) { ReadNode(node); });
     } else {
       ReadNode(root);
     }
@@ -54,8 +54,8 @@ class RdfXmlParser {
   }
 
  private:
-  Element Next(const Scope& outer) {
-    Element element;
+  RdfXmlElement Next(const XmlScope& outer) {
+    RdfXmlElement element;
     element.tag = reader_.Next();
     element.scope = outer;
     if (++element.scope.depth > kMostNesting) reader_.Expected("less nesting");
@@ -77,7 +77,7 @@ class RdfXmlParser {
     return element;
   }
 
-  std::string Resolve(const std::string& name, const Scope& scope,
+  std::string Resolve(const std::string& name, const XmlScope& scope,
                       bool has_default) const {
     const std::size_t colon = name.find(':');
     const bool is_bare = colon == std::string::npos;
@@ -90,21 +90,21 @@ class RdfXmlParser {
   }
 
   template <typename Visit>
-  void ForEachChild(const Element& parent, Visit visit) {
+  void ForEachChild(const RdfXmlElement& parent, Visit visit) {
     if (parent.tag.empty) return;
     for (;;) {
-      const Element child = Next(parent.scope);
+      const RdfXmlElement child = Next(parent.scope);
       if (child.tag.full_name == "/" + parent.tag.full_name) return;
       if (child.iri.empty()) reader_.Expected("</" + parent.tag.name + ">");
       visit(child);
     }
   }
 
-  Term IriOf(const std::string& iri, const Scope& scope) const {
+  Term ResolveIri(const std::string& iri, const XmlScope& scope) const {
     return Iri(sparql::ResolveIri(scope.base, iri));
   }
 
-  Term LabelOf(const std::string& label) {
+  Term MakeLabel(const std::string& label) {
     const auto known = labels_.find(label);
     if (known != labels_.end()) return known->second;
     return labels_[label] = Fresh();
@@ -117,7 +117,7 @@ class RdfXmlParser {
         {subject, Iri(property), std::move(object), source_.default_graph});
   }
 
-  std::optional<std::string> Attribute(const Element& element,
+  std::optional<std::string> Attribute(const RdfXmlElement& element,
                                        const char* name) const {
     const auto found = element.attributes.find(Rdf(name));
     if (found == element.attributes.end()) return std::nullopt;
@@ -125,19 +125,21 @@ class RdfXmlParser {
   }
 
   // The node that an element speaks of, by the attributes that may name it.
-  std::optional<Term> Named(const Element& element, const char* about) {
+  std::optional<Term> Named(const RdfXmlElement& element, const char* about) {
     if (const auto iri = Attribute(element, about)) {
-      return IriOf(*iri, element.scope);
+      return ResolveIri(*iri, element.scope);
     }
-    if (const auto label = Attribute(element, "nodeID")) return LabelOf(*label);
+    if (const auto label = Attribute(element, "nodeID")) {
+      return MakeLabel(*label);
+    }
     return std::nullopt;
   }
 
   // [7.2.11] nodeElement
-  Term ReadNode(const Element& element) {
+  Term ReadNode(const RdfXmlElement& element) {
     std::optional<Term> node = Named(element, "about");
     if (const auto id = Attribute(element, "ID")) {
-      node = IriOf("#" + *id, element.scope);
+      node = ResolveIri("#" + *id, element.scope);
     }
     if (!node) node = Fresh();
     if (element.iri != Rdf("Description")) {
@@ -149,11 +151,11 @@ class RdfXmlParser {
   }
 
   // Property attributes: those that are none of the syntax's own.
-  bool SayAttributes(const Element& element, const Term& node) {
+  bool SayAttributes(const RdfXmlElement& element, const Term& node) {
     bool any = false;
     for (const auto& [name, value] : element.attributes) {
       if (name == Rdf("type")) {
-        Say(node, name, IriOf(value, element.scope));
+        Say(node, name, ResolveIri(value, element.scope));
         any = true;
       } else if (name.rfind(kRdf, 0) != 0 || name == Rdf("value")) {
         Say(node, name, Text(value, element));
@@ -163,14 +165,14 @@ class RdfXmlParser {
     return any;
   }
 
-  Term Text(const std::string& text, const Element& element) const {
+  Term Text(const std::string& text, const RdfXmlElement& element) const {
     const std::string& language = element.scope.language;
     return language.empty() ? Literal(text) : LanguageLiteral(text, language);
   }
 
-  void ReadProperties(const Element& parent, const Term& subject) {
+  void ReadProperties(const RdfXmlElement& parent, const Term& subject) {
     int items = 0;
-    ForEachChild(parent, [&](const Element& property) {
+    ForEachChild(parent, [&](const RdfXmlElement& property) {
       const bool is_item = property.iri == Rdf("li");
       const std::string number = "_" + std::to_string(items + 1);
       items += is_item ? 1 : 0;
@@ -180,7 +182,7 @@ class RdfXmlParser {
   }
 
   // [7.2.14] propertyElt
-  void ReadProperty(const Element& element, const Term& subject,
+  void ReadProperty(const RdfXmlElement& element, const Term& subject,
                     const std::string& property) {
     const auto type = Attribute(element, "parseType");
     if (Attribute(element, "ID")) reader_.Expected("no reification");
@@ -192,31 +194,32 @@ class RdfXmlParser {
     if (type == "Collection") return ReadCollection(element, subject, property);
     if (type) reader_.Expected("parseType Resource or Collection");
     if (const auto datatype = Attribute(element, "datatype")) {
-      const std::string name = IriOf(*datatype, element.scope).text;
+      const std::string name = ResolveIri(*datatype, element.scope).text;
       Say(subject, property, Literal(element.tag.text, name));
-      return ForEachChild(element, [&](const Element&) { RefuseChild(); });
+      return ForEachChild(element,
+                          [&](const RdfXmlElement&) { RefuseChild(); });
     }
     ReadPlainProperty(element, subject, property);
   }
 
   // A node within it, attributes that speak of one, or text.
-  void ReadPlainProperty(const Element& element, const Term& subject,
+  void ReadPlainProperty(const RdfXmlElement& element, const Term& subject,
                          const std::string& property) {
     std::optional<Term> object = Named(element, "resource");
     const Term other = object ? *object : Fresh();
     if (SayAttributes(element, other)) object = other;
-    ForEachChild(element, [&](const Element& child) {
+    ForEachChild(element, [&](const RdfXmlElement& child) {
       if (object) RefuseChild();
       object = ReadNode(child);
     });
     Say(subject, property, object ? *object : Text(element.tag.text, element));
   }
 
-  void ReadCollection(const Element& element, const Term& subject,
+  void ReadCollection(const RdfXmlElement& element, const Term& subject,
                       const std::string& property) {
     Term last = subject;
     std::string link = property;
-    ForEachChild(element, [&](const Element& child) {
+    ForEachChild(element, [&](const RdfXmlElement& child) {
       const Term cell = Fresh();
       Say(last, link, cell);
       Say(cell, Rdf("first"), ReadNode(child));

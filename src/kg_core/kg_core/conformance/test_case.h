@@ -10,10 +10,10 @@
 namespace kg_core::conformance {
 
 struct TestCase {
-  Documents* documents;  // Holds the manifest.
-  std::string manifest;  // Its URL.
-  Term subject;          // The test.
-  std::string kind;      // Local name of its type.
+  DocumentStore* documents;  // Holds the manifest.
+  std::string manifest;      // Its URL.
+  Term subject;              // The test.
+  std::string kind;          // Local name of its type.
 
   // The values of a property in the manifest, by its whole IRI.
   std::optional<Term> One(const Term& node, const std::string& property) const {

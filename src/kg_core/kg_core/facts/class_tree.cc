@@ -20,8 +20,8 @@ std::set<Term> ClassAndSubclasses(const GraphView& view, const Term& top) {
   return classes;
 }
 
-std::vector<Term> InstancesOf(const GraphView& view, std::string_view graph,
-                              const Term& top) {
+std::vector<Term> FindInstances(const GraphView& view, std::string_view graph,
+                                const Term& top) {
   std::set<Term> instances;
   for (const Term& type : ClassAndSubclasses(view, top)) {
     const std::vector<Term> found = Subjects(view, graph, RdfType(), type);

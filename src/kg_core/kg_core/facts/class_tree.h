@@ -16,8 +16,8 @@ namespace kg_core {
 std::set<Term> ClassAndSubclasses(const GraphView& view, const Term& top);
 
 // What `graph` types with `top` or a class below it; sorted, each once.
-std::vector<Term> InstancesOf(const GraphView& view, std::string_view graph,
-                              const Term& top);
+std::vector<Term> FindInstances(const GraphView& view, std::string_view graph,
+                                const Term& top);
 
 }  // namespace kg_core
 

@@ -16,8 +16,8 @@ namespace {
 using Fact3 = std::tuple<Term, Term, Term>;
 using Facts3 = std::set<Fact3>;
 
-std::string TextOf(const GraphView& view, const Term& subject,
-                   const Term& property) {
+std::string GetText(const GraphView& view, const Term& subject,
+                    const Term& property) {
   const auto value = FirstObject(view, kProvGraph, subject, property);
   return value ? value->text : std::string();
 }
@@ -33,9 +33,9 @@ LoggedUpdate ReadActivity(const GraphView& view, const Term& activity) {
                      " has no ex:worldVersion");
   }
   update.world_version = static_cast<std::uint64_t>(*number);
-  update.time = TextOf(view, activity, Prov("startedAtTime"));
-  update.author = TextOf(view, activity, Ex("author"));
-  update.id = TextOf(view, activity, Ex("updateId"));
+  update.time = GetText(view, activity, Prov("startedAtTime"));
+  update.author = GetText(view, activity, Ex("author"));
+  update.id = GetText(view, activity, Ex("updateId"));
   return update;
 }
 
@@ -92,7 +92,7 @@ Facts3 Rewind(const GraphView& view, const std::vector<LoggedUpdate>& log,
   return facts;
 }
 
-Statement StatementOf(const Fact3& fact) {
+Statement MakeStatement(const Fact3& fact) {
   return {std::get<0>(fact), std::get<1>(fact), std::get<2>(fact), Facts()};
 }
 
@@ -128,6 +128,7 @@ std::vector<LoggedUpdate> ReadLog(const GraphView& view) {
     found->second.changes.push_back(ReadChange(view, view.Get(quad.subject)));
     return true;
   });
+  // By world version; the changes of each by subject and property.
   std::vector<LoggedUpdate> log;
   for (auto& [activity, update] : updates) {
     std::sort(update.changes.begin(), update.changes.end(), IsEarlier);
@@ -143,14 +144,14 @@ std::vector<Statement> FactsAt(const GraphView& view,
                                std::uint64_t world_version) {
   std::vector<Statement> statements;
   for (const Fact3& fact : Rewind(view, ReadLog(view), world_version)) {
-    statements.push_back(StatementOf(fact));
+    statements.push_back(MakeStatement(fact));
   }
   return statements;
 }
 
-std::vector<FactDifference> DifferenceOf(const GraphView& view,
-                                         std::uint64_t before,
-                                         std::uint64_t after) {
+std::vector<FactDifference> FindDifferences(const GraphView& view,
+                                            std::uint64_t before,
+                                            std::uint64_t after) {
   const std::vector<LoggedUpdate> log = ReadLog(view);
   const Facts3 old_facts = Rewind(view, log, before);
   const Facts3 new_facts = Rewind(view, log, after);
@@ -167,7 +168,7 @@ std::vector<FactDifference> DifferenceOf(const GraphView& view,
   for (const auto& [fact, is_added] : differing) {
     const LoggedUpdate& update =
         *last_updates.at({std::get<0>(fact), std::get<1>(fact)});
-    differences.push_back({StatementOf(fact), is_added, update.world_version,
+    differences.push_back({MakeStatement(fact), is_added, update.world_version,
                            update.time, update.author});
   }
   return differences;

@@ -3,7 +3,7 @@
 // later ones.
 //
 //   FactsAt(*store.Read(), 12)            the facts graph at world version 12
-//   DifferenceOf(*store.Read(), 12, 15)   what came and went, by whom, when
+//   FindDifferences(*store.Read(), 12, 15)   what came and went, by whom, when
 
 #ifndef KG_CORE_FACTS_HISTORY_H_
 #define KG_CORE_FACTS_HISTORY_H_
@@ -53,9 +53,9 @@ struct FactDifference {
 
 // From `before` to `after`, which may be the older one; sorted. Throws
 // InputError like FactsAt.
-std::vector<FactDifference> DifferenceOf(const GraphView& view,
-                                         std::uint64_t before,
-                                         std::uint64_t after);
+std::vector<FactDifference> FindDifferences(const GraphView& view,
+                                            std::uint64_t before,
+                                            std::uint64_t after);
 
 }  // namespace kg_core
 

@@ -32,11 +32,12 @@ class KeyCheck {
 
   // Another instance with the key of `node`.
   std::optional<Term> FindTwin(const Term& node) const {
-    const std::vector<Term> values = ValuesOf(node);
+    const std::vector<Term> values = CollectValues(node);
     if (values.empty()) return std::nullopt;
     for (const Term& other :
          Subjects(view_, kFactsGraph, key_.front(), values.front())) {
-      if (other != node && ValuesOf(other) == values && IsInstance(other)) {
+      if (other != node && CollectValues(other) == values &&
+          IsInstance(other)) {
         return other;
       }
     }
@@ -54,7 +55,7 @@ class KeyCheck {
 
  private:
   // Empty if one is missing.
-  std::vector<Term> ValuesOf(const Term& node) const {
+  std::vector<Term> CollectValues(const Term& node) const {
     std::vector<Term> values;
     for (const Term& property : key_) {
       const auto value = FirstObject(view_, kFactsGraph, node, property);

@@ -29,11 +29,11 @@ bool HasDuration(const Term& term) { return DurationSeconds(term).has_value(); }
 bool HasTruth(const Term& term) { return BooleanValue(term).has_value(); }
 
 // Datatypes of XML Schema whose lexical forms are checked.
-struct Lexical {
+struct LexicalForm {
   const char* datatype;
   bool (*is_well_formed)(const Term&);
 };
-constexpr Lexical kLexical[] = {
+constexpr LexicalForm kLexical[] = {
     {"integer", HasNumber},
     {"decimal", HasNumber},
     {"double", HasNumber},
@@ -59,7 +59,7 @@ constexpr Lexical kLexical[] = {
 }  // namespace
 
 bool IsWellFormed(const Term& literal) {
-  for (const Lexical& row : kLexical) {
+  for (const LexicalForm& row : kLexical) {
     if (IsXsd(literal, row.datatype)) return row.is_well_formed(literal);
   }
   return true;

@@ -50,6 +50,7 @@ std::vector<std::string> CheckConclusions(const Vocabulary& vocabulary,
     }
   }
   if (!reasons.empty()) return reasons;
+  // The shapes expect statements that passed the checks above.
   for (const Violation& violation : ValidateConclusions(view)) {
     reasons.push_back(
         violation.Line() +

@@ -72,12 +72,12 @@ double NextExpiry_s(const GraphView& view, double after_s) {
   return next_s;
 }
 
-Expiry FindExpired(const GraphView& view, double mission_time_s) {
+ExpiredFacts FindExpired(const GraphView& view, double mission_time_s) {
   std::set<Term> gone;
   for (const auto& [node, end_s] : Lives(view)) {
     if (end_s <= mission_time_s) gone.insert(node);
   }
-  Expiry expiry;
+  ExpiredFacts expiry;
   for (bool settled = false; !settled;) {  // What stays may hold others.
     settled = true;
     for (auto node = gone.begin(); node != gone.end();) {

@@ -21,7 +21,7 @@ namespace kg_core {
 // When the next fact in `view` expires after `after_s`; infinity if none.
 double NextExpiry_s(const GraphView& view, double after_s);
 
-struct Expiry {
+struct ExpiredFacts {
   FactUpdate update;  // Author "kg"; removes what is over.
   std::vector<std::string>
       kept;  // What cannot go, a line each with the reason.
@@ -29,7 +29,7 @@ struct Expiry {
 
 // What has expired by `mission_time_s`. What other facts still refer to is
 // kept, unless they expire, too.
-Expiry FindExpired(const GraphView& view, double mission_time_s);
+ExpiredFacts FindExpired(const GraphView& view, double mission_time_s);
 
 }  // namespace kg_core
 

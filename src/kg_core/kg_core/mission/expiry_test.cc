@@ -30,7 +30,7 @@ const Constraint* Find(const Mission& mission, const char* name) {
   return nullptr;
 }
 
-std::vector<std::string> Removed(const Expiry& expiry) {
+std::vector<std::string> Removed(const ExpiredFacts& expiry) {
   std::vector<std::string> names;
   for (const Fact& fact : expiry.update.remove) names.push_back(fact.subject);
   return names;
@@ -98,7 +98,7 @@ TEST(ExpiryTest, TheNextEndIsTheEarliestAfterATime) {
 TEST(ExpiryTest, TakesBackEveryFactWithItsGeometry) {
   MissionWorld world;
   ASSERT_EQ(Joined(world.Add(Reef("2026-06-02T06:00:00Z"))), "");
-  const Expiry expiry =
+  const ExpiredFacts expiry =
       FindExpired(*world.store.Read(), kBegin_s + 6 * kHour_s);
   EXPECT_EQ(expiry.update.author, "kg");
   EXPECT_TRUE(expiry.kept.empty());
@@ -116,7 +116,7 @@ TEST(ExpiryTest, WhatOthersReferToIsKeptAndSaid) {
                                   "ex:corridor ex:validUntil "
                                   "\"2026-06-01T00:00:00Z\"^^xsd:dateTime ."))),
             "");
-  const Expiry expiry =
+  const ExpiredFacts expiry =
       FindExpired(*world.store.Read(), kBegin_s + 6 * kHour_s);
   EXPECT_TRUE(expiry.update.remove.empty());
   EXPECT_EQ(expiry.kept,

@@ -13,7 +13,7 @@ constexpr double kKmPerDegreeOfLatitude = 111.13;
 constexpr double kTolerance = 0.05;
 constexpr double kMostAspect = 4.0;
 
-void CheckRows(const Entity& grid, const Geometry& box) {
+void CheckRows(const FactEntity& grid, const Geometry& box) {
   const double height_km =
       (box.north_deg() - box.south_deg()) * kKmPerDegreeOfLatitude;
   const double rows_km =
@@ -25,7 +25,7 @@ void CheckRows(const Entity& grid, const Geometry& box) {
                   std::to_string(rows_km));
 }
 
-void CheckColumns(const Entity& grid, const Geometry& box) {
+void CheckColumns(const FactEntity& grid, const Geometry& box) {
   const double middle_rad = DegToRad((box.north_deg() + box.south_deg()) / 2);
   const double width_km = (box.east_deg() - box.west_deg()) *
                           kKmPerDegreeOfLatitude * std::cos(middle_rad);
@@ -42,7 +42,7 @@ void CheckColumns(const Entity& grid, const Geometry& box) {
 
 }  // namespace
 
-void CheckGrid(const Entity& grid) {
+void CheckGrid(const FactEntity& grid) {
   const Geometry box = grid.Wkt();
   CheckRows(grid, box);
   CheckColumns(grid, box);

@@ -55,7 +55,7 @@ double MeanRowKm(const Grid& grid) {
 // The ingest of one data source: what it read and what it states.
 class SourceIngest {
  public:
-  SourceIngest(const Entity& source, const Mission& mission,
+  SourceIngest(const FactEntity& source, const Mission& mission,
                Transaction& transaction)
       : source_(source),
         name_(source.subject()),
@@ -180,8 +180,9 @@ class SourceIngest {
   std::string Kind() const { return source_.Text(Ex("kind"), kDifferenceKind); }
 
   StepPair StepsOfLayer(const OceanFile& file, const TimeWindow& window) const {
-    if (Kind() == kDifferenceKind)
+    if (Kind() == kDifferenceKind) {
       return StepsOfDifference(file.time_s, window);
+    }
     const int step = StepOfWindow(file.time_s, window);
     return {step, step};
   }
@@ -225,7 +226,7 @@ class SourceIngest {
     prov.AddTo(transaction_);
   }
 
-  const Entity source_;
+  const FactEntity source_;
   const Term name_;
   const Mission& mission_;
   Transaction& transaction_;
@@ -235,21 +236,21 @@ class SourceIngest {
 
 // All data sources, those of currents or wind first: their grid is the
 // mission's. Then the rasters of priors and constraints.
-class Ingest {
+class MissionIngest {
  public:
-  Ingest(FileCache& cache, Transaction& transaction)
+  MissionIngest(FileCache& cache, Transaction& transaction)
       : cache_(cache),
         transaction_(transaction),
         mission_(ReadMission(transaction.view())) {}
 
   std::vector<std::string> Run() {
-    ForEach("current", &Ingest::ReadCurrents);
-    ForEach("wind", &Ingest::ReadCurrents);
-    ForEach("temperature", &Ingest::ReadTemperature);
+    ForEach("current", &MissionIngest::ReadCurrents);
+    ForEach("wind", &MissionIngest::ReadCurrents);
+    ForEach("temperature", &MissionIngest::ReadTemperature);
     for (const char* type : {"PriorLayer", "Constraint"}) {
       for (const Term& term :
-           InstancesOf(transaction_.view(), kFactsGraph, Ex(type))) {
-        Try(Entity(transaction_.view(), term), &Ingest::ReadRaster);
+           FindInstances(transaction_.view(), kFactsGraph, Ex(type))) {
+        Try(FactEntity(transaction_.view(), term), &MissionIngest::ReadRaster);
       }
     }
     return std::move(reasons_);
@@ -257,15 +258,16 @@ class Ingest {
 
  private:
   void ForEach(const std::string& provides,
-               void (Ingest::*read)(const Entity&)) {
+               void (MissionIngest::*read)(const FactEntity&)) {
     for (const Term& term :
-         InstancesOf(transaction_.view(), kFactsGraph, Ex("DataSource"))) {
-      const Entity source(transaction_.view(), term);
+         FindInstances(transaction_.view(), kFactsGraph, Ex("DataSource"))) {
+      const FactEntity source(transaction_.view(), term);
       if (source.Text(Ex("provides")) == provides) Try(source, read);
     }
   }
 
-  void Try(const Entity& source, void (Ingest::*read)(const Entity&)) {
+  void Try(const FactEntity& source,
+           void (MissionIngest::*read)(const FactEntity&)) {
     try {
       (this->*read)(source);
     } catch (const InputError& error) {
@@ -275,7 +277,7 @@ class Ingest {
     file_.clear();
   }
 
-  const OceanFile& Open(const Entity& source,
+  const OceanFile& Open(const FactEntity& source,
                         const std::vector<Quantity>& wanted) {
     const std::string path = cache_.Resolve(source.Text(Ex("file")));
     return Keep(path, cache_.Read(path, wanted));
@@ -288,7 +290,7 @@ class Ingest {
     return *open_.back();
   }
 
-  void ReadCurrents(const Entity& source) {
+  void ReadCurrents(const FactEntity& source) {
     const OceanFile& file = Open(
         source, {Quantity::kEastwardVelocity, Quantity::kNorthwardVelocity});
     if (field_grid_ != nullptr) {
@@ -307,13 +309,13 @@ class Ingest {
                      "ex:provides is \"wind\", and only there");
   }
 
-  void ReadTemperature(const Entity& source) {
+  void ReadTemperature(const FactEntity& source) {
     const OceanFile& file = Open(source, {Quantity::kTemperature});
     SourceIngest(source, mission_, transaction_)
         .StateTemperature(file, field_grid_);
   }
 
-  void ReadRaster(const Entity& layer) {
+  void ReadRaster(const FactEntity& layer) {
     const std::optional<GridRef> ref = ReadGridRef(layer);
     if (!ref) return;
     const std::string path = cache_.Resolve(ref->file);
@@ -338,7 +340,7 @@ std::vector<std::string> StageIngest(FileCache& cache,
                                      Transaction& transaction) {
   DropIngestedFacts(transaction);
   try {
-    std::vector<std::string> reasons = Ingest(cache, transaction).Run();
+    std::vector<std::string> reasons = MissionIngest(cache, transaction).Run();
     if (reasons.empty()) reasons = StageMissionRules(transaction);
     if (reasons.empty()) reasons = Lines(ValidateChange(transaction));
     if (!reasons.empty()) return reasons;

@@ -53,7 +53,7 @@ std::vector<std::string> StageIngest(FileCache& cache,
 // StageUpdate (fact_update.h), and StageIngest if that is due then: all that
 // can refuse an update but a mission that cannot be read.
 struct StagedUpdate {
-  Judgement judgement;
+  UpdateJudgement judgement;
   double ingest_s = 0.0;  // Wall-clock, reading files.
 };
 StagedUpdate StageUpdateWithFiles(const FactUpdate& update, FileCache& cache,

@@ -466,7 +466,7 @@ TEST_F(IngestTest, AFileWrittenAnewTakesThePlaceOfTheOldOne) {
   EXPECT_TRUE(old.expired());
 }
 
-double BufferOf(const Mission& mission) {
+double GetBuffer(const Mission& mission) {
   for (const Constraint& constraint : mission.constraints) {
     if (constraint.is_land) return constraint.buffer_cells;
   }
@@ -514,7 +514,7 @@ TEST(ShippedIngestTest, MissionsIngestTheirData) {
     const VectorField field =
         LoadWorkField(cache, mission, mission.work_fields[0]);
     for (const Agent& agent : mission.agents) {
-      EXPECT_GT(CellsToLand(field, agent.start), BufferOf(mission))
+      EXPECT_GT(CellsToLand(field, agent.start), GetBuffer(mission))
           << name << " " << agent.id;
     }
   }

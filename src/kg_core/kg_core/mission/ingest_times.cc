@@ -53,6 +53,8 @@ StepRange StepsOfField(const std::vector<double>& time_s,
   if (!reaches) {
     Refuse(time_s, window, "steps that reach within 12 h of both its ends");
   }
+  // From the last step at or before the window's begin to the first one at or
+  // after its end, as far as the file has them.
   const auto begin = time_s.begin();
   const auto after_begin =
       std::upper_bound(begin, time_s.end(), window.begin_s);

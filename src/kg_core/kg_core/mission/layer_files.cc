@@ -113,7 +113,7 @@ SharedRaster OnGrid(const std::string& layer, const GriddedRaster& raster,
   return Resample(raster.grid, raster.values, mission_grid, declared);
 }
 
-Mask MaskOf(const Raster& values) {
+Mask MakeMask(const Raster& values) {
   Mask mask(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     mask[i] = !std::isnan(values[i]) && values[i] != 0.0f ? 1 : 0;

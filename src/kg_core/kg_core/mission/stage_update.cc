@@ -34,18 +34,20 @@ Term ParseIri(const std::string& text, const char* what) {
   throw InputError(std::string("expected an IRI as ") + what + ", not " + text);
 }
 
-class Stager {
+class UpdateStager {
  public:
-  explicit Stager(Transaction& transaction)
+  explicit UpdateStager(Transaction& transaction)
       : transaction_(transaction), vocabulary_(transaction.view()) {}
 
   void Apply(const FactUpdate& update) {
     if (update.replaces_facts) ClearFacts();
-    for (const Fact& fact : update.remove) Try("remove", fact, &Stager::Remove);
-    for (const Fact& fact : update.set) Try("set", fact, &Stager::Clear);
+    for (const Fact& fact : update.remove) {
+      Try("remove", fact, &UpdateStager::Remove);
+    }
+    for (const Fact& fact : update.set) Try("set", fact, &UpdateStager::Clear);
     if (!reasons_.empty()) return;
-    for (const Fact& fact : update.set) Try("set", fact, &Stager::Add);
-    for (const Fact& fact : update.add) Try("add", fact, &Stager::Add);
+    for (const Fact& fact : update.set) Try("set", fact, &UpdateStager::Add);
+    for (const Fact& fact : update.add) Try("add", fact, &UpdateStager::Add);
     if (!update.turtle.empty()) {
       const std::string source =
           "update" + (update.author.empty() ? "" : " of " + update.author);
@@ -64,7 +66,7 @@ class Stager {
   }
 
   // What follows from the changes, and what speaks against them.
-  Judgement Finish() {
+  UpdateJudgement Finish() {
     if (!reasons_.empty()) return {Reasons(), std::nullopt};
     if (transaction_.empty()) return {{}, std::vector<Violation>()};
     Append(StageDerivedFacts(transaction_, scope_));
@@ -83,7 +85,7 @@ class Stager {
 
  private:
   void Try(const char* what, const Fact& fact,
-           void (Stager::*apply)(const Fact&)) {
+           void (UpdateStager::*apply)(const Fact&)) {
     try {
       (this->*apply)(fact);
     } catch (const InputError& error) {
@@ -225,7 +227,7 @@ class Stager {
   // Facts that come before any mission are none of the reader's business.
   void CheckMission() {
     const bool has_mission =
-        !InstancesOf(transaction_.view(), kFactsGraph, Ex("Mission")).empty();
+        !FindInstances(transaction_.view(), kFactsGraph, Ex("Mission")).empty();
     if (!has_mission && !HadMission()) return;
     try {
       ReadMission(transaction_.view());
@@ -261,8 +263,9 @@ class Stager {
 
 }  // namespace
 
-Judgement JudgeUpdate(const FactUpdate& update, Transaction& transaction) {
-  Stager stager(transaction);
+UpdateJudgement JudgeUpdate(const FactUpdate& update,
+                            Transaction& transaction) {
+  UpdateStager stager(transaction);
   stager.Apply(update);
   return stager.Finish();
 }
@@ -274,7 +277,7 @@ std::vector<std::string> StageUpdate(const FactUpdate& update,
 
 std::vector<std::string> StageFactsFile(const std::string& path,
                                         Transaction& transaction) {
-  Stager stager(transaction);
+  UpdateStager stager(transaction);
   stager.AddParsed([&] { return ParseTurtleFile(path, Facts()); });
   return stager.Finish().reasons;
 }

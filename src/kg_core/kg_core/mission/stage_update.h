@@ -37,11 +37,11 @@ std::vector<std::string> StageUpdate(const FactUpdate& update,
 
 // The same, with the violations of shapes themselves, even where the reasons
 // are others; nothing if the update could not be read and applied.
-struct Judgement {
+struct UpdateJudgement {
   std::vector<std::string> reasons;
   std::optional<std::vector<Violation>> violations;
 };
-Judgement JudgeUpdate(const FactUpdate& update, Transaction& transaction);
+UpdateJudgement JudgeUpdate(const FactUpdate& update, Transaction& transaction);
 
 // StageUpdate for a file of facts, whose name stands in the reasons, e.g. a
 // mission's mission.ttl.

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kOntologyFiles[] = {"mission.ttl", "shapes.ttl",
                                           "rules.ttl"};
 
-std::vector<SourceFile> FilesOf(const std::string& folder) {
+std::vector<SourceFile> ListFiles(const std::string& folder) {
   std::vector<SourceFile> files;
   for (const char* name : kOntologyFiles) {
     const std::string path =
@@ -25,7 +25,7 @@ std::vector<SourceFile> FilesOf(const std::string& folder) {
 }
 
 // States which version of the files the vocabulary graph holds.
-Statement VersionOf(const std::vector<SourceFile>& files) {
+Statement ComputeVersion(const std::vector<SourceFile>& files) {
   Hasher hasher;
   for (const SourceFile& file : files) hasher.Add(file.sha256);
   return {Ex("ontology"), Ex("sha256"), Literal(hasher.Hex()),
@@ -37,8 +37,8 @@ Statement VersionOf(const std::vector<SourceFile>& files) {
 std::vector<SourceFile> StageVocabulary(const std::string& folder,
                                         Transaction& transaction) {
   const Term graph = Iri(kVocabGraph);
-  std::vector<SourceFile> files = FilesOf(folder);
-  const Statement version = VersionOf(files);
+  std::vector<SourceFile> files = ListFiles(folder);
+  const Statement version = ComputeVersion(files);
   if (Has(transaction.view(), kVocabGraph, version.subject, version.predicate,
           version.object)) {
     return {};

@@ -7,7 +7,7 @@
 
 namespace kg_core {
 
-double ValidUntil_s(const Entity& entity) {
+double ValidUntil_s(const FactEntity& entity) {
   constexpr double kNever_s = std::numeric_limits<double>::infinity();
   double end_s = kNever_s;
   for (const char* name : kEndProperties) {

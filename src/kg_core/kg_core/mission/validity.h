@@ -12,7 +12,7 @@ inline constexpr const char* kEndProperties[] = {"validUntil", "expires"};
 
 // When the facts about `entity` end, Unix seconds: the earlier of two; infinity
 // if never.
-double ValidUntil_s(const Entity& entity);
+double ValidUntil_s(const FactEntity& entity);
 
 }  // namespace kg_core
 

@@ -59,6 +59,7 @@ std::string ReadTokenFile(const std::string& path) {
   if (!S_ISREG(status.st_mode)) {
     throw InputError(path + ": expected a file that holds the token");
   }
+  // S_IWOTH)) != 0) {|A token that other users can read protects nothing.
   if ((status.st_mode & (S_IROTH | S_IWOTH)) != 0) {
     throw InputError(path +
                      ": the token can be read or written by everybody; "
@@ -75,7 +76,7 @@ std::string ReadTokenFile(const std::string& path) {
                    std::to_string(kLongestToken) + " visible ASCII characters");
 }
 
-std::string AuthorOf(const HttpRequest& request) {
+std::string GetAuthor(const HttpRequest& request) {
   const std::string header = Header(request, "from");
   const std::string_view from = StripAsciiSpace(header);
   const auto is_text = [](char c) {

@@ -10,7 +10,7 @@
 
 namespace kg_core::protocol {
 
-struct Context {
+struct RequestContext {
   const HttpRequest& request;
   const EndpointStore& store;
   const EndpointOptions& options;
@@ -18,20 +18,20 @@ struct Context {
 
 // /sparql; throws HttpError for what is neither a query nor an update.
 // https://www.w3.org/TR/sparql11-protocol/#protocol
-HttpResponse AnswerSparql(const Context& context);
+HttpResponse AnswerSparql(const RequestContext& context);
 
 // /graphs. https://www.w3.org/TR/sparql11-http-rdf-update/
-HttpResponse AnswerGraphStore(const Context& context);
+HttpResponse AnswerGraphStore(const RequestContext& context);
 
 // https://www.w3.org/TR/sparql11-service-description/
-HttpResponse DescribeService(const Context& context);
+HttpResponse DescribeService(const RequestContext& context);
 
 // Throws HttpError 403 if nothing may be written.
-void CheckWritable(const Context& context);
+void CheckWritable(const RequestContext& context);
 
 // Hands an update to the sink: 422 with the reasons if it was refused; else the
 // verdict.
-UpdateVerdict Write(const Context& context, FactUpdate update);
+UpdateVerdict Write(const RequestContext& context, FactUpdate update);
 
 // What a client is told of a verdict.
 HttpResponse Accepted(int status, const UpdateVerdict& verdict);

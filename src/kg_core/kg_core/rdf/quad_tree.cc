@@ -71,6 +71,7 @@ QuadTree QuadTree::FromSorted(const std::vector<QuadKey>& keys) {
     level.push_back(std::make_shared<Node>());
     level.back()->keys.assign(keys.begin() + at, keys.begin() + end);
   }
+  // Build inner nodes level by level until one root is left.
   while (level.size() > 1) {
     std::vector<NodePtr> above;
     for (std::size_t i = 0; i < level.size(); ++i) {

@@ -24,10 +24,10 @@ bool IsTurtleSpace(char c) {
 
 // Walks over the tokens. Only where they begin and end matters here: whether
 // they make sense is serd's business.
-class Scanner {
+class TurtleScanner {
  public:
-  Scanner(std::string_view text, RdfSyntax syntax, const std::string& source,
-          int max_nesting)
+  TurtleScanner(std::string_view text, RdfSyntax syntax,
+                const std::string& source, int max_nesting)
       : text_(text),
         source_(source),
         has_braces_(syntax == RdfSyntax::kTriG),
@@ -51,6 +51,7 @@ class Scanner {
 
   void Step() {
     const char c = text_[at_];
+    // A comment reaches to the end of its line, an IRI to '>' on the same line.
     if (c == '#') {
       at_ = std::min(text_.find('\n', at_), text_.size());
     } else if (c == '<') {
@@ -116,8 +117,9 @@ class Scanner {
   void SkipNumber() {
     ++at_;
     while (absl::ascii_isdigit(At(at_)) ||
-           (At(at_) == '.' && absl::ascii_isdigit(At(at_ + 1))))
+           (At(at_) == '.' && absl::ascii_isdigit(At(at_ + 1)))) {
       ++at_;
+    }
   }
 
   // One statement a line, ended by a point, of full terms only.
@@ -193,7 +195,7 @@ std::vector<std::size_t> CheckRdfText(std::string_view text, RdfSyntax syntax,
     throw InputError(TurtleErrorPlace(text, source, *bad) +
                      "byte that is not UTF-8");
   }
-  return Scanner(text, syntax, source, limits.nesting).Run();
+  return TurtleScanner(text, syntax, source, limits.nesting).Run();
 }
 
 }  // namespace kg_core

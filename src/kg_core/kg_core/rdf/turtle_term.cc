@@ -62,8 +62,9 @@ class TermParser {
     if (c == '<') return Iri(ParseIri());
     if (c == '"' || c == '\'') return ParseQuoted();
     if (rest_.substr(0, 2) == "_:") return ParseBlank();
-    if (absl::ascii_isdigit(c) || c == '+' || c == '-' || c == '.')
+    if (absl::ascii_isdigit(c) || c == '+' || c == '-' || c == '.') {
       return ParseBare();
+    }
     if (rest_ == "true" || rest_ == "false") return ParseBare();
     return Iri(ParsePrefixedName());
   }
@@ -120,6 +121,7 @@ class TermParser {
     bool ends_with_dot = false;
     while (!rest_.empty()) {
       const char c = rest_[0];
+      // A '.' may stand inside of a local name, a '-' not at its beginning.
       const bool plain = IsNameChar(c) || c == ':';
       const bool dot = c == '.' && !local.empty();
       if (c == '\\') {

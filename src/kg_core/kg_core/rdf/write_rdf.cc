@@ -49,7 +49,7 @@ void Append(const SubjectTexts& subjects, std::string* out) {
 
 std::string OurPrefixes() {
   std::string out;
-  for (const Prefix& prefix : kPrefixes) {
+  for (const NamespacePrefix& prefix : kPrefixes) {
     out += std::string("@prefix ") + prefix.name + ": <" + prefix.iri + "> .\n";
   }
   return out;
@@ -122,7 +122,7 @@ std::string WriteTurtle(const GraphView& view, std::string_view graph) {
   return WriteRdf(view, {{std::string(graph)}}, RdfSyntax::kTurtle);
 }
 
-std::vector<std::string> GraphsOf(const GraphView& view) {
+std::vector<std::string> ListGraphs(const GraphView& view) {
   std::set<TermId> ids;
   view.Match({}, [&](const Quad& quad) {
     ids.insert(quad.graph);

@@ -47,9 +47,10 @@ bool IsRead(const std::vector<Statement>& changes, const Rule& rule) {
 }
 
 // Makes the inferred graph hold exactly what `inferences` say.
-class Writer {
+class InferenceWriter {
  public:
-  explicit Writer(Transaction& transaction) : transaction_(transaction) {
+  explicit InferenceWriter(Transaction& transaction)
+      : transaction_(transaction) {
     const GraphView& view = transaction.view();
     graph_ = view.Find(Iri(kInferredGraph));
     if (graph_ == kNoTerm) return;
@@ -61,7 +62,7 @@ class Writer {
 
   void Write(const std::vector<Inference>& inferences) {
     for (const Inference& inference : inferences) {
-      for (Statement& statement : StatementsOf(inference)) {
+      for (Statement& statement : CollectStatements(inference)) {
         Want(std::move(statement));
       }
     }
@@ -119,9 +120,10 @@ void Infer(const std::vector<Rule>& rules, ForbiddenTerm forbidden,
         "the limit of " +
         std::to_string(limits.statements));
   }
-  for (const Inference& inference : inferences)
+  for (const Inference& inference : inferences) {
     CheckConclusion(inference, forbidden);
-  Writer(transaction).Write(inferences);
+  }
+  InferenceWriter(transaction).Write(inferences);
 }
 
 }  // namespace
@@ -133,9 +135,11 @@ std::vector<std::string> StageInferences(Transaction& transaction,
   if (changes.empty()) return {};
   std::vector<std::string> reasons;
   const std::vector<Rule> rules = LoadRules(transaction.view(), &reasons);
+  // Changed rules are checked as a whole, unchanged ones were checked before.
   const bool others = ChangesRules(changes);
-  if (others)
+  if (others) {
     CheckWritten(rules, Vocabulary(transaction.view()), forbidden, &reasons);
+  }
   if (!reasons.empty()) return reasons;
   const bool is_due =
       others || std::any_of(rules.begin(), rules.end(), [&](const Rule& rule) {

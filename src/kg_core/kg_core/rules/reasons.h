@@ -42,7 +42,7 @@ bool IsReason(const Term& subject);
 
 // What the graph `inferred` holds of `inference`, its conclusion included;
 // statements that several share are in each.
-std::vector<Statement> StatementsOf(const Inference& inference);
+std::vector<Statement> CollectStatements(const Inference& inference);
 
 // All there is on why `triple` was concluded, by IRI; empty if it was not. The
 // rule's rdfs:label and rdfs:comment say it in words.

@@ -16,14 +16,14 @@ namespace kg_core {
 namespace {
 
 // Rules keep no order of solutions, and conclude every triple once.
-void DropOrder(sparql::Pattern* pattern);
-void DropOrder(sparql::Select* select) {
+void DropOrder(sparql::GraphPattern* pattern);
+void DropOrder(sparql::SelectQuery* select) {
   select->order_by.clear();
   select->distinct = false;
   DropOrder(&select->where);
 }
-void DropOrder(sparql::Pattern* pattern) {
-  for (sparql::Pattern& part : pattern->parts) DropOrder(&part);
+void DropOrder(sparql::GraphPattern* pattern) {
+  for (sparql::GraphPattern& part : pattern->parts) DropOrder(&part);
   if (pattern->select != nullptr) DropOrder(pattern->select.get());
 }
 
@@ -49,15 +49,15 @@ Rule Parse(const Term& iri, const std::string& construct) {
 }
 
 // The values in the facts, else those in the vocabulary.
-std::vector<Term> ValuesOf(const GraphView& view, const Term& rule,
-                           const Term& property) {
+std::vector<Term> CollectValues(const GraphView& view, const Term& rule,
+                                const Term& property) {
   std::vector<Term> values = Objects(view, kFactsGraph, rule, property);
   if (values.empty()) values = Objects(view, kVocabGraph, rule, property);
   return values;
 }
 
 bool IsEnabled(const GraphView& view, const Term& rule) {
-  const std::vector<Term> flags = ValuesOf(view, rule, Ex("enabled"));
+  const std::vector<Term> flags = CollectValues(view, rule, Ex("enabled"));
   return std::none_of(flags.begin(), flags.end(), [](const Term& flag) {
     return BooleanValue(flag) == false;
   });
@@ -83,8 +83,9 @@ std::vector<Rule> LoadRules(const GraphView& view,
   }
   std::vector<Rule> rules;
   for (const Term& iri : iris) {
+    // One reason for each rule that cannot be used, then on to the next.
     try {
-      const std::vector<Term> texts = ValuesOf(view, iri, Ex("construct"));
+      const std::vector<Term> texts = CollectValues(view, iri, Ex("construct"));
       if (!iri.is_iri() || texts.size() != 1) {
         throw InputError(ToTurtle(iri) +
                          " ex:construct: expected an IRI with exactly one");

@@ -11,7 +11,7 @@
 namespace kg_core::shacl {
 
 // The row of the table whose parameter is sh:`local`, or null.
-const Component* FindComponent(std::string_view local);
+const ConstraintComponent* FindComponent(std::string_view local);
 
 }  // namespace kg_core::shacl
 

@@ -56,6 +56,7 @@ std::optional<std::string> WhatIsWrong(const Constraint& constraint,
     case ParameterKind::kPropertyShape:
     case ParameterKind::kShapeList:
       return unless(!term.is_literal(), "a shape");
+    // Checked where they are read, or not restricted.
     case ParameterKind::kAny:
     case ParameterKind::kTrue:
     case ParameterKind::kCount:
@@ -89,7 +90,7 @@ std::size_t ReadCount(const Shape& shape, const std::string& local,
                       const Term& value) {
   const auto number = sparql::ToNumber(value);
   const bool is_count =
-      number && number->type == sparql::Number::Type::kInteger &&
+      number && number->type == sparql::XsdNumber::Type::kInteger &&
       number->ToDouble() >= 0 && number->ToDouble() <= kMostCount;
   if (!is_count) Expected(shape, local, "an integer of at least 0", value);
   return static_cast<std::size_t>(number->ToDouble());

@@ -15,7 +15,7 @@
 
 namespace kg_core::shacl {
 
-struct Check;
+struct ConstraintCheck;
 
 // What the value of a component's parameter must be.
 enum class ParameterKind {
@@ -39,18 +39,18 @@ bool RefersToShapes(ParameterKind kind);
 
 // A constraint component is a row of a table (components.cc): the name of its
 // parameter, how the parameter is read, and the function that checks it.
-struct Component {
+struct ConstraintComponent {
   const char* parameter;  // Local name in sh:, e.g. "minCount".
   const char* name;       // "MinCountConstraintComponent"
   ParameterKind kind;
-  void (*check)(const Check& check);
+  void (*check)(const ConstraintCheck& check);
   bool most_one = false;       // At most one value in a shape.
   bool property_only = false;  // Not in a node shape.
 };
 
 // One constraint of a shape. Shapes among `terms` are in the shape graph.
 struct Constraint {
-  const Component* component = nullptr;
+  const ConstraintComponent* component = nullptr;
   std::vector<Term> terms;  // The parameter's value, or its list's members.
   std::size_t count = 0;    // kCount and kQualified: its value.
   std::string flags;        // Of sh:pattern.
@@ -62,7 +62,7 @@ struct Constraint {
 struct Shape {
   Term id;
   Term named;  // `id` if it is an IRI, else the nearest one around it.
-  std::optional<Path> path;          // A property shape's.
+  std::optional<PropertyPath> path;  // A property shape's.
   std::vector<Term> target_classes;  // With the implicit one.
   std::vector<Term> target_nodes;
   std::vector<Term> target_subjects_of;

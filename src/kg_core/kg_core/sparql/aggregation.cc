@@ -4,9 +4,9 @@
 
 namespace kg_core::sparql {
 
-using AggregateKind = Aggregate::Kind;
+using AggregateKind = AggregateCall::Kind;
 
-void Accumulator::AddRow(const Row& row) {
+void AggregateAccumulator::AddRow(const Row& row) {
   if (aggregate_->distinct) {
     if (!seen_rows_.insert(row).second) return;
     budget_->UseWorkingBytes(2 * sizeof(TermId) * (row.size() + 8));
@@ -15,11 +15,12 @@ void Accumulator::AddRow(const Row& row) {
 }
 
 // An error spoils sums and averages and does not count elsewhere.
-void Accumulator::Add(TermId value) {
+void AggregateAccumulator::Add(TermId value) {
   if (value == kNoTerm) {
     error_ = true;
     return;
   }
+  // DISTINCT: a value that was already counted changes nothing.
   if (aggregate_->distinct) {
     if (!seen_.insert(value).second) return;
     budget_->UseWorkingBytes(4 * sizeof(TermId));
@@ -34,12 +35,12 @@ void Accumulator::Add(TermId value) {
       AddNumber(term);
       break;
     case AggregateKind::kMin:
-      if (best_ == kNoTerm || OrderOf(&term, &terms_->Get(best_)) < 0) {
+      if (best_ == kNoTerm || CompareTerms(&term, &terms_->Get(best_)) < 0) {
         best_ = value;
       }
       break;
     case AggregateKind::kMax:
-      if (best_ == kNoTerm || OrderOf(&term, &terms_->Get(best_)) > 0) {
+      if (best_ == kNoTerm || CompareTerms(&term, &terms_->Get(best_)) > 0) {
         best_ = value;
       }
       break;
@@ -52,25 +53,25 @@ void Accumulator::Add(TermId value) {
   }
 }
 
-void Accumulator::AddNumber(const Term& term) {
-  const std::optional<Number> number = ToNumber(term);
+void AggregateAccumulator::AddNumber(const Term& term) {
+  const std::optional<XsdNumber> number = ToNumber(term);
   if (!number) {
     error_ = true;
     return;
   }
-  if (!sum_) sum_ = Number();
+  if (!sum_) sum_ = XsdNumber();
   sum_ = Calculate(Arithmetic::kAdd, *sum_, *number);
   if (!sum_) error_ = true;
 }
 
-void Accumulator::AddText(const Term& term) {
+void AggregateAccumulator::AddText(const Term& term) {
   if (count_ > 1) text_ += aggregate_->separator;
   text_ += term.text;
   budget_->UseWorkingBytes(term.text.size() + aggregate_->separator.size());
 }
 
-std::optional<Term> Accumulator::Result() const {
-  const Number number = sum_.value_or(Number());
+std::optional<Term> AggregateAccumulator::Result() const {
+  const XsdNumber number = sum_.value_or(XsdNumber());
   switch (aggregate_->kind) {
     case AggregateKind::kCount:
       return IntegerLiteral(static_cast<long long>(count_));
@@ -79,10 +80,11 @@ std::optional<Term> Accumulator::Result() const {
       return ToTerm(number);
     case AggregateKind::kAvg: {
       if (error_) return std::nullopt;
+      // The average of an empty group is 0 by the recommendation.
       if (count_ == 0) return IntegerLiteral(0);
-      Number count;
+      XsdNumber count;
       count.exact.digits = static_cast<__int128>(count_);
-      const std::optional<Number> average =
+      const std::optional<XsdNumber> average =
           Calculate(Arithmetic::kDivide, number, count);
       if (!average) return std::nullopt;
       return ToTerm(*average);

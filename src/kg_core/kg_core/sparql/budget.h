@@ -10,9 +10,9 @@
 
 namespace kg_core::sparql {
 
-class Budget {
+class QueryBudget {
  public:
-  explicit Budget(const QueryLimits& limits);
+  explicit QueryBudget(const QueryLimits& limits);
 
   // One step of any loop; throws InputError once the time is over.
   void Step() {

@@ -9,7 +9,7 @@
 namespace kg_core::sparql {
 namespace {
 
-using OperationKind = Operation::Kind;
+using OperationKind = UpdateOperation::Kind;
 
 struct GraphWord {
   const char* word;
@@ -23,26 +23,26 @@ constexpr GraphWord kGraphWords[] = {
 };
 
 // DELETE WHERE: the quads are pattern and template in one.
-Pattern PatternOf(const QuadTemplate& quad) {
-  Pattern basic;
+GraphPattern MakePattern(const QuadTemplate& quad) {
+  GraphPattern basic;
   basic.triples.push_back(quad.triple);
   if (quad.graph.index == kNone) return basic;
-  Pattern graph;
-  graph.kind = Pattern::Kind::kGraph;
+  GraphPattern graph;
+  graph.kind = GraphPattern::Kind::kGraph;
   graph.graph = quad.graph;
   graph.parts.push_back(std::move(basic));
   return graph;
 }
 
-bool SameGraph(const Node& a, const Node& b) {
+bool SameGraph(const VarOrTerm& a, const VarOrTerm& b) {
   return a.is_variable == b.is_variable && a.index == b.index;
 }
 
 }  // namespace
 
 // [29] Update, [30] Update1
-Update Grammar::ReadUpdate() {
-  Update update;
+UpdateRequest SparqlGrammar::ReadUpdate() {
+  UpdateRequest update;
   ReadPrologue();
   while (Peek().kind != Token::Kind::kEnd) {
     update.operations.push_back(ReadOperation());
@@ -56,7 +56,7 @@ Update Grammar::ReadUpdate() {
 }
 
 // Each operation numbers its own variables; prefixes and the base go on.
-void Grammar::BeginOperation() {
+void SparqlGrammar::BeginOperation() {
   Query fresh;
   fresh.base = query_.base;
   query_ = std::move(fresh);
@@ -65,9 +65,9 @@ void Grammar::BeginOperation() {
   block_ = ++blocks_;
 }
 
-Operation Grammar::ReadOperation() {
+UpdateOperation SparqlGrammar::ReadOperation() {
   BeginOperation();
-  Operation operation;
+  UpdateOperation operation;
   operation.position = Peek().position;
   if (ReadGraphOperation(&operation)) return operation;
   if (AtWord("INSERT") && AtWord("DATA", 1)) {
@@ -83,6 +83,7 @@ Operation Grammar::ReadOperation() {
   } else {
     Expected("an update such as INSERT, DELETE, CLEAR or COPY");
   }
+  // The next operation begins with an empty query, but keeps BASE.
   operation.query = std::move(query_);
   query_ = {};
   query_.base = operation.query.base;
@@ -90,7 +91,7 @@ Operation Grammar::ReadOperation() {
 }
 
 // [31] Load to [37] Copy
-bool Grammar::ReadGraphOperation(Operation* operation) {
+bool SparqlGrammar::ReadGraphOperation(UpdateOperation* operation) {
   const GraphWord* found = nullptr;
   for (const GraphWord& graph_word : kGraphWords) {
     if (AtWord(graph_word.word)) found = &graph_word;
@@ -114,13 +115,14 @@ bool Grammar::ReadGraphOperation(Operation* operation) {
 }
 
 // [44] GraphRef, [45] GraphOrDefault, [47] GraphRefAll
-GraphRef Grammar::ReadGraphRef(Operation::Kind kind) {
+GraphRef SparqlGrammar::ReadGraphRef(UpdateOperation::Kind kind) {
   const bool may_be_all =
       kind == OperationKind::kClear || kind == OperationKind::kDrop;
   const bool moves = kind == OperationKind::kCopy ||
                      kind == OperationKind::kMove ||
                      kind == OperationKind::kAdd;
   GraphRef graph;
+  // CREATE and LOAD name a graph by GRAPH only.
   if ((may_be_all || moves) && TakeWord("DEFAULT")) return graph;
   if (may_be_all && TakeWord("NAMED")) {
     graph.kind = GraphRef::Kind::kNamed;
@@ -140,7 +142,7 @@ GraphRef Grammar::ReadGraphRef(Operation::Kind kind) {
 
 // [38] InsertData. No label may return in the data of another one.
 // https://www.w3.org/TR/sparql11-query/#grammarBNodes
-void Grammar::ReadInsertData(Operation* operation) {
+void SparqlGrammar::ReadInsertData(UpdateOperation* operation) {
   Take();
   Take();
   std::swap(block_of_label_, block_of_data_label_);
@@ -149,23 +151,24 @@ void Grammar::ReadInsertData(Operation* operation) {
 }
 
 // [40] DeleteWhere
-void Grammar::ReadDeleteWhere(Operation* operation) {
+void SparqlGrammar::ReadDeleteWhere(UpdateOperation* operation) {
   Take();
   Take();
   operation->removed = ReadQuads({true, true, false, "DELETE WHERE"});
-  Pattern where;
+  GraphPattern where;
   for (const QuadTemplate& quad : operation->removed) {
     CountPattern();
-    Pattern part = PatternOf(quad);
+    GraphPattern part = MakePattern(quad);
+    // Consecutive quads of one graph form one basic graph pattern.
     const bool same = &quad != operation->removed.data() &&
                       SameGraph(quad.graph, (&quad)[-1].graph);
     if (!same) {
       where = Join(std::move(where), std::move(part));
       continue;
     }
-    Pattern* last = &where;
-    if (last->kind == Pattern::Kind::kJoin) last = &last->parts[1];
-    if (last->kind == Pattern::Kind::kGraph) last = &last->parts[0];
+    GraphPattern* last = &where;
+    if (last->kind == GraphPattern::Kind::kJoin) last = &last->parts[1];
+    if (last->kind == GraphPattern::Kind::kGraph) last = &last->parts[0];
     last->triples.push_back(quad.triple);
   }
   query_.select.where = std::move(where);
@@ -173,7 +176,7 @@ void Grammar::ReadDeleteWhere(Operation* operation) {
 }
 
 // [41] Modify
-void Grammar::ReadModify(Operation* operation) {
+void SparqlGrammar::ReadModify(UpdateOperation* operation) {
   if (TakeWord("WITH")) operation->with = ReadIri();
   const auto labels = block_of_label_;
   const bool deletes = TakeWord("DELETE");
@@ -195,7 +198,7 @@ void Grammar::ReadModify(Operation* operation) {
 }
 
 // [43] UsingClause
-void Grammar::ReadUsing() {
+void SparqlGrammar::ReadUsing() {
   while (TakeWord("USING")) {
     query_.has_dataset = true;
     const bool named = TakeWord("NAMED");
@@ -203,8 +206,8 @@ void Grammar::ReadUsing() {
   }
 }
 
-Update ParseUpdate(std::string_view text, int nesting) {
-  return Grammar(Tokenize(text), nesting).ReadUpdate();
+UpdateRequest ParseUpdate(std::string_view text, int nesting) {
+  return SparqlGrammar(Tokenize(text), nesting).ReadUpdate();
 }
 
 }  // namespace kg_core::sparql

@@ -17,7 +17,7 @@ constexpr std::size_t kPatternLimit_bytes = 4096;
 constexpr std::size_t kReplacedLimit_bytes = 1u << 20;
 
 // https://www.w3.org/TR/xpath-functions/#flags
-std::optional<std::uint32_t> OptionsOf(const std::string& flags) {
+std::optional<std::uint32_t> ParseOptions(const std::string& flags) {
   std::uint32_t options = PCRE2_UTF | PCRE2_NEVER_BACKSLASH_C;
   bool literal = false;
   for (const char flag : flags) {
@@ -73,9 +73,9 @@ PCRE2_SPTR Bytes(const std::string& text) {
 
 }  // namespace
 
-class Regex {
+class CompiledRegex {
  public:
-  Regex(const std::string& pattern, std::uint32_t options) {
+  CompiledRegex(const std::string& pattern, std::uint32_t options) {
     int error = 0;
     std::size_t offset = 0;
     code_.reset(pcre2_compile(Bytes(pattern), pattern.size(), options, &error,
@@ -125,8 +125,9 @@ namespace {
 
 // Appends `replacement` with its groups filled in; false if it is malformed.
 // https://www.w3.org/TR/xpath-functions/#func-replace
-bool AppendReplacement(const Regex& regex, int groups, const std::string& text,
-                       const std::string& replacement, std::string* out) {
+bool AppendReplacement(const CompiledRegex& regex, int groups,
+                       const std::string& text, const std::string& replacement,
+                       std::string* out) {
   for (std::size_t i = 0; i < replacement.size(); ++i) {
     const char c = replacement[i];
     if (c != '$' && c != '\\') {
@@ -141,6 +142,7 @@ bool AppendReplacement(const Regex& regex, int groups, const std::string& text,
       continue;
     }
     if (next < '0' || next > '9') return false;
+    // $N of a group that the pattern does not have is empty.
     if (next - '0' >= groups) continue;
     const auto [begin, end] = regex.Group(next - '0');
     if (begin != PCRE2_UNSET) out->append(text, begin, end - begin);
@@ -153,17 +155,17 @@ bool AppendReplacement(const Regex& regex, int groups, const std::string& text,
 RegexCache::RegexCache() = default;
 RegexCache::~RegexCache() = default;
 
-const Regex* RegexCache::Compile(const std::string& pattern,
-                                 const std::string& flags) {
+const CompiledRegex* RegexCache::Compile(const std::string& pattern,
+                                         const std::string& flags) {
   const std::string key = flags + "/" + pattern;
   const auto found = compiled_.find(key);
   if (found != compiled_.end()) return found->second.get();
-  std::unique_ptr<Regex> regex;
-  const std::optional<std::uint32_t> options = OptionsOf(flags);
+  std::unique_ptr<CompiledRegex> regex;
+  const std::optional<std::uint32_t> options = ParseOptions(flags);
   if (options && pattern.size() <= kPatternLimit_bytes) {
     const bool is_spaced = Has(flags, 'x') && !Has(flags, 'q');
-    regex = std::make_unique<Regex>(is_spaced ? WithoutSpace(pattern) : pattern,
-                                    *options);
+    regex = std::make_unique<CompiledRegex>(
+        is_spaced ? WithoutSpace(pattern) : pattern, *options);
     if (!regex->ok()) regex.reset();
   }
   if (compiled_.size() >= 1000) compiled_.clear();
@@ -173,7 +175,7 @@ const Regex* RegexCache::Compile(const std::string& pattern,
 std::optional<bool> RegexCache::Matches(const std::string& text,
                                         const std::string& pattern,
                                         const std::string& flags) {
-  const Regex* regex = Compile(pattern, flags);
+  const CompiledRegex* regex = Compile(pattern, flags);
   if (regex == nullptr) return std::nullopt;
   return regex->Match(text, 0) > 0;
 }
@@ -182,7 +184,7 @@ std::optional<std::string> RegexCache::Replace(const std::string& text,
                                                const std::string& pattern,
                                                const std::string& replacement,
                                                const std::string& flags) {
-  const Regex* regex = Compile(pattern, flags);
+  const CompiledRegex* regex = Compile(pattern, flags);
   if (regex == nullptr || regex->Match("", 0) > 0) return std::nullopt;
   std::string out;
   std::size_t at = 0;

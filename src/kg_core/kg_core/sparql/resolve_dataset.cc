@@ -18,8 +18,8 @@ bool HasQuads(const GraphView& view, TermId graph) {
   return found;
 }
 
-std::vector<TermId> IdsOf(const std::vector<std::string>& graphs,
-                          TermTable* terms) {
+std::vector<TermId> CollectIds(const std::vector<std::string>& graphs,
+                               TermTable* terms) {
   std::vector<TermId> ids;
   for (const std::string& graph : graphs) {
     const TermId id = terms->Intern(Iri(graph));
@@ -52,13 +52,13 @@ DatasetIds Resolve(const Query& query, const Dataset& dataset,
                    TermTable* terms) {
   DatasetIds ids;
   if (query.has_dataset) {
-    ids.default_graphs = IdsOf(query.from, terms);
-    ids.named_graphs = IdsOf(query.from_named, terms);
+    ids.default_graphs = CollectIds(query.from, terms);
+    ids.named_graphs = CollectIds(query.from_named, terms);
     return ids;
   }
-  ids.default_graphs = IdsOf(dataset.default_graphs, terms);
+  ids.default_graphs = CollectIds(dataset.default_graphs, terms);
   if (dataset.named_graphs) {
-    ids.named_graphs = IdsOf(*dataset.named_graphs, terms);
+    ids.named_graphs = CollectIds(*dataset.named_graphs, terms);
   }
   if (!dataset.unnamed_graph.empty()) {
     ids.unnamed_graph = terms->Intern(Iri(dataset.unnamed_graph));

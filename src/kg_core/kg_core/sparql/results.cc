@@ -138,6 +138,7 @@ std::string ToTextTable(const QueryResult& result) {
     return result.answer ? "yes\n" : "no\n";
   }
   const TextRows lines = FormatCells(result);
+  // Widths count characters, not bytes.
   std::vector<std::size_t> widths(result.variables.size(), 0);
   for (const auto& line : lines) {
     for (std::size_t i = 0; i < line.size(); ++i) {

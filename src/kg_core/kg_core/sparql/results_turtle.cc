@@ -14,14 +14,14 @@ using ObjectSet = std::set<std::string>;
 using PropertyObjects = std::map<std::string, ObjectSet>;
 using SubjectProperties = std::map<std::string, PropertyObjects>;
 
-bool Uses(const Term& term, const Prefix& prefix) {
+bool Uses(const Term& term, const NamespacePrefix& prefix) {
   const std::string& iri = term.is_literal() ? term.datatype : term.text;
   return !term.is_blank() && iri.rfind(prefix.iri, 0) == 0;
 }
 
 std::string UsedPrefixes(const std::vector<Triple>& triples) {
   std::string out;
-  for (const Prefix& prefix : kPrefixes) {
+  for (const NamespacePrefix& prefix : kPrefixes) {
     bool used = false;
     for (const Triple& t : triples) {
       used = used || Uses(t.subject, prefix) || Uses(t.predicate, prefix) ||

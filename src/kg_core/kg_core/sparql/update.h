@@ -19,7 +19,7 @@ struct GraphRef {
   std::string iri;
 };
 
-struct Operation {
+struct UpdateOperation {
   enum class Kind {
     kModify,  // INSERT DATA, DELETE DATA, DELETE WHERE, DELETE/INSERT WHERE
     kLoad,
@@ -31,7 +31,7 @@ struct Operation {
     kAdd,
   };
   Kind kind = Kind::kModify;
-  Position position;  // For errors.
+  QueryPosition position;  // For errors.
 
   // kModify: for every solution of query.select, removed and then added quads;
   // USING stands where FROM stands in a query.
@@ -46,8 +46,8 @@ struct Operation {
   GraphRef target;
 };
 
-struct Update {
-  std::vector<Operation> operations;
+struct UpdateRequest {
+  std::vector<UpdateOperation> operations;
 };
 
 }  // namespace kg_core::sparql

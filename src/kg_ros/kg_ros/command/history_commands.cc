@@ -41,7 +41,7 @@ int RunDiff(const Arguments& arguments) {
   const std::uint64_t after = Version(arguments.words[2]);
   const Target target = OpenStore(arguments.words[0]);
   for (const FactDifference& difference :
-       kg_core::DifferenceOf(*target.store->Read(), before, after)) {
+       kg_core::FindDifferences(*target.store->Read(), before, after)) {
     const kg_core::Statement& s = difference.statement;
     std::cout << (difference.is_added ? "+ " : "- ") << s.subject << " "
               << s.predicate << " " << s.object << " .  # version "

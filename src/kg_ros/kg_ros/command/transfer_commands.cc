@@ -63,7 +63,7 @@ int RunExport(const Arguments& arguments) {
   for (const std::string& graph : arguments.All("--graph")) {
     selection.graphs.push_back(GraphIri(graph));
   }
-  const std::vector<std::string> known = kg_core::GraphsOf(*view);
+  const std::vector<std::string> known = kg_core::ListGraphs(*view);
   for (const std::string& graph : selection.graphs) {
     if (std::find(known.begin(), known.end(), graph) != known.end()) continue;
     throw InputError("there is no graph " + kg_core::AbbreviateIri(graph));

@@ -33,7 +33,7 @@ namespace kg_ros {
 namespace {
 
 namespace fs = std::filesystem;
-using kg_core::sparql::Json;
+using Json = kg_core::sparql::JsonValue;
 using kg_core::sparql::ParseJson;
 
 constexpr std::size_t kMaxBytes = 64u << 20;

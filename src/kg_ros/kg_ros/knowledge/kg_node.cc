@@ -235,7 +235,7 @@ bool KgNode::HandleValidate(kg_msgs::Validate::Request& request,
     response.violations = kg_core::Lines(violations);
     response.report = kg_core::ReportTurtle(violations);
   } else {
-    const kg_core::Judgement judgement = server_.Check(update);
+    const kg_core::UpdateJudgement judgement = server_.Check(update);
     response.violations = judgement.reasons;
     if (judgement.violations) {
       response.report = kg_core::ReportTurtle(*judgement.violations);

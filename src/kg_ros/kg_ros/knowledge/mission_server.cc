@@ -179,7 +179,7 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
 
 Expired MissionServer::Expire() {
   const double now_s = fleet().time_s();
-  kg_core::Expiry expiry = kg_core::FindExpired(*Read(), now_s);
+  kg_core::ExpiredFacts expiry = kg_core::FindExpired(*Read(), now_s);
   Expired expired;
   expired.update = std::move(expiry.update);
   if (!expired.update.remove.empty()) expired.decision = Apply(expired.update);
@@ -190,10 +190,11 @@ Expired MissionServer::Expire() {
   return expired;
 }
 
-kg_core::Judgement MissionServer::Check(const kg_core::FactUpdate& update) {
+kg_core::UpdateJudgement MissionServer::Check(
+    const kg_core::FactUpdate& update) {
   Transaction transaction = store_->Begin();
   try {
-    kg_core::Judgement judgement =
+    kg_core::UpdateJudgement judgement =
         kg_core::StageUpdateWithFiles(update, files_, transaction).judgement;
     if (judgement.reasons.empty()) kg_core::ReadMission(transaction.view());
     return judgement;

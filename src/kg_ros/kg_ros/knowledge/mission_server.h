@@ -58,7 +58,7 @@ class MissionServer {
   Decision Apply(const kg_core::FactUpdate& update);
   // What Apply would answer, without doing it; with the violations of shapes
   // that the update would cause.
-  kg_core::Judgement Check(const kg_core::FactUpdate& update);
+  kg_core::UpdateJudgement Check(const kg_core::FactUpdate& update);
 
   // Has mission time reached the end of some facts' lives? Takes them back, in
   // an update of its own (kg_core/mission/expiry.h).

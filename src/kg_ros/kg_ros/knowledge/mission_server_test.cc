@@ -142,7 +142,7 @@ TEST_F(MissionServerTest, CheckChangesNothing) {
 
 TEST_F(MissionServerTest, CheckTellsTheViolationsThatAnUpdateWouldCause) {
   MissionServer server(folders_);
-  const kg_core::Judgement judgement =
+  const kg_core::UpdateJudgement judgement =
       server.Check(Set("ex:w0", "ex:confidence", "1.2"));
   ASSERT_TRUE(judgement.violations);
   ASSERT_EQ(judgement.violations->size(), 1u);

@@ -22,7 +22,7 @@ namespace kg_core {
 using Key = std::tuple<Term, Term, Term, Term>;  // Subject to graph.
 using Model = std::set<Key>;
 
-inline Key KeyOf(const Statement& s) {
+inline Key MakeKey(const Statement& s) {
   return {s.subject, s.predicate, s.object, s.graph};
 }
 
@@ -32,7 +32,7 @@ inline Statement Fact(const std::string& s, const std::string& p, Term object) {
   return {Ex(s), Ex(p), std::move(object), Iri(kFactsGraph)};
 }
 
-inline Model ContentOf(const GraphView& view) {
+inline Model GetContent(const GraphView& view) {
   Model content;
   view.Match({}, [&](const Quad& q) {
     content.emplace(view.Get(q.subject), view.Get(q.predicate),
@@ -43,14 +43,14 @@ inline Model ContentOf(const GraphView& view) {
 }
 
 // The named graphs, by the view and by what is in them.
-inline std::vector<Term> GraphsOf(const GraphView& view) {
+inline std::vector<Term> ListGraphs(const GraphView& view) {
   std::vector<Term> graphs;
   for (const TermId graph : view.Graphs()) graphs.push_back(view.Get(graph));
   std::sort(graphs.begin(), graphs.end());
   return graphs;
 }
 
-inline std::vector<Term> GraphsOf(const Model& model) {
+inline std::vector<Term> ListGraphs(const Model& model) {
   std::set<Term> graphs;
   for (const Key& key : model) graphs.insert(std::get<3>(key));
   return {graphs.begin(), graphs.end()};
@@ -58,7 +58,7 @@ inline std::vector<Term> GraphsOf(const Model& model) {
 
 inline Model AsModel(const std::vector<Statement>& statements) {
   Model model;
-  for (const Statement& s : statements) model.insert(KeyOf(s));
+  for (const Statement& s : statements) model.insert(MakeKey(s));
   return model;
 }
 
@@ -124,11 +124,11 @@ inline void ChangeAtRandom(RandomFacts* facts, Transaction* change,
     case 1:
     case 2:
       change->Remove(s);
-      model->erase(KeyOf(s));
+      model->erase(MakeKey(s));
       return;
     default:
       change->Add(s);
-      model->insert(KeyOf(s));
+      model->insert(MakeKey(s));
   }
 }
 
@@ -151,12 +151,12 @@ inline void RunAgainstModel(const std::string& path, RandomFacts facts,
       for (int i = facts.Pick(30); i > 0; --i) {
         ChangeAtRandom(&facts, &change, &next);
       }
-      ASSERT_EQ(ContentOf(change.view()), next);
-      ASSERT_EQ(GraphsOf(change.view()), GraphsOf(next));
+      ASSERT_EQ(GetContent(change.view()), next);
+      ASSERT_EQ(ListGraphs(change.view()), ListGraphs(next));
       ASSERT_EQ(AsModel(change.added()), Minus(next, committed));
       ASSERT_EQ(AsModel(change.removed()), Minus(committed, next));
       ASSERT_EQ(change.empty(), next == committed);
-      ASSERT_EQ(ContentOf(*store->Read()), committed);
+      ASSERT_EQ(GetContent(*store->Read()), committed);
       if (facts.Pick(4) != 0) {
         const bool is_world = facts.Pick(2) == 0;
         if (is_world && next != committed) ++world_version;
@@ -170,11 +170,11 @@ inline void RunAgainstModel(const std::string& path, RandomFacts facts,
     ASSERT_EQ(store->quad_count(), committed.size());
     held.emplace_back(store->Read(), committed);
     const auto& [view, was] = held[facts.Pick(held.size())];
-    ASSERT_EQ(ContentOf(*view), was);
-    ASSERT_EQ(GraphsOf(*view), GraphsOf(was));
+    ASSERT_EQ(GetContent(*view), was);
+    ASSERT_EQ(ListGraphs(*view), ListGraphs(was));
   }
   store.reset();
-  for (const auto& [view, was] : held) ASSERT_EQ(ContentOf(*view), was);
+  for (const auto& [view, was] : held) ASSERT_EQ(GetContent(*view), was);
 }
 
 }  // namespace kg_core
