@@ -12,7 +12,7 @@ namespace kg_core::conformance {
 namespace {
 
 constexpr char kScheme[] = "file://";
-constexpr std::size_t kMostBytes = 64u << 20;
+constexpr std::size_t kMaxBytes = 64u << 20;
 
 bool IsPlain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
@@ -63,7 +63,7 @@ std::string PathOfUrl(const std::string& url) {
 }
 
 std::string GetText(const std::string& url) {
-  return ReadFile(PathOfUrl(url), kMostBytes);
+  return ReadFile(PathOfUrl(url), kMaxBytes);
 }
 
 std::vector<Statement> CollectStatements(const std::string& url,

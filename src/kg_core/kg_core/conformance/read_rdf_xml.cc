@@ -14,7 +14,7 @@
 namespace kg_core {
 namespace {
 
-constexpr int kMostNesting = 200;
+constexpr int kMaxNesting = 200;
 
 // What an element hands down to those within it.
 struct XmlScope {
@@ -58,7 +58,7 @@ class RdfXmlParser {
     RdfXmlElement element;
     element.tag = reader_.Next();
     element.scope = outer;
-    if (++element.scope.depth > kMostNesting) reader_.Expected("less nesting");
+    if (++element.scope.depth > kMaxNesting) reader_.Expected("less nesting");
     for (const auto& [name, value] : element.tag.full_attributes) {
       if (name == "xmlns") element.scope.prefixes[""] = value;
       if (name.rfind("xmlns:", 0) == 0) {
@@ -124,7 +124,7 @@ class RdfXmlParser {
     return found->second;
   }
 
-  // The node that an element speaks of, by the attributes that may name it.
+  // The node that an element describes, by the attributes that may name it.
   std::optional<Term> Named(const RdfXmlElement& element, const char* about) {
     if (const auto iri = Attribute(element, about)) {
       return ResolveIri(*iri, element.scope);

@@ -121,7 +121,7 @@ void AddGraphsOfQuery(const std::string& request,
   }
 }
 
-// Requests that end in .ru are updates, whatever their type says.
+// Requests that end in .ru are updates, whatever their type is.
 bool IsUpdate(const TestCase& test, const std::string& url) {
   return std::filesystem::path(url).extension() == ".ru" ||
          test.kind.find("Update") != std::string::npos;

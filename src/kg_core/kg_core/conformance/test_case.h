@@ -27,7 +27,7 @@ struct TestCase {
   Term Result() const;
 };
 
-// Each says how what came differs from what was to come; "" if it does not.
+// Each returns the difference between actual and expected result; "" if none.
 // All throw NotRun, and InputError for what cannot be read.
 std::string RunQueryTest(const TestCase& test);
 std::string RunUpdateTest(const TestCase& test);

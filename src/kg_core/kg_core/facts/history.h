@@ -1,5 +1,5 @@
-// The facts as they were: the log (update_log.cc) keeps what every update
-// removed and added, so any version of the facts can be had back by undoing the
+// Past states of the facts: the log (update_log.h) keeps what every update
+// removed and added, so any version of the facts can be restored by undoing the
 // later ones.
 //
 //   FactsAt(*store.Read(), 12)            the facts graph at world version 12

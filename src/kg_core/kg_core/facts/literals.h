@@ -1,5 +1,4 @@
-// Is a literal what its datatype says, and what is its value? And the other
-// way.
+// Literals: is the lexical form well-formed, and what is the value? And back.
 
 #ifndef KG_CORE_FACTS_LITERALS_H_
 #define KG_CORE_FACTS_LITERALS_H_

@@ -13,7 +13,7 @@
 namespace kg_core {
 namespace {
 
-// Where it is said: the subject if it is asserted, and the inferences.
+// Its sources: the subject if it is asserted, and the inferences.
 std::vector<std::string> CollectSources(const GraphView& asserted,
                                         const Triple& triple) {
   std::vector<std::string> sources;

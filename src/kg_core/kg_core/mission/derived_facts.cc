@@ -154,7 +154,7 @@ bool IsGeometry(const GraphView& view, const Term& node) {
   return types.empty() || types == std::vector<Term>{GeoTerm("Geometry")};
 }
 
-// Makes `copy` say what `original` says.
+// Gives `copy` the WKT of `original`.
 void CopyWkt(Transaction& transaction, const Term& original, const Term& copy) {
   const Term as_wkt = GeoTerm("asWKT");
   transaction.RemoveMatching(&copy, &as_wkt, nullptr, Facts());

@@ -1,4 +1,4 @@
-// The end of facts' lives: what mission time has outlived is taken back.
+// Expiry of facts: those that mission time has passed are removed.
 //
 // ex:validUntil (of constraints, prior layers and events) and ex:expires (of
 // coolings) say when. The mission reader lets such a thing apply in windows

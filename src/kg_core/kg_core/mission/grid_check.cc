@@ -11,7 +11,7 @@ namespace {
 // WGS84's meridian: 110.57 km at the equator, 111.69 km at the poles.
 constexpr double kKmPerDegreeOfLatitude = 111.13;
 constexpr double kTolerance = 0.05;
-constexpr double kMostAspect = 4.0;
+constexpr double kMaxAspect = 4.0;
 
 void CheckRows(const FactEntity& grid, const Geometry& box) {
   const double height_km =
@@ -31,7 +31,7 @@ void CheckColumns(const FactEntity& grid, const Geometry& box) {
                           kKmPerDegreeOfLatitude * std::cos(middle_rad);
   const double cell_km = width_km / grid.Integer(Ex("cols"));
   const double pixel_km = grid.Number(Ex("pixelSizeKm"));
-  if (cell_km >= pixel_km / kMostAspect && cell_km <= pixel_km * kMostAspect) {
+  if (cell_km >= pixel_km / kMaxAspect && cell_km <= pixel_km * kMaxAspect) {
     return;
   }
   grid.Refuse(Ex("cols"),

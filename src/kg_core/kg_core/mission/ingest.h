@@ -50,7 +50,7 @@ namespace kg_core {
 std::vector<std::string> StageIngest(FileCache& cache,
                                      Transaction& transaction);
 
-// StageUpdate (fact_update.h), and StageIngest if that is due then: all that
+// StageUpdate (stage_update.h), and StageIngest if that is due then: all that
 // can refuse an update but a mission that cannot be read.
 struct StagedUpdate {
   UpdateJudgement judgement;

@@ -64,7 +64,7 @@ StepRange StepsOfField(const std::vector<double>& time_s,
       std::max<std::ptrdiff_t>(after_begin - begin - 1, 0);
   const std::ptrdiff_t last = std::min(at_end - begin, last_step);
   for (std::ptrdiff_t i = first; i < last; ++i) {
-    if (!(time_s[i + 1] - time_s[i] <= kLongestGap_s)) {
+    if (!(time_s[i + 1] - time_s[i] <= kMaxGap_s)) {
       Refuse(time_s, window,
              "a step between " + FormatDateTime(time_s[i]) + " and " +
                  FormatDateTime(time_s[i + 1]));

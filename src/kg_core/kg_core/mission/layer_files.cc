@@ -31,7 +31,7 @@ File ReadReferred(FileCache& cache, const Mission& mission,
   return Checked(cache.Read(file.path, wanted), file);
 }
 
-// Lives as long as the whole file does.
+// Valid as long as the whole file is.
 SharedRaster StepAt(const File& file, std::size_t series, int index) {
   const std::vector<Raster>& steps = file->series.at(series).at_time;
   if (index >= 0 && index < static_cast<int>(steps.size())) {

@@ -1,4 +1,4 @@
-// JSON of a policy from anybody, as ex:priors and ex:softOverrides of a
+// Arbitrary input as JSON of a policy, as ex:priors and ex:softOverrides of a
 // mission: refused with reasons, or expanded into weights that the mission
 // reader reads.
 

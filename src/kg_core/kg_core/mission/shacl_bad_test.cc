@@ -1,5 +1,5 @@
 // Files of facts that the shapes must refuse: test/shacl_bad/*.ttl, each a
-// small change of the test world (test_world.h). Their first lines say
+// small change of the test world (mission_world.h). Their first lines say
 //
 //   # shape: ex:TimeWindowShape     who must refuse it, and nobody else;
 //   # path: ex:confidence           for what; "none": the node as a whole;

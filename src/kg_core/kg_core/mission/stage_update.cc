@@ -22,7 +22,7 @@
 namespace kg_core {
 namespace {
 
-constexpr std::size_t kMostReasons = 20;
+constexpr std::size_t kMaxReasons = 20;
 
 std::string Quote(const Fact& fact) {
   return fact.subject + " " + fact.property + " " + fact.value;
@@ -65,7 +65,7 @@ class UpdateStager {
     }
   }
 
-  // What follows from the changes, and what speaks against them.
+  // Derives what follows from the changes, and checks the result.
   UpdateJudgement Finish() {
     if (!reasons_.empty()) return {Reasons(), std::nullopt};
     if (transaction_.empty()) return {{}, std::vector<Violation>()};
@@ -134,7 +134,7 @@ class UpdateStager {
     }
   }
 
-  // What SPARQL wrote, in the form of everybody else.
+  // Brings what SPARQL wrote into the form of other facts.
   void Rename(const Statement& statement) {
     if (statement.graph != Facts()) return;
     transaction_.Remove(statement);
@@ -224,7 +224,7 @@ class UpdateStager {
     return std::any_of(removed.begin(), removed.end(), is_mission);
   }
 
-  // Facts that come before any mission are none of the reader's business.
+  // Without any mission, before and after, there is nothing to read.
   void CheckMission() {
     const bool has_mission =
         !FindInstances(transaction_.view(), kFactsGraph, Ex("Mission")).empty();
@@ -247,9 +247,9 @@ class UpdateStager {
     for (std::string& reason : reasons_) {
       if (seen.insert(reason).second) once.push_back(std::move(reason));
     }
-    if (once.size() > kMostReasons) {
-      const std::size_t left = once.size() - kMostReasons;
-      once.resize(kMostReasons);
+    if (once.size() > kMaxReasons) {
+      const std::size_t left = once.size() - kMaxReasons;
+      once.resize(kMaxReasons);
       once.push_back("and " + std::to_string(left) + " more");
     }
     return once;

@@ -22,7 +22,7 @@ struct UpdateVerdict {
   enum class Outcome {
     kAccepted,  // Durable.
     kRefused,   // For `reasons`; nothing has changed.
-    kNobody,    // Nobody decided in time; nothing has changed.
+    kNobody,    // No decision in time; nothing has changed.
   };
   Outcome outcome = Outcome::kNobody;
   std::vector<std::string> reasons{};

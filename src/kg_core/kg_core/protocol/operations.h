@@ -33,7 +33,7 @@ void CheckWritable(const RequestContext& context);
 // verdict.
 UpdateVerdict Write(const RequestContext& context, FactUpdate update);
 
-// What a client is told of a verdict.
+// The response to a client for a verdict.
 HttpResponse Accepted(int status, const UpdateVerdict& verdict);
 
 // 405 that names what is allowed ("GET, HEAD").

@@ -23,7 +23,7 @@ struct QuadTree::Node {
 
   bool is_leaf() const { return children.empty(); }
 
-  // A vector that grows by itself would take room for 128.
+  // A vector that grows on its own would allocate 128.
   void CopyWithRoom(const Node& other) {
     keys.reserve(kMaxKeys + 1);
     keys = other.keys;

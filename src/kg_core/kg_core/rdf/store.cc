@@ -181,7 +181,7 @@ struct Transaction::State : GraphView {
     index.InsertAll(std::exchange(waiting, {}), edit);
   }
 
-  // kNoTerm if nobody knows the term.
+  // kNoTerm if the term is unknown.
   TermId Find(const Term& term) const override {
     const TermId id = dictionary->Find(term, terms_end);
     if (id != kNoTerm || !lock.owns_lock()) return id;

@@ -11,7 +11,7 @@
 namespace kg_core {
 namespace {
 
-// What is said of a subject: objects by property, all in Turtle.
+// The statements about a subject: objects by property, all in Turtle.
 using PropertyTexts = std::map<std::string, std::set<std::string>>;
 using SubjectTexts = std::map<std::string, PropertyTexts>;
 

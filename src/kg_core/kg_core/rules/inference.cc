@@ -36,7 +36,7 @@ bool ChangesRules(const std::vector<Statement>& changes) {
 }
 
 bool IsRead(const std::vector<Statement>& changes, const Rule& rule) {
-  for (const auto* kinds : {&rule.reads, &rule.doubts}) {
+  for (const auto* kinds : {&rule.reads, &rule.negative_reads}) {
     for (const TripleKind& kind : *kinds) {
       for (const Statement& change : changes) {
         if (Includes(kind, change)) return true;

@@ -1,5 +1,7 @@
 // Rules case by case: what is refused, what is cited, what ends.
 
+#include "kg_core/rules/inference.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <vector>
 
 #include "kg_core/rules/facts_and_conclusions.h"
-#include "kg_core/rules/inference.h"
 #include "kg_core/rules/testing/rule_store.h"
 #include "kg_core/sparql/query_engine.h"
 

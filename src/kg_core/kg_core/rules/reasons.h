@@ -37,7 +37,7 @@ struct Inference {
 std::string StatementIri(const Triple& triple);
 std::string InferenceIri(const Inference& inference);
 
-// Is `subject` a node that only says why?
+// Is `subject` a node of reasons, not of conclusions?
 bool IsReason(const Term& subject);
 
 // What the graph `inferred` holds of `inference`, its conclusion included;

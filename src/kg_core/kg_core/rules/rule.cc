@@ -38,7 +38,7 @@ Rule Parse(const Term& iri, const std::string& construct) {
   rule.query = sparql::ParseQuery(construct, limits.nesting);
   RuleReads found = AnalyseRule(rule.query);
   rule.reads = std::move(found.reads);
-  rule.doubts = std::move(found.doubts);
+  rule.negative_reads = std::move(found.negative_reads);
   DropOrder(&rule.query.select);
   sparql::Prepare(&rule.query.select);
   rule.writes = AnalyseTemplate(rule.query);

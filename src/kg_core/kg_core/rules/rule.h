@@ -26,7 +26,7 @@ struct Rule {
   // Of a new triple of this kind come more solutions, never fewer.
   std::vector<TripleKind> reads;
   // Of this kind may come fewer: NOT EXISTS, MINUS, OPTIONAL, aggregates.
-  std::vector<TripleKind> doubts;
+  std::vector<TripleKind> negative_reads;
   std::vector<TripleKind> writes;
 };
 

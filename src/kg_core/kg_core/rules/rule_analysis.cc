@@ -45,16 +45,16 @@ class RuleAnalyser {
 
  private:
   struct Place {
-    bool doubtful = false;  // More triples here may mean fewer solutions.
+    bool negative = false;  // More triples here may mean fewer solutions.
     bool counted = false;   // Within what an aggregate sums up.
   };
-  static Place Doubtful(Place place) {
-    place.doubtful = true;
+  static Place Negative(Place place) {
+    place.negative = true;
     return place;
   }
 
   void Note(const TripleKind& kind, const Place& place) {
-    (place.doubtful ? found_.doubts : found_.reads).push_back(kind);
+    (place.negative ? found_.negative_reads : found_.reads).push_back(kind);
   }
 
   void Visit(const SelectQuery& select, Place place) {
@@ -71,7 +71,7 @@ class RuleAnalyser {
     }
     if (select.grouped) place = {true, true};
     Visit(select.where, place);
-    VisitExpressions(select, Doubtful(place));
+    VisitExpressions(select, Negative(place));
   }
 
   static void CheckAggregate(const AggregateCall& aggregate) {
@@ -112,14 +112,14 @@ class RuleAnalyser {
     const bool may_take_away = pattern.kind == GraphPattern::Kind::kLeftJoin ||
                                pattern.kind == GraphPattern::Kind::kMinus;
     for (std::size_t i = 0; i < pattern.parts.size(); ++i) {
-      Visit(pattern.parts[i], i > 0 && may_take_away ? Doubtful(place) : place);
+      Visit(pattern.parts[i], i > 0 && may_take_away ? Negative(place) : place);
     }
     const bool is_filter = pattern.kind == GraphPattern::Kind::kFilter;
     for (const Expression& filter : pattern.filters) {
       if (is_filter) {
         VisitCondition(filter, place);
       } else {
-        Visit(filter, Doubtful(place));
+        Visit(filter, Negative(place));
       }
     }
     if (pattern.select != nullptr) Visit(*pattern.select, place);
@@ -137,7 +137,7 @@ class RuleAnalyser {
       case Expression::Op::kExists:
         return Visit(*condition.pattern, place);
       default:
-        return Visit(condition, Doubtful(place));
+        return Visit(condition, Negative(place));
     }
   }
 

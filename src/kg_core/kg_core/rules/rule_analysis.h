@@ -14,7 +14,7 @@ namespace kg_core {
 
 struct RuleReads {
   std::vector<TripleKind> reads;
-  std::vector<TripleKind> doubts;
+  std::vector<TripleKind> negative_reads;
 };
 
 // Throws InputError "what is not for rules".

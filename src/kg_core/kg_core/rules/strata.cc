@@ -23,7 +23,7 @@ const TripleKind* FirstMet(const Kinds& writes, const Kinds& reads) {
 
 bool Feeds(const Rule& from, const Rule& to) {
   return FirstMet(from.writes, to.reads) != nullptr ||
-         FirstMet(from.writes, to.doubts) != nullptr;
+         FirstMet(from.writes, to.negative_reads) != nullptr;
 }
 
 // Which rules need which, at any remove.
@@ -66,16 +66,16 @@ class RuleNeeds {
 };
 
 void CheckDoubts(const Stratum& stratum) {
-  for (const Rule* doubter : stratum.rules) {
+  for (const Rule* reader : stratum.rules) {
     for (const Rule* writer : stratum.rules) {
-      const TripleKind* kind = FirstMet(writer->writes, doubter->doubts);
+      const TripleKind* kind = FirstMet(writer->writes, reader->negative_reads);
       if (kind == nullptr) continue;
-      throw InputError(ToTurtle(doubter->iri) +
+      throw InputError(ToTurtle(reader->iri) +
                        ": its NOT EXISTS, MINUS, OPTIONAL or " +
                        "aggregate reads " + ToString(*kind) + ", which " +
                        ToTurtle(writer->iri) +
                        " concludes, and that depends in turn on what " +
-                       ToTurtle(doubter->iri) + " concludes");
+                       ToTurtle(reader->iri) + " concludes");
     }
   }
 }

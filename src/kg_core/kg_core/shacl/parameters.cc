@@ -11,7 +11,7 @@
 namespace kg_core::shacl {
 namespace {
 
-constexpr double kMostCount = 1e15;  // Exact as a double.
+constexpr double kMaxCount = 1e15;  // Exact as a double.
 
 [[noreturn]] void Expected(const Shape& shape, const std::string& local,
                            const std::string& what, const Term& value) {
@@ -91,7 +91,7 @@ std::size_t ReadCount(const Shape& shape, const std::string& local,
   const auto number = sparql::ToNumber(value);
   const bool is_count =
       number && number->type == sparql::XsdNumber::Type::kInteger &&
-      number->ToDouble() >= 0 && number->ToDouble() <= kMostCount;
+      number->ToDouble() >= 0 && number->ToDouble() <= kMaxCount;
   if (!is_count) Expected(shape, local, "an integer of at least 0", value);
   return static_cast<std::size_t>(number->ToDouble());
 }

@@ -288,7 +288,7 @@ class ShapeLoader {
     shapes_.emplace(id, std::move(shape));
   }
 
-  // A shape of which the graph says nothing is a name misspelt: refused.
+  // A shape without statements in the graph is a misspelt name: refused.
   void LoadProperties(Shape& shape) {
     Quad pattern;
     pattern.subject = view_.Find(shape.id);

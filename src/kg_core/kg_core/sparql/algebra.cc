@@ -256,7 +256,7 @@ VariableSet With(VariableSet set, const VariableSet& more) {
 // How the variables bound outside reach a pattern.
 struct PatternSeeds {
   VariableSet seeds;
-  // Within EXISTS they are put in place of the variables, come what may.
+  // Within EXISTS they always replace the variables.
   // https://www.w3.org/TR/sparql11-query/#defn_substitute
   bool substitute = false;
 };

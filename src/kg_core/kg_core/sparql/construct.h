@@ -35,7 +35,7 @@ class TemplateInstantiator {
   Row row_;
 };
 
-// What a query in hand is run with.
+// The context in which a query is run.
 struct QueryRun {
   const Query& query;
   PatternEvaluator* evaluator;

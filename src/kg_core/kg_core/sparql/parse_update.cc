@@ -55,7 +55,7 @@ UpdateRequest SparqlGrammar::ReadUpdate() {
   return update;
 }
 
-// Each operation numbers its own variables; prefixes and the base go on.
+// Each operation numbers its own variables; prefixes and the base are kept.
 void SparqlGrammar::BeginOperation() {
   Query fresh;
   fresh.base = query_.base;

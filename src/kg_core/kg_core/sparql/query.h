@@ -2,7 +2,7 @@
 // https://www.w3.org/TR/sparql11-query/#sparqlAlgebra
 //
 // Variables and constants are numbered once for the whole text; blank nodes of
-// a query are variables that nobody can select ("_:" and "." begin no name).
+// a query are variables that cannot be selected ("_:" and "." begin no name).
 
 #ifndef KG_CORE_SPARQL_QUERY_H_
 #define KG_CORE_SPARQL_QUERY_H_

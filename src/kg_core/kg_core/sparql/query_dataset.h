@@ -20,7 +20,7 @@ struct Dataset {
   // Never seen by GRAPH ?g where named_graphs is nothing: the store's name for
   // what has no name in SPARQL. "": there is none.
   std::string unnamed_graph{};
-  // Chosen by whoever sends the query: FROM and FROM NAMED do not count then.
+  // Chosen by the sender of the query: FROM and FROM NAMED have no effect then.
   // https://www.w3.org/TR/sparql11-protocol/#dataset
   bool is_binding = false;
 };

@@ -29,7 +29,7 @@
 namespace kg_core::brute {
 namespace {
 
-constexpr std::size_t kMostRows = 2000;
+constexpr std::size_t kMaxRows = 2000;
 constexpr char kPrologue[] =
     "PREFIX ex: <http://example.org/mission/>\n"
     "PREFIX xsd: <http://www.w3.org/2001/XMLSchema#>\n";
@@ -230,7 +230,7 @@ void PrintCase(unsigned seed) {
   const Dataset dataset{{std::string(kEx) + "g0", std::string(kEx) + "g1"},
                         std::nullopt};
   const QueryResult result = RunQuery(view, query, dataset, {});
-  if (AsRows(result).rows.size() > kMostRows) return;
+  if (AsRows(result).rows.size() > kMaxRows) return;
   out["variables"] = AsRows(result).variables;
   out["rows"] = CollectRows(result);
   std::printf("%s\n", out.dump().c_str());

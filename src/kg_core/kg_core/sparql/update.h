@@ -12,7 +12,7 @@
 
 namespace kg_core::sparql {
 
-// What CLEAR, DROP, CREATE, COPY, MOVE and ADD speak of.
+// The graphs that CLEAR, DROP, CREATE, COPY, MOVE and ADD refer to.
 struct GraphRef {
   enum class Kind { kDefault, kNamed, kAll, kIri };
   Kind kind = Kind::kDefault;

@@ -11,7 +11,7 @@
 namespace kg_core {
 namespace {
 
-constexpr std::size_t kLongestId = 64;
+constexpr std::size_t kMaxIdBytes = 64;
 
 bool IsIdChar(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
@@ -19,12 +19,12 @@ bool IsIdChar(char c) {
 }
 
 void CheckId(const std::string& id) {
-  if (!id.empty() && id.size() <= kLongestId &&
+  if (!id.empty() && id.size() <= kMaxIdBytes &&
       std::all_of(id.begin(), id.end(), IsIdChar)) {
     return;
   }
   throw InputError("watch '" + id + "': expected an id of 1 to " +
-                   std::to_string(kLongestId) +
+                   std::to_string(kMaxIdBytes) +
                    " letters, digits, '_' and '-'");
 }
 
