@@ -36,7 +36,13 @@ CivilDay CivilFromDays(std::int64_t days) {
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-// Reads a text from left to right; refuses with what the whole should be.
+double ToDouble(const std::string& digits) {
+  double value = 0.0;
+  absl::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return value;
+}
+
+// Reads a duration from left to right; refuses with what the whole should be.
 class Cursor {
  public:
   Cursor(std::string_view text, const char* expected)
@@ -63,25 +69,12 @@ class Cursor {
     rest_.remove_prefix(n);
     return digits;
   }
-  // Exactly two digits, in [min, max].
-  int TakeTwo(int min, int max) {
-    const std::string_view digits = TakeDigits();
-    if (digits.size() != 2) Refuse();
-    const int value = (digits[0] - '0') * 10 + (digits[1] - '0');
-    if (value < min || value > max) Refuse();
-    return value;
-  }
   // What follows a '.', as a fraction of 1; 0 without one.
   double TakeFraction() {
     if (!Take('.')) return 0.0;
     const std::string_view digits = TakeDigits();
     if (digits.empty()) Refuse();
     return ToDouble("0." + std::string(digits));
-  }
-  static double ToDouble(const std::string& digits) {
-    double value = 0.0;
-    absl::from_chars(digits.data(), digits.data() + digits.size(), value);
-    return value;
   }
   [[noreturn]] void Refuse() const {
     throw InputError("'" + std::string(text_.substr(0, 64)) + "' is no " +
@@ -94,35 +87,89 @@ class Cursor {
   const char* const expected_;
 };
 
-std::int64_t TakeYear(Cursor* cursor) {
-  const bool negative = cursor->Take('-');
-  const std::string_view digits = cursor->TakeDigits();
-  const bool padded = digits.size() > 4 && digits[0] == '0';
-  if (digits.size() < 4 || digits.size() > 9 || padded) cursor->Refuse();
-  const std::int64_t year = std::stoll(std::string(digits));
-  return negative ? -year : year;
-}
+// Reads the parts of a date from left to right and remembers whether all of
+// them were well-formed.
+class PartsReader {
+ public:
+  explicit PartsReader(std::string_view text) : rest_(text) {}
 
-// Seconds from local midnight, without the fraction; 24:00:00 is allowed.
-int TakeWholeTime(Cursor* cursor) {
-  const int hour = cursor->TakeTwo(0, 24);
-  cursor->Need(':');
-  const int minute = cursor->TakeTwo(0, hour == 24 ? 0 : 59);
-  cursor->Need(':');
-  const int second = cursor->TakeTwo(0, hour == 24 ? 0 : 59);
-  return hour * 3600 + minute * 60 + second;
-}
+  bool done() const { return ok_ && rest_.empty(); }
+  bool Skip(char c) {
+    if (rest_.empty() || rest_[0] != c) return false;
+    rest_.remove_prefix(1);
+    return true;
+  }
+  void Expect(char c) { ok_ = Skip(c) && ok_; }
 
-// Seconds that local time is ahead of UTC.
-int TakeZone(Cursor* cursor) {
-  if (cursor->done() || cursor->Take('Z')) return 0;
-  const int sign = cursor->Take('-') ? -1 : 1;
-  if (sign > 0) cursor->Need('+');
-  const int hour = cursor->TakeTwo(0, 14);
-  cursor->Need(':');
-  const int minute = cursor->TakeTwo(0, hour == 14 ? 0 : 59);
-  return sign * (hour * 3600 + minute * 60);
-}
+  void ReadDay(DateTimeParts* parts) {
+    const bool negative = Skip('-');
+    const std::string_view digits = Digits();
+    // 4 to 9 digits, more than 4 only as needed: 0044 and 12026, not 02026.
+    const bool is_padded = digits.size() > 4 && digits[0] == '0';
+    ok_ = ok_ && digits.size() >= 4 && digits.size() <= 9 && !is_padded;
+    if (!ok_) return;
+    const int year = std::stoi(std::string(digits));
+    parts->year = negative ? -year : year;
+    Expect('-');
+    parts->month = Two(1, 12);
+    Expect('-');
+    parts->day = Two(1, ok_ ? DaysInMonth(parts->year, parts->month) : 31);
+  }
+
+  void ReadTime(DateTimeParts* parts) {
+    parts->hour = Two(0, 24);
+    Expect(':');
+    const bool is_midnight = parts->hour == 24;
+    parts->minute = Two(0, is_midnight ? 0 : 59);
+    Expect(':');
+    const std::string_view begin = rest_;
+    Two(0, is_midnight ? 0 : 59);
+    if (Skip('.')) {
+      const std::string_view digits = Digits();
+      ok_ = ok_ && !digits.empty();
+      // 24:00:00 has no fraction other than zeros.
+      const bool is_zero =
+          digits.find_first_not_of('0') == std::string_view::npos;
+      ok_ = ok_ && (!is_midnight || is_zero);
+    }
+    parts->second = begin.substr(0, begin.size() - rest_.size());
+  }
+
+  void ReadZone(DateTimeParts* parts) {
+    if (rest_.empty()) return;
+    if (Skip('Z')) {
+      parts->zone_min = 0;
+      return;
+    }
+    const bool is_west = Skip('-');
+    if (!is_west) Expect('+');
+    const int hour = Two(0, 14);
+    Expect(':');
+    const int minutes = hour * 60 + Two(0, hour == 14 ? 0 : 59);
+    parts->zone_min = is_west ? -minutes : minutes;
+  }
+
+ private:
+  std::string_view Digits() {
+    std::size_t n = 0;
+    while (n < rest_.size() && IsDigit(rest_[n])) ++n;
+    const std::string_view digits = rest_.substr(0, n);
+    rest_.remove_prefix(n);
+    return digits;
+  }
+  // Exactly two digits, in [min, max]; `min` if there are none.
+  int Two(int min, int max) {
+    const std::string_view digits = Digits();
+    ok_ = ok_ && digits.size() == 2;
+    if (!ok_) return min;
+    const int value = (digits[0] - '0') * 10 + (digits[1] - '0');
+    ok_ = value >= min && value <= max;
+    return ok_ ? value : min;
+  }
+
+  std::string_view rest_;
+  bool ok_ = true;
+};
 
 // One "12H" of a duration, whose unit stands in `units`; each unit may come
 // once, in order. Returns its seconds.
@@ -137,7 +184,7 @@ double TakePart(Cursor* cursor, std::string_view* units) {
   const char unit = cursor->next();
   cursor->Take(unit);
   units->remove_prefix(place + 1);
-  const double count = Cursor::ToDouble(std::string(digits)) + fraction;
+  const double count = ToDouble(std::string(digits)) + fraction;
   const double unit_s = unit == 'D'   ? kSecondsPerDay
                         : unit == 'H' ? 3600
                         : unit == 'M' ? 60
@@ -164,21 +211,40 @@ int DaysInMonth(std::int64_t year, int month) {
   return month == 2 && leap ? 29 : kDays[month - 1];
 }
 
+std::optional<DateTimeParts> ReadDateTimeParts(std::string_view text) {
+  PartsReader reader(text);
+  DateTimeParts parts;
+  reader.ReadDay(&parts);
+  reader.Expect('T');
+  reader.ReadTime(&parts);
+  reader.ReadZone(&parts);
+  if (!reader.done()) return std::nullopt;
+  return parts;
+}
+
+std::optional<DateTimeParts> ReadDateParts(std::string_view text) {
+  PartsReader reader(text);
+  DateTimeParts parts;
+  reader.ReadDay(&parts);
+  reader.ReadZone(&parts);
+  if (!reader.done()) return std::nullopt;
+  return parts;
+}
+
 double ParseDateTime(std::string_view text) {
-  Cursor cursor(text, "xsd:dateTime like 2026-03-01T12:00:00Z");
-  const std::int64_t year = TakeYear(&cursor);
-  cursor.Need('-');
-  const int month = cursor.TakeTwo(1, 12);
-  cursor.Need('-');
-  const int day = cursor.TakeTwo(1, DaysInMonth(year, month));
-  cursor.Need('T');
-  const int time_s = TakeWholeTime(&cursor);
-  const double fraction_s = cursor.TakeFraction();
-  if (time_s == kSecondsPerDay && fraction_s != 0.0) cursor.Refuse();
-  const int zone_s = TakeZone(&cursor);
-  cursor.NeedEnd();
+  const std::optional<DateTimeParts> parts = ReadDateTimeParts(text);
+  if (!parts) {
+    throw InputError("'" + std::string(text.substr(0, 64)) +
+                     "' is no xsd:dateTime like 2026-03-01T12:00:00Z");
+  }
+  const std::string_view second = parts->second;
+  const int whole_second = (second[0] - '0') * 10 + (second[1] - '0');
+  const double fraction_s =
+      second.size() > 2 ? ToDouble("0" + std::string(second.substr(2))) : 0.0;
   const std::int64_t whole_s =
-      DaysFromCivil(year, month, day) * kSecondsPerDay + time_s - zone_s;
+      DaysFromCivil(parts->year, parts->month, parts->day) * kSecondsPerDay +
+      parts->hour * 3600 + parts->minute * 60 + whole_second -
+      parts->zone_min.value_or(0) * 60;
   return static_cast<double>(whole_s) + fraction_s;
 }
 

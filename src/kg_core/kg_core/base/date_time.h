@@ -11,10 +11,26 @@
 #define KG_CORE_BASE_DATE_TIME_H_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace kg_core {
+
+// The parts of an xsd:dateTime or an xsd:date as written.
+struct DateTimeParts {
+  int year = 0;
+  int month = 1;
+  int day = 1;
+  int hour = 0;  // 24 only in 24:00:00.
+  int minute = 0;
+  std::string_view second = "00";  // Two digits, perhaps "." and more.
+  std::optional<int> zone_min;     // Minutes east of UTC.
+};
+
+// Nothing if `text` is no such value. The result refers to `text`.
+std::optional<DateTimeParts> ReadDateTimeParts(std::string_view text);
+std::optional<DateTimeParts> ReadDateParts(std::string_view text);
 
 // The Unix time of an xsd:dateTime; UTC if it names no time zone. Throws
 // InputError.

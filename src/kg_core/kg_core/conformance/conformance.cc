@@ -48,27 +48,28 @@ const TestKind* FindKind(const Term& type) {
   return nullptr;
 }
 
-std::string EndOf(const std::string& iri) {
+std::string GetEnd(const std::string& iri) {
   return iri.substr(iri.find_last_of("#/") + 1);
 }
 
-class Runner {
+class ManifestRunner {
  public:
-  Runner(fs::path root, absl::FunctionRef<void(const ConformanceTest&)> done)
+  ManifestRunner(fs::path root,
+                 absl::FunctionRef<void(const ConformanceTest&)> done)
       : root_(std::move(root)), done_(done) {}
 
   // The tests of a manifest and of those that it includes; each file once.
   void RunManifest(const std::string& url) {
     if (!manifests_.insert(url).second) return;
-    Documents documents;
+    DocumentStore documents;
     try {
       documents.Load(url);
       RunEntries(&documents, url);
     } catch (const InputError& error) {
-      Report({GroupOf(url), EndOf(url), url, "Manifest", Outcome::kFailed,
+      Report({GetGroup(url), GetEnd(url), url, "Manifest", Outcome::kFailed,
               error.what()});
     } catch (const NotRun& reason) {
-      Report({GroupOf(url), EndOf(url), url, "Manifest", Outcome::kNotRun,
+      Report({GetGroup(url), GetEnd(url), url, "Manifest", Outcome::kNotRun,
               reason.what()});
     }
   }
@@ -76,7 +77,7 @@ class Runner {
   std::vector<ConformanceTest> Take() { return std::move(tests_); }
 
  private:
-  std::string GroupOf(const std::string& url) const {
+  std::string GetGroup(const std::string& url) const {
     const std::string prefix = UrlOfPath(root_.string());
     if (url.compare(0, prefix.size(), prefix) != 0) return url;
     const fs::path folder = fs::path(PathOfUrl(url)).parent_path();
@@ -84,7 +85,7 @@ class Runner {
     return group == "." ? root_.filename().string() : group;
   }
 
-  void RunEntries(Documents* documents, const std::string& url) {
+  void RunEntries(DocumentStore* documents, const std::string& url) {
     const std::string mf = kMf;
     for (const Term& manifest : documents->OfType(url, mf + "Manifest")) {
       for (const Term& node : Listed(*documents, url, manifest, "include")) {
@@ -97,13 +98,13 @@ class Runner {
   }
 
   // The members of lists, and what stands without one.
-  static std::vector<Term> Listed(const Documents& documents,
+  static std::vector<Term> Listed(const DocumentStore& documents,
                                   const std::string& url, const Term& manifest,
                                   const char* property) {
     std::vector<Term> nodes;
     for (const Term& value :
          documents.All(url, manifest, std::string(kMf) + property)) {
-      const auto list = shacl::ReadList(documents.view(), url, value);
+      const auto list = ReadList(documents.view(), url, value);
       if (!list && value.is_blank()) {
         throw InputError(PathOfUrl(url) + ": mf:" + property + " is no list");
       }
@@ -115,13 +116,13 @@ class Runner {
 
   void RunTest(TestCase test) {
     ConformanceTest report;
-    report.group = GroupOf(test.manifest);
+    report.group = GetGroup(test.manifest);
     report.iri = test.subject.is_iri() ? test.subject.text : "";
     const auto name = test.One(test.subject, std::string(kMf) + "name");
-    report.name = test.subject.is_iri() ? EndOf(test.subject.text)
+    report.name = test.subject.is_iri() ? GetEnd(test.subject.text)
                   : name                ? name->text
                                         : "";
-    const TestKind* kind = KindOf(test, &test.kind);
+    const TestKind* kind = GetKind(test, &test.kind);
     report.kind = test.kind;
     try {
       report.message = Run(test, kind);
@@ -136,7 +137,7 @@ class Runner {
   }
 
   // The first type that is known. Of old, none means query evaluation.
-  static const TestKind* KindOf(const TestCase& test, std::string* name) {
+  static const TestKind* GetKind(const TestCase& test, std::string* name) {
     const auto types = test.All(test.subject, std::string(kRdf) + "type");
     for (const Term& type : types) {
       if (const TestKind* kind = FindKind(type)) {
@@ -144,7 +145,7 @@ class Runner {
         return kind;
       }
     }
-    *name = types.empty() ? kKinds[0].name : EndOf(types[0].text);
+    *name = types.empty() ? kKinds[0].name : GetEnd(types[0].text);
     return types.empty() ? &kKinds[0] : nullptr;
   }
 
@@ -211,7 +212,7 @@ std::vector<ConformanceTest> RunConformance(
     throw InputError(folder + ": expected a manifest*.ttl somewhere below it");
   }
   const bool is_file = fs::is_regular_file(root);
-  conformance::Runner runner(is_file ? root.parent_path() : root, done);
+  conformance::ManifestRunner runner(is_file ? root.parent_path() : root, done);
   for (const fs::path& manifest : manifests) {
     runner.RunManifest(conformance::UrlOfPath(manifest.string()));
   }

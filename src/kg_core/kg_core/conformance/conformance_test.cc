@@ -389,7 +389,7 @@ xmlns:e="http://example.org/mission/" xml:lang="en">
   for (const char* bad :
        {"<!DOCTYPE a><a/>", "<x:a/>", "<a", "text",
         "<rdf:RDF xmlns:rdf='http://www.w3.org/1999/02/22-rdf-syntax-ns#'>"}) {
-    EXPECT_THROW(ParseRdfXml(bad, source), InputError) << bad;
+    { EXPECT_THROW(ParseRdfXml(bad, source), InputError) << bad; }
   }
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<a xmlns='http://e/'>";

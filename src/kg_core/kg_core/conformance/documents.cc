@@ -12,7 +12,7 @@ namespace kg_core::conformance {
 namespace {
 
 constexpr char kScheme[] = "file://";
-constexpr std::size_t kMostBytes = 64u << 20;
+constexpr std::size_t kMaxBytes = 64u << 20;
 
 bool IsPlain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
@@ -62,45 +62,46 @@ std::string PathOfUrl(const std::string& url) {
   return path;
 }
 
-std::string TextOf(const std::string& url) {
-  return ReadFile(PathOfUrl(url), kMostBytes);
+std::string GetText(const std::string& url) {
+  return ReadFile(PathOfUrl(url), kMaxBytes);
 }
 
-std::vector<Statement> StatementsOf(const std::string& url,
-                                    const std::string& graph) {
+std::vector<Statement> CollectStatements(const std::string& url,
+                                         const std::string& graph) {
   const std::string path = PathOfUrl(url);
   const std::string suffix = std::filesystem::path(path).extension();
   const RdfSource source{path, Iri(graph), url};
   if (suffix == ".rdf" || suffix == ".owl" || suffix == ".xml") {
-    return ParseRdfXml(TextOf(url), source);
+    return ParseRdfXml(GetText(url), source);
   }
   const RdfSyntaxName* syntax = SyntaxOfPath(path);
-  return ParseRdf(TextOf(url),
+  return ParseRdf(GetText(url),
                   syntax == nullptr ? RdfSyntax::kTurtle : syntax->syntax,
                   source);
 }
 
-void Documents::Load(const std::string& url) {
+void DocumentStore::Load(const std::string& url) {
   if (!loaded_.insert(url).second) return;
   Transaction change = store_.Begin();
-  for (const Statement& s : StatementsOf(url, url)) change.Add(s);
+  for (const Statement& s : CollectStatements(url, url)) change.Add(s);
   change.Commit(WorldChange::kNo);
   view_ = store_.Read();
 }
 
-std::vector<Term> Documents::All(const std::string& graph, const Term& subject,
-                                 const std::string& property) const {
+std::vector<Term> DocumentStore::All(const std::string& graph,
+                                     const Term& subject,
+                                     const std::string& property) const {
   return Objects(*view_, graph, subject, Iri(property));
 }
 
-std::optional<Term> Documents::One(const std::string& graph,
-                                   const Term& subject,
-                                   const std::string& property) const {
+std::optional<Term> DocumentStore::One(const std::string& graph,
+                                       const Term& subject,
+                                       const std::string& property) const {
   return FirstObject(*view_, graph, subject, Iri(property));
 }
 
-std::vector<Term> Documents::OfType(const std::string& graph,
-                                    const std::string& type) const {
+std::vector<Term> DocumentStore::OfType(const std::string& graph,
+                                        const std::string& type) const {
   return Subjects(*view_, graph, Iri(std::string(kRdf) + "type"), Iri(type));
 }
 

@@ -40,14 +40,14 @@ std::string UrlOfPath(const std::string& path);
 std::string PathOfUrl(const std::string& url);
 
 // All of these throw InputError that names the file.
-std::string TextOf(const std::string& url);
+std::string GetText(const std::string& url);
 // RDF by the file's suffix: RDF/XML, N-Triples, N-Quads, TriG; else Turtle.
-std::vector<Statement> StatementsOf(const std::string& url,
-                                    const std::string& graph);
+std::vector<Statement> CollectStatements(const std::string& url,
+                                         const std::string& graph);
 
 // Graphs that are named by their files' URLs and read once, so that their
 // blank nodes are the same as data, as shapes and in the expected report.
-class Documents {
+class DocumentStore {
  public:
   void Load(const std::string& url);
   const GraphView& view() const { return *view_; }

@@ -19,19 +19,19 @@ namespace {
 using Statements = std::vector<Statement>;
 using Row = std::vector<std::optional<Term>>;
 
-struct Format {
+struct SyntaxFormat {
   const char* suffix;
   std::string (*write)(const QueryResult&);
   QueryResult (*read)(std::string_view);
 };
-constexpr Format kFormats[] = {{".srx", ToXml, ReadXmlResult},
-                               {".srj", ToJson, ReadJsonResult},
-                               {".tsv", ToTsv, ReadTsvResult},
-                               {".csv", ToCsv, ReadCsvResult}};
+constexpr SyntaxFormat kFormats[] = {{".srx", ToXml, ReadXmlResult},
+                                     {".srj", ToJson, ReadJsonResult},
+                                     {".tsv", ToTsv, ReadTsvResult},
+                                     {".csv", ToCsv, ReadCsvResult}};
 
-const Format* FormatOf(const std::string& url) {
+const SyntaxFormat* FindFormat(const std::string& url) {
   const std::string suffix = std::filesystem::path(url).extension();
-  for (const Format& format : kFormats) {
+  for (const SyntaxFormat& format : kFormats) {
     if (suffix == format.suffix) return &format;
   }
   return nullptr;
@@ -49,7 +49,7 @@ QueryResult WithBlanks(QueryResult result) {
   return result;
 }
 
-QueryResult Read(const Format& format, std::string_view text) {
+QueryResult Read(const SyntaxFormat& format, std::string_view text) {
   QueryResult result = format.read(text);
   const bool is_csv = std::string_view(format.suffix) == ".csv";
   return is_csv ? WithBlanks(std::move(result)) : result;
@@ -58,7 +58,7 @@ QueryResult Read(const Format& format, std::string_view text) {
 // Reads the one rs:ResultSet of a document.
 class ResultSetReader {
  public:
-  ResultSetReader(const Documents& documents, const std::string& url)
+  ResultSetReader(const DocumentStore& documents, const std::string& url)
       : documents_(documents), url_(url) {}
 
   void Read(const Term& set, ExpectedResult* expected) {
@@ -109,7 +109,7 @@ class ResultSetReader {
     return documents_.All(url_, node, std::string(kRs) + local);
   }
 
-  const Documents& documents_;
+  const DocumentStore& documents_;
   const std::string& url_;
 };
 
@@ -122,7 +122,7 @@ Term Canonical(const Term& term) {
 
 // Rows as statements about one blank node each, so that they are a bag and
 // share the blank nodes in them.
-Statements RowsOf(const QueryResult& result, bool is_ordered) {
+Statements CollectRows(const QueryResult& result, bool is_ordered) {
   const Term graph = Iri(kDefaultGraph);
   Statements statements;
   for (std::size_t i = 0; i < result.rows.size(); ++i) {
@@ -139,11 +139,11 @@ Statements RowsOf(const QueryResult& result, bool is_ordered) {
   return statements;
 }
 
-std::set<std::string> NamesOf(const QueryResult& result) {
+std::set<std::string> CollectNames(const QueryResult& result) {
   return {result.variables.begin(), result.variables.end()};
 }
 
-std::string LineOf(const QueryResult& result, const Row& row) {
+std::string FormatLine(const QueryResult& result, const Row& row) {
   std::set<std::string> cells;
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (!row[i]) continue;
@@ -152,20 +152,21 @@ std::string LineOf(const QueryResult& result, const Row& row) {
                  (is_blank ? "_:" : ToTurtle(Canonical(*row[i]))));
   }
   std::string line;
-  for (const std::string& cell : cells)
+  for (const std::string& cell : cells) {
     line += (line.empty() ? "" : ", ") + cell;
+  }
   return "{" + line + "}";
 }
 
 using Lines = std::multiset<std::string>;
 
-Lines LinesOf(const QueryResult& result) {
+Lines FormatLines(const QueryResult& result) {
   Lines lines;
-  for (const Row& row : result.rows) lines.insert(LineOf(result, row));
+  for (const Row& row : result.rows) lines.insert(FormatLine(result, row));
   return lines;
 }
 
-Lines LinesOf(const Statements& statements) {
+Lines FormatLines(const Statements& statements) {
   Lines lines;
   for (const Statement& s : statements) {
     std::string line;
@@ -214,16 +215,16 @@ bool IsGraph(const QueryResult& result) {
 
 ExpectedResult ReadExpected(const std::string& url) {
   ExpectedResult expected;
-  if (const Format* format = FormatOf(url)) {
-    expected.result = Read(*format, TextOf(url));
+  if (const SyntaxFormat* format = FindFormat(url)) {
+    expected.result = Read(*format, GetText(url));
     return expected;
   }
-  Documents documents;
+  DocumentStore documents;
   documents.Load(url);
   const auto sets = documents.OfType(url, std::string(kRs) + "ResultSet");
   if (sets.empty()) {
     expected.result.form = QueryResult::Form::kConstruct;
-    expected.statements = StatementsOf(url, kDefaultGraph);
+    expected.statements = CollectStatements(url, kDefaultGraph);
   } else {
     ResultSetReader(documents, url).Read(sets[0], &expected);
   }
@@ -231,14 +232,14 @@ ExpectedResult ReadExpected(const std::string& url) {
 }
 
 QueryResult ThroughFormat(const QueryResult& got, const std::string& url) {
-  const Format* format = FormatOf(url);
+  const SyntaxFormat* format = FindFormat(url);
   return format == nullptr ? got : Read(*format, format->write(got));
 }
 
 std::string Difference(const Statements& got, const Statements& want) {
   if (IsIsomorphic(got, want)) return "";
   return Sizes(got.size(), want.size(), "triples") +
-         FirstOnly(LinesOf(got), LinesOf(want));
+         FirstOnly(FormatLines(got), FormatLines(want));
 }
 
 std::string Difference(const QueryResult& got, const ExpectedResult& expected,
@@ -261,15 +262,18 @@ std::string Difference(const QueryResult& got, const ExpectedResult& expected,
     if (got.answer == want.answer) return "";
     return std::string("got ") + (got.answer ? "yes" : "no");
   }
-  if (NamesOf(got) != NamesOf(want)) return "got other variables than expected";
-  const bool is_same = is_lax ? IsIsomorphic(RowsOf(Distinct(got), false),
-                                             RowsOf(Distinct(want), false)) &&
-                                    got.rows.size() <= want.rows.size()
-                              : IsIsomorphic(RowsOf(got, expected.is_ordered),
-                                             RowsOf(want, expected.is_ordered));
+  if (CollectNames(got) != CollectNames(want)) {
+    return "got other variables than expected";
+  }
+  const bool is_same =
+      is_lax ? IsIsomorphic(CollectRows(Distinct(got), false),
+                            CollectRows(Distinct(want), false)) &&
+                   got.rows.size() <= want.rows.size()
+             : IsIsomorphic(CollectRows(got, expected.is_ordered),
+                            CollectRows(want, expected.is_ordered));
   if (is_same) return "";
   return Sizes(got.rows.size(), want.rows.size(), "rows") +
-         FirstOnly(LinesOf(got), LinesOf(want));
+         FirstOnly(FormatLines(got), FormatLines(want));
 }
 
 }  // namespace kg_core::conformance

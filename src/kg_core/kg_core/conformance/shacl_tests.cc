@@ -8,6 +8,7 @@
 #include "kg_core/conformance/test_case.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
+#include "kg_core/shacl/shapes.h"
 #include "kg_core/shacl/validation.h"
 
 namespace kg_core::conformance {
@@ -26,7 +27,7 @@ std::string Line(const std::vector<std::string>& parts) {
   return line;
 }
 
-Lines LinesOf(const std::vector<Violation>& violations) {
+Lines FormatLines(const std::vector<Violation>& violations) {
   Lines lines;
   for (const Violation& v : violations) {
     lines.insert(
@@ -44,8 +45,8 @@ std::string Shown(const GraphView& view, const std::string& graph,
 }
 
 // The results of the report at `report`.
-Lines LinesOf(const GraphView& view, const std::string& graph,
-              const Term& report) {
+Lines FormatLines(const GraphView& view, const std::string& graph,
+                  const Term& report) {
   Lines lines;
   for (const Term& result : Objects(view, graph, report, Sh("result"))) {
     const auto path = FirstObject(view, graph, result, Sh("resultPath"));
@@ -87,7 +88,7 @@ Lines LinesOfReport(const std::string& turtle) {
       Subjects(change.view(), graph, Iri(std::string(kRdf) + "type"),
                Sh("ValidationReport"));
   if (reports.size() != 1) throw InputError("expected one report");
-  return LinesOf(change.view(), graph, reports[0]);
+  return FormatLines(change.view(), graph, reports[0]);
 }
 
 std::string Difference(const Lines& got, const Lines& want) {
@@ -153,19 +154,20 @@ std::string RunShaclTest(const TestCase& test) {
     const auto shapes = shacl::LoadShapes(view, shapes_url->text);
     const shacl::DataGraph data{
         view, data_url->text, {data_url->text}, nullptr};
-    found = shacl::Validation(data, shapes).Run();
+    found = shacl::ShapeValidation(data, shapes).Run();
   } catch (const InputError&) {
     if (result == Sht("Failure")) return "";
     throw;
   }
-  if (result == Sht("Failure"))
+  if (result == Sht("Failure")) {
     return "validated, but the shapes are ill-formed";
+  }
   const auto conforms = test.One(result, Sh("conforms").text);
   if (conforms && (conforms->text == "true") != found.empty()) {
     return "sh:conforms is to be " + conforms->text;
   }
-  const Lines want = LinesOf(view, test.manifest, result);
-  std::string difference = Difference(LinesOf(found), want);
+  const Lines want = FormatLines(view, test.manifest, result);
+  std::string difference = Difference(FormatLines(found), want);
   if (difference.empty()) {
     difference = Difference(WithoutLabels(LinesOfReport(ReportTurtle(found))),
                             WithoutLabels(want));

@@ -28,22 +28,22 @@ QueryLimits Limits() {
 }
 
 // A file and the graph that it is read into.
-struct Source {
+struct GraphSource {
   std::string url;
   std::string graph;
 };
 
-std::vector<Source> SourcesOf(const TestCase& test, const Term& state,
-                              const std::string& vocabulary) {
-  std::vector<Source> sources;
+std::vector<GraphSource> CollectSources(const TestCase& test, const Term& state,
+                                        const std::string& vocabulary) {
+  std::vector<GraphSource> sources;
   for (const Term& data : test.All(state, vocabulary + "data")) {
     sources.push_back({data.text, kDefaultGraph});
   }
   for (const Term& data : test.All(state, vocabulary + "graphData")) {
     const auto file = test.One(data, vocabulary + "graph");
     const auto label = test.One(data, std::string(kRdfs) + "label");
-    sources.push_back(file && label ? Source{file->text, label->text}
-                                    : Source{data.text, data.text});
+    sources.push_back(file && label ? GraphSource{file->text, label->text}
+                                    : GraphSource{data.text, data.text});
   }
   return sources;
 }
@@ -63,8 +63,8 @@ std::string RequestUrl(const TestCase& test) {
 
 // Its text, with where it stands as base: on the first line, so that positions
 // in errors keep their lines.
-std::string RequestOf(const std::string& url) {
-  std::string text = TextOf(url);
+std::string MakeRequest(const std::string& url) {
+  std::string text = GetText(url);
   if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);
   return "BASE <" + url + "> " + text;
 }
@@ -81,17 +81,17 @@ void RefuseWhatCannotBeRun(const TestCase& test) {
   }
 }
 
-Statements ContentOf(const std::vector<Source>& sources) {
+Statements GetContent(const std::vector<GraphSource>& sources) {
   Statements all;
-  for (const Source& source : sources) {
-    for (Statement& s : StatementsOf(source.url, source.graph)) {
+  for (const GraphSource& source : sources) {
+    for (Statement& s : CollectStatements(source.url, source.graph)) {
       all.push_back(std::move(s));
     }
   }
   return all;
 }
 
-Statements ContentOf(const GraphView& view) {
+Statements GetContent(const GraphView& view) {
   Statements all;
   view.Match({}, [&](const Quad& q) {
     all.push_back({view.Get(q.subject), view.Get(q.predicate),
@@ -101,19 +101,19 @@ Statements ContentOf(const GraphView& view) {
   return all;
 }
 
-void Fill(const std::vector<Source>& sources, Store* store) {
+void Fill(const std::vector<GraphSource>& sources, Store* store) {
   Transaction change = store->Begin();
-  for (const Statement& s : ContentOf(sources)) change.Add(s);
+  for (const Statement& s : GetContent(sources)) change.Add(s);
   change.Commit(WorldChange::kYes);
 }
 
 // What FROM and FROM NAMED of the query name and the manifest does not: the
 // test's stand-in for reading the web.
 void AddGraphsOfQuery(const std::string& request,
-                      std::vector<Source>* sources) {
+                      std::vector<GraphSource>* sources) {
   const sparql::Query query = sparql::ParseQuery(request, kNesting);
   std::set<std::string> known;
-  for (const Source& source : *sources) known.insert(source.graph);
+  for (const GraphSource& source : *sources) known.insert(source.graph);
   for (const auto* names : {&query.from, &query.from_named}) {
     for (const std::string& name : *names) {
       if (known.insert(name).second) sources->push_back({name, name});
@@ -121,14 +121,14 @@ void AddGraphsOfQuery(const std::string& request,
   }
 }
 
-// Requests that end in .ru are updates, whatever their type says.
+// Requests that end in .ru are updates, whatever their type is.
 bool IsUpdate(const TestCase& test, const std::string& url) {
   return std::filesystem::path(url).extension() == ".ru" ||
          test.kind.find("Update") != std::string::npos;
 }
 
 void Parse(const TestCase& test, const std::string& url) {
-  const std::string request = RequestOf(url);
+  const std::string request = MakeRequest(url);
   if (IsUpdate(test, url)) {
     sparql::ParseUpdate(request, kNesting);
   } else {
@@ -140,13 +140,13 @@ void Parse(const TestCase& test, const std::string& url) {
 
 std::string RunQueryTest(const TestCase& test) {
   RefuseWhatCannotBeRun(test);
-  const std::string request = RequestOf(RequestUrl(test));
-  std::vector<Source> sources = SourcesOf(test, test.Action(), kQt);
+  const std::string request = MakeRequest(RequestUrl(test));
+  std::vector<GraphSource> sources = CollectSources(test, test.Action(), kQt);
   AddGraphsOfQuery(request, &sources);
   Store store("");
   Fill(sources, &store);
   Dataset dataset{{kDefaultGraph}, std::vector<std::string>(), ""};
-  for (const Source& source : sources) {
+  for (const GraphSource& source : sources) {
     if (source.graph == kDefaultGraph) continue;
     dataset.named_graphs->push_back(source.graph);
   }
@@ -163,14 +163,14 @@ std::string RunQueryTest(const TestCase& test) {
 std::string RunUpdateTest(const TestCase& test) {
   RefuseWhatCannotBeRun(test);
   Store store("");
-  Fill(SourcesOf(test, test.Action(), kUt), &store);
+  Fill(CollectSources(test, test.Action(), kUt), &store);
   UpdateGraphs graphs;
   graphs.default_graph = kDefaultGraph;
   graphs.read = {{kDefaultGraph}, std::nullopt, kDefaultGraph};
   Transaction change = store.Begin();
-  RunUpdate(RequestOf(RequestUrl(test)), graphs, Limits(), &change);
-  return Difference(ContentOf(change.view()),
-                    ContentOf(SourcesOf(test, test.Result(), kUt)));
+  RunUpdate(MakeRequest(RequestUrl(test)), graphs, Limits(), &change);
+  return Difference(GetContent(change.view()),
+                    GetContent(CollectSources(test, test.Result(), kUt)));
 }
 
 std::string RunPositiveSyntaxTest(const TestCase& test) {
@@ -180,7 +180,7 @@ std::string RunPositiveSyntaxTest(const TestCase& test) {
 
 std::string RunNegativeSyntaxTest(const TestCase& test) {
   const std::string url = RequestUrl(test);
-  TextOf(url);  // A file that is not there is no bad syntax.
+  GetText(url);  // A file that is not there is no bad syntax.
   try {
     Parse(test, url);
   } catch (const InputError&) {

@@ -12,7 +12,7 @@ using Outcome = ConformanceTest::Outcome;
 using Tests = std::vector<ConformanceTest>;
 
 // In a cell of a table, in one line.
-std::string Cell(const std::string& text) {
+std::string FormatCell(const std::string& text) {
   std::string cell;
   for (const char c : text) {
     if (c == '|') cell += '\\';
@@ -21,19 +21,19 @@ std::string Cell(const std::string& text) {
   return cell;
 }
 
-std::string ResultOf(const ConformanceTest& test) {
+std::string FormatResult(const ConformanceTest& test) {
   switch (test.outcome) {
     case Outcome::kPassed:
       return "passed";
     case Outcome::kFailed:
-      return "**failed**: " + Cell(test.message);
+      return "**failed**: " + FormatCell(test.message);
     case Outcome::kNotRun:
-      return "not run: " + Cell(test.message);
+      return "not run: " + FormatCell(test.message);
   }
   return "";
 }
 
-std::string CountsOf(const Tests& tests) {
+std::string FormatCounts(const Tests& tests) {
   const ConformanceCount count = CountOutcomes(tests);
   std::string text = std::to_string(count.passed) + " passed, " +
                      std::to_string(count.failed) + " failed";
@@ -50,15 +50,15 @@ std::string ConformanceTable(const Tests& tests) {
   for (const ConformanceTest& test : tests) groups[test.group].push_back(test);
   std::string text;
   for (const auto& [group, members] : groups) {
-    text += "## " + group + "\n\n" + CountsOf(members) +
+    text += "## " + group + "\n\n" + FormatCounts(members) +
             "\n\n| test | kind | result |\n|---|---|---|\n";
     for (const ConformanceTest& test : members) {
-      text += "| " + Cell(test.name) + " | " + test.kind + " | " +
-              ResultOf(test) + " |\n";
+      text += "| " + FormatCell(test.name) + " | " + test.kind + " | " +
+              FormatResult(test) + " |\n";
     }
     text += "\n";
   }
-  return text + CountsOf(tests) + "\n";
+  return text + FormatCounts(tests) + "\n";
 }
 
 }  // namespace kg_core

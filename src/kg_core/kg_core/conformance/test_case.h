@@ -10,10 +10,10 @@
 namespace kg_core::conformance {
 
 struct TestCase {
-  Documents* documents;  // Holds the manifest.
-  std::string manifest;  // Its URL.
-  Term subject;          // The test.
-  std::string kind;      // Local name of its type.
+  DocumentStore* documents;  // Holds the manifest.
+  std::string manifest;      // Its URL.
+  Term subject;              // The test.
+  std::string kind;          // Local name of its type.
 
   // The values of a property in the manifest, by its whole IRI.
   std::optional<Term> One(const Term& node, const std::string& property) const {
@@ -27,7 +27,7 @@ struct TestCase {
   Term Result() const;
 };
 
-// Each says how what came differs from what was to come; "" if it does not.
+// Each returns the difference between actual and expected result; "" if none.
 // All throw NotRun, and InputError for what cannot be read.
 std::string RunQueryTest(const TestCase& test);
 std::string RunUpdateTest(const TestCase& test);

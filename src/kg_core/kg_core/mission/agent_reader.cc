@@ -13,9 +13,9 @@
 namespace kg_core {
 namespace {
 
-// Where it is said: the subject if it is asserted, and the inferences.
-std::vector<std::string> SourcesOf(const GraphView& asserted,
-                                   const Triple& triple) {
+// Its sources: the subject if it is asserted, and the inferences.
+std::vector<std::string> CollectSources(const GraphView& asserted,
+                                        const Triple& triple) {
   std::vector<std::string> sources;
   if (Has(asserted, kFactsGraph, triple.subject, triple.predicate,
           triple.object)) {
@@ -28,21 +28,22 @@ std::vector<std::string> SourcesOf(const GraphView& asserted,
 }
 
 // The agent's state for the earliest window.
-Entity StartOf(const GraphView& view, const Calendar& calendar,
-               const Entity& agent) {
-  std::vector<std::pair<int, Entity>> states;
-  for (const Term& term : InstancesOf(view, kFactsGraph, Ex("AgentState"))) {
-    const Entity state(view, term);
+FactEntity FindStart(const GraphView& view, const WindowCalendar& calendar,
+                     const FactEntity& agent) {
+  std::vector<std::pair<int, FactEntity>> states;
+  for (const Term& term : FindInstances(view, kFactsGraph, Ex("AgentState"))) {
+    const FactEntity state(view, term);
     if (state.Iris(Ex("forAgent")) != std::vector<std::string>{agent.iri()}) {
       continue;
     }
-    states.emplace_back(calendar.WindowOf(state), state);
+    states.emplace_back(calendar.FindWindow(state), state);
   }
   const Term state = Ex("AgentState");
   if (states.empty()) {
     agent.Refuse(state, "an ex:AgentState with ex:forAgent " +
                             ToTurtle(agent.subject()) + " to start from");
   }
+  // The agent starts in the earliest window that has a state.
   std::stable_sort(
       states.begin(), states.end(),
       [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -54,20 +55,20 @@ Entity StartOf(const GraphView& view, const Calendar& calendar,
 }
 
 Agent ReadAgent(const GraphView& asserted, const GraphView& view,
-                const Calendar& calendar, const Entity& entity) {
+                const WindowCalendar& calendar, const FactEntity& entity) {
   Agent agent;
   agent.iri = entity.iri();
   agent.id = entity.Text(Ex("id"));
   agent.mobility = entity.Text(Ex("mobility"), "");
   agent.policy = ReadPolicy(view, entity.Follow(Ex("usesPolicy")));
   agent.capabilities = ReadCapabilities(entity.Follow(Ex("hasCapabilities")));
-  const Entity start = StartOf(view, calendar, entity);
+  const FactEntity start = FindStart(view, calendar, entity);
   agent.start = start.Position();
   agent.start_heading_rad = DegToRad(start.Number(Ex("headingDeg"), 0.0));
   agent.start_iri = start.iri();
   for (const std::string& zone : entity.Iris(Ex("mustAvoid"))) {
     agent.must_avoid[zone] =
-        SourcesOf(asserted, {Iri(agent.iri), Ex("mustAvoid"), Iri(zone)});
+        CollectSources(asserted, {Iri(agent.iri), Ex("mustAvoid"), Iri(zone)});
   }
   return agent;
 }
@@ -75,10 +76,12 @@ Agent ReadAgent(const GraphView& asserted, const GraphView& view,
 }  // namespace
 
 std::vector<Agent> ReadAgents(const GraphView& asserted, const GraphView& view,
-                              const Calendar& calendar, const Entity& mission) {
+                              const WindowCalendar& calendar,
+                              const FactEntity& mission) {
   std::vector<Agent> agents;
   for (const Term& term : mission.All(Ex("hasAgent"))) {
-    agents.push_back(ReadAgent(asserted, view, calendar, Entity(view, term)));
+    agents.push_back(
+        ReadAgent(asserted, view, calendar, FactEntity(view, term)));
   }
   if (agents.empty()) mission.Refuse(Ex("hasAgent"), "at least one agent");
   std::sort(agents.begin(), agents.end(),
@@ -87,7 +90,7 @@ std::vector<Agent> ReadAgents(const GraphView& asserted, const GraphView& view,
       agents.begin(), agents.end(),
       [](const Agent& a, const Agent& b) { return a.id == b.id; });
   if (twin != agents.end()) {
-    Entity(view, Iri(twin->iri))
+    FactEntity(view, Iri(twin->iri))
         .Refuse(Ex("id"), "an id of its own, not \"" + twin->id + "\" twice");
   }
   return agents;

@@ -16,7 +16,8 @@ namespace kg_core {
 // By id. `asserted` is the graph as it is, `view` with its conclusions. Throws
 // InputError.
 std::vector<Agent> ReadAgents(const GraphView& asserted, const GraphView& view,
-                              const Calendar& calendar, const Entity& mission);
+                              const WindowCalendar& calendar,
+                              const FactEntity& mission);
 
 }  // namespace kg_core
 

@@ -18,13 +18,13 @@ namespace {
 
 constexpr double kDefaultEventRadiusKm = 10.0;
 
-constexpr Named<ConstraintKind> kConstraintKinds[] = {
+constexpr NamedChoice<ConstraintKind> kConstraintKinds[] = {
     {"no_go", ConstraintKind::kNoGo}, {"soft", ConstraintKind::kSoft}};
-constexpr Named<BufferMetric> kBufferMetrics[] = {
+constexpr NamedChoice<BufferMetric> kBufferMetrics[] = {
     {"euclidean", BufferMetric::kEuclidean},
     {"chebyshev", BufferMetric::kChebyshev}};
 
-Geometry ReadArea(const Entity& entity) {
+Geometry ReadArea(const FactEntity& entity) {
   Geometry area = entity.Wkt();
   if (!area.IsArea()) {
     entity.Refuse(GeoTerm("asWKT"), "POLYGON or MULTIPOLYGON");
@@ -32,7 +32,7 @@ Geometry ReadArea(const Entity& entity) {
   return area;
 }
 
-double Expiry_s(const Entity& entity, double begin_s) {
+double Expiry_s(const FactEntity& entity, double begin_s) {
   const std::optional<Term> expiry = entity.One(Ex("expiresAfter"));
   if (const auto time_s = UnixSeconds(*expiry)) return *time_s;
   if (const auto duration_s = DurationSeconds(*expiry)) {
@@ -43,8 +43,9 @@ double Expiry_s(const Entity& entity, double begin_s) {
 
 // A42: without an expiry its windows are those it names; with one, all from
 // the first it names that begin before the expiry.
-std::vector<int> EventWindows(const Calendar& calendar, const Entity& entity) {
-  const std::vector<int> named = calendar.WindowsOf(entity, Ex("forWindow"));
+std::vector<int> EventWindows(const WindowCalendar& calendar,
+                              const FactEntity& entity) {
+  const std::vector<int> named = calendar.FindWindows(entity, Ex("forWindow"));
   if (named.empty()) entity.Refuse(Ex("forWindow"), "at least one window");
   std::vector<int> windows;
   if (!entity.One(Ex("expiresAfter"))) {
@@ -65,7 +66,8 @@ std::vector<int> EventWindows(const Calendar& calendar, const Entity& entity) {
 
 }  // namespace
 
-Constraint ReadConstraint(const Calendar& calendar, const Entity& entity) {
+Constraint ReadConstraint(const WindowCalendar& calendar,
+                          const FactEntity& entity) {
   Constraint constraint;
   constraint.iri = entity.iri();
   constraint.kind =
@@ -79,15 +81,16 @@ Constraint ReadConstraint(const Calendar& calendar, const Entity& entity) {
   constraint.buffer_metric = Choice(entity, Ex("bufferMetric"), kBufferMetrics,
                                     constraint.buffer_metric);
   constraint.attenuation = entity.Number(Ex("attenuation"), 1.0);
+  // A cooling constraint names its window and agent by properties of its own.
   const bool is_cooling = entity.One(Ex("expires")).has_value();
   const Term window_property = Ex(is_cooling ? "forWindow" : "appliesIn");
   constraint.windows =
-      calendar.Alive(entity, calendar.WindowsOf(entity, window_property));
+      calendar.Alive(entity, calendar.FindWindows(entity, window_property));
   constraint.agents = entity.Iris(Ex(is_cooling ? "forAgent" : "appliesTo"));
   return constraint;
 }
 
-PriorLayer ReadPrior(const Calendar& calendar, const Entity& entity) {
+PriorLayer ReadPrior(const WindowCalendar& calendar, const FactEntity& entity) {
   PriorLayer prior;
   prior.iri = entity.iri();
   prior.name = entity.Text(Ex("name"));
@@ -98,12 +101,12 @@ PriorLayer ReadPrior(const Calendar& calendar, const Entity& entity) {
   }
   prior.edge_m = KmToMetres(entity.Number(Ex("edgeKm"), 0.0));
   prior.windows =
-      calendar.Alive(entity, calendar.WindowsOf(entity, Ex("appliesIn")));
+      calendar.Alive(entity, calendar.FindWindows(entity, Ex("appliesIn")));
   prior.agents = entity.Iris(Ex("appliesTo"));
   return prior;
 }
 
-Event ReadEvent(const Calendar& calendar, const Entity& entity) {
+Event ReadEvent(const WindowCalendar& calendar, const FactEntity& entity) {
   Event event;
   event.iri = entity.iri();
   event.position = entity.Position();
@@ -115,7 +118,7 @@ Event ReadEvent(const Calendar& calendar, const Entity& entity) {
   if (!event.windows.empty()) {
     event.windows = calendar.Alive(entity, std::move(event.windows));
   }
-  if (event.windows == std::vector<int>{Calendar::kNoWindow}) {
+  if (event.windows == std::vector<int>{WindowCalendar::kNoWindow}) {
     event.windows.clear();
   }
   return event;

@@ -11,9 +11,10 @@ namespace kg_core {
 
 // All throw InputError. What applies in no window any more has the one window
 // Calendar::kNoWindow; of an event it has none.
-Constraint ReadConstraint(const Calendar& calendar, const Entity& entity);
-PriorLayer ReadPrior(const Calendar& calendar, const Entity& entity);
-Event ReadEvent(const Calendar& calendar, const Entity& entity);
+Constraint ReadConstraint(const WindowCalendar& calendar,
+                          const FactEntity& entity);
+PriorLayer ReadPrior(const WindowCalendar& calendar, const FactEntity& entity);
+Event ReadEvent(const WindowCalendar& calendar, const FactEntity& entity);
 
 }  // namespace kg_core
 

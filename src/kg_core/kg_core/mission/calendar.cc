@@ -7,12 +7,12 @@
 #include "kg_core/base/date_time.h"
 #include "kg_core/base/units.h"
 #include "kg_core/facts/terms.h"
-#include "kg_core/mission/expiry.h"
+#include "kg_core/mission/validity.h"
 
 namespace kg_core {
 namespace {
 
-TimeWindow ReadWindow(const Entity& entity) {
+TimeWindow ReadWindow(const FactEntity& entity) {
   TimeWindow window;
   window.iri = entity.iri();
   window.index = entity.Integer(Ex("index"));
@@ -30,9 +30,10 @@ TimeWindow ReadWindow(const Entity& entity) {
 
 }  // namespace
 
-Calendar::Calendar(const GraphView& view, const Entity& mission) {
+WindowCalendar::WindowCalendar(const GraphView& view,
+                               const FactEntity& mission) {
   for (const Term& term : mission.All(Ex("hasWindow"))) {
-    planned_.push_back(ReadWindow(Entity(view, term)));
+    planned_.push_back(ReadWindow(FactEntity(view, term)));
   }
   std::sort(planned_.begin(), planned_.end(),
             [](const TimeWindow& a, const TimeWindow& b) {
@@ -47,15 +48,16 @@ Calendar::Calendar(const GraphView& view, const Entity& mission) {
   LimitHorizon(mission);
 }
 
-void Calendar::Complete(const GraphView& view, int i) {
+void WindowCalendar::Complete(const GraphView& view, int i) {
   TimeWindow& window = planned_[i];
-  const Entity entity(view, Iri(window.iri));
+  const FactEntity entity(view, Iri(window.iri));
   if (window.index != i) {
     entity.Refuse(Ex("index"), std::to_string(i) +
                                    ": the windows' indices run from 0 " +
                                    "without gap or twin");
   }
   const bool is_last = i + 1 == static_cast<int>(planned_.size());
+  // Neither end nor duration: the window lasts until the next one begins.
   if (std::isnan(window.end_s) && !is_last) {
     window.end_s = planned_[i + 1].begin_s;
   }
@@ -71,7 +73,7 @@ void Calendar::Complete(const GraphView& view, int i) {
   }
 }
 
-void Calendar::LimitHorizon(const Entity& mission) {
+void WindowCalendar::LimitHorizon(const FactEntity& mission) {
   const int count = static_cast<int>(planned_.size());
   const int horizon = mission.Integer(Ex("horizon"), count);
   if (!(horizon <= count)) {
@@ -84,8 +86,8 @@ void Calendar::LimitHorizon(const Entity& mission) {
   planned_.resize(horizon);
 }
 
-std::vector<int> Calendar::WindowsOf(const Entity& entity,
-                                     const Term& property) const {
+std::vector<int> WindowCalendar::FindWindows(const FactEntity& entity,
+                                             const Term& property) const {
   std::vector<int> windows;
   for (const std::string& iri : entity.Iris(property)) {
     const auto found = index_of_.find(iri);
@@ -99,14 +101,14 @@ std::vector<int> Calendar::WindowsOf(const Entity& entity,
   return windows;
 }
 
-int Calendar::WindowOf(const Entity& entity) const {
-  const std::vector<int> windows = WindowsOf(entity, Ex("forWindow"));
+int WindowCalendar::FindWindow(const FactEntity& entity) const {
+  const std::vector<int> windows = FindWindows(entity, Ex("forWindow"));
   if (windows.size() != 1) entity.Refuse(Ex("forWindow"), "one window");
   return windows[0];
 }
 
-std::vector<int> Calendar::Alive(const Entity& entity,
-                                 std::vector<int> named) const {
+std::vector<int> WindowCalendar::Alive(const FactEntity& entity,
+                                       std::vector<int> named) const {
   const double end_s = ValidUntil_s(entity);
   if (std::isinf(end_s)) return named;
   std::vector<int> alive;

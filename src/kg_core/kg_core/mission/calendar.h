@@ -13,11 +13,11 @@
 
 namespace kg_core {
 
-class Calendar {
+class WindowCalendar {
  public:
   // A window ends at time:hasEnd, else after its duration, else at the next
   // begin. All throw InputError.
-  Calendar(const GraphView& view, const Entity& mission);
+  WindowCalendar(const GraphView& view, const FactEntity& mission);
 
   // Those within the horizon, by index. Facts about later ones are read, but
   // nothing of them is kept.
@@ -27,17 +27,19 @@ class Calendar {
   }
 
   // The windows that an entity names, sorted.
-  std::vector<int> WindowsOf(const Entity& entity, const Term& property) const;
-  int WindowOf(const Entity& entity) const;  // ex:forWindow, exactly one.
+  std::vector<int> FindWindows(const FactEntity& entity,
+                               const Term& property) const;
+  int FindWindow(const FactEntity& entity) const;  // ex:forWindow, exactly one.
 
   // The windows among `named` (empty: all) that begin while the facts about
   // `entity` hold; {kNoWindow} if there is none.
-  std::vector<int> Alive(const Entity& entity, std::vector<int> named) const;
+  std::vector<int> Alive(const FactEntity& entity,
+                         std::vector<int> named) const;
   static constexpr int kNoWindow = -1;
 
  private:
   void Complete(const GraphView& view, int i);
-  void LimitHorizon(const Entity& mission);
+  void LimitHorizon(const FactEntity& mission);
 
   std::vector<TimeWindow> planned_;
   std::map<std::string, int> index_of_;  // Of all windows, by IRI.

@@ -11,13 +11,13 @@ namespace kg_core {
 
 // One value of an enumeration and its name in the facts.
 template <typename Value>
-struct Named {
+struct NamedChoice {
   const char* name;
   Value value;
 };
 // The value that `property` names; `fallback` if it is absent.
 template <typename Table, typename Value>
-Value Choice(const Entity& entity, const Term& property, const Table& table,
+Value Choice(const FactEntity& entity, const Term& property, const Table& table,
              Value fallback) {
   if (!entity.One(property)) return fallback;
   const std::string name = entity.Text(property);

@@ -102,7 +102,7 @@ const ClassCase kClasses[] = {
      "ex:forAgent ex:bravo ; prov:wasGeneratedBy ex:run"},
 };
 
-bool Ask(const TestWorld& world, const std::string& pattern) {
+bool Ask(const MissionWorld& world, const std::string& pattern) {
   return RunQuery(*world.store.Read(), "ASK { " + pattern + " }",
                   DefaultDataset(std::nullopt), {})
       .answer;
@@ -112,7 +112,7 @@ class ClassesTest : public testing::TestWithParam<ClassCase> {};
 
 TEST_P(ClassesTest, AreAssertedFoundValidRetractedAndGone) {
   const ClassCase& c = GetParam();
-  TestWorld world(std::string(kTestFacts) + kTestArtifacts);
+  MissionWorld world(std::string(kTestFacts) + kTestArtifacts);
   const std::string stored = c.stored_as == nullptr ? c.type : c.stored_as;
   const std::string pattern = "ex:new a " + stored;
   EXPECT_FALSE(Ask(world, pattern));
@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(Each, ClassesTest, testing::ValuesIn(kClasses),
 
 // There is always exactly one mission: it goes when another comes.
 TEST(MissionClassTest, IsAssertedFoundValidAndReplaced) {
-  TestWorld world;
+  MissionWorld world;
   EXPECT_TRUE(Ask(world, "ex:m a ex:Mission"));
   FactUpdate update;
   update.remove = {{"ex:m", "", ""}};

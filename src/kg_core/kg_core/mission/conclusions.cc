@@ -14,9 +14,9 @@ namespace {
 
 // " (concluded by ex:r1, ex:r2)": the rules with a conclusion about `subject`,
 // else all that have any.
-std::string Blame(const GraphView& view,
-                  const std::vector<Statement>& conclusions,
-                  const Term& subject) {
+std::string FormatBlamedRules(const GraphView& view,
+                              const std::vector<Statement>& conclusions,
+                              const Term& subject) {
   std::set<std::string> about;
   std::set<std::string> all;
   for (const Statement& s : conclusions) {
@@ -46,13 +46,15 @@ std::vector<std::string> CheckConclusions(const Vocabulary& vocabulary,
   for (const Term& subject : subjects) {
     for (const std::string& reason :
          CheckSubjects(vocabulary, world, {subject})) {
-      reasons.push_back(reason + Blame(view, conclusions, subject));
+      reasons.push_back(reason + FormatBlamedRules(view, conclusions, subject));
     }
   }
   if (!reasons.empty()) return reasons;
+  // The shapes expect statements that passed the checks above.
   for (const Violation& violation : ValidateConclusions(view)) {
-    reasons.push_back(violation.Line() +
-                      Blame(view, conclusions, violation.focus_node));
+    reasons.push_back(
+        violation.Line() +
+        FormatBlamedRules(view, conclusions, violation.focus_node));
   }
   return reasons;
 }

@@ -41,6 +41,8 @@ std::string LocalName(const Term& term) {
 // Keys of the outer object, each once; strict JSON (RFC 8259).
 Json ParseObject(const std::string& text) {
   std::set<std::string> keys;
+  // A parser callback, because the parser itself keeps the last of two equal
+  // names.
   const auto refuse_twins = [&](int depth, Json::parse_event_t event,
                                 Json& value) {
     if (event == Json::parse_event_t::key && depth == 1 &&
@@ -62,7 +64,7 @@ Json ParseObject(const std::string& text) {
   return json;
 }
 
-double NumberOf(const Json& value, const std::string& name) {
+double GetNumber(const Json& value, const std::string& name) {
   if (value.is_number()) return value.get<double>();
   throw InputError("expected a number for \"" + name + "\", not " +
                    value.dump());
@@ -79,19 +81,19 @@ class JsonExpansion {
                                        Ex(kind_.property))) {
       const Json json = ParseObject(literal.text);
       for (const auto& [name, value] : json.items()) {
-        AddNode(policy, Find(name), NumberOf(value, name));
+        AddNode(policy, Find(name), GetNumber(value, name));
       }
     }
   }
 
  private:
-  Term NodeOf(const Term& policy, const std::string& local) const {
+  Term MakeNode(const Term& policy, const std::string& local) const {
     return Iri(policy.text + "/" + kind_.folder + "/" + local);
   }
 
   // Those of an earlier expansion; nodes an operator made are not touched.
   void DropNodes(const Term& policy) {
-    const std::string prefix = NodeOf(policy, "").text;
+    const std::string prefix = MakeNode(policy, "").text;
     for (const Term& node : Linked(transaction_, policy, Ex(kind_.link))) {
       if (node.text.compare(0, prefix.size(), prefix) != 0) continue;
       transaction_.RemoveMatching(&node, nullptr, nullptr, Facts());
@@ -100,7 +102,7 @@ class JsonExpansion {
   }
 
   void AddNode(const Term& policy, const Term& target, double value) {
-    const Term node = NodeOf(policy, LocalName(target));
+    const Term node = MakeNode(policy, LocalName(target));
     transaction_.Add({policy, Ex(kind_.link), node, Facts()});
     transaction_.Add({node, RdfType(), Ex(kind_.node_class), Facts()});
     transaction_.Add({node, Ex(kind_.target), target, Facts()});
@@ -116,8 +118,8 @@ class JsonExpansion {
 
   Term Find(const std::string& name) const {
     std::string known;
-    for (const Term& target : InstancesOf(transaction_.view(), kFactsGraph,
-                                          Ex(kind_.target_class))) {
+    for (const Term& target : FindInstances(transaction_.view(), kFactsGraph,
+                                            Ex(kind_.target_class))) {
       if (IsNamed(target, name)) return target;
       known += (known.empty() ? "" : ", ") + LocalName(target);
     }
@@ -152,7 +154,7 @@ bool IsGeometry(const GraphView& view, const Term& node) {
   return types.empty() || types == std::vector<Term>{GeoTerm("Geometry")};
 }
 
-// Makes `copy` say what `original` says.
+// Gives `copy` the WKT of `original`.
 void CopyWkt(Transaction& transaction, const Term& original, const Term& copy) {
   const Term as_wkt = GeoTerm("asWKT");
   transaction.RemoveMatching(&copy, &as_wkt, nullptr, Facts());
@@ -205,6 +207,8 @@ void KeepGeometries(Transaction& transaction, ChangeScope scope) {
       RenewGeometryNode(transaction, feature);
     }
   }
+  // A geometry node that changed goes to its feature, unless the feature's own
+  // WKT changed as well: that takes precedence.
   for (const Term& owner : owners) {
     if (features.count(owner) != 0) continue;
     const auto node = FirstObject(transaction.view(), kFactsGraph, owner,

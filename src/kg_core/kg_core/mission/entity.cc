@@ -9,32 +9,32 @@
 
 namespace kg_core {
 
-void Entity::Refuse(const Term& property,
-                    const std::string& expectation) const {
+void FactEntity::Refuse(const Term& property,
+                        const std::string& expectation) const {
   throw InputError(ToTurtle(subject_) + " " + ToTurtle(property) +
                    ": expected " + expectation);
 }
 
-std::vector<Term> Entity::All(const Term& property) const {
+std::vector<Term> FactEntity::All(const Term& property) const {
   std::vector<Term> values = Objects(*view_, kFactsGraph, subject_, property);
   std::sort(values.begin(), values.end());
   return values;
 }
 
-std::optional<Term> Entity::One(const Term& property) const {
+std::optional<Term> FactEntity::One(const Term& property) const {
   std::vector<Term> values = All(property);
   if (values.empty()) return std::nullopt;
   if (values.size() > 1) Refuse(property, "one value, not several");
   return std::move(values[0]);
 }
 
-Entity Entity::Follow(const Term& property) const {
+FactEntity FactEntity::Follow(const Term& property) const {
   const std::optional<Term> object = One(property);
   if (!object || object->is_literal()) Refuse(property, "one that exists");
-  return Entity(*view_, *object);
+  return FactEntity(*view_, *object);
 }
 
-std::optional<double> Entity::MaybeNumber(const Term& property) const {
+std::optional<double> FactEntity::MaybeNumber(const Term& property) const {
   const std::optional<Term> value = One(property);
   if (!value) return std::nullopt;
   const std::optional<double> number = NumericValue(*value);
@@ -42,17 +42,17 @@ std::optional<double> Entity::MaybeNumber(const Term& property) const {
   return number;
 }
 
-double Entity::Number(const Term& property) const {
+double FactEntity::Number(const Term& property) const {
   const std::optional<double> number = MaybeNumber(property);
   if (!number) Refuse(property, "a number");
   return *number;
 }
 
-double Entity::Number(const Term& property, double fallback) const {
+double FactEntity::Number(const Term& property, double fallback) const {
   return MaybeNumber(property).value_or(fallback);
 }
 
-int Entity::Integer(const Term& property) const {
+int FactEntity::Integer(const Term& property) const {
   const double number = Number(property);
   const bool is_int = number == std::floor(number) &&
                       std::abs(number) <= std::numeric_limits<int>::max();
@@ -60,11 +60,11 @@ int Entity::Integer(const Term& property) const {
   return static_cast<int>(number);
 }
 
-int Entity::Integer(const Term& property, int fallback) const {
+int FactEntity::Integer(const Term& property, int fallback) const {
   return One(property) ? Integer(property) : fallback;
 }
 
-bool Entity::Flag(const Term& property, bool fallback) const {
+bool FactEntity::Flag(const Term& property, bool fallback) const {
   const std::optional<Term> value = One(property);
   if (!value) return fallback;
   const std::optional<bool> flag = BooleanValue(*value);
@@ -72,18 +72,18 @@ bool Entity::Flag(const Term& property, bool fallback) const {
   return *flag;
 }
 
-std::string Entity::Text(const Term& property) const {
+std::string FactEntity::Text(const Term& property) const {
   const std::optional<Term> value = One(property);
   if (!value || !value->is_literal()) Refuse(property, "a string");
   return value->text;
 }
 
-std::string Entity::Text(const Term& property,
-                         const std::string& fallback) const {
+std::string FactEntity::Text(const Term& property,
+                             const std::string& fallback) const {
   return One(property) ? Text(property) : fallback;
 }
 
-std::optional<double> Entity::MaybeTime_s(const Term& property) const {
+std::optional<double> FactEntity::MaybeTime_s(const Term& property) const {
   const std::optional<Term> value = One(property);
   if (!value) return std::nullopt;
   const std::optional<double> time_s = UnixSeconds(*value);
@@ -91,7 +91,7 @@ std::optional<double> Entity::MaybeTime_s(const Term& property) const {
   return time_s;
 }
 
-std::vector<std::string> Entity::Iris(const Term& property) const {
+std::vector<std::string> FactEntity::Iris(const Term& property) const {
   std::vector<std::string> iris;
   for (const Term& value : All(property)) {
     if (value.is_literal()) Refuse(property, "IRIs only");
@@ -100,7 +100,7 @@ std::vector<std::string> Entity::Iris(const Term& property) const {
   return iris;
 }
 
-Geometry Entity::Wkt() const {
+Geometry FactEntity::Wkt() const {
   const Term as_wkt = GeoTerm("asWKT");
   try {
     return Geometry::FromWkt(Text(as_wkt));
@@ -109,7 +109,7 @@ Geometry Entity::Wkt() const {
   }
 }
 
-LonLat Entity::Position() const {
+LonLat FactEntity::Position() const {
   const Geometry geometry = Wkt();
   if (!geometry.IsPoint()) Refuse(GeoTerm("asWKT"), "POINT(lon lat)");
   return geometry.Point();

@@ -15,9 +15,9 @@
 
 namespace kg_core {
 
-class Entity {
+class FactEntity {
  public:
-  Entity(const GraphView& view, Term subject)
+  FactEntity(const GraphView& view, Term subject)
       : view_(&view), subject_(std::move(subject)) {}
 
   const Term& subject() const { return subject_; }
@@ -25,7 +25,7 @@ class Entity {
 
   std::vector<Term> All(const Term& property) const;    // Sorted.
   std::optional<Term> One(const Term& property) const;  // Refuses two.
-  Entity Follow(const Term& property) const;  // The one object; required.
+  FactEntity Follow(const Term& property) const;  // The one object; required.
 
   // In the unit of the facts. All throw InputError.
   std::optional<double> MaybeNumber(const Term& property) const;

@@ -8,17 +8,17 @@
 
 #include "kg_core/facts/literals.h"
 #include "kg_core/facts/terms.h"
+#include "kg_core/mission/validity.h"
 
 namespace kg_core {
 namespace {
 
 constexpr double kNever_s = std::numeric_limits<double>::infinity();
-constexpr const char* kExpiries[] = {"validUntil", "expires"};
 
 // Every subject that ends, and when; the earlier of two.
 std::map<Term, double> Lives(const GraphView& view) {
   std::map<Term, double> lives;
-  for (const char* name : kExpiries) {
+  for (const char* name : kEndProperties) {
     Quad pattern;
     pattern.predicate = view.Find(Ex(name));
     pattern.graph = view.Find(Facts());
@@ -64,14 +64,6 @@ std::string Obstacle(const GraphView& view, const Term& node,
 
 }  // namespace
 
-double ValidUntil_s(const Entity& entity) {
-  double end_s = kNever_s;
-  for (const char* name : kExpiries) {
-    end_s = std::min(end_s, entity.MaybeTime_s(Ex(name)).value_or(kNever_s));
-  }
-  return end_s;
-}
-
 double NextExpiry_s(const GraphView& view, double after_s) {
   double next_s = kNever_s;
   for (const auto& [node, end_s] : Lives(view)) {
@@ -80,12 +72,12 @@ double NextExpiry_s(const GraphView& view, double after_s) {
   return next_s;
 }
 
-Expiry FindExpired(const GraphView& view, double mission_time_s) {
+ExpiredFacts FindExpired(const GraphView& view, double mission_time_s) {
   std::set<Term> gone;
   for (const auto& [node, end_s] : Lives(view)) {
     if (end_s <= mission_time_s) gone.insert(node);
   }
-  Expiry expiry;
+  ExpiredFacts expiry;
   for (bool settled = false; !settled;) {  // What stays may hold others.
     settled = true;
     for (auto node = gone.begin(); node != gone.end();) {

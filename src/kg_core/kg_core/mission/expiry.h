@@ -1,4 +1,4 @@
-// The end of facts' lives: what mission time has outlived is taken back.
+// Expiry of facts: those that mission time has passed are removed.
 //
 // ex:validUntil (of constraints, prior layers and events) and ex:expires (of
 // coolings) say when. The mission reader lets such a thing apply in windows
@@ -13,19 +13,15 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/entity.h"
-#include "kg_core/mission/stage_update.h"
+#include "kg_core/facts/fact_update.h"
 #include "kg_core/rdf/graph_view.h"
 
 namespace kg_core {
 
-// When the facts about `entity` end, Unix seconds; infinity if never.
-double ValidUntil_s(const Entity& entity);
-
 // When the next fact in `view` expires after `after_s`; infinity if none.
 double NextExpiry_s(const GraphView& view, double after_s);
 
-struct Expiry {
+struct ExpiredFacts {
   FactUpdate update;  // Author "kg"; removes what is over.
   std::vector<std::string>
       kept;  // What cannot go, a line each with the reason.
@@ -33,7 +29,7 @@ struct Expiry {
 
 // What has expired by `mission_time_s`. What other facts still refer to is
 // kept, unless they expire, too.
-Expiry FindExpired(const GraphView& view, double mission_time_s);
+ExpiredFacts FindExpired(const GraphView& view, double mission_time_s);
 
 }  // namespace kg_core
 

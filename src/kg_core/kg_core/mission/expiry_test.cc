@@ -30,7 +30,7 @@ const Constraint* Find(const Mission& mission, const char* name) {
   return nullptr;
 }
 
-std::vector<std::string> Removed(const Expiry& expiry) {
+std::vector<std::string> Removed(const ExpiredFacts& expiry) {
   std::vector<std::string> names;
   for (const Fact& fact : expiry.update.remove) names.push_back(fact.subject);
   return names;
@@ -39,7 +39,7 @@ std::vector<std::string> Removed(const Expiry& expiry) {
 using Names = std::vector<std::string>;
 
 TEST(ExpiryTest, AppliesInWindowsThatBeginBefore) {
-  TestWorld world;
+  MissionWorld world;
   ASSERT_EQ(Joined(world.Add(Reef("2026-06-03T00:00:01Z"))), "");
   EXPECT_EQ(Find(ReadMission(*world.store.Read()), "reef")->windows,
             (std::vector<int>{0, 1}));
@@ -51,7 +51,7 @@ TEST(ExpiryTest, AppliesInWindowsThatBeginBefore) {
 }
 
 TEST(ExpiryTest, AppliesNowhereRatherThanEverywhereOnceItIsOver) {
-  TestWorld world;
+  MissionWorld world;
   ASSERT_EQ(Joined(world.Add(Reef("2026-06-02T00:00:00Z") +
                              "ex:corridor ex:validUntil "
                              "\"2026-06-01T00:00:00Z\"^^xsd:dateTime . "
@@ -65,7 +65,7 @@ TEST(ExpiryTest, AppliesNowhereRatherThanEverywhereOnceItIsOver) {
 }
 
 TEST(ExpiryTest, NamedWindowsAreLimitedToo) {
-  TestWorld world;
+  MissionWorld world;
   ASSERT_EQ(Joined(world.Add(
                 Reef("2026-06-02T12:00:00Z", "ex:reef ex:appliesIn ex:w1 ."))),
             "");
@@ -73,7 +73,7 @@ TEST(ExpiryTest, NamedWindowsAreLimitedToo) {
 }
 
 TEST(ExpiryTest, CoolingsEndWhenTheySay) {
-  TestWorld world;
+  MissionWorld world;
   EXPECT_NE(Find(ReadMission(*world.store.Read()), "cool"), nullptr);
   ASSERT_EQ(Joined(world.Set({"ex:cool", "ex:expires",
                               "\"2026-06-03T00:00:00Z\"^^xsd:dateTime"})),
@@ -86,7 +86,7 @@ TEST(ExpiryTest, CoolingsEndWhenTheySay) {
 }
 
 TEST(ExpiryTest, TheNextEndIsTheEarliestAfterATime) {
-  TestWorld world;
+  MissionWorld world;
   ASSERT_EQ(Joined(world.Add(Reef("2026-06-02T06:00:00Z"))), "");
   const auto view = world.store.Read();
   EXPECT_EQ(NextExpiry_s(*view, kBegin_s), kBegin_s + 6 * kHour_s);
@@ -96,9 +96,9 @@ TEST(ExpiryTest, TheNextEndIsTheEarliestAfterATime) {
 }
 
 TEST(ExpiryTest, TakesBackEveryFactWithItsGeometry) {
-  TestWorld world;
+  MissionWorld world;
   ASSERT_EQ(Joined(world.Add(Reef("2026-06-02T06:00:00Z"))), "");
-  const Expiry expiry =
+  const ExpiredFacts expiry =
       FindExpired(*world.store.Read(), kBegin_s + 6 * kHour_s);
   EXPECT_EQ(expiry.update.author, "kg");
   EXPECT_TRUE(expiry.kept.empty());
@@ -110,13 +110,13 @@ TEST(ExpiryTest, TakesBackEveryFactWithItsGeometry) {
 }
 
 TEST(ExpiryTest, WhatOthersReferToIsKeptAndSaid) {
-  TestWorld world;
+  MissionWorld world;
   ASSERT_EQ(Joined(world.Add(Reef("2026-06-02T06:00:00Z",
                                   "ex:fast ex:softOverrides '{\"reef\": 0}' . "
                                   "ex:corridor ex:validUntil "
                                   "\"2026-06-01T00:00:00Z\"^^xsd:dateTime ."))),
             "");
-  const Expiry expiry =
+  const ExpiredFacts expiry =
       FindExpired(*world.store.Read(), kBegin_s + 6 * kHour_s);
   EXPECT_TRUE(expiry.update.remove.empty());
   EXPECT_EQ(expiry.kept,
@@ -129,7 +129,7 @@ TEST(ExpiryTest, WhatOthersReferToIsKeptAndSaid) {
 }
 
 TEST(ExpiryTest, EventsThatExpireAfterATimeAreNotTakenBack) {
-  TestWorld world;
+  MissionWorld world;
   ASSERT_EQ(Joined(world.Set(
                 {"ex:seep", "ex:expiresAfter", "\"PT1H\"^^xsd:duration"})),
             "");
@@ -138,7 +138,7 @@ TEST(ExpiryTest, EventsThatExpireAfterATimeAreNotTakenBack) {
 }
 
 TEST(ExpiryTest, OfTwoEndsOfAnEventTheEarlierCounts) {
-  TestWorld world;
+  MissionWorld world;
   ASSERT_EQ(Joined(world.Add("ex:seep ex:expiresAfter \"P9D\"^^xsd:duration ; "
                              "ex:validUntil "
                              "\"2026-06-02T12:00:00Z\"^^xsd:dateTime .")),

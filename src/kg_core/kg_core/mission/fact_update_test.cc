@@ -6,8 +6,10 @@
 
 #include "kg_core/base/sha256.h"
 #include "kg_core/facts/terms.h"
+#include "kg_core/facts/update_log.h"
 #include "kg_core/facts/vocabulary.h"
 #include "kg_core/mission/ingest.h"
+#include "kg_core/mission/ingested_facts.h"
 #include "kg_core/mission/stage_update.h"
 #include "kg_core/mission/stage_vocabulary.h"
 #include "kg_core/mission/testing/mission_world.h"
@@ -22,20 +24,20 @@ void ExpectSaid(const std::vector<std::string>& reasons,
       << "wanted: " << said << "\ngot: " << Joined(reasons);
 }
 
-Term PolicyOfAlpha(const TestWorld& world) {
+Term PolicyOfAlpha(const MissionWorld& world) {
   return FirstObject(*world.store.Read(), kFactsGraph, Ex("alpha"),
                      Ex("usesPolicy"))
       .value_or(Term());
 }
 
 TEST(FactUpdateTest, SetReplacesAllValues) {
-  TestWorld world;
+  MissionWorld world;
   EXPECT_EQ(Joined(world.Set({"ex:alpha", "ex:usesPolicy", "ex:fast"})), "");
   EXPECT_EQ(PolicyOfAlpha(world), Ex("fast"));
 }
 
 TEST(FactUpdateTest, SetOfTwoValuesKeepsBoth) {
-  TestWorld world;
+  MissionWorld world;
   const Fact w0 = {"ex:seep", "ex:forWindow", "ex:w0"};
   const Fact w1 = {"ex:seep", "ex:forWindow", "ex:w1"};
   EXPECT_EQ(Joined(world.Commit({"", "test", {w0, w1}, {}, {}, ""})), "");
@@ -46,7 +48,7 @@ TEST(FactUpdateTest, SetOfTwoValuesKeepsBoth) {
 }
 
 TEST(FactUpdateTest, SettingWhatIsSoChangesNothing) {
-  TestWorld world;
+  MissionWorld world;
   Transaction transaction = world.store.Begin();
   const FactUpdate update = {
       "", "test", {{"ex:alpha", "ex:usesPolicy", "ex:safe"}}, {}, {}, ""};
@@ -56,7 +58,7 @@ TEST(FactUpdateTest, SettingWhatIsSoChangesNothing) {
 }
 
 TEST(FactUpdateTest, RefusesAnUnknownPropertyAndNamesTheNearest) {
-  TestWorld world;
+  MissionWorld world;
   ExpectSaid(world.Set({"ex:alpha", "ex:usePolicy", "ex:fast"}),
              "ex:usePolicy is not a property of the ontology, the nearest is "
              "ex:usesPolicy");
@@ -64,25 +66,25 @@ TEST(FactUpdateTest, RefusesAnUnknownPropertyAndNamesTheNearest) {
 }
 
 TEST(FactUpdateTest, RefusesAnUnknownClassAndNamesTheNearest) {
-  TestWorld world;
+  MissionWorld world;
   ExpectSaid(world.Add("ex:e a ex:Evnt ."), "the nearest is ex:Event");
 }
 
 TEST(FactUpdateTest, RefusesFactsAboutASubjectWithoutAClass) {
-  TestWorld world;
+  MissionWorld world;
   ExpectSaid(world.Set({"ex:alpa", "ex:id", "\"alpa\""}),
              "ex:alpa: has facts but no class");
   ExpectSaid(world.Remove({"ex:seep", "a", "ex:Event"}), "no class");
 }
 
 TEST(FactUpdateTest, RefusesAPropertyOnTheWrongClass) {
-  TestWorld world;
+  MissionWorld world;
   ExpectSaid(world.Set({"ex:alpha", "ex:cruiseSpeedKts", "0.8"}),
              "belongs to ex:AgentCapabilities, not to ex:Agent");
 }
 
 TEST(FactUpdateTest, RefusesValuesOfAnotherType) {
-  TestWorld world;
+  MissionWorld world;
   ExpectSaid(world.Set({"ex:w1", "ex:confidence", "\"0.5\""}),
              "expected xsd:double, not \"0.5\"");
   ExpectSaid(world.Set({"ex:w1", "ex:confidence", "\"NaN\"^^xsd:double"}),
@@ -98,14 +100,14 @@ TEST(FactUpdateTest, RefusesValuesOfAnotherType) {
 }
 
 TEST(FactUpdateTest, DoublesMayBeWrittenAsIntegersAndDecimals) {
-  TestWorld world;
+  MissionWorld world;
   for (const char* value : {"1", "0.5", "5e-1"}) {
     EXPECT_EQ(Joined(world.Set({"ex:w1", "ex:confidence", value})), "");
   }
 }
 
 TEST(FactUpdateTest, RefusesMalformedTermsAndTurtleWithThePlace) {
-  TestWorld world;
+  MissionWorld world;
   ExpectSaid(world.Set({"ex:alpha", "ex:usesPolicy", "ex fast"}),
              "set ex:alpha ex:usesPolicy ex fast: ");
   ExpectSaid(world.Set({"nope:alpha", "ex:usesPolicy", "ex:fast"}), "nope");
@@ -115,7 +117,7 @@ TEST(FactUpdateTest, RefusesMalformedTermsAndTurtleWithThePlace) {
 }
 
 TEST(FactUpdateTest, RefusesMalformedWktWithThePosition) {
-  TestWorld world;
+  MissionWorld world;
   const auto reasons = world.Set(
       {"ex:sanctuary", "geo:asWKT", "\"POLYGON((-94 27, -93 x, -94 27))\""});
   ExpectSaid(reasons, "ex:sanctuary geo:asWKT: ");
@@ -124,7 +126,7 @@ TEST(FactUpdateTest, RefusesMalformedWktWithThePosition) {
 }
 
 TEST(FactUpdateTest, TakesSparqlUpdatesOfTheFactsAndRefusesThoseOfOtherGraphs) {
-  TestWorld world;
+  MissionWorld world;
   FactUpdate update;
   update.sparql =
       "DELETE { ?a ex:usesPolicy ?p } INSERT { ?a ex:usesPolicy ex:safe } "
@@ -141,7 +143,7 @@ TEST(FactUpdateTest, TakesSparqlUpdatesOfTheFactsAndRefusesThoseOfOtherGraphs) {
 }
 
 TEST(FactUpdateTest, PlainStringsBecomeWktAndGeometryNodesFollow) {
-  TestWorld world;
+  MissionWorld world;
   const std::string wkt = "POLYGON((-95 27, -93 27, -93 28, -95 28, -95 27))";
   ASSERT_EQ(Joined(world.Set({"ex:sanctuary", "geo:asWKT", "\"" + wkt + "\""})),
             "");
@@ -156,7 +158,7 @@ TEST(FactUpdateTest, PlainStringsBecomeWktAndGeometryNodesFollow) {
 }
 
 TEST(FactUpdateTest, AGeometryNodeGivesItsFeatureTheShortForm) {
-  TestWorld world;
+  MissionWorld world;
   ASSERT_EQ(Joined(world.Add(
                 "ex:reef a ex:Constraint ; ex:kind \"no_go\" ; geo:hasGeometry "
                 "ex:reef_shape . ex:reef_shape a geo:Geometry ; geo:asWKT "
@@ -167,7 +169,7 @@ TEST(FactUpdateTest, AGeometryNodeGivesItsFeatureTheShortForm) {
 }
 
 TEST(FactUpdateTest, JsonBecomesTypedNodesAndIsKept) {
-  TestWorld world;
+  MissionWorld world;
   const Term node = Iri(Ex("safe").text + "/prior/corridor");
   const auto beta = [&] {
     return FirstObject(*world.store.Read(), kFactsGraph, node, Ex("beta"));
@@ -185,7 +187,7 @@ TEST(FactUpdateTest, JsonBecomesTypedNodesAndIsKept) {
 }
 
 TEST(FactUpdateTest, RefusesJsonThatIsNoneAndNamesThatNothingHas) {
-  TestWorld world;
+  MissionWorld world;
   const auto set = [&](const std::string& json) {
     return world.Set({"ex:safe", "ex:priors", "'" + json + "'"});
   };
@@ -201,7 +203,7 @@ TEST(FactUpdateTest, RefusesJsonThatIsNoneAndNamesThatNothingHas) {
 }
 
 TEST(FactUpdateTest, OtherNamesAreStoredAsWhatTheyStandFor) {
-  TestWorld world(std::string(kTestFacts) + kTestArtifacts);
+  MissionWorld world(std::string(kTestFacts) + kTestArtifacts);
   const auto types = [&](const char* name) {
     return Objects(*world.store.Read(), kFactsGraph, Ex(name), RdfType());
   };
@@ -229,7 +231,7 @@ TEST(FactUpdateTest, OtherNamesAreStoredAsWhatTheyStandFor) {
 }
 
 TEST(FactUpdateTest, AGeometryLinkToSomethingElseIsRefusedAndHarmsNothing) {
-  TestWorld world;
+  MissionWorld world;
   FactUpdate update;
   update.turtle =
       "ex:sanctuary geo:hasGeometry ex:alpha ; geo:asWKT "
@@ -241,14 +243,14 @@ TEST(FactUpdateTest, AGeometryLinkToSomethingElseIsRefusedAndHarmsNothing) {
 }
 
 TEST(FactUpdateTest, RefusesToRemoveWhatIsNotThere) {
-  TestWorld world;
+  MissionWorld world;
   ExpectSaid(world.Remove({"ex:alpha", "ex:usesPolicy", "ex:fast"}),
              "there is no such fact");
   ExpectSaid(world.Remove({"ex:nobody", "", ""}), "there is no such fact");
 }
 
 TEST(FactUpdateTest, RemovesAWholeSubject) {
-  TestWorld world;
+  MissionWorld world;
   ASSERT_EQ(Joined(world.Remove({"ex:seep", "", ""})), "");
   const auto view = world.store.Read();
   EXPECT_FALSE(FirstObject(*view, kFactsGraph, Ex("seep"), RdfType()));
@@ -256,7 +258,7 @@ TEST(FactUpdateTest, RemovesAWholeSubject) {
 }
 
 TEST(FactUpdateTest, APolicyTakesItsTypedNodesWithIt) {
-  TestWorld world;
+  MissionWorld world;
   ASSERT_EQ(Joined(world.Set({"ex:alpha", "ex:usesPolicy", "ex:fast"})), "");
   ASSERT_EQ(Joined(world.Remove({"ex:safe", "", ""})), "");
   const auto view = world.store.Read();
@@ -267,14 +269,14 @@ TEST(FactUpdateTest, APolicyTakesItsTypedNodesWithIt) {
 }
 
 TEST(FactUpdateTest, RefusesToRemoveWhatOthersPointAt) {
-  TestWorld world;
+  MissionWorld world;
   ExpectSaid(world.Remove({"ex:safe", "", ""}), "ex:alpha ex:usesPolicy");
   ExpectSaid(world.Remove({"ex:corridor", "", ""}), "ex:layer");
   ExpectSaid(world.Remove({"ex:m", "", ""}), "exactly one ex:Mission");
 }
 
 TEST(FactUpdateTest, ARefusedUpdateLeavesNothingBehind) {
-  TestWorld world;
+  MissionWorld world;
   const auto before = world.store.world_version();
   const auto quads = world.store.quad_count();
   FactUpdate update;
@@ -287,14 +289,14 @@ TEST(FactUpdateTest, ARefusedUpdateLeavesNothingBehind) {
 }
 
 TEST(FactUpdateTest, RefusesAMissionThatCanNoLongerBeRead) {
-  TestWorld world;
+  MissionWorld world;
   ExpectSaid(world.Remove({"ex:bravo_start", "", ""}),
              "ex:AgentState with ex:forAgent ex:bravo");
   ExpectSaid(world.Set({"ex:w1", "ex:index", "5"}), "run from 0");
 }
 
 TEST(FactUpdateTest, TheLogKeepsWhoWhatOldAndNew) {
-  TestWorld world;
+  MissionWorld world;
   FactUpdate update;
   update.id = "u7";
   update.author = "Ann B";
@@ -321,7 +323,7 @@ TEST(FactUpdateTest, TheLogKeepsWhoWhatOldAndNew) {
 }
 
 TEST(FactUpdateTest, ManyReasonsAreCutShort) {
-  TestWorld world;
+  MissionWorld world;
   FactUpdate update;
   for (int i = 0; i < 100; ++i) {
     update.add.push_back({"ex:alpha", "ex:nothing" + std::to_string(i), "1"});
@@ -330,14 +332,14 @@ TEST(FactUpdateTest, ManyReasonsAreCutShort) {
 }
 
 TEST(FactUpdateTest, ReadsTheVocabularyOnceOnly) {
-  TestWorld world;
+  MissionWorld world;
   Transaction again = world.store.Begin();
   StageVocabulary("ontology", again);
   EXPECT_TRUE(again.empty());
 }
 
 TEST(FactUpdateTest, TheLogNamesAuthorTimeIdAndFiles) {
-  TestWorld world;
+  MissionWorld world;
   Transaction transaction = world.store.Begin();
   FactUpdate update;
   update.id = "u7";
@@ -388,7 +390,7 @@ TEST(FactUpdateTest, AVocabularyIsLoggedByItsFilesNotByItsTriples) {
 }
 
 TEST(FactUpdateTest, IngestIsDueWhenSourcesOrWindowsChange) {
-  TestWorld world;
+  MissionWorld world;
   const auto is_due = [&](const Fact& fact) {
     Transaction transaction = world.store.Begin();
     const FactUpdate update = {"", "test", {fact}, {}, {}, ""};

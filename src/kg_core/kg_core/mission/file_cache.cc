@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string VersionOf(const std::string& path) {
+std::string ComputeVersion(const std::string& path) {
   std::error_code error;
   const auto size = fs::file_size(path, error);
   if (error) throw InputError(path + ": cannot be read: " + error.message());
@@ -61,7 +61,7 @@ std::shared_ptr<const OceanFile> FileCache::ReadVariable(
 std::shared_ptr<const OceanFile> FileCache::Get(
     const std::string& path, const std::string& wanted,
     const std::function<OceanFile()>& read) {
-  const std::string version = VersionOf(path);
+  const std::string version = ComputeVersion(path);
   const auto known = [&]() -> std::shared_ptr<const OceanFile> {
     const auto found = files_.find(path + wanted);
     if (found == files_.end() || found->second.version != version) return {};

@@ -11,9 +11,9 @@ namespace {
 // WGS84's meridian: 110.57 km at the equator, 111.69 km at the poles.
 constexpr double kKmPerDegreeOfLatitude = 111.13;
 constexpr double kTolerance = 0.05;
-constexpr double kMostAspect = 4.0;
+constexpr double kMaxAspect = 4.0;
 
-void CheckRows(const Entity& grid, const Geometry& box) {
+void CheckRows(const FactEntity& grid, const Geometry& box) {
   const double height_km =
       (box.north_deg() - box.south_deg()) * kKmPerDegreeOfLatitude;
   const double rows_km =
@@ -25,13 +25,13 @@ void CheckRows(const Entity& grid, const Geometry& box) {
                   std::to_string(rows_km));
 }
 
-void CheckColumns(const Entity& grid, const Geometry& box) {
+void CheckColumns(const FactEntity& grid, const Geometry& box) {
   const double middle_rad = DegToRad((box.north_deg() + box.south_deg()) / 2);
   const double width_km = (box.east_deg() - box.west_deg()) *
                           kKmPerDegreeOfLatitude * std::cos(middle_rad);
   const double cell_km = width_km / grid.Integer(Ex("cols"));
   const double pixel_km = grid.Number(Ex("pixelSizeKm"));
-  if (cell_km >= pixel_km / kMostAspect && cell_km <= pixel_km * kMostAspect) {
+  if (cell_km >= pixel_km / kMaxAspect && cell_km <= pixel_km * kMaxAspect) {
     return;
   }
   grid.Refuse(Ex("cols"),
@@ -42,7 +42,7 @@ void CheckColumns(const Entity& grid, const Geometry& box) {
 
 }  // namespace
 
-void CheckGrid(const Entity& grid) {
+void CheckGrid(const FactEntity& grid) {
   const Geometry box = grid.Wkt();
   CheckRows(grid, box);
   CheckColumns(grid, box);

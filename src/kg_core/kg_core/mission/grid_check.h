@@ -15,7 +15,7 @@
 namespace kg_core {
 
 // Throws InputError "ex:grid ex:pixelSizeKm: expected ...".
-void CheckGrid(const Entity& grid);
+void CheckGrid(const FactEntity& grid);
 
 }  // namespace kg_core
 

@@ -14,24 +14,24 @@ namespace {
 
 using Lines = std::set<std::string>;
 
-std::string LineOf(const Statement& s) {
+std::string FormatLine(const Statement& s) {
   return ToNTriples(s.subject) + " " + ToNTriples(s.predicate) + " " +
          ToNTriples(s.object);
 }
 
-Lines LinesOf(const std::vector<Statement>& statements) {
+Lines FormatLines(const std::vector<Statement>& statements) {
   Lines lines;
-  for (const Statement& s : statements) lines.insert(LineOf(s));
+  for (const Statement& s : statements) lines.insert(FormatLine(s));
   return lines;
 }
 
 // The facts of now, by looking.
-Lines FactsOf(const GraphView& view) {
+Lines GetFacts(const GraphView& view) {
   Lines lines;
   view.Match({}, [&](const Quad& q) {
     if (view.Get(q.graph) != Facts()) return true;
-    lines.insert(LineOf({view.Get(q.subject), view.Get(q.predicate),
-                         view.Get(q.object), Facts()}));
+    lines.insert(FormatLine({view.Get(q.subject), view.Get(q.predicate),
+                             view.Get(q.object), Facts()}));
     return true;
   });
   return lines;
@@ -80,17 +80,17 @@ FactUpdate RandomUpdate(std::mt19937& random) {
 TEST(History, BringsBackTheFactsOfEveryVersion) {
   std::mt19937 random(7);
   for (int round = 0; round < 5; ++round) {
-    TestWorld world;
+    MissionWorld world;
     std::map<std::uint64_t, Lines> saved;
-    saved[world.store.world_version()] = FactsOf(*world.store.Read());
+    saved[world.store.world_version()] = GetFacts(*world.store.Read());
     for (int i = 0; i < 40; ++i) {
       world.Commit(RandomUpdate(random));
-      saved[world.store.world_version()] = FactsOf(*world.store.Read());
+      saved[world.store.world_version()] = GetFacts(*world.store.Read());
     }
     ASSERT_GT(saved.size(), 15u);
     const auto view = world.store.Read();
     for (const auto& [version, facts] : saved) {
-      ASSERT_EQ(LinesOf(FactsAt(*view, version)), facts) << version;
+      ASSERT_EQ(FormatLines(FactsAt(*view, version)), facts) << version;
     }
     EXPECT_TRUE(FactsAt(*view, 0).empty());
     EXPECT_TRUE(FactsAt(*view, 1).empty());  // The vocabulary only.
@@ -99,8 +99,8 @@ TEST(History, BringsBackTheFactsOfEveryVersion) {
       const auto& after = *std::next(saved.begin(), random() % saved.size());
       Lines facts = before.second;
       for (const FactDifference& difference :
-           DifferenceOf(*view, before.first, after.first)) {
-        const std::string line = LineOf(difference.statement);
+           FindDifferences(*view, before.first, after.first)) {
+        const std::string line = FormatLine(difference.statement);
         ASSERT_EQ(facts.count(line), difference.is_added ? 0u : 1u) << line;
         if (difference.is_added) facts.insert(line);
         if (!difference.is_added) facts.erase(line);
@@ -115,7 +115,7 @@ TEST(History, BringsBackTheFactsOfEveryVersion) {
 }
 
 TEST(History, SaysWhoAndWhen) {
-  TestWorld world;
+  MissionWorld world;
   const std::uint64_t before = world.store.world_version();
   FactUpdate update;
   update.id = "u7";
@@ -134,7 +134,7 @@ TEST(History, SaysWhoAndWhen) {
   EXPECT_EQ(log[1].changes[0].subject, Ex("alpha"));
   EXPECT_EQ(log[1].changes[0].old_values, std::vector<Term>{Ex("safe")});
   EXPECT_EQ(log[1].changes[0].new_values, std::vector<Term>{Ex("fast")});
-  const auto differences = DifferenceOf(*view, before + 1, before);
+  const auto differences = FindDifferences(*view, before + 1, before);
   ASSERT_EQ(differences.size(), 2u);
   EXPECT_EQ(differences[0].statement.object, Ex("fast"));
   EXPECT_FALSE(differences[0].is_added);
@@ -144,11 +144,12 @@ TEST(History, SaysWhoAndWhen) {
 }
 
 TEST(History, RefusesAVersionThatIsYetToCome) {
-  TestWorld world;
+  MissionWorld world;
   const auto view = world.store.Read();
   EXPECT_THROW(FactsAt(*view, view->world_version() + 1), InputError);
-  EXPECT_TRUE(DifferenceOf(*view, view->world_version(), view->world_version())
-                  .empty());
+  EXPECT_TRUE(
+      FindDifferences(*view, view->world_version(), view->world_version())
+          .empty());
 }
 
 }  // namespace

@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "kg_core/base/clock.h"
-#include "kg_core/base/date_time.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/facts/class_tree.h"
+#include "kg_core/facts/fact_writer.h"
+#include "kg_core/facts/literals.h"
 #include "kg_core/facts/terms.h"
 #include "kg_core/facts/vocabulary.h"
 #include "kg_core/geo/geodesy.h"
@@ -19,15 +20,11 @@
 #include "kg_core/mission/layer_files.h"
 #include "kg_core/mission/layer_reader.h"
 #include "kg_core/mission/mission_reader.h"
+#include "kg_core/mission/mission_rules.h"
 #include "kg_core/mission/validator.h"
-#include "kg_core/rules/inference.h"
 
 namespace kg_core {
 namespace {
-
-Term TimeLiteral(double time_s) {
-  return Literal(FormatDateTime(time_s), std::string(kXsd) + "dateTime");
-}
 
 bool HasData(const Raster& raster) {
   const auto is_number = [](float value) { return std::isfinite(value); };
@@ -58,7 +55,7 @@ double MeanRowKm(const Grid& grid) {
 // The ingest of one data source: what it read and what it states.
 class SourceIngest {
  public:
-  SourceIngest(const Entity& source, const Mission& mission,
+  SourceIngest(const FactEntity& source, const Mission& mission,
                Transaction& transaction)
       : source_(source),
         name_(source.subject()),
@@ -118,9 +115,6 @@ class SourceIngest {
 
   void Say(const Term& subject, const Term& property, const Term& object) {
     transaction_.Add({subject, property, object, Facts()});
-  }
-  void SayProv(const Term& subject, const Term& property, const Term& object) {
-    transaction_.Add({subject, property, object, Iri(kProvGraph)});
   }
 
   static void RequireData(const OceanFile& file) {
@@ -186,8 +180,9 @@ class SourceIngest {
   std::string Kind() const { return source_.Text(Ex("kind"), kDifferenceKind); }
 
   StepPair StepsOfLayer(const OceanFile& file, const TimeWindow& window) const {
-    if (Kind() == kDifferenceKind)
+    if (Kind() == kDifferenceKind) {
       return StepsOfDifference(file.time_s, window);
+    }
     const int step = StepOfWindow(file.time_s, window);
     return {step, step};
   }
@@ -200,7 +195,7 @@ class SourceIngest {
     Say(layer, Ex("kind"), Literal(Kind()));
     Say(layer, Ex("timeIndex"), IntegerLiteral(steps.step));
     Say(layer, Iri(std::string(kSosa) + "resultTime"),
-        TimeLiteral(file.time_s.at(steps.step)));
+        DateTimeLiteral(file.time_s.at(steps.step)));
     std::string at = "@" + std::to_string(steps.step);
     if (steps.previous != steps.step) {
       Say(layer, Ex("previousTimeIndex"), IntegerLiteral(steps.previous));
@@ -219,20 +214,19 @@ class SourceIngest {
         name_.text.substr(name_.text.find_last_of("/#") + 1);
     const Term activity =
         Iri(kProvGraph + ("/ingest/v" + version + "/" + name));
-    SayProv(activity, RdfType(), Ex("Ingest"));
-    SayProv(activity, RdfType(), Prov("Activity"));
-    SayProv(activity, Prov("startedAtTime"), TimeLiteral(started_s_));
-    SayProv(activity, Prov("endedAtTime"), TimeLiteral(Now_s()));
-    SayProv(activity, Ex("worldVersion"), IntegerLiteral(number));
-    SayProv(activity, Prov("used"), name_);
-    SayProv(activity, Prov("used"), Part("file"));
+    FactWriter prov(Iri(kProvGraph));
+    prov.Activity(activity, "Ingest", started_s_, Now_s())
+        .Integer("worldVersion", number)
+        .Used(name_)
+        .Used(Part("file"));
     for (const Term& entity : generated_) {
-      SayProv(activity, Prov("generated"), entity);
-      SayProv(entity, Prov("wasGeneratedBy"), activity);
+      prov.About(activity).Add(Prov("generated"), entity);
+      prov.About(entity).Add(Prov("wasGeneratedBy"), activity);
     }
+    prov.AddTo(transaction_);
   }
 
-  const Entity source_;
+  const FactEntity source_;
   const Term name_;
   const Mission& mission_;
   Transaction& transaction_;
@@ -242,21 +236,21 @@ class SourceIngest {
 
 // All data sources, those of currents or wind first: their grid is the
 // mission's. Then the rasters of priors and constraints.
-class Ingest {
+class MissionIngest {
  public:
-  Ingest(FileCache& cache, Transaction& transaction)
+  MissionIngest(FileCache& cache, Transaction& transaction)
       : cache_(cache),
         transaction_(transaction),
         mission_(ReadMission(transaction.view())) {}
 
   std::vector<std::string> Run() {
-    ForEach("current", &Ingest::ReadCurrents);
-    ForEach("wind", &Ingest::ReadCurrents);
-    ForEach("temperature", &Ingest::ReadTemperature);
+    ForEach("current", &MissionIngest::ReadCurrents);
+    ForEach("wind", &MissionIngest::ReadCurrents);
+    ForEach("temperature", &MissionIngest::ReadTemperature);
     for (const char* type : {"PriorLayer", "Constraint"}) {
       for (const Term& term :
-           InstancesOf(transaction_.view(), kFactsGraph, Ex(type))) {
-        Try(Entity(transaction_.view(), term), &Ingest::ReadRaster);
+           FindInstances(transaction_.view(), kFactsGraph, Ex(type))) {
+        Try(FactEntity(transaction_.view(), term), &MissionIngest::ReadRaster);
       }
     }
     return std::move(reasons_);
@@ -264,15 +258,16 @@ class Ingest {
 
  private:
   void ForEach(const std::string& provides,
-               void (Ingest::*read)(const Entity&)) {
+               void (MissionIngest::*read)(const FactEntity&)) {
     for (const Term& term :
-         InstancesOf(transaction_.view(), kFactsGraph, Ex("DataSource"))) {
-      const Entity source(transaction_.view(), term);
+         FindInstances(transaction_.view(), kFactsGraph, Ex("DataSource"))) {
+      const FactEntity source(transaction_.view(), term);
       if (source.Text(Ex("provides")) == provides) Try(source, read);
     }
   }
 
-  void Try(const Entity& source, void (Ingest::*read)(const Entity&)) {
+  void Try(const FactEntity& source,
+           void (MissionIngest::*read)(const FactEntity&)) {
     try {
       (this->*read)(source);
     } catch (const InputError& error) {
@@ -282,7 +277,7 @@ class Ingest {
     file_.clear();
   }
 
-  const OceanFile& Open(const Entity& source,
+  const OceanFile& Open(const FactEntity& source,
                         const std::vector<Quantity>& wanted) {
     const std::string path = cache_.Resolve(source.Text(Ex("file")));
     return Keep(path, cache_.Read(path, wanted));
@@ -295,7 +290,7 @@ class Ingest {
     return *open_.back();
   }
 
-  void ReadCurrents(const Entity& source) {
+  void ReadCurrents(const FactEntity& source) {
     const OceanFile& file = Open(
         source, {Quantity::kEastwardVelocity, Quantity::kNorthwardVelocity});
     if (field_grid_ != nullptr) {
@@ -314,13 +309,13 @@ class Ingest {
                      "ex:provides is \"wind\", and only there");
   }
 
-  void ReadTemperature(const Entity& source) {
+  void ReadTemperature(const FactEntity& source) {
     const OceanFile& file = Open(source, {Quantity::kTemperature});
     SourceIngest(source, mission_, transaction_)
         .StateTemperature(file, field_grid_);
   }
 
-  void ReadRaster(const Entity& layer) {
+  void ReadRaster(const FactEntity& layer) {
     const std::optional<GridRef> ref = ReadGridRef(layer);
     if (!ref) return;
     const std::string path = cache_.Resolve(ref->file);
@@ -345,8 +340,8 @@ std::vector<std::string> StageIngest(FileCache& cache,
                                      Transaction& transaction) {
   DropIngestedFacts(transaction);
   try {
-    std::vector<std::string> reasons = Ingest(cache, transaction).Run();
-    if (reasons.empty()) reasons = StageInferences(transaction);
+    std::vector<std::string> reasons = MissionIngest(cache, transaction).Run();
+    if (reasons.empty()) reasons = StageMissionRules(transaction);
     if (reasons.empty()) reasons = Lines(ValidateChange(transaction));
     if (!reasons.empty()) return reasons;
     const GraphView& view = transaction.view();

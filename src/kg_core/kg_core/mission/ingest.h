@@ -37,6 +37,7 @@
 #include <vector>
 
 #include "kg_core/mission/file_cache.h"
+#include "kg_core/mission/ingested_facts.h"
 #include "kg_core/mission/stage_update.h"
 #include "kg_core/rdf/store.h"
 
@@ -49,14 +50,10 @@ namespace kg_core {
 std::vector<std::string> StageIngest(FileCache& cache,
                                      Transaction& transaction);
 
-// Does the transaction change what an ingest would read (a data source, a
-// window's times, a raster that is in a file), so that StageIngest is due?
-bool IngestIsDue(const Transaction& transaction);
-
-// StageUpdate (fact_update.h), and StageIngest if that is due then: all that
+// StageUpdate (stage_update.h), and StageIngest if that is due then: all that
 // can refuse an update but a mission that cannot be read.
 struct StagedUpdate {
-  Judgement judgement;
+  UpdateJudgement judgement;
   double ingest_s = 0.0;  // Wall-clock, reading files.
 };
 StagedUpdate StageUpdateWithFiles(const FactUpdate& update, FileCache& cache,

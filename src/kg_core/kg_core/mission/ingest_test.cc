@@ -16,6 +16,7 @@
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
 #include "kg_core/facts/terms.h"
+#include "kg_core/mission/ingested_facts.h"
 #include "kg_core/mission/layer_files.h"
 #include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/testing/mission_world.h"
@@ -148,7 +149,7 @@ class IngestTest : public testing::Test {
   std::vector<std::string> Ingest(const std::string& turtle) {
     return IngestInto(&world_, turtle);
   }
-  std::vector<std::string> IngestInto(TestWorld* world,
+  std::vector<std::string> IngestInto(MissionWorld* world,
                                       const std::string& turtle) {
     Transaction transaction = world->store.Begin();
     FactUpdate update;
@@ -163,7 +164,7 @@ class IngestTest : public testing::Test {
   }
   std::string Refusal() { return Joined(Ingest(kSources)); }
 
-  TestWorld world_;
+  MissionWorld world_;
   std::string folder_;
 };
 
@@ -242,7 +243,7 @@ TEST_F(IngestTest, LoadsWhatItStated) {
 
 TEST_F(IngestTest, OtherKindsAreOfTheFieldItself) {
   for (const std::string kind : {"sst", "frontness"}) {
-    TestWorld world;
+    MissionWorld world;
     ASSERT_EQ(Joined(IngestInto(
                   &world, kSources + ("ex:sst ex:kind \"" + kind + "\" ."))),
               "");
@@ -465,7 +466,7 @@ TEST_F(IngestTest, AFileWrittenAnewTakesThePlaceOfTheOldOne) {
   EXPECT_TRUE(old.expired());
 }
 
-double BufferOf(const Mission& mission) {
+double GetBuffer(const Mission& mission) {
   for (const Constraint& constraint : mission.constraints) {
     if (constraint.is_land) return constraint.buffer_cells;
   }
@@ -499,7 +500,7 @@ TEST(ShippedIngestTest, MissionsIngestTheirData) {
   for (const auto& [name, file] : missions) {
     if (!fs::exists(file)) continue;
     ++count;
-    TestWorld world("");
+    MissionWorld world("");
     const std::string folder = "../../config/missions/" + name;
     Transaction transaction = world.store.Begin();
     ASSERT_EQ(Joined(StageFactsFile(folder + "/mission.ttl", transaction)), "");
@@ -513,7 +514,7 @@ TEST(ShippedIngestTest, MissionsIngestTheirData) {
     const VectorField field =
         LoadWorkField(cache, mission, mission.work_fields[0]);
     for (const Agent& agent : mission.agents) {
-      EXPECT_GT(CellsToLand(field, agent.start), BufferOf(mission))
+      EXPECT_GT(CellsToLand(field, agent.start), GetBuffer(mission))
           << name << " " << agent.id;
     }
   }

@@ -53,6 +53,8 @@ StepRange StepsOfField(const std::vector<double>& time_s,
   if (!reaches) {
     Refuse(time_s, window, "steps that reach within 12 h of both its ends");
   }
+  // From the last step at or before the window's begin to the first one at or
+  // after its end, as far as the file has them.
   const auto begin = time_s.begin();
   const auto after_begin =
       std::upper_bound(begin, time_s.end(), window.begin_s);
@@ -62,7 +64,7 @@ StepRange StepsOfField(const std::vector<double>& time_s,
       std::max<std::ptrdiff_t>(after_begin - begin - 1, 0);
   const std::ptrdiff_t last = std::min(at_end - begin, last_step);
   for (std::ptrdiff_t i = first; i < last; ++i) {
-    if (!(time_s[i + 1] - time_s[i] <= kLongestGap_s)) {
+    if (!(time_s[i + 1] - time_s[i] <= kMaxGap_s)) {
       Refuse(time_s, window,
              "a step between " + FormatDateTime(time_s[i]) + " and " +
                  FormatDateTime(time_s[i + 1]));

@@ -14,7 +14,7 @@ namespace kg_core {
 inline constexpr double kStepReach_s = 12.0 * 3600.0;
 // Currents are interpolated over gaps up to this long; a longer one is a day
 // that is missing.
-inline constexpr double kLongestGap_s = 36.0 * 3600.0;
+inline constexpr double kMaxGap_s = 36.0 * 3600.0;
 
 // First and last step that the field of a window needs: those inside and the
 // next outside on either side. `time_s` ascends (unix seconds). Throws

@@ -29,7 +29,7 @@ std::vector<double> Noons(int first, int last) {
   return time_s;
 }
 
-std::string RefusalOf(const std::vector<double>& time_s, int window) {
+std::string GetRefusal(const std::vector<double>& time_s, int window) {
   try {
     StepsOfDifference(time_s, Day(window));
   } catch (const InputError& error) {
@@ -54,22 +54,22 @@ TEST(IngestTimesTest, TheFirstWindowMayLookForwardWhereNothingIsBefore) {
 }
 
 TEST(IngestTimesTest, NWindowsNeedNPlusOneDays) {
-  EXPECT_NE(RefusalOf(Noons(0, 0), 0), "");
-  EXPECT_EQ(RefusalOf(Noons(-1, 0), 0), "");
-  const std::string said = RefusalOf(Noons(-1, 3), 6);
+  EXPECT_NE(GetRefusal(Noons(0, 0), 0), "");
+  EXPECT_EQ(GetRefusal(Noons(-1, 0), 0), "");
+  const std::string said = GetRefusal(Noons(-1, 3), 6);
   EXPECT_NE(said.find("too few days: has 5 steps from 1969-12-31T12:00:00Z to "
                       "1970-01-04T12:00:00Z; window 6"),
             std::string::npos)
       << said;
-  EXPECT_NE(RefusalOf({}, 0).find("no time steps"), std::string::npos);
+  EXPECT_NE(GetRefusal({}, 0).find("no time steps"), std::string::npos);
 }
 
 TEST(IngestTimesTest, AMissingDayIsNotBridged) {
   std::vector<double> time_s = Noons(-1, 6);
   time_s.erase(time_s.begin() + 4);  // The noon of window 3.
-  EXPECT_NE(RefusalOf(time_s, 3), "");
-  EXPECT_NE(RefusalOf(time_s, 4), "");
-  EXPECT_EQ(RefusalOf(time_s, 5), "");
+  EXPECT_NE(GetRefusal(time_s, 3), "");
+  EXPECT_NE(GetRefusal(time_s, 4), "");
+  EXPECT_EQ(GetRefusal(time_s, 5), "");
   EXPECT_THROW(StepsOfField(time_s, Day(3)), InputError);
   EXPECT_NO_THROW(StepsOfField(time_s, Day(5)));
 }

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "kg_core/facts/terms.h"
-#include "kg_core/mission/ingest.h"
 #include "kg_core/mission/layer_reader.h"
 
 namespace kg_core {

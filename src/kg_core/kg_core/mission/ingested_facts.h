@@ -15,6 +15,11 @@ namespace kg_core {
 // an ingest due.
 bool IngestReads(const Term& property);
 
+// Does the transaction change what an ingest would read (a data source, a
+// window's times, a raster that is in a file), so that an ingest (ingest.h) is
+// due?
+bool IngestIsDue(const Transaction& transaction);
+
 // Those with ex:ingestedFrom.
 std::set<Term> IngestedSubjects(const GraphView& view);
 

@@ -9,9 +9,9 @@
 namespace kg_core {
 namespace {
 
-TestWorld& World() {
-  static TestWorld* const world =
-      new TestWorld(std::string(kTestFacts) + kTestArtifacts);
+MissionWorld& World() {
+  static MissionWorld* const world =
+      new MissionWorld(std::string(kTestFacts) + kTestArtifacts);
   return *world;
 }
 

@@ -31,7 +31,7 @@ File ReadReferred(FileCache& cache, const Mission& mission,
   return Checked(cache.Read(file.path, wanted), file);
 }
 
-// Lives as long as the whole file does.
+// Valid as long as the whole file is.
 SharedRaster StepAt(const File& file, std::size_t series, int index) {
   const std::vector<Raster>& steps = file->series.at(series).at_time;
   if (index >= 0 && index < static_cast<int>(steps.size())) {
@@ -113,7 +113,7 @@ SharedRaster OnGrid(const std::string& layer, const GriddedRaster& raster,
   return Resample(raster.grid, raster.values, mission_grid, declared);
 }
 
-Mask MaskOf(const Raster& values) {
+Mask MakeMask(const Raster& values) {
   Mask mask(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     mask[i] = !std::isnan(values[i]) && values[i] != 0.0f ? 1 : 0;

@@ -47,7 +47,7 @@ SharedRaster OnGrid(const std::string& layer, const GriddedRaster& raster,
                     const Grid& mission_grid, Resampling declared);
 
 // 1 where a raster is neither 0 nor without data.
-Mask MaskOf(const Raster& values);
+Mask MakeMask(const Raster& values);
 
 }  // namespace kg_core
 

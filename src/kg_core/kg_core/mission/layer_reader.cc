@@ -6,16 +6,16 @@
 namespace kg_core {
 namespace {
 
-constexpr Named<Resampling> kResamplings[] = {
+constexpr NamedChoice<Resampling> kResamplings[] = {
     {"bilinear", Resampling::kBilinear}, {"nearest", Resampling::kNearest}};
-constexpr Named<const char*> kValueKinds[] = {
+constexpr NamedChoice<const char*> kValueKinds[] = {
     {kDifferenceKind, kDifferenceKind},
     {kPlainKind, kPlainKind},
     {kFrontnessKind, kFrontnessKind}};
 
 constexpr std::size_t kMaxStepDigits = 6;
 
-int ReadStep(const Entity& entity, const std::string& digits) {
+int ReadStep(const FactEntity& entity, const std::string& digits) {
   const bool is_number =
       !digits.empty() && digits.size() <= kMaxStepDigits &&
       digits.find_first_not_of("0123456789") == std::string::npos;
@@ -28,7 +28,7 @@ int ReadStep(const Entity& entity, const std::string& digits) {
 
 }  // namespace
 
-Resampling ReadResampling(const Entity& entity) {
+Resampling ReadResampling(const FactEntity& entity) {
   return Choice(entity, Ex("resampling"), kResamplings, Resampling::kNone);
 }
 
@@ -36,7 +36,7 @@ std::string FileIri(const std::string& ingested_from) {
   return ingested_from + "/file";
 }
 
-std::optional<GridRef> ReadGridRef(const Entity& entity) {
+std::optional<GridRef> ReadGridRef(const FactEntity& entity) {
   const std::string text = entity.Text(Ex("gridRef"), "");
   if (text.empty() || text == kLandRef) return std::nullopt;
   const std::size_t hash = text.find('#');
@@ -56,23 +56,25 @@ std::optional<GridRef> ReadGridRef(const Entity& entity) {
   return ref;
 }
 
-std::optional<RasterRef> ReadRasterRef(const Entity& entity) {
+std::optional<RasterRef> ReadRasterRef(const FactEntity& entity) {
   const std::optional<GridRef> ref = ReadGridRef(entity);
   if (!ref) return std::nullopt;
   return RasterRef{FileIri(entity.iri()), ref->variable, ref->time_index,
                    ReadResampling(entity)};
 }
 
-ValueLayer ReadValueLayer(const Calendar& calendar, const Entity& entity) {
+ValueLayer ReadValueLayer(const WindowCalendar& calendar,
+                          const FactEntity& entity) {
   ValueLayer layer;
   layer.iri = entity.iri();
-  layer.window = calendar.WindowOf(entity);
+  layer.window = calendar.FindWindow(entity);
   layer.kind = Choice(entity, Ex("kind"), kValueKinds, "");
   if (layer.kind.empty()) entity.Refuse(Ex("kind"), "a kind of value layer");
   layer.file_iri = entity.Follow(Prov("wasDerivedFrom")).iri();
   layer.time_index = entity.Integer(Ex("timeIndex"));
   layer.previous_time_index =
       entity.Integer(Ex("previousTimeIndex"), layer.time_index);
+  // A difference of a step from itself would be 0 everywhere.
   if (layer.kind == kDifferenceKind &&
       layer.previous_time_index == layer.time_index) {
     entity.Refuse(Ex("previousTimeIndex"), "another step than ex:timeIndex");
@@ -84,17 +86,18 @@ ValueLayer ReadValueLayer(const Calendar& calendar, const Entity& entity) {
   return layer;
 }
 
-WorkFieldRef ReadWorkField(const Calendar& calendar, const Entity& entity) {
+WorkFieldRef ReadWorkField(const WindowCalendar& calendar,
+                           const FactEntity& entity) {
   WorkFieldRef field;
   field.iri = entity.iri();
-  field.window = calendar.WindowOf(entity);
+  field.window = calendar.FindWindow(entity);
   field.file_iri = entity.Follow(Prov("wasDerivedFrom")).iri();
   field.first_time_index = entity.Integer(Ex("firstTimeIndex"));
   field.last_time_index = entity.Integer(Ex("lastTimeIndex"));
   return field;
 }
 
-SourceFile ReadSourceFile(const Entity& entity) {
+SourceFile ReadSourceFile(const FactEntity& entity) {
   return {entity.iri(), entity.Text(Ex("path")), entity.Text(Ex("sha256"))};
 }
 

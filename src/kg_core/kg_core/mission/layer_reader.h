@@ -26,16 +26,18 @@ struct GridRef {
 // All throw InputError.
 
 // ex:gridRef of a prior layer or a constraint; nothing without, or for "land".
-std::optional<GridRef> ReadGridRef(const Entity& entity);
+std::optional<GridRef> ReadGridRef(const FactEntity& entity);
 // The same with the file as its ingest states it (ingest.h): an ex:SourceFile
 // of the layer's name and "/file".
-std::optional<RasterRef> ReadRasterRef(const Entity& entity);
-Resampling ReadResampling(const Entity& entity);  // kNone if absent.
+std::optional<RasterRef> ReadRasterRef(const FactEntity& entity);
+Resampling ReadResampling(const FactEntity& entity);  // kNone if absent.
 std::string FileIri(const std::string& ingested_from);
 
-ValueLayer ReadValueLayer(const Calendar& calendar, const Entity& entity);
-WorkFieldRef ReadWorkField(const Calendar& calendar, const Entity& entity);
-SourceFile ReadSourceFile(const Entity& entity);
+ValueLayer ReadValueLayer(const WindowCalendar& calendar,
+                          const FactEntity& entity);
+WorkFieldRef ReadWorkField(const WindowCalendar& calendar,
+                           const FactEntity& entity);
+SourceFile ReadSourceFile(const FactEntity& entity);
 
 }  // namespace kg_core
 

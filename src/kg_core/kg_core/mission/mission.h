@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "kg_core/facts/source_file.h"
 #include "kg_core/geo/lon_lat.h"
 #include "kg_core/geo/wkt.h"
 #include "kg_core/raster/resample.h"
@@ -177,13 +178,6 @@ struct WorkFieldRef {
   std::string file_iri;
   int first_time_index = 0;  // Slices that cover the window.
   int last_time_index = 0;
-};
-
-// ex:SourceFile: a file that layers were read from.
-struct SourceFile {
-  std::string iri;
-  std::string path;    // ex:path, absolute after the data folder is applied.
-  std::string sha256;  // ex:sha256.
 };
 
 // Team rules: ex:Mission's own properties.

@@ -20,26 +20,26 @@
 namespace kg_core {
 namespace {
 
-constexpr Named<const char*> kMovementModes[] = {{"hops", "hops"},
-                                                 {"edges", "edges"}};
-constexpr Named<const char*> kTeamModes[] = {{"greedy", "greedy"},
-                                             {"auction", "auction"},
-                                             {"priced", "priced"},
-                                             {"exact", "exact"}};
-constexpr Named<const char*> kFairness[] = {
+constexpr NamedChoice<const char*> kMovementModes[] = {{"hops", "hops"},
+                                                       {"edges", "edges"}};
+constexpr NamedChoice<const char*> kTeamModes[] = {{"greedy", "greedy"},
+                                                   {"auction", "auction"},
+                                                   {"priced", "priced"},
+                                                   {"exact", "exact"}};
+constexpr NamedChoice<const char*> kFairness[] = {
     {"scarcity", "scarcity"}, {"balance", "balance"}, {"max_min", "max_min"}};
 
 // All instances in the facts, in the order of their IRIs.
-std::vector<Entity> All(const GraphView& view, const char* type) {
-  std::vector<Entity> entities;
-  for (Term& term : InstancesOf(view, kFactsGraph, Ex(type))) {
+std::vector<FactEntity> All(const GraphView& view, const char* type) {
+  std::vector<FactEntity> entities;
+  for (Term& term : FindInstances(view, kFactsGraph, Ex(type))) {
     entities.emplace_back(view, std::move(term));
   }
   return entities;
 }
 
-Entity TheMission(const GraphView& view) {
-  const std::vector<Entity> missions = All(view, "Mission");
+FactEntity TheMission(const GraphView& view) {
+  const std::vector<FactEntity> missions = All(view, "Mission");
   if (missions.size() != 1) {
     throw InputError("expected exactly one ex:Mission, not " +
                      std::to_string(missions.size()));
@@ -48,7 +48,7 @@ Entity TheMission(const GraphView& view) {
 }
 
 // How the team is chosen.
-void ReadChoice(const Entity& mission, CoordinationFacts* facts) {
+void ReadChoice(const FactEntity& mission, CoordinationFacts* facts) {
   facts->mode =
       Choice(mission, Ex("teamMode"), kTeamModes, kTeamModes[0].value);
   facts->gap_goal = mission.Number(Ex("gapGoal"), facts->gap_goal);
@@ -62,7 +62,7 @@ void ReadChoice(const Entity& mission, CoordinationFacts* facts) {
       mission.Number(Ex("fairnessWeight"), facts->fairness_weight);
 }
 
-CoordinationFacts ReadCoordination(const Entity& mission) {
+CoordinationFacts ReadCoordination(const FactEntity& mission) {
   CoordinationFacts facts;
   ReadChoice(mission, &facts);
   facts.separation_m =
@@ -85,11 +85,12 @@ CoordinationFacts ReadCoordination(const Entity& mission) {
 
 // What a mission's facts of one class say, in the order of their IRIs.
 template <typename Value>
-std::vector<Value> ReadAll(const GraphView& view, const Calendar& calendar,
-                           const char* type,
-                           Value (*read)(const Calendar&, const Entity&)) {
+std::vector<Value> ReadAll(const GraphView& view,
+                           const WindowCalendar& calendar, const char* type,
+                           Value (*read)(const WindowCalendar&,
+                                         const FactEntity&)) {
   std::vector<Value> values;
-  for (const Entity& entity : All(view, type)) {
+  for (const FactEntity& entity : All(view, type)) {
     values.push_back(read(calendar, entity));
   }
   return values;
@@ -99,14 +100,14 @@ std::vector<Value> ReadAll(const GraphView& view, const Calendar& calendar,
 template <typename Value>
 void DropOutlived(std::vector<Value>* values) {
   const auto is_over = [](const Value& value) {
-    return value.windows == std::vector<int>{Calendar::kNoWindow};
+    return value.windows == std::vector<int>{WindowCalendar::kNoWindow};
   };
   values->erase(std::remove_if(values->begin(), values->end(), is_over),
                 values->end());
 }
 
 template <typename Layer>
-void DropUnplanned(const Calendar& calendar, std::vector<Layer>* layers) {
+void DropUnplanned(const WindowCalendar& calendar, std::vector<Layer>* layers) {
   const auto is_unplanned = [&](const Layer& layer) {
     return !calendar.IsPlanned(layer.window);
   };
@@ -118,16 +119,17 @@ void DropUnplanned(const Calendar& calendar, std::vector<Layer>* layers) {
 
 Mission ReadMission(const GraphView& asserted) {
   const FactsAndConclusions view(asserted);
-  const Entity entity = TheMission(view);
+  const FactEntity entity = TheMission(view);
   Mission mission;
   mission.iri = entity.iri();
   mission.name = entity.Text(Ex("name"));
   mission.coordination = ReadCoordination(entity);
-  const Calendar calendar(view, entity);
+  const WindowCalendar calendar(view, entity);
   mission.windows = calendar.planned();
   mission.agents = ReadAgents(asserted, view, calendar, entity);
   mission.constraints = ReadAll(view, calendar, "Constraint", ReadConstraint);
   mission.priors = ReadAll(view, calendar, "PriorLayer", ReadPrior);
+  // What holds in no planned window has no effect.
   DropOutlived(&mission.constraints);
   DropOutlived(&mission.priors);
   mission.events = ReadAll(view, calendar, "Event", ReadEvent);
@@ -135,10 +137,10 @@ Mission ReadMission(const GraphView& asserted) {
   mission.work_fields = ReadAll(view, calendar, "WorkField", ReadWorkField);
   DropUnplanned(calendar, &mission.value_layers);
   DropUnplanned(calendar, &mission.work_fields);
-  for (const Entity& file : All(view, "SourceFile")) {
+  for (const FactEntity& file : All(view, "SourceFile")) {
     mission.files[file.iri()] = ReadSourceFile(file);
   }
-  for (const Entity& grid : All(view, "GridSpec")) CheckGrid(grid);
+  for (const FactEntity& grid : All(view, "GridSpec")) CheckGrid(grid);
   return mission;
 }
 

@@ -14,11 +14,12 @@ namespace kg_core {
 namespace {
 
 Mission ReadWith(const std::string& more = "") {
-  return ReadMission(*TestWorld(std::string(kTestFacts) + more).store.Read());
+  return ReadMission(
+      *MissionWorld(std::string(kTestFacts) + more).store.Read());
 }
 
 // What the reader says of facts that no shape has seen.
-std::string RefusalOf(const std::string& turtle) {
+std::string GetRefusal(const std::string& turtle) {
   Store store("");
   Transaction transaction = store.Begin();
   for (const char* file : {"ontology/mission.ttl"}) {
@@ -148,11 +149,11 @@ TEST(MissionReaderTest, OrderDoesNotDependOnTheOrderOfTheFacts) {
   const Mission a = ReadWith(
       "ex:a1 a ex:PriorLayer ; ex:name \"a\" ; "
       "geo:asWKT \"POLYGON((0 0, 1 0, 1 1, 0 0))\" .");
-  const Mission b =
-      ReadMission(*TestWorld("ex:a1 a ex:PriorLayer ; ex:name \"a\" ; "
-                             "geo:asWKT \"POLYGON((0 0, 1 0, 1 1, 0 0))\" ." +
-                             std::string(kTestFacts))
-                       .store.Read());
+  const Mission b = ReadMission(
+      *MissionWorld("ex:a1 a ex:PriorLayer ; ex:name \"a\" ; "
+                    "geo:asWKT \"POLYGON((0 0, 1 0, 1 1, 0 0))\" ." +
+                    std::string(kTestFacts))
+           .store.Read());
   ASSERT_EQ(a.priors.size(), 2u);
   EXPECT_EQ(a.priors[0].iri, b.priors[0].iri);
   EXPECT_EQ(a.priors[0].iri, Ex("a1").text);
@@ -284,10 +285,10 @@ const Refused kRefused[] = {
 };
 
 TEST(MissionReaderTest, RefusesInOneLineWithSubjectAndProperty) {
-  EXPECT_EQ(RefusalOf(kTestFacts), "");
+  EXPECT_EQ(GetRefusal(kTestFacts), "");
   for (const Refused& refused : kRefused) {
     const std::string said =
-        RefusalOf(Replace(kTestFacts, refused.what, refused.by));
+        GetRefusal(Replace(kTestFacts, refused.what, refused.by));
     EXPECT_NE(said.find(refused.said), std::string::npos)
         << refused.by << ": " << said;
     EXPECT_EQ(said.find('\n'), std::string::npos);
@@ -296,7 +297,7 @@ TEST(MissionReaderTest, RefusesInOneLineWithSubjectAndProperty) {
 
 TEST(MissionReaderTest, RefusesLayersThatCannotBeDerived) {
   const auto said = [](const char* what, const char* by) {
-    return RefusalOf(kTestFacts + Replace(kTestArtifacts, what, by));
+    return GetRefusal(kTestFacts + Replace(kTestArtifacts, what, by));
   };
   EXPECT_NE(said("\"delta_sst\"", "\"salt\"")
                 .find("one of delta_sst, sst, frontness, not \"salt\""),
@@ -307,7 +308,7 @@ TEST(MissionReaderTest, RefusesLayersThatCannotBeDerived) {
 }
 
 TEST(MissionReaderTest, RefusesWindowsThatOverlap) {
-  const std::string said = RefusalOf(Replace(
+  const std::string said = GetRefusal(Replace(
       kTestFacts, "ex:index 0 ;", "ex:index 0 ; ex:durationHours 25 ;"));
   EXPECT_NE(said.find("by the next window's begin, 2026-06-03T00:00:00Z"),
             std::string::npos)
@@ -316,24 +317,24 @@ TEST(MissionReaderTest, RefusesWindowsThatOverlap) {
 
 TEST(MissionReaderTest, RefusesTwoWeightsForOneLayer) {
   const std::string said =
-      RefusalOf(std::string(kTestFacts) +
-                "ex:safe ex:hasPriorWeight ex:a , ex:b . "
-                "ex:a a ex:PriorWeight ; ex:layer ex:corridor ; ex:beta 1 . "
-                "ex:b a ex:PriorWeight ; ex:layer ex:corridor ; ex:beta 2 .");
+      GetRefusal(std::string(kTestFacts) +
+                 "ex:safe ex:hasPriorWeight ex:a , ex:b . "
+                 "ex:a a ex:PriorWeight ; ex:layer ex:corridor ; ex:beta 1 . "
+                 "ex:b a ex:PriorWeight ; ex:layer ex:corridor ; ex:beta 2 .");
   EXPECT_NE(said.find("one weight for ex:corridor"), std::string::npos) << said;
 }
 
 TEST(MissionReaderTest, RefusesAGridWhoseNumbersDisagree) {
   const std::string said =
-      RefusalOf(std::string(kTestFacts) +
-                Replace(kTestArtifacts, "ex:rows 25", "ex:rows 50"));
+      GetRefusal(std::string(kTestFacts) +
+                 Replace(kTestArtifacts, "ex:rows 25", "ex:rows 50"));
   EXPECT_NE(said.find("ex:grid ex:pixelSizeKm"), std::string::npos) << said;
 }
 
 TEST(MissionReaderTest, AGridMayHaveCellsOfAnotherShapeButNotOfAny) {
   const auto said = [](const char* cols) {
-    return RefusalOf(std::string(kTestFacts) +
-                     Replace(kTestArtifacts, "ex:cols 50", cols));
+    return GetRefusal(std::string(kTestFacts) +
+                      Replace(kTestArtifacts, "ex:cols 50", cols));
   };
   for (const char* cols : {"ex:cols 25", "ex:cols 45", "ex:cols 100"}) {
     EXPECT_EQ(said(cols), "") << cols;

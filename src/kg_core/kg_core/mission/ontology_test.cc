@@ -78,12 +78,15 @@ std::vector<Term> Properties(const GraphView& view) {
   return all;
 }
 
-std::vector<Term> PropertiesOf(const std::optional<shacl::Path>& path) {
+std::vector<Term> CollectProperties(
+    const std::optional<shacl::PropertyPath>& path) {
   if (!path) return {};
-  if (path->kind == shacl::Path::Kind::kPredicate) return {path->predicate};
+  if (path->kind == shacl::PropertyPath::Kind::kPredicate) {
+    return {path->predicate};
+  }
   std::vector<Term> all;
-  for (const shacl::Path& part : path->parts) {
-    const std::vector<Term> some = PropertiesOf(part);
+  for (const shacl::PropertyPath& part : path->parts) {
+    const std::vector<Term> some = CollectProperties(part);
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;
@@ -91,7 +94,7 @@ std::vector<Term> PropertiesOf(const std::optional<shacl::Path>& path) {
 
 class OntologyTest : public testing::Test {
  protected:
-  TestWorld world_{""};
+  MissionWorld world_{""};
   const std::shared_ptr<const GraphView> view_ = world_.store.Read();
 
   bool Says(const Term& subject, const Term& property) const {
@@ -159,7 +162,7 @@ TEST_F(OntologyTest, DomainsAndRangesAreClassesThatItKnows) {
 TEST_F(OntologyTest, ShapesSpeakOfKnownPropertiesAndClassesOnly) {
   const Vocabulary vocabulary(*view_);
   for (const auto& [id, shape] : shacl::LoadShapes(*view_, kVocabGraph)) {
-    for (const Term& property : PropertiesOf(shape.path)) {
+    for (const Term& property : CollectProperties(shape.path)) {
       EXPECT_NE(vocabulary.FindProperty(property), nullptr) << property;
     }
     for (const Term& target : shape.target_classes) {

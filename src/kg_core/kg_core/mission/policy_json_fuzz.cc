@@ -1,4 +1,4 @@
-// JSON of a policy from anybody, as ex:priors and ex:softOverrides of a
+// Arbitrary input as JSON of a policy, as ex:priors and ex:softOverrides of a
 // mission: refused with reasons, or expanded into weights that the mission
 // reader reads.
 
@@ -17,7 +17,7 @@ namespace kg_core {
 namespace {
 
 void SetJson(const char* property, const std::string& json) {
-  static TestWorld world;
+  static MissionWorld world;
   Transaction change = world.store.Begin();
   FactUpdate update;
   update.set = {{"ex:fast", property, ToTurtle(Literal(json))}};

@@ -10,21 +10,23 @@
 namespace kg_core {
 namespace {
 
-constexpr Named<Normalisation> kNormalisations[] = {
+constexpr NamedChoice<Normalisation> kNormalisations[] = {
     {"max", Normalisation::kMax},
     {"minmax", Normalisation::kMinMax},
     {"percentile", Normalisation::kPercentile}};
-constexpr Named<ConfidenceMode> kConfidenceModes[] = {
+constexpr NamedChoice<ConfidenceMode> kConfidenceModes[] = {
     {"post", ConfidenceMode::kPost},
     {"pre", ConfidenceMode::kPre},
     {"horizon", ConfidenceMode::kHorizon}};
-constexpr Named<FrontOperator> kFrontOperators[] = {
+constexpr NamedChoice<FrontOperator> kFrontOperators[] = {
     {"sobel", FrontOperator::kSobel}, {"central", FrontOperator::kCentral}};
-constexpr Named<LayerScale> kLayerScales[] = {{"window", LayerScale::kWindow},
-                                              {"fixed", LayerScale::kFixed},
-                                              {"none", LayerScale::kNone}};
-constexpr Named<bool> kPathChoices[] = {{"best", false}, {"diverse", true}};
-constexpr Named<SoftOverlap> kSoftOverlaps[] = {
+constexpr NamedChoice<LayerScale> kLayerScales[] = {
+    {"window", LayerScale::kWindow},
+    {"fixed", LayerScale::kFixed},
+    {"none", LayerScale::kNone}};
+constexpr NamedChoice<bool> kPathChoices[] = {{"best", false},
+                                              {"diverse", true}};
+constexpr NamedChoice<SoftOverlap> kSoftOverlaps[] = {
     {"product", SoftOverlap::kProduct}, {"min", SoftOverlap::kMin}};
 
 std::string LocalName(const std::string& iri) {
@@ -37,11 +39,11 @@ struct WeightNames {
   const char* value;
 };
 std::map<std::string, double> Weights(
-    const GraphView& view, const Entity& policy, const WeightNames& names,
+    const GraphView& view, const FactEntity& policy, const WeightNames& names,
     std::map<std::string, std::string>* iris) {
   std::map<std::string, double> weights;
   for (const Term& term : policy.All(Ex(names.link))) {
-    const Entity node(view, term);
+    const FactEntity node(view, term);
     const std::string target = node.Follow(Ex(names.target)).iri();
     (*iris)[target] = node.iri();
     if (!weights.emplace(target, node.Number(Ex(names.value))).second) {
@@ -53,7 +55,7 @@ std::map<std::string, double> Weights(
 }
 
 // How Eq. 1 is done, beside its weights.
-void ReadModes(const Entity& entity, Policy* policy) {
+void ReadModes(const FactEntity& entity, Policy* policy) {
   policy->normalisation = Choice(entity, Ex("normalisation"), kNormalisations,
                                  policy->normalisation);
   policy->confidence_mode = Choice(entity, Ex("confidenceMode"),
@@ -69,7 +71,7 @@ void ReadModes(const Entity& entity, Policy* policy) {
 }
 
 // Which paths are offered, beside their terms.
-void ReadPathRules(const Entity& entity, Policy* policy) {
+void ReadPathRules(const FactEntity& entity, Policy* policy) {
   if (const auto hours = entity.MaybeNumber(Ex("riskBudgetHours"))) {
     policy->hazard_budget_s = HoursToSeconds(*hours);
   }
@@ -82,7 +84,7 @@ void ReadPathRules(const Entity& entity, Policy* policy) {
 
 }  // namespace
 
-Capabilities ReadCapabilities(const Entity& entity) {
+Capabilities ReadCapabilities(const FactEntity& entity) {
   Capabilities can;
   can.iri = entity.iri();
   can.cruise_mps = KnotsToMps(entity.Number(Ex("cruiseSpeedKts")));
@@ -99,13 +101,14 @@ Capabilities ReadCapabilities(const Entity& entity) {
   return can;
 }
 
-Policy ReadPolicy(const GraphView& view, const Entity& entity) {
+Policy ReadPolicy(const GraphView& view, const FactEntity& entity) {
   Policy policy;
   policy.iri = entity.iri();
   policy.name = entity.Text(Ex("name"), LocalName(policy.iri));
   policy.alpha_base = entity.Number(Ex("alpha_base"));
   policy.beta_poi = entity.Number(Ex("beta_poi"), policy.beta_poi);
   policy.gamma_front = entity.Number(Ex("gamma_front"), policy.gamma_front);
+  // Facts have cost weights per hour and per Wh, the mission per SI unit.
   policy.lambda_time_per_s =
       entity.Number(Ex("lambda_time"), 0.0) / kSecondsPerHour;
   policy.lambda_energy_per_j =

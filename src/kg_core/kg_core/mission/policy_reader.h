@@ -10,8 +10,8 @@
 namespace kg_core {
 
 // Both throw InputError.
-Policy ReadPolicy(const GraphView& view, const Entity& entity);
-Capabilities ReadCapabilities(const Entity& entity);
+Policy ReadPolicy(const GraphView& view, const FactEntity& entity);
+Capabilities ReadCapabilities(const FactEntity& entity);
 
 }  // namespace kg_core
 

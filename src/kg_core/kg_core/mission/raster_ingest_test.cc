@@ -12,6 +12,7 @@
 #include "kg_core/facts/terms.h"
 #include "kg_core/mission/expiry.h"
 #include "kg_core/mission/ingest.h"
+#include "kg_core/mission/ingested_facts.h"
 #include "kg_core/mission/layer_files.h"
 #include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/testing/mission_world.h"
@@ -94,7 +95,7 @@ class RasterIngestTest : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  TestWorld world_;
+  MissionWorld world_;
 };
 
 const PriorLayer& Reefs(const Mission& mission) {
@@ -141,7 +142,7 @@ TEST_F(RasterIngestTest, ReadsPriorsAsTheyAreAndMasksAsInsideOrNot) {
   EXPECT_EQ(reefs.values[19], 24.0f);
   EXPECT_TRUE(std::isnan(reefs.values[3]));
   const Mask farm =
-      MaskOf(LoadRaster(cache, mission, *Farm(mission).mask).values);
+      MakeMask(LoadRaster(cache, mission, *Farm(mission).mask).values);
   EXPECT_EQ(farm[0] + 10 * farm[1] + 100 * farm[2] + 1000 * farm[3], 110);
   EXPECT_EQ(farm[4], 0);  // No data.
 }
@@ -196,7 +197,7 @@ TEST_F(RasterIngestTest, AFileOfARasterDoesNotKeepItAlive) {
                           "ex:farm ex:validUntil "
                           "\"2026-06-02T12:00:00Z\"^^xsd:dateTime .")),
             "");
-  const Expiry expiry = FindExpired(*world_.store.Read(), 1.9e9);
+  const ExpiredFacts expiry = FindExpired(*world_.store.Read(), 1.9e9);
   EXPECT_EQ(Joined(expiry.kept).find("ex:farm"), std::string::npos)
       << Joined(expiry.kept);
   ASSERT_EQ(Joined(Ingest(expiry.update)), "");

@@ -1,5 +1,5 @@
 // Files of facts that the shapes must refuse: test/shacl_bad/*.ttl, each a
-// small change of the test world (test_world.h). Their first lines say
+// small change of the test world (mission_world.h). Their first lines say
 //
 //   # shape: ex:TimeWindowShape     who must refuse it, and nobody else;
 //   # path: ex:confidence           for what; "none": the node as a whole;
@@ -77,7 +77,7 @@ std::vector<BadFile> BadFiles() {
   return files;
 }
 
-FactUpdate UpdateOf(const BadFile& file, const std::string& turtle) {
+FactUpdate MakeUpdate(const BadFile& file, const std::string& turtle) {
   FactUpdate update;
   update.turtle = turtle;
   for (const std::string& fact : file.without) {
@@ -101,7 +101,7 @@ std::string Repaired(const BadFile& file) {
   return body.replace(at, file.bad.size(), file.good);
 }
 
-std::string PathOf(const Violation& violation) {
+std::string GetPath(const Violation& violation) {
   return violation.path ? shacl::ToTurtle(*violation.path) : "none";
 }
 
@@ -110,8 +110,8 @@ std::string AllFacts() { return std::string(kTestFacts) + kTestArtifacts; }
 // One world for all: nothing is committed.
 class ShaclBadTest : public testing::TestWithParam<BadFile> {
  protected:
-  static Judgement Judge(const FactUpdate& update) {
-    static TestWorld* const world = new TestWorld(AllFacts());
+  static UpdateJudgement Judge(const FactUpdate& update) {
+    static MissionWorld* const world = new MissionWorld(AllFacts());
     Transaction transaction = world->store.Begin();
     return JudgeUpdate(update, transaction);
   }
@@ -119,7 +119,7 @@ class ShaclBadTest : public testing::TestWithParam<BadFile> {
 
 TEST_P(ShaclBadTest, IsRefusedByItsShapeAlone) {
   const BadFile& file = GetParam();
-  const Judgement judgement = Judge(UpdateOf(file, file.text));
+  const UpdateJudgement judgement = Judge(MakeUpdate(file, file.text));
   EXPECT_FALSE(judgement.reasons.empty());
   ASSERT_TRUE(judgement.violations) << Joined(judgement.reasons);
   bool is_at_path = false;
@@ -127,14 +127,14 @@ TEST_P(ShaclBadTest, IsRefusedByItsShapeAlone) {
     EXPECT_EQ(ToTurtle(violation.named_shape), file.shape) << violation.Line();
     EXPECT_FALSE(violation.message.empty()) << violation.Line();
     EXPECT_EQ(violation.Line().find('\n'), std::string::npos);
-    is_at_path |= PathOf(violation) == file.path;
+    is_at_path |= GetPath(violation) == file.path;
   }
   EXPECT_TRUE(is_at_path) << Joined(Lines(*judgement.violations));
 }
 
 TEST_P(ShaclBadTest, IsTakenWhenRepaired) {
   const BadFile& file = GetParam();
-  EXPECT_EQ(Joined(Judge(UpdateOf(file, Repaired(file))).reasons), "");
+  EXPECT_EQ(Joined(Judge(MakeUpdate(file, Repaired(file))).reasons), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, ShaclBadTest, testing::ValuesIn(BadFiles()),
@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(Files, ShaclBadTest, testing::ValuesIn(BadFiles()),
 
 // Every shape with a target, and every property of it.
 TEST(ShaclBadFilesTest, ThereIsOneForEveryShapeAndProperty) {
-  TestWorld world("");
+  MissionWorld world("");
   std::set<std::pair<std::string, std::string>> tried;
   for (const BadFile& file : BadFiles()) tried.insert({file.shape, file.path});
   const auto shapes = shacl::LoadShapes(*world.store.Read(), kVocabGraph);

@@ -113,13 +113,13 @@ const BadFact kBadFacts[] = {
 std::string AllFacts() { return std::string(kTestFacts) + kTestArtifacts; }
 
 TEST(ShapesTest, ConformingWorldHasNoViolation) {
-  TestWorld world(AllFacts());
+  MissionWorld world(AllFacts());
   const auto violations = Validate(*world.store.Read());
   EXPECT_TRUE(violations.empty()) << violations[0].Line();
 }
 
 TEST(ShapesTest, EveryBadFactIsRefusedByItsShapeInItsWords) {
-  TestWorld world(AllFacts());
+  MissionWorld world(AllFacts());
   for (const BadFact& bad : kBadFacts) {
     const auto reasons =
         bad.fact.value.empty()
@@ -135,7 +135,7 @@ TEST(ShapesTest, EveryBadFactIsRefusedByItsShapeInItsWords) {
 }
 
 TEST(ShapesTest, TwoPoliciesAreRefusedAndTheAgentIsNamed) {
-  TestWorld world;
+  MissionWorld world;
   const auto reasons = world.Add("ex:alpha ex:usesPolicy ex:fast .");
   EXPECT_NE(
       Joined(reasons).find("ex:alpha ex:usesPolicy: expected exactly one"),
@@ -144,13 +144,13 @@ TEST(ShapesTest, TwoPoliciesAreRefusedAndTheAgentIsNamed) {
 }
 
 TEST(ShapesTest, NotANumberIsNoConfidence) {
-  TestWorld world;
+  MissionWorld world;
   EXPECT_FALSE(
       world.Set({"ex:w1", "ex:confidence", "\"NaN\"^^xsd:double"}).empty());
 }
 
 TEST(ShapesTest, NothingTypesAnEventAsALayer) {
-  TestWorld world;
+  MissionWorld world;
   const auto view = world.store.Read();
   EXPECT_EQ(view->Find(Rdfs("domain")), kNoTerm);
   EXPECT_EQ(view->Find(Rdfs("range")), kNoTerm);

@@ -31,7 +31,7 @@ std::map<std::string, std::string> MissionFiles() {
   return files;
 }
 
-Mission Load(const std::string& file, TestWorld& world) {
+Mission Load(const std::string& file, MissionWorld& world) {
   Transaction transaction = world.store.Begin();
   EXPECT_EQ(Joined(StageFactsFile(file, transaction)), "") << file;
   transaction.Commit(WorldChange::kYes);
@@ -47,7 +47,7 @@ TEST(ShippedMissionsTest, GulfAndTampicoAreAmongThem) {
 
 TEST(ShippedMissionsTest, EachConformsAndIsRead) {
   for (const auto& [name, file] : MissionFiles()) {
-    TestWorld world("");
+    MissionWorld world("");
     const Mission mission = Load(file, world);
     EXPECT_EQ(mission.name, name);
     EXPECT_FALSE(mission.windows.empty()) << name;
@@ -57,7 +57,7 @@ TEST(ShippedMissionsTest, EachConformsAndIsRead) {
 
 TEST(ShippedMissionsTest, ConfidencesAreTheirGeneratorsValues) {
   for (const auto& [name, file] : MissionFiles()) {
-    TestWorld world("");
+    MissionWorld world("");
     const Mission mission = Load(file, world);
     const auto decay = FirstObject(*world.store.Read(), kFactsGraph,
                                    Iri(mission.iri), Ex("confidenceDecay"));
@@ -71,7 +71,7 @@ TEST(ShippedMissionsTest, ConfidencesAreTheirGeneratorsValues) {
 }
 
 TEST(ShippedMissionsTest, TheCaseStudyIsAsThePaperHasIt) {
-  TestWorld world("");
+  MissionWorld world("");
   const Mission gulf = Load(MissionFiles().at("gulf"), world);
   EXPECT_EQ(gulf.windows.size(), 7u);
   EXPECT_EQ(gulf.windows.front().begin_s, 1780358400.0);  // 2026-06-02T00Z.
@@ -97,7 +97,7 @@ TEST(ShippedMissionsTest, TheCaseStudyIsAsThePaperHasIt) {
 }
 
 TEST(ShippedMissionsTest, AnAgentCanBePutOnEachOfTheShippedPolicies) {
-  TestWorld world("");
+  MissionWorld world("");
   Load(MissionFiles().at("gulf"), world);
   for (const char* policy : {"fast", "safe", "naive", "front_plus", "poi_focus",
                              "sanct_soft", "front_poi"}) {

@@ -40,8 +40,8 @@ bool Fits(const Term& literal, const Term& datatype) {
   return literal.datatype == datatype.text && IsWellFormed(literal);
 }
 
-std::vector<Statement> StatementsOf(const GraphView& view,
-                                    const Term& subject) {
+std::vector<Statement> CollectStatements(const GraphView& view,
+                                         const Term& subject) {
   std::vector<Statement> statements;
   Quad pattern;
   pattern.subject = view.Find(subject);
@@ -57,7 +57,7 @@ std::vector<Statement> StatementsOf(const GraphView& view,
 
 // A shipped rule has its class in the vocabulary, and may be spoken of in the
 // facts.
-std::vector<Term> TypesOf(const GraphView& view, const Term& subject) {
+std::vector<Term> ListTypes(const GraphView& view, const Term& subject) {
   std::vector<Term> types = Objects(view, kFactsGraph, subject, RdfType());
   const bool is_shipped_rule =
       types.empty() && Has(view, kVocabGraph, subject, RdfType(), Ex("Rule"));
@@ -70,8 +70,8 @@ class SubjectCheck {
   SubjectCheck(const Vocabulary& vocabulary, const GraphView& view,
                const Term& subject)
       : vocabulary_(vocabulary),
-        statements_(StatementsOf(view, subject)),
-        types_(TypesOf(view, subject)),
+        statements_(CollectStatements(view, subject)),
+        types_(ListTypes(view, subject)),
         subject_(subject) {}
 
   std::vector<std::string> Run() {
@@ -120,6 +120,7 @@ class SubjectCheck {
 
   void CheckRange(const Statement& statement, const PropertyFacts& facts) {
     const Term& value = statement.object;
+    // Classes of objects are for the shapes to check.
     if (!value.is_literal() && !facts.classes.empty()) return;
     if (facts.datatypes.empty()) {
       if (!value.is_literal()) return;

@@ -1,6 +1,6 @@
 // Facts against the vocabulary, before the shapes: what SHACL's open world
-// would let pass. A property that nobody knows, a subject without a class, a
-// knot written on an agent instead of its capabilities, a word where a number
+// would let pass. An unknown property, a subject without a class, a speed
+// stated of an agent instead of its capabilities, a text where a number
 // belongs.
 
 #ifndef KG_CORE_MISSION_STATEMENT_CHECK_H_

@@ -90,6 +90,7 @@ class TimeForms {
     for (const Term& property : {Begin(), End()}) {
       intervals.merge(ChangedSubjects(transaction_, property, scope_));
     }
+    // From instants up to intervals, from intervals up to windows.
     for (const Term& interval : intervals) {
       for (const Term& window :
            Subjects(view(), kFactsGraph, HasTime(), interval)) {

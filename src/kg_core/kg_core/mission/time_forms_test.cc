@@ -19,7 +19,7 @@ constexpr char kStamp[] =
 Term Node(const std::string& local) { return Ex(local); }
 
 // The stamps that OWL-Time's path reaches from a window.
-std::vector<std::string> Stamps(const TestWorld& world, const char* window,
+std::vector<std::string> Stamps(const MissionWorld& world, const char* window,
                                 const char* property) {
   const auto view = world.store.Read();
   std::vector<std::string> stamps;
@@ -36,7 +36,7 @@ std::vector<std::string> Stamps(const TestWorld& world, const char* window,
   return stamps;
 }
 
-std::vector<Term> ShortForm(const TestWorld& world, const char* window,
+std::vector<Term> ShortForm(const MissionWorld& world, const char* window,
                             const char* property) {
   return Objects(*world.store.Read(), kFactsGraph, Ex(window),
                  TimeTerm(property));
@@ -45,7 +45,7 @@ std::vector<Term> ShortForm(const TestWorld& world, const char* window,
 using Texts = std::vector<std::string>;
 
 TEST(TimeFormsTest, WindowsHaveInstantsWithStamps) {
-  const TestWorld world;
+  const MissionWorld world;
   EXPECT_EQ(Stamps(world, "w1", "hasBeginning"), Texts{"2026-06-03T00:00:00Z"});
   EXPECT_EQ(Stamps(world, "w1", "hasEnd"), Texts{"2026-06-04T00:00:00Z"});
   EXPECT_EQ(Stamps(world, "w0", "hasEnd"), Texts{});  // It says none itself.
@@ -53,7 +53,7 @@ TEST(TimeFormsTest, WindowsHaveInstantsWithStamps) {
 }
 
 TEST(TimeFormsTest, InstantsFollowTheShortForm) {
-  TestWorld world;
+  MissionWorld world;
   EXPECT_EQ(Joined(world.Set({"ex:w1", "ex:durationHours", "12"})), "");
   EXPECT_EQ(Stamps(world, "w1", "hasEnd"), Texts{"2026-06-03T12:00:00Z"});
   EXPECT_EQ(Joined(world.Set({"ex:w1", "time:hasBeginning",
@@ -64,7 +64,7 @@ TEST(TimeFormsTest, InstantsFollowTheShortForm) {
 }
 
 TEST(TimeFormsTest, AnInstantInPlaceOfADateTimeIsTaken) {
-  TestWorld world(
+  MissionWorld world(
       "ex:w a ex:TimeWindow ; ex:index 0 ; ex:confidence 1 ; "
       "time:hasBeginning [ a time:Instant ; time:inXSDDateTimeStamp " +
       std::string(kStamp) +
@@ -82,7 +82,7 @@ TEST(TimeFormsTest, AnInstantInPlaceOfADateTimeIsTaken) {
 }
 
 TEST(TimeFormsTest, TheLongFormAloneGivesTheShortOne) {
-  TestWorld world(
+  MissionWorld world(
       "ex:w a ex:TimeWindow ; ex:index 0 ; ex:confidence 1 ; "
       "time:hasTime ex:span . ex:span a time:ProperInterval ; "
       "time:hasBeginning ex:dawn ; time:hasEnd ex:noon . "
@@ -98,7 +98,7 @@ TEST(TimeFormsTest, TheLongFormAloneGivesTheShortOne) {
 }
 
 TEST(TimeFormsTest, ChangingAnInstantMovesTheWindow) {
-  TestWorld world;
+  MissionWorld world;
   EXPECT_EQ(Joined(world.Set({"<http://example.org/mission/w1/time/begin>",
                               "time:inXSDDateTimeStamp",
                               "\"2026-06-03T02:00:00Z\"^^xsd:dateTimeStamp"})),
@@ -110,7 +110,7 @@ TEST(TimeFormsTest, ChangingAnInstantMovesTheWindow) {
 }
 
 TEST(TimeFormsTest, AWindowTakesItsInstantsWithIt) {
-  TestWorld world(
+  MissionWorld world(
       "ex:w a ex:TimeWindow ; ex:index 0 ; ex:confidence 1 ; "
       "time:hasBeginning \"2026-06-02T00:00:00Z\"^^xsd:dateTime ; "
       "ex:durationHours 1 .");
@@ -124,7 +124,7 @@ TEST(TimeFormsTest, AWindowTakesItsInstantsWithIt) {
 }
 
 TEST(TimeFormsTest, ALinkToSomethingElseIsRefusedAndHarmsNothing) {
-  TestWorld world;
+  MissionWorld world;
   EXPECT_NE(Joined(world.Add("ex:w1 time:hasTime ex:w0 ."))
                 .find("ex:w1 time:hasTime: expected at most one"),
             std::string::npos);
@@ -135,7 +135,7 @@ TEST(TimeFormsTest, ALinkToSomethingElseIsRefusedAndHarmsNothing) {
 }
 
 TEST(TimeFormsTest, ATimeThatNoStampCanHoldHasNoInstant) {
-  TestWorld world;
+  MissionWorld world;
   EXPECT_EQ(Joined(world.Set({"ex:w0", "time:hasBeginning",
                               "\"-0001-01-01T00:00:00Z\"^^xsd:dateTime"})),
             "");
@@ -144,14 +144,14 @@ TEST(TimeFormsTest, ATimeThatNoStampCanHoldHasNoInstant) {
 }
 
 TEST(TimeFormsTest, AWindowWithoutABeginIsRefusedNotGivenItsOldOne) {
-  TestWorld world;
+  MissionWorld world;
   EXPECT_NE(Joined(world.Remove({"ex:w1", "time:hasBeginning", ""}))
                 .find("ex:w1 time:hasBeginning: expected exactly one"),
             std::string::npos);
 }
 
 TEST(TimeFormsTest, BothFormsAreKeptByEveryUpdateThatChangesOne) {
-  TestWorld world;
+  MissionWorld world;
   for (int hour = 1; hour < 24; ++hour) {
     const std::string time = "2026-06-03T" + std::string(hour < 10 ? "0" : "") +
                              std::to_string(hour) + ":00:00Z";

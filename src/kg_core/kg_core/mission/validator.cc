@@ -12,12 +12,12 @@
 namespace kg_core {
 namespace {
 
-shacl::DataGraph FactsOf(const GraphView& view) {
+shacl::DataGraph GetFacts(const GraphView& view) {
   return {view, kFactsGraph, {kFactsGraph, kVocabGraph, kProvGraph}, nullptr};
 }
 
 // One for all: a process has one vocabulary, rarely two.
-std::shared_ptr<const shacl::ShapeGraph> ShapesOf(const GraphView& view) {
+std::shared_ptr<const shacl::ShapeGraph> GetShapes(const GraphView& view) {
   static shacl::ShapeCache* const cache = new shacl::ShapeCache;
   return cache->Get(view, kVocabGraph);
 }
@@ -31,36 +31,37 @@ bool TouchesVocabulary(const std::vector<Statement>& statements) {
 }  // namespace
 
 std::vector<Violation> Validate(const GraphView& view) {
-  const auto shapes = ShapesOf(view);
-  const shacl::DataGraph data = FactsOf(view);
-  return shacl::Validation(data, *shapes).Run();
+  const auto shapes = GetShapes(view);
+  const shacl::DataGraph data = GetFacts(view);
+  return shacl::ShapeValidation(data, *shapes).Run();
 }
 
 std::vector<Violation> ValidateGraph(const GraphView& view,
                                      const std::string& graph) {
-  const auto shapes = ShapesOf(view);
-  shacl::DataGraph data = FactsOf(view);
+  const auto shapes = GetShapes(view);
+  shacl::DataGraph data = GetFacts(view);
   data.graph = graph;
   data.class_graphs.push_back(graph);
-  return shacl::Validation(data, *shapes).Run();
+  return shacl::ShapeValidation(data, *shapes).Run();
 }
 
 std::vector<Violation> ValidateChange(const Transaction& transaction) {
   const GraphView& view = transaction.view();
-  const shacl::Change change = {transaction.added(), transaction.removed()};
+  const shacl::GraphChange change = {transaction.added(),
+                                     transaction.removed()};
   if (TouchesVocabulary(change.added) || TouchesVocabulary(change.removed)) {
     return Validate(view);
   }
-  const auto shapes = ShapesOf(view);
-  return shacl::ValidateTouched(FactsOf(view), *shapes, change);
+  const auto shapes = GetShapes(view);
+  return shacl::ValidateTouched(GetFacts(view), *shapes, change);
 }
 
 std::vector<Violation> ValidateConclusions(const GraphView& view) {
-  const shacl::Change change = {Conclusions(view), {}};
+  const shacl::GraphChange change = {Conclusions(view), {}};
   if (change.added.empty()) return {};
-  const auto shapes = ShapesOf(view);
+  const auto shapes = GetShapes(view);
   const FactsAndConclusions world(view);
-  return shacl::ValidateTouched(FactsOf(world), *shapes, change);
+  return shacl::ValidateTouched(GetFacts(world), *shapes, change);
 }
 
 }  // namespace kg_core

@@ -12,9 +12,9 @@
 namespace kg_core {
 namespace {
 
-constexpr std::size_t kShortestToken = 16;
-constexpr std::size_t kLongestToken = 512;
-constexpr std::size_t kLongestAuthor = 200;
+constexpr std::size_t kMinTokenBytes = 16;
+constexpr std::size_t kMaxTokenBytes = 512;
+constexpr std::size_t kMaxAuthorBytes = 200;
 
 bool IsVisible(char c) { return c > ' ' && c <= '~'; }
 
@@ -59,29 +59,30 @@ std::string ReadTokenFile(const std::string& path) {
   if (!S_ISREG(status.st_mode)) {
     throw InputError(path + ": expected a file that holds the token");
   }
+  // S_IWOTH)) != 0) {|A token that other users can read protects nothing.
   if ((status.st_mode & (S_IROTH | S_IWOTH)) != 0) {
     throw InputError(path +
                      ": the token can be read or written by everybody; "
                      "expected chmod 600");
   }
-  const std::string text = ReadFile(path, 2 * kLongestToken);
+  const std::string text = ReadFile(path, 2 * kMaxTokenBytes);
   const std::string token(StripAsciiSpace(text));
-  const bool fits = token.size() >= kShortestToken &&
-                    token.size() <= kLongestToken &&
+  const bool fits = token.size() >= kMinTokenBytes &&
+                    token.size() <= kMaxTokenBytes &&
                     std::all_of(token.begin(), token.end(), IsVisible);
   if (fits) return token;
-  throw InputError(path + ": expected one line of " +
-                   std::to_string(kShortestToken) + " to " +
-                   std::to_string(kLongestToken) + " visible ASCII characters");
+  throw InputError(
+      path + ": expected one line of " + std::to_string(kMinTokenBytes) +
+      " to " + std::to_string(kMaxTokenBytes) + " visible ASCII characters");
 }
 
-std::string AuthorOf(const HttpRequest& request) {
+std::string GetAuthor(const HttpRequest& request) {
   const std::string header = Header(request, "from");
   const std::string_view from = StripAsciiSpace(header);
   const auto is_text = [](char c) {
     return static_cast<unsigned char>(c) >= 0x20 && c != 0x7F;
   };
-  const bool fits = !from.empty() && from.size() <= kLongestAuthor &&
+  const bool fits = !from.empty() && from.size() <= kMaxAuthorBytes &&
                     !FirstBadUtf8(from) &&
                     std::all_of(from.begin(), from.end(), is_text);
   return fits ? std::string(from) : "http";

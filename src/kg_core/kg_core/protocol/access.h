@@ -24,7 +24,7 @@ bool IsLoopbackHost(const HttpRequest& request);
 std::string ReadTokenFile(const std::string& path);
 
 // Who the request says it is from (header From), else "http".
-std::string AuthorOf(const HttpRequest& request);
+std::string GetAuthor(const HttpRequest& request);
 
 }  // namespace kg_core
 

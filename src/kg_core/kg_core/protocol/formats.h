@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kg_core/protocol/http.h"
-#include "kg_core/sparql/query_engine.h"
+#include "kg_core/sparql/query_result.h"
 
 namespace kg_core {
 

@@ -15,7 +15,7 @@ namespace {
 constexpr char kFolder[] = "/graphs/";
 
 // https://www.w3.org/TR/sparql11-http-rdf-update/#graph-identification
-std::string GraphOf(const HttpRequest& request) {
+std::string GetGraph(const HttpRequest& request) {
   const std::string folder = kFolder;
   if (request.path.size() > folder.size()) {
     return kGraph + request.path.substr(folder.size());
@@ -34,8 +34,9 @@ std::string GraphOf(const HttpRequest& request) {
                   "?graph=<IRI>");
 }
 
-std::vector<Triple> TriplesOf(const GraphView& view, const std::string& graph,
-                              const QueryLimits& limits) {
+std::vector<Triple> CollectTriples(const GraphView& view,
+                                   const std::string& graph,
+                                   const QueryLimits& limits) {
   std::vector<Triple> triples;
   const TermId id = view.Find(Iri(graph));
   if (id == kNoTerm) return triples;
@@ -73,14 +74,14 @@ void CheckExists(const GraphView& view, const std::string& graph) {
 }
 
 // https://www.w3.org/TR/sparql11-http-rdf-update/#http-get
-HttpResponse Get(const Context& context, const std::string& graph) {
+HttpResponse Get(const RequestContext& context, const std::string& graph) {
   const AnswerFormat& format =
       ChooseFormat(context.request, AnswerKind::kTriples);
   const auto view = context.store.read();
   CheckExists(*view, graph);
   QueryResult result;
   result.form = QueryResult::Form::kConstruct;
-  result.triples = TriplesOf(*view, graph, context.options.limits);
+  result.triples = CollectTriples(*view, graph, context.options.limits);
   return WriteAnswer(result, format);
 }
 
@@ -98,7 +99,7 @@ const std::string& Payload(const HttpRequest& request) {
 
 // https://www.w3.org/TR/sparql11-http-rdf-update/#http-put, #http-post,
 // #http-delete
-HttpResponse Change(const Context& context, const std::string& graph) {
+HttpResponse Change(const RequestContext& context, const std::string& graph) {
   CheckWritable(context);
   if (graph != kFactsGraph) {
     throw HttpError(kForbidden, "graph <" + graph +
@@ -121,9 +122,9 @@ HttpResponse Change(const Context& context, const std::string& graph) {
 
 }  // namespace
 
-HttpResponse AnswerGraphStore(const Context& context) {
+HttpResponse AnswerGraphStore(const RequestContext& context) {
   const std::string& method = context.request.method;
-  const std::string graph = GraphOf(context.request);
+  const std::string graph = GetGraph(context.request);
   if (method == "GET" || method == "HEAD") return Get(context, graph);
   if (method == "PUT" || method == "POST" || method == "DELETE") {
     return Change(context, graph);

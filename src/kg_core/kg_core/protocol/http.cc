@@ -89,8 +89,8 @@ int Specificity(const MediaRange& range, const std::string& offer) {
   return range.subtype == offer.substr(slash + 1) ? 3 : 0;
 }
 
-double QualityOf(const std::string& offer,
-                 const std::vector<MediaRange>& ranges) {
+double GetQuality(const std::string& offer,
+                  const std::vector<MediaRange>& ranges) {
   int best = 0;
   double quality = 0.0;
   for (const MediaRange& range : ranges) {
@@ -154,7 +154,7 @@ std::size_t Negotiate(const std::string& accept,
   std::size_t best = 0;
   double quality = 0.0;
   for (std::size_t i = 0; i < offers.size(); ++i) {
-    const double offered = QualityOf(offers[i], ranges);
+    const double offered = GetQuality(offers[i], ranges);
     if (offered <= quality) continue;
     best = i;
     quality = offered;

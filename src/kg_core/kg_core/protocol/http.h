@@ -28,7 +28,7 @@ struct HttpResponse {
   std::map<std::string, std::string> headers;  // More of them, e.g. "Allow".
 };
 
-// A request that gets no answer but a status and one line that says why.
+// A request that is answered by a status and one line with the reason only.
 class HttpError : public std::runtime_error {
  public:
   HttpError(int status, const std::string& why)

@@ -5,12 +5,12 @@
 #ifndef KG_CORE_PROTOCOL_OPERATIONS_H_
 #define KG_CORE_PROTOCOL_OPERATIONS_H_
 
+#include "kg_core/protocol/endpoint_store.h"
 #include "kg_core/protocol/http.h"
-#include "kg_core/protocol/sparql_endpoint.h"
 
 namespace kg_core::protocol {
 
-struct Context {
+struct RequestContext {
   const HttpRequest& request;
   const EndpointStore& store;
   const EndpointOptions& options;
@@ -18,22 +18,22 @@ struct Context {
 
 // /sparql; throws HttpError for what is neither a query nor an update.
 // https://www.w3.org/TR/sparql11-protocol/#protocol
-HttpResponse AnswerSparql(const Context& context);
+HttpResponse AnswerSparql(const RequestContext& context);
 
 // /graphs. https://www.w3.org/TR/sparql11-http-rdf-update/
-HttpResponse AnswerGraphStore(const Context& context);
+HttpResponse AnswerGraphStore(const RequestContext& context);
 
 // https://www.w3.org/TR/sparql11-service-description/
-HttpResponse DescribeService(const Context& context);
+HttpResponse DescribeService(const RequestContext& context);
 
 // Throws HttpError 403 if nothing may be written.
-void CheckWritable(const Context& context);
+void CheckWritable(const RequestContext& context);
 
 // Hands an update to the sink: 422 with the reasons if it was refused; else the
 // verdict.
-UpdateVerdict Write(const Context& context, FactUpdate update);
+UpdateVerdict Write(const RequestContext& context, FactUpdate update);
 
-// What a client is told of a verdict.
+// The response to a client for a verdict.
 HttpResponse Accepted(int status, const UpdateVerdict& verdict);
 
 // 405 that names what is allowed ("GET, HEAD").

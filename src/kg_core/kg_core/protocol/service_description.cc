@@ -23,7 +23,7 @@ constexpr const char* kFormatNames[] = {
     "RDF_XML",
 };
 
-class Description {
+class ServiceDescription {
  public:
   void Add(const Term& subject, const char* property, const Term& object) {
     triples_.push_back({subject, Iri(std::string(kSd) + property), object});
@@ -43,8 +43,8 @@ class Description {
   std::vector<Triple> triples_;
 };
 
-void DescribeDataset(const Context& context, const Term& service,
-                     Description* description) {
+void DescribeDataset(const RequestContext& context, const Term& service,
+                     ServiceDescription* description) {
   const Term dataset = Blank("dataset");
   const Term merged = Blank("default");
   description->Add(service, "defaultDataset", dataset);
@@ -63,11 +63,11 @@ void DescribeDataset(const Context& context, const Term& service,
 
 }  // namespace
 
-HttpResponse DescribeService(const Context& context) {
+HttpResponse DescribeService(const RequestContext& context) {
   const AnswerFormat& format =
       ChooseFormat(context.request, AnswerKind::kTriples);
   const Term service = Blank("service");
-  Description description;
+  ServiceDescription description;
   description.AddType(service, "Service");
   const std::string host = Header(context.request, "host");
   if (!host.empty() && host.find_first_of(" <>\"{}|\\^`") == host.npos) {

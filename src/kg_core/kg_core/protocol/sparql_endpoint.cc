@@ -75,7 +75,7 @@ HttpResponse SparqlEndpoint::Dispatch(const HttpRequest& request) const {
                                           std::to_string(options_.body_bytes) +
                                           " bytes");
   }
-  const protocol::Context context{request, store_, options_};
+  const protocol::RequestContext context{request, store_, options_};
   if (request.path == kSparqlPath) return protocol::AnswerSparql(context);
   if (IsGraphPath(request.path)) return protocol::AnswerGraphStore(context);
   throw HttpError(kNotFound,
@@ -85,13 +85,13 @@ HttpResponse SparqlEndpoint::Dispatch(const HttpRequest& request) const {
 
 namespace protocol {
 
-void CheckWritable(const Context& context) {
+void CheckWritable(const RequestContext& context) {
   if (context.options.writable) return;
   throw HttpError(kForbidden, "this endpoint is read-only");
 }
 
-UpdateVerdict Write(const Context& context, FactUpdate update) {
-  update.author = AuthorOf(context.request);
+UpdateVerdict Write(const RequestContext& context, FactUpdate update) {
+  update.author = GetAuthor(context.request);
   UpdateVerdict verdict = context.store.update(update);
   switch (verdict.outcome) {
     case UpdateVerdict::Outcome::kAccepted:

@@ -16,46 +16,10 @@
 #ifndef KG_CORE_PROTOCOL_SPARQL_ENDPOINT_H_
 #define KG_CORE_PROTOCOL_SPARQL_ENDPOINT_H_
 
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
-
-#include "kg_core/mission/stage_update.h"
+#include "kg_core/protocol/endpoint_store.h"
 #include "kg_core/protocol/http.h"
-#include "kg_core/rdf/graph_view.h"
-#include "kg_core/sparql/query_engine.h"
 
 namespace kg_core {
-
-// What became of an update.
-struct UpdateVerdict {
-  enum class Outcome {
-    kAccepted,  // Durable.
-    kRefused,   // For `reasons`; nothing has changed.
-    kNobody,    // Nobody decided in time; nothing has changed.
-  };
-  Outcome outcome = Outcome::kNobody;
-  std::vector<std::string> reasons{};
-  std::uint64_t world_version = 0;
-};
-
-// The store behind an endpoint. All three may be called from several threads at
-// once.
-struct EndpointStore {
-  std::function<std::shared_ptr<const GraphView>()> read;
-  std::function<Dataset(const GraphView&)> dataset;
-  std::function<UpdateVerdict(const FactUpdate&)> update;
-};
-
-struct EndpointOptions {
-  std::string token;      // "Authorization: Bearer <token>"; "": none is asked.
-  bool writable = false;  // Needs a token.
-  QueryLimits limits{};
-  std::size_t body_bytes = 16u << 20;  // Of a request.
-};
 
 class SparqlEndpoint {
  public:

@@ -9,6 +9,7 @@
 #include "kg_core/protocol/formats.h"
 #include "kg_core/protocol/operations.h"
 #include "kg_core/sparql/parser.h"
+#include "kg_core/sparql/query_engine.h"
 #include "kg_core/sparql/resolve_dataset.h"
 
 namespace kg_core::protocol {
@@ -45,7 +46,7 @@ bool HasField(const std::vector<FormField>& fields, const std::string& name) {
   return !Values(fields, name).empty();
 }
 
-void CheckLength(const std::string& text, const Context& context) {
+void CheckLength(const std::string& text, const RequestContext& context) {
   const std::size_t limit = context.options.limits.text_bytes;
   if (text.size() <= limit) return;
   throw HttpError(kContentTooLarge, "the text is longer than the limit of " +
@@ -75,19 +76,19 @@ std::optional<Dataset> ChosenDataset(const std::vector<FormField>& fields,
   return dataset;
 }
 
-AnswerKind KindOf(const sparql::Query& query) {
+AnswerKind GetKind(const sparql::Query& query) {
   const bool rows = query.form == sparql::Query::Form::kSelect ||
                     query.form == sparql::Query::Form::kAsk;
   return rows ? AnswerKind::kRows : AnswerKind::kTriples;
 }
 
 // https://www.w3.org/TR/sparql11-protocol/#query-operation
-HttpResponse AnswerQuery(const Context& context, const std::string& text,
+HttpResponse AnswerQuery(const RequestContext& context, const std::string& text,
                          const std::vector<FormField>& fields) {
   CheckLength(text, context);
   const QueryLimits& limits = context.options.limits;
   const sparql::Query query = sparql::ParseQuery(text, limits.nesting);
-  const AnswerFormat& format = ChooseFormat(context.request, KindOf(query));
+  const AnswerFormat& format = ChooseFormat(context.request, GetKind(query));
   const auto view = context.store.read();
   std::optional<Dataset> dataset =
       ChosenDataset(fields, kDefaultGraphUri, kNamedGraphUri, *view);
@@ -97,8 +98,8 @@ HttpResponse AnswerQuery(const Context& context, const std::string& text,
 
 // https://www.w3.org/TR/sparql11-protocol/#update-operation: parameters and the
 // text itself must not both choose.
-void RefuseTwoDatasets(const sparql::Update& update) {
-  for (const sparql::Operation& operation : update.operations) {
+void RefuseTwoDatasets(const sparql::UpdateRequest& update) {
+  for (const sparql::UpdateOperation& operation : update.operations) {
     if (!operation.query.has_dataset && !operation.with) continue;
     throw HttpError(kBadRequest,
                     "expected using-graph-uri and using-named-graph-uri, or "
@@ -107,11 +108,12 @@ void RefuseTwoDatasets(const sparql::Update& update) {
 }
 
 // https://www.w3.org/TR/sparql11-protocol/#update-operation
-HttpResponse AnswerUpdate(const Context& context, const std::string& text,
+HttpResponse AnswerUpdate(const RequestContext& context,
+                          const std::string& text,
                           const std::vector<FormField>& fields) {
   CheckWritable(context);
   CheckLength(text, context);
-  const sparql::Update parsed =
+  const sparql::UpdateRequest parsed =
       sparql::ParseUpdate(text, context.options.limits.nesting);
   FactUpdate update;
   update.sparql = text;
@@ -121,7 +123,7 @@ HttpResponse AnswerUpdate(const Context& context, const std::string& text,
   return Accepted(kOk, Write(context, std::move(update)));
 }
 
-HttpResponse AnswerForm(const Context& context,
+HttpResponse AnswerForm(const RequestContext& context,
                         const std::vector<FormField>& fields) {
   const bool queries = HasField(fields, "query");
   if (queries == HasField(fields, "update")) {
@@ -131,7 +133,7 @@ HttpResponse AnswerForm(const Context& context,
   return AnswerUpdate(context, TheOnly(fields, "update"), fields);
 }
 
-HttpResponse AnswerPost(const Context& context) {
+HttpResponse AnswerPost(const RequestContext& context) {
   const HttpRequest& request = context.request;
   const std::string type = MediaTypeOfBody(request);
   if (type == kForm) {
@@ -158,7 +160,7 @@ HttpResponse AnswerPost(const Context& context) {
   return AnswerUpdate(context, request.body, fields);
 }
 
-HttpResponse AnswerGet(const Context& context) {
+HttpResponse AnswerGet(const RequestContext& context) {
   const std::vector<FormField> fields = ParseForm(context.request.query);
   if (fields.empty()) return DescribeService(context);
   if (HasField(fields, "update")) {
@@ -169,7 +171,7 @@ HttpResponse AnswerGet(const Context& context) {
 
 }  // namespace
 
-HttpResponse AnswerSparql(const Context& context) {
+HttpResponse AnswerSparql(const RequestContext& context) {
   const std::string& method = context.request.method;
   if (method == "GET" || method == "HEAD") return AnswerGet(context);
   if (method == "POST") return AnswerPost(context);

@@ -20,15 +20,15 @@ namespace {
 // Which place of the pattern the caller asks for.
 using Place = TermId Quad::*;
 
-struct Question {
+struct PatternQuery {
   const Term* subject = nullptr;  // Null matches any term.
   const Term* predicate = nullptr;
   const Term* object = nullptr;
 };
 
 // Nothing if a term that the pattern names is unknown, so matches nothing.
-std::optional<Quad> PatternOf(const GraphView& view, std::string_view graph,
-                              const Question& question) {
+std::optional<Quad> MakePattern(const GraphView& view, std::string_view graph,
+                                const PatternQuery& question) {
   Quad pattern;
   pattern.graph = view.Find(Iri(std::string(graph)));
   if (pattern.graph == kNoTerm) return std::nullopt;
@@ -58,21 +58,23 @@ std::vector<Term> Collect(const GraphView& view, const Quad& pattern,
 
 std::vector<Term> Objects(const GraphView& view, std::string_view graph,
                           const Term& subject, const Term& predicate) {
-  const auto pattern = PatternOf(view, graph, {&subject, &predicate, nullptr});
+  const auto pattern =
+      MakePattern(view, graph, {&subject, &predicate, nullptr});
   if (!pattern) return {};
   return Collect(view, *pattern, &Quad::object, SIZE_MAX);
 }
 
 std::vector<Term> Subjects(const GraphView& view, std::string_view graph,
                            const Term& predicate, const Term& object) {
-  const auto pattern = PatternOf(view, graph, {nullptr, &predicate, &object});
+  const auto pattern = MakePattern(view, graph, {nullptr, &predicate, &object});
   if (!pattern) return {};
   return Collect(view, *pattern, &Quad::subject, SIZE_MAX);
 }
 
 std::optional<Term> FirstObject(const GraphView& view, std::string_view graph,
                                 const Term& subject, const Term& predicate) {
-  const auto pattern = PatternOf(view, graph, {&subject, &predicate, nullptr});
+  const auto pattern =
+      MakePattern(view, graph, {&subject, &predicate, nullptr});
   if (!pattern) return std::nullopt;
   std::vector<Term> terms = Collect(view, *pattern, &Quad::object, 1);
   if (terms.empty()) return std::nullopt;
@@ -81,7 +83,8 @@ std::optional<Term> FirstObject(const GraphView& view, std::string_view graph,
 
 bool Has(const GraphView& view, std::string_view graph, const Term& subject,
          const Term& predicate, const Term& object) {
-  const auto pattern = PatternOf(view, graph, {&subject, &predicate, &object});
+  const auto pattern =
+      MakePattern(view, graph, {&subject, &predicate, &object});
   return pattern && !Collect(view, *pattern, &Quad::object, 1).empty();
 }
 

@@ -21,7 +21,7 @@ bool IsPlainLocalName(std::string_view name) {
 std::optional<std::string> ExpandPrefixed(std::string_view prefixed) {
   const std::size_t colon = prefixed.find(':');
   if (colon == std::string_view::npos) return std::nullopt;
-  for (const Prefix& prefix : kPrefixes) {
+  for (const NamespacePrefix& prefix : kPrefixes) {
     if (prefixed.substr(0, colon) == prefix.name) {
       return prefix.iri + std::string(prefixed.substr(colon + 1));
     }
@@ -30,7 +30,7 @@ std::optional<std::string> ExpandPrefixed(std::string_view prefixed) {
 }
 
 std::string AbbreviateIri(std::string_view iri) {
-  for (const Prefix& prefix : kPrefixes) {
+  for (const NamespacePrefix& prefix : kPrefixes) {
     const std::string_view start = prefix.iri;
     if (iri.substr(0, start.size()) != start) continue;
     const std::string_view local = iri.substr(start.size());

@@ -10,7 +10,7 @@
 
 namespace kg_core {
 
-struct Prefix {
+struct NamespacePrefix {
   const char* name;  // Without the colon.
   const char* iri;
 };
@@ -30,7 +30,7 @@ inline constexpr char kSsn[] = "http://www.w3.org/ns/ssn/";
 inline constexpr char kSosa[] = "http://www.w3.org/ns/sosa/";
 inline constexpr char kGraph[] = "http://example.org/mission/graph/";
 
-inline constexpr Prefix kPrefixes[] = {
+inline constexpr NamespacePrefix kPrefixes[] = {
     {"ex", kEx},       {"rdf", kRdf},   {"rdfs", kRdfs}, {"owl", kOwl},
     {"xsd", kXsd},     {"sh", kSh},     {"prov", kProv}, {"time", kTime},
     {"geo", kGeo},     {"geof", kGeof}, {"ssn", kSsn},   {"sosa", kSosa},

@@ -6,7 +6,7 @@ namespace kg_core {
 namespace {
 
 TEST(Namespaces, EveryPrefixExpandsAndAbbreviates) {
-  for (const Prefix& prefix : kPrefixes) {
+  for (const NamespacePrefix& prefix : kPrefixes) {
     const std::string name = std::string(prefix.name) + ":x-1_y";
     EXPECT_EQ(ExpandPrefixed(name), std::string(prefix.iri) + "x-1_y");
     EXPECT_EQ(AbbreviateIri(*ExpandPrefixed(name)), name);

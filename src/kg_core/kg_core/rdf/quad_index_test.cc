@@ -23,7 +23,7 @@ Quad RandomQuad(std::mt19937* random, TermId terms) {
 }
 
 // The quad with only the places of the four bits left.
-Quad PatternOf(Quad quad, int bits) {
+Quad MakePattern(Quad quad, int bits) {
   if (!(bits & 8)) quad.subject = kNoTerm;
   if (!(bits & 4)) quad.predicate = kNoTerm;
   if (!(bits & 2)) quad.object = kNoTerm;
@@ -53,7 +53,7 @@ TEST(QuadIndex, PacksAndUnpacksEveryOrder) {
 
 TEST(QuadIndex, ThePlanOfEveryPatternHasTheLongestPrefix) {
   for (int bits = 0; bits < 16; ++bits) {
-    const Quad pattern = PatternOf({1, 2, 3, 4}, bits);
+    const Quad pattern = MakePattern({1, 2, 3, 4}, bits);
     ASSERT_EQ(BoundPlaces(pattern), bits);
     const PatternPlan& plan = PatternPlans()[bits];
     int longest = 0;
@@ -82,12 +82,12 @@ TEST(QuadIndex, MatchesLikeBruteForce) {
       }
     }
     for (int bits = 0; bits < 16; ++bits) {
-      const Quad pattern = PatternOf(RandomQuad(&random, 7), bits);
+      const Quad pattern = MakePattern(RandomQuad(&random, 7), bits);
       Model expected, matched;
       for (const auto& t : model) {
         const Quad quad{std::get<0>(t), std::get<1>(t), std::get<2>(t),
                         std::get<3>(t)};
-        if (PatternOf(quad, bits) == pattern) expected.insert(t);
+        if (MakePattern(quad, bits) == pattern) expected.insert(t);
       }
       std::size_t visits = 0;
       index.Match(pattern, [&](const Quad& quad) {
@@ -116,7 +116,7 @@ TEST(QuadIndex, EstimatesExactlyWhereNothingIsFiltered) {
   for (int bits = 0; bits < 16; ++bits) {
     const PatternPlan& plan = PatternPlans()[bits];
     if (plan.best.order != plan.other.order) continue;
-    const Quad pattern = PatternOf(RandomQuad(&random, 12), bits);
+    const Quad pattern = MakePattern(RandomQuad(&random, 12), bits);
     std::size_t matches = 0;
     index.Match(pattern, [&](const Quad&) { return ++matches > 0; });
     EXPECT_EQ(index.Estimate(pattern), matches) << bits;
@@ -148,7 +148,7 @@ TEST(QuadIndex, InsertsManyAtOnceLikeOneByOne) {
     ASSERT_EQ(before.size(), size);
     ASSERT_EQ(index.size(), model.size());
     for (const int bits : {0, 8, 4, 2, 1}) {
-      const Quad pattern = PatternOf(quads[0], bits);
+      const Quad pattern = MakePattern(quads[0], bits);
       std::vector<Quad> found, expected;
       index.Match(pattern, [&](const Quad& quad) {
         found.push_back(quad);

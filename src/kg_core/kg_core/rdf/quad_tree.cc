@@ -23,7 +23,7 @@ struct QuadTree::Node {
 
   bool is_leaf() const { return children.empty(); }
 
-  // A vector that grows by itself would take room for 128.
+  // A vector that grows on its own would allocate 128.
   void CopyWithRoom(const Node& other) {
     keys.reserve(kMaxKeys + 1);
     keys = other.keys;
@@ -71,6 +71,7 @@ QuadTree QuadTree::FromSorted(const std::vector<QuadKey>& keys) {
     level.push_back(std::make_shared<Node>());
     level.back()->keys.assign(keys.begin() + at, keys.begin() + end);
   }
+  // Build inner nodes level by level until one root is left.
   while (level.size() > 1) {
     std::vector<NodePtr> above;
     for (std::size_t i = 0; i < level.size(); ++i) {

@@ -12,8 +12,9 @@ namespace {
 using Model = std::set<QuadKey>;
 constexpr QuadKey kLast = {~0ull, ~0ull};
 
-std::vector<QuadKey> KeysOf(const QuadTree& tree, const QuadKey& first = {},
-                            const QuadKey& last = kLast) {
+std::vector<QuadKey> CollectKeys(const QuadTree& tree,
+                                 const QuadKey& first = {},
+                                 const QuadKey& last = kLast) {
   std::vector<QuadKey> keys;
   tree.Scan(first, last, [&](const QuadKey& key) {
     keys.push_back(key);
@@ -24,7 +25,8 @@ std::vector<QuadKey> KeysOf(const QuadTree& tree, const QuadKey& first = {},
 
 void ExpectEqual(const QuadTree& tree, const Model& model) {
   ASSERT_EQ(tree.size(), model.size());
-  ASSERT_EQ(KeysOf(tree), std::vector<QuadKey>(model.begin(), model.end()));
+  ASSERT_EQ(CollectKeys(tree),
+            std::vector<QuadKey>(model.begin(), model.end()));
 }
 
 QuadKey RandomKey(std::mt19937_64* random, int range) {
@@ -64,7 +66,7 @@ TEST(QuadTree, EmptiesAndFillsAgain) {
       ASSERT_TRUE(tree.Erase({i % 7, i}, edit));
     }
     EXPECT_EQ(tree.size(), 0u);
-    EXPECT_TRUE(KeysOf(tree).empty());
+    EXPECT_TRUE(CollectKeys(tree).empty());
     EXPECT_FALSE(tree.Contains({0, 0}));
   }
 }
@@ -86,7 +88,7 @@ TEST(QuadTree, CountsAndScansEveryRange) {
       if (!(key < first) && !(last < key)) expected.push_back(key);
     }
     ASSERT_EQ(tree.CountBetween(first, last), expected.size());
-    ASSERT_EQ(KeysOf(tree, first, last), expected);
+    ASSERT_EQ(CollectKeys(tree, first, last), expected);
   }
 }
 

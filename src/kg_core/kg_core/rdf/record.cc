@@ -54,7 +54,7 @@ std::uint64_t HashBytes(std::uint64_t hash, std::string_view bytes) {
   return Mix(hash ^ bytes.size());
 }
 
-std::uint64_t HashOf(TermId id, const Term& term) {
+std::uint64_t ComputeHash(TermId id, const Term& term) {
   std::uint64_t hash =
       Mix(std::uint64_t{id} << 8 | static_cast<int>(term.kind));
   hash = HashBytes(hash, term.text);
@@ -62,14 +62,14 @@ std::uint64_t HashOf(TermId id, const Term& term) {
   return HashBytes(hash, term.language);
 }
 
-std::uint64_t HashOf(const Quad& quad) {
+std::uint64_t ComputeHash(const Quad& quad) {
   const std::uint64_t first =
       Mix(std::uint64_t{quad.subject} << 32 | quad.predicate);
   return Mix(first ^ (std::uint64_t{quad.object} << 32 | quad.graph));
 }
 
 // A store of nothing in world 0 has the digest 0.
-std::uint64_t DigestOf(std::uint64_t sum, std::uint64_t world_version) {
+std::uint64_t ComputeDigest(std::uint64_t sum, std::uint64_t world_version) {
   return world_version == 0 ? sum : sum + Mix(world_version ^ sum);
 }
 
@@ -84,6 +84,8 @@ void CheckHeader(const std::string& path) {
   unsigned char header[100] = {};
   std::ifstream file(path, std::ios::binary);
   file.read(reinterpret_cast<char*>(header), sizeof(header));
+  // SQLite's header has big-endian numbers: application id at 68, user version
+  // at 60.
   const auto number_at = [&](int offset) {
     return std::uint32_t{header[offset]} << 24 |
            std::uint32_t{header[offset + 1]} << 16 |
@@ -103,7 +105,7 @@ void CheckHeader(const std::string& path) {
   }
 }
 
-void SyncFolderOf(const fs::path& path) {
+void SyncParentFolder(const fs::path& path) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY);
   if (descriptor < 0) return;
@@ -124,7 +126,7 @@ void CreateStore(const std::string& path) {
   if (result != 0 && error != EEXIST) {  // Else another process was faster.
     throw InputError(path + ": cannot be created: " + std::strerror(error));
   }
-  SyncFolderOf(path);
+  SyncParentFolder(path);
 }
 
 // `path`, there and with the head of a store.
@@ -147,8 +149,9 @@ const std::string& ReadyPath(const std::string& path) {
 
 [[noreturn]] void RefuseOpening(const std::string& path,
                                 const SqliteError& error) {
-  if (error.is_busy())
+  if (error.is_busy()) {
     throw InputError(path + ": is in use by another process");
+  }
   if (error.is_corrupt()) RefuseDamage(path, error.what());
   throw InputError(path + ": cannot be opened: " + error.what());
 }
@@ -165,7 +168,7 @@ bool IsTermId(std::int64_t id) { return id > 0 && id < Dictionary::kMaxTerms; }
 
 }  // namespace
 
-Record::Queries::Queries(SqliteDatabase* database)
+StoreRecord::Queries::Queries(SqliteDatabase* database)
     : add_term(database->Prepare("INSERT INTO term VALUES (?, ?, ?, ?, ?)")),
       remove_term(database->Prepare("DELETE FROM term WHERE id = ?")),
       add_quad(database->Prepare("INSERT INTO quad VALUES (?, ?, ?, ?)")),
@@ -175,7 +178,7 @@ Record::Queries::Queries(SqliteDatabase* database)
       set_world(database->Prepare("UPDATE world SET version = ?, digest = ?")) {
 }
 
-Record::Record(const std::string& path)
+StoreRecord::StoreRecord(const std::string& path)
     : path_(path), database_(OpenDatabase(path)) {
   try {
     Open();
@@ -184,7 +187,7 @@ Record::Record(const std::string& path)
   }
 }
 
-void Record::Open() {
+void StoreRecord::Open() {
   database_.Execute(
       "PRAGMA locking_mode = EXCLUSIVE;"
       "PRAGMA synchronous = FULL;"
@@ -202,7 +205,7 @@ void Record::Open() {
   queries_.emplace(&database_);
 }
 
-RecordContent Record::Load() {
+RecordContent StoreRecord::Load() {
   try {
     RecordContent content = ReadAll();
     LeaveOutUnusedTerms(&content);
@@ -212,7 +215,7 @@ RecordContent Record::Load() {
   }
 }
 
-RecordContent Record::ReadAll() {
+RecordContent StoreRecord::ReadAll() {
   RecordContent content;
   ReadTerms(&content);
   ReadQuads(&content);
@@ -220,13 +223,13 @@ RecordContent Record::ReadAll() {
   if (!world.Step()) RefuseDamage(path_, "it has no world version");
   content.world_version = static_cast<std::uint64_t>(world.Integer(0));
   const auto digest = static_cast<std::uint64_t>(world.Integer(1));
-  if (digest != DigestOf(sum_, content.world_version)) {
+  if (digest != ComputeDigest(sum_, content.world_version)) {
     RefuseDamage(path_, "its contents do not match their digest");
   }
   return content;
 }
 
-void Record::ReadTerms(RecordContent* content) {
+void StoreRecord::ReadTerms(RecordContent* content) {
   SqliteQuery row = database_.Prepare("SELECT * FROM term ORDER BY id");
   while (row.Step()) {
     const std::int64_t id = row.Integer(0);
@@ -236,12 +239,12 @@ void Record::ReadTerms(RecordContent* content) {
     }
     Term term{static_cast<Term::Kind>(kind), row.Bytes(2), row.Bytes(3),
               row.Bytes(4)};
-    sum_ += HashOf(static_cast<TermId>(id), term);
+    sum_ += ComputeHash(static_cast<TermId>(id), term);
     content->terms.emplace_back(static_cast<TermId>(id), std::move(term));
   }
 }
 
-void Record::ReadQuads(RecordContent* content) {
+void StoreRecord::ReadQuads(RecordContent* content) {
   SqliteQuery row = database_.Prepare("SELECT * FROM quad");
   while (row.Step()) {
     for (int i = 0; i < 4; ++i) {
@@ -249,11 +252,11 @@ void Record::ReadQuads(RecordContent* content) {
     }
     const auto id = [&](int i) { return static_cast<TermId>(row.Integer(i)); };
     content->quads.push_back({id(0), id(1), id(2), id(3)});
-    sum_ += HashOf(content->quads.back());
+    sum_ += ComputeHash(content->quads.back());
   }
 }
 
-std::vector<bool> Record::UsedTerms(const RecordContent& content) const {
+std::vector<bool> StoreRecord::UsedTerms(const RecordContent& content) const {
   std::vector<bool> used(
       content.terms.empty() ? 1 : content.terms.back().first + 1);
   for (const Quad& q : content.quads) {
@@ -265,7 +268,7 @@ std::vector<bool> Record::UsedTerms(const RecordContent& content) const {
   return used;
 }
 
-void Record::LeaveOutUnusedTerms(RecordContent* content) {
+void StoreRecord::LeaveOutUnusedTerms(RecordContent* content) {
   auto& terms = content->terms;
   const std::vector<bool> used = UsedTerms(*content);
   content->terms_end = static_cast<TermId>(used.size());
@@ -273,29 +276,31 @@ void Record::LeaveOutUnusedTerms(RecordContent* content) {
       terms.begin(), terms.end(),
       [&](const auto& entry) { return used[entry.first]; });
   for (auto entry = first_unused; entry != terms.end(); ++entry) {
-    forgotten_.emplace(entry->first, HashOf(entry->first, entry->second));
+    forgotten_.emplace(entry->first, ComputeHash(entry->first, entry->second));
   }
   terms.erase(first_unused, terms.end());
 }
 
-void Record::Forget(const std::vector<std::pair<TermId, const Term*>>& terms) {
+void StoreRecord::Forget(
+    const std::vector<std::pair<TermId, const Term*>>& terms) {
   for (const auto& [id, term] : terms) {
-    forgotten_.emplace(id, HashOf(id, *term));
+    forgotten_.emplace(id, ComputeHash(id, *term));
   }
 }
 
-void Record::MarkForgotten(std::vector<bool>* ids) const {
+void StoreRecord::MarkForgotten(std::vector<bool>* ids) const {
   for (const auto& [id, hash] : forgotten_) (*ids)[id] = true;
 }
 
-std::size_t Record::RowsToRemove(const RecordChange& change) const {
+std::size_t StoreRecord::RowsToRemove(const RecordChange& change) const {
   constexpr std::size_t kAtLeast = 64;
   const std::size_t own =
       change.terms.size() + change.added.size() + change.removed.size();
   return std::min(forgotten_.size(), own + kAtLeast);
 }
 
-std::uint64_t Record::RemoveForgotten(std::size_t rows, std::uint64_t sum) {
+std::uint64_t StoreRecord::RemoveForgotten(std::size_t rows,
+                                           std::uint64_t sum) {
   auto row = forgotten_.begin();
   for (; rows > 0; --rows, ++row) {
     queries_->remove_term.Bind(1, std::int64_t{row->first}).Run();
@@ -305,7 +310,7 @@ std::uint64_t Record::RemoveForgotten(std::size_t rows, std::uint64_t sum) {
   return sum;
 }
 
-void Record::Write(const RecordChange& change) {
+void StoreRecord::Write(const RecordChange& change) {
   try {
     const std::size_t removed = RowsToRemove(change);
     database_.Execute("BEGIN IMMEDIATE");
@@ -323,7 +328,10 @@ void Record::Write(const RecordChange& change) {
   }
 }
 
-std::uint64_t Record::WriteRows(const RecordChange& change, std::uint64_t sum) {
+std::uint64_t StoreRecord::WriteRows(const RecordChange& change,
+                                     std::uint64_t sum) {
+  // The digest is a sum of hashes, so that rows can be added and removed in any
+  // order.
   for (const auto& [id, term] : change.terms) {
     queries_->add_term.Bind(1, std::int64_t{id})
         .Bind(2, static_cast<std::int64_t>(term->kind))
@@ -331,28 +339,28 @@ std::uint64_t Record::WriteRows(const RecordChange& change, std::uint64_t sum) {
         .Bind(4, term->datatype)
         .Bind(5, term->language)
         .Run();
-    sum += HashOf(id, *term);
+    sum += ComputeHash(id, *term);
   }
   for (const Quad& quad : change.removed) {
     RunQuadQuery(&queries_->remove_quad, quad);
-    sum -= HashOf(quad);
+    sum -= ComputeHash(quad);
   }
   for (const Quad& quad : change.added) {
     RunQuadQuery(&queries_->add_quad, quad);
-    sum += HashOf(quad);
+    sum += ComputeHash(quad);
   }
   WriteWorld(sum, change.world_version);
   return sum;
 }
 
-void Record::WriteWorld(std::uint64_t sum, std::uint64_t world_version) {
-  const std::uint64_t digest = DigestOf(sum, world_version);
+void StoreRecord::WriteWorld(std::uint64_t sum, std::uint64_t world_version) {
+  const std::uint64_t digest = ComputeDigest(sum, world_version);
   queries_->set_world.Bind(1, static_cast<std::int64_t>(world_version))
       .Bind(2, static_cast<std::int64_t>(digest))
       .Run();
 }
 
-void Record::RunQuadQuery(SqliteQuery* query, const Quad& quad) {
+void StoreRecord::RunQuadQuery(SqliteQuery* query, const Quad& quad) {
   query->Bind(1, std::int64_t{quad.subject})
       .Bind(2, std::int64_t{quad.predicate})
       .Bind(3, std::int64_t{quad.object})
@@ -361,13 +369,13 @@ void Record::RunQuadQuery(SqliteQuery* query, const Quad& quad) {
   CheckOneRowChanged();
 }
 
-void Record::CheckOneRowChanged() const {
+void StoreRecord::CheckOneRowChanged() const {
   if (database_.changed_rows() != 1) {
     throw std::runtime_error(path_ + ": the record differs from the memory");
   }
 }
 
-void Record::RollBack() noexcept {
+void StoreRecord::RollBack() noexcept {
   try {
     if (database_.in_transaction()) database_.Execute("ROLLBACK");
   } catch (const std::exception&) {

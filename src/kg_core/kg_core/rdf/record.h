@@ -37,11 +37,11 @@ struct RecordChange {
   std::uint64_t world_version = 0;  // After it.
 };
 
-class Record {
+class StoreRecord {
  public:
   // Opens or creates. Throws InputError that names the file if it is no store
   // of ours, is damaged or is in use.
-  explicit Record(const std::string& path);
+  explicit StoreRecord(const std::string& path);
 
   // Everything that is recorded. Terms that no quad uses are left out, as if
   // Forget had been called for them.

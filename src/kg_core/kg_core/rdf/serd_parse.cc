@@ -44,7 +44,7 @@ std::string FreshBlankPrefix() {
   return "b" + Hex16(std::max(before + 1, now)) + Hex16(process);
 }
 
-std::string_view TextOf(const SerdNode& node) {
+std::string_view GetText(const SerdNode& node) {
   return {reinterpret_cast<const char*>(node.buf), node.n_bytes};
 }
 
@@ -61,7 +61,7 @@ bool HasScheme(std::string_view iri) {
          std::all_of(iri.begin(), iri.begin() + colon, fits);
 }
 
-SerdSyntax SerdSyntaxOf(RdfSyntax syntax) {
+SerdSyntax ToSerdSyntax(RdfSyntax syntax) {
   switch (syntax) {
     case RdfSyntax::kTurtle:
       return SERD_TURTLE;
@@ -87,7 +87,7 @@ class SerdParse {
         labels_(std::move(labels)),
         env_(serd_env_new(nullptr), serd_env_free),
         blank_prefix_(FreshBlankPrefix()) {
-    for (const Prefix& prefix : kPrefixes) {
+    for (const NamespacePrefix& prefix : kPrefixes) {
       serd_env_set_prefix_from_strings(
           env_.get(), reinterpret_cast<const std::uint8_t*>(prefix.name),
           reinterpret_cast<const std::uint8_t*>(prefix.iri));
@@ -100,7 +100,7 @@ class SerdParse {
 
   std::vector<Statement> Run(RdfSyntax syntax) {
     const std::unique_ptr<SerdReader, void (*)(SerdReader*)> reader(
-        serd_reader_new(SerdSyntaxOf(syntax), this, nullptr, OnBase, OnPrefix,
+        serd_reader_new(ToSerdSyntax(syntax), this, nullptr, OnBase, OnPrefix,
                         OnStatement, nullptr),
         serd_reader_free);
     serd_reader_set_strict(reader.get(), true);
@@ -142,7 +142,7 @@ class SerdParse {
     std::vsnprintf(what, sizeof(what), error->fmt, *error->args);
     if (!parse.syntax_error_.empty()) return SERD_SUCCESS;
     const std::size_t place = parse.at_ == 0 ? 0 : parse.at_ - 1;
-    parse.syntax_error_ = parse.PlaceOf(place);
+    parse.syntax_error_ = parse.FormatPosition(place);
     parse.syntax_error_ += StripAsciiSpace(what);
     std::replace(parse.syntax_error_.begin(), parse.syntax_error_.end(), '\n',
                  ' ');
@@ -169,8 +169,9 @@ class SerdParse {
     auto& parse = *static_cast<SerdParse*>(handle);
     try {
       parse.statements_.push_back(
-          {parse.TermOf(*subject), parse.TermOf(*predicate),
-           parse.ObjectOf(*object, datatype, language), parse.GraphOf(graph)});
+          {parse.MakeTerm(*subject), parse.MakeTerm(*predicate),
+           parse.MakeObject(*object, datatype, language),
+           parse.GetGraph(graph)});
       return SERD_SUCCESS;
     } catch (...) {
       parse.failure_ = std::current_exception();
@@ -178,31 +179,31 @@ class SerdParse {
     }
   }
 
-  Term ObjectOf(const SerdNode& node, const SerdNode* datatype,
-                const SerdNode* language) {
-    if (node.type != SERD_LITERAL) return TermOf(node);
+  Term MakeObject(const SerdNode& node, const SerdNode* datatype,
+                  const SerdNode* language) {
+    if (node.type != SERD_LITERAL) return MakeTerm(node);
     if (language != nullptr && language->buf != nullptr) {
-      return LanguageLiteral(std::string(TextOf(node)),
-                             std::string(TextOf(*language)));
+      return LanguageLiteral(std::string(GetText(node)),
+                             std::string(GetText(*language)));
     }
     if (datatype == nullptr || datatype->buf == nullptr) {
-      return Literal(std::string(TextOf(node)));
+      return Literal(std::string(GetText(node)));
     }
-    return Literal(std::string(TextOf(node)), TermOf(*datatype).text);
+    return Literal(std::string(GetText(node)), MakeTerm(*datatype).text);
   }
 
-  Term GraphOf(const SerdNode* node) {
+  Term GetGraph(const SerdNode* node) {
     const bool is_named = node != nullptr && node->buf != nullptr;
-    return is_named ? TermOf(*node) : source_.default_graph;
+    return is_named ? MakeTerm(*node) : source_.default_graph;
   }
 
-  Term TermOf(const SerdNode& node) {
-    if (node.type == SERD_BLANK) return BlankOf(TextOf(node));
+  Term MakeTerm(const SerdNode& node) {
+    if (node.type == SERD_BLANK) return InternBlank(GetText(node));
     if (node.type == SERD_CURIE) return Iri(ExpandCurie(node));
     return Iri(ResolveIri(node));
   }
 
-  Term BlankOf(std::string_view label) {
+  Term InternBlank(std::string_view label) {
     const auto number =
         blanks_.try_emplace(std::string(label), blanks_.size()).first->second;
     char digits[24];
@@ -213,7 +214,7 @@ class SerdParse {
   std::string ExpandCurie(const SerdNode& node) {
     SerdChunk start, rest;
     if (serd_env_expand(env_.get(), &node, &start, &rest) != SERD_SUCCESS) {
-      RefusePrefix(TextOf(node));
+      RefusePrefix(GetText(node));
     }
     return CheckAbsolute(
         std::string(reinterpret_cast<const char*>(start.buf), start.len) +
@@ -224,15 +225,16 @@ class SerdParse {
     const std::string name(curie.substr(0, curie.find(':') + 1));
     const std::size_t found = text_.rfind(name, at_);
     const std::size_t place = found == std::string_view::npos ? at_ : found;
-    throw InputError(PlaceOf(place) + "unknown prefix '" + name +
+    throw InputError(FormatPosition(place) + "unknown prefix '" + name +
                      "'; expected one declared with @prefix, or one of ours");
   }
 
   // Absolute IRIs stay as they are written; others need a base.
   std::string ResolveIri(const SerdNode& node) {
-    if (HasScheme(TextOf(node))) return std::string(TextOf(node));
+    if (HasScheme(GetText(node))) return std::string(GetText(node));
     SerdNode resolved = serd_env_expand_node(env_.get(), &node);
-    std::string iri(resolved.buf == nullptr ? TextOf(node) : TextOf(resolved));
+    std::string iri(resolved.buf == nullptr ? GetText(node)
+                                            : GetText(resolved));
     serd_node_free(&resolved);
     return CheckAbsolute(std::move(iri));
   }
@@ -243,10 +245,10 @@ class SerdParse {
                      ">; expected an absolute IRI or an @base before it");
   }
 
-  std::string PlaceOf(std::size_t offset) const {
+  std::string FormatPosition(std::size_t offset) const {
     return TurtleErrorPlace(text_, source_.name, offset);
   }
-  std::string Here() const { return PlaceOf(at_); }
+  std::string Here() const { return FormatPosition(at_); }
 
   const std::string_view text_;
   const RdfSource& source_;

@@ -15,7 +15,7 @@
 namespace kg_core {
 
 // Never changed once it is published.
-struct Version {
+struct StoreVersion {
   QuadIndex index;
   std::shared_ptr<const Dictionary> dictionary;
   TermId terms_end = 1;  // dictionary->next_id() then.
@@ -24,10 +24,10 @@ struct Version {
 
 class Snapshot : public GraphView {
  public:
-  explicit Snapshot(std::shared_ptr<const Version> version)
+  explicit Snapshot(std::shared_ptr<const StoreVersion> version)
       : version_(std::move(version)) {}
 
-  const Version& version() const { return *version_; }
+  const StoreVersion& version() const { return *version_; }
 
   TermId Find(const Term& term) const override {
     return version_->dictionary->Find(term, version_->terms_end);
@@ -50,7 +50,7 @@ class Snapshot : public GraphView {
   }
 
  private:
-  const std::shared_ptr<const Version> version_;
+  const std::shared_ptr<const StoreVersion> version_;
 };
 
 }  // namespace kg_core

@@ -24,8 +24,9 @@ void CheckIsRdf(const Statement& s) {
     throw InputError(ToTurtle(s.subject) + " " + ToTurtle(s.predicate) + " " +
                      ToTurtle(s.object) + ": " + why);
   };
-  if (s.subject.is_literal())
+  if (s.subject.is_literal()) {
     refuse("expected an IRI or blank node as subject");
+  }
   if (!s.predicate.is_iri()) refuse("expected an IRI as property");
   if (!s.graph.is_iri()) refuse("expected an IRI as graph");
 }
@@ -36,7 +37,7 @@ class QuadStore {
  public:
   QuadStore(const std::string& path, const StoreOptions& options)
       : options_(options), dictionary_(std::make_shared<Dictionary>()) {
-    auto version = std::make_shared<Version>();
+    auto version = std::make_shared<StoreVersion>();
     if (!path.empty()) {
       record_.emplace(path);
       RecordContent content = record_->Load();
@@ -47,16 +48,16 @@ class QuadStore {
     current_ = WithTerms(std::move(version));
   }
   // In memory, from `origin` on.
-  explicit QuadStore(const Version& origin)
+  explicit QuadStore(const StoreVersion& origin)
       : dictionary_(
             std::make_shared<Dictionary>(origin.dictionary, origin.terms_end)) {
-    auto version = std::make_shared<Version>();
+    auto version = std::make_shared<StoreVersion>();
     version->index = origin.index;
     version->world_version = origin.world_version;
     current_ = WithTerms(std::move(version));
   }
 
-  std::shared_ptr<const Version> current() const {
+  std::shared_ptr<const StoreVersion> current() const {
     const std::lock_guard<std::mutex> lock(current_mutex_);
     return current_;
   }
@@ -76,9 +77,9 @@ class QuadStore {
   }
 
   // Durable first, then visible. Only the durable step may fail.
-  void Commit(const RecordChange& change, std::shared_ptr<Version> next) {
+  void Commit(const RecordChange& change, std::shared_ptr<StoreVersion> next) {
     dictionary_->PrepareToPublish();
-    std::shared_ptr<const Version> version = WithTerms(std::move(next));
+    std::shared_ptr<const StoreVersion> version = WithTerms(std::move(next));
     if (record_) record_->Write(change);
     dictionary_->Publish();
     Exchange(std::move(version));
@@ -101,14 +102,14 @@ class QuadStore {
 
  private:
   // With all terms that the dictionary has, also unpublished ones.
-  std::shared_ptr<const Version> WithTerms(
-      std::shared_ptr<Version> version) const {
+  std::shared_ptr<const StoreVersion> WithTerms(
+      std::shared_ptr<StoreVersion> version) const {
     version->dictionary = dictionary_;
     version->terms_end = dictionary_->next_id();
     return version;
   }
 
-  void Exchange(std::shared_ptr<const Version> version) {
+  void Exchange(std::shared_ptr<const StoreVersion> version) {
     const std::lock_guard<std::mutex> lock(current_mutex_);
     current_.swap(version);
   }
@@ -123,17 +124,17 @@ class QuadStore {
       record_->MarkForgotten(&taken);
     }
     dictionary_ = dictionary_->Compacted(used, taken);
-    Exchange(WithTerms(std::make_shared<Version>(*current_)));
+    Exchange(WithTerms(std::make_shared<StoreVersion>(*current_)));
   }
 
   const StoreOptions options_;
   std::shared_ptr<Dictionary> dictionary_;
   std::size_t removed_ = 0;  // Quads, since it was compacted.
-  std::optional<Record> record_;
+  std::optional<StoreRecord> record_;
   std::mutex writer_mutex_;
   std::atomic<std::thread::id> writer_{};
   mutable std::mutex current_mutex_;  // Guards current_; held for a copy.
-  std::shared_ptr<const Version> current_;
+  std::shared_ptr<const StoreVersion> current_;
 };
 
 struct Transaction::State : GraphView {
@@ -180,7 +181,7 @@ struct Transaction::State : GraphView {
     index.InsertAll(std::exchange(waiting, {}), edit);
   }
 
-  // kNoTerm if nobody knows the term.
+  // kNoTerm if the term is unknown.
   TermId Find(const Term& term) const override {
     const TermId id = dictionary->Find(term, terms_end);
     if (id != kNoTerm || !lock.owns_lock()) return id;
@@ -209,15 +210,15 @@ struct Transaction::State : GraphView {
   RecordChange Change(std::uint64_t world_version) const {
     RecordChange change;
     change.terms = dictionary->Unpublished();
-    change.added = QuadsOf(added);
-    change.removed = QuadsOf(removed);
+    change.added = CollectQuads(added);
+    change.removed = CollectQuads(removed);
     change.world_version = world_version;
     return change;
   }
 
   using KeySet = absl::btree_set<QuadKey>;
 
-  static std::vector<Quad> QuadsOf(const KeySet& keys) {
+  static std::vector<Quad> CollectQuads(const KeySet& keys) {
     std::vector<Quad> quads;
     for (const QuadKey& key : keys) {
       quads.push_back(UnpackQuad(key, QuadOrder::kSpog));
@@ -225,9 +226,9 @@ struct Transaction::State : GraphView {
     return quads;
   }
 
-  std::vector<Statement> StatementsOf(const KeySet& keys) const {
+  std::vector<Statement> CollectStatements(const KeySet& keys) const {
     std::vector<Statement> statements;
-    for (const Quad& q : QuadsOf(keys)) {
+    for (const Quad& q : CollectQuads(keys)) {
       statements.push_back(
           {Get(q.subject), Get(q.predicate), Get(q.object), Get(q.graph)});
     }
@@ -243,7 +244,7 @@ struct Transaction::State : GraphView {
   QuadStore* const store;
   std::unique_lock<std::mutex> lock;  // Held while the transaction is open.
   const std::shared_ptr<Dictionary> dictionary;
-  const std::shared_ptr<const Version> base;
+  const std::shared_ptr<const StoreVersion> base;
   // The version that Commit would publish, but for the quads that wait.
   mutable QuadIndex index;
   mutable std::mutex waiting_mutex;
@@ -311,11 +312,11 @@ bool Transaction::empty() const {
 const GraphView& Transaction::view() const { return *state_; }
 
 std::vector<Statement> Transaction::added() const {
-  return state_->StatementsOf(state_->added);
+  return state_->CollectStatements(state_->added);
 }
 
 std::vector<Statement> Transaction::removed() const {
-  return state_->StatementsOf(state_->removed);
+  return state_->CollectStatements(state_->removed);
 }
 
 std::uint64_t Transaction::Commit(WorldChange change) {
@@ -323,7 +324,7 @@ std::uint64_t Transaction::Commit(WorldChange change) {
   std::uint64_t world_version = state_->base->world_version;
   if (!empty()) {
     if (change == WorldChange::kYes) ++world_version;
-    auto version = std::make_shared<Version>();
+    auto version = std::make_shared<StoreVersion>();
     state_->InsertWaiting();
     version->index = state_->index;
     version->world_version = world_version;

@@ -329,13 +329,13 @@ class Bench {
     const shacl::DataGraph data{change.view(), kFactsGraph, {kFactsGraph}};
     std::size_t nodes = 0;
     for (const auto& [id, shape] : shapes) {
-      nodes += shacl::Validation(data, shapes).FocusNodes(shape).size();
+      nodes += shacl::ShapeValidation(data, shapes).FocusNodes(shape).size();
     }
     const double all_ms =
-        MedianMilliseconds([&] { shacl::Validation(data, shapes).Run(); });
+        MedianMilliseconds([&] { shacl::ShapeValidation(data, shapes).Run(); });
     Print("SHACL, whole", "us/focus node", 15e3 / 23e3,
           1e3 * all_ms / static_cast<double>(nodes));
-    const shacl::Change diff{change.added(), change.removed()};
+    const shacl::GraphChange diff{change.added(), change.removed()};
     const double one_ms =
         MedianMilliseconds([&] { shacl::ValidateTouched(data, shapes, diff); });
     Print("SHACL, a change", "us", 100.0, 1e3 * one_ms);

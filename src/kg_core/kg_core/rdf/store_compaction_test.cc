@@ -42,7 +42,7 @@ void Replan(Store* store, int run) {
   change.Commit(WorldChange::kNo);
 }
 
-TermId LargestIdOf(const GraphView& view) {
+TermId FindLargestId(const GraphView& view) {
   TermId largest = 0;
   view.Match({}, [&](const Quad& q) {
     largest = std::max({largest, q.subject, q.object, q.graph});
@@ -55,7 +55,7 @@ TermId LargestIdOf(const GraphView& view) {
 void ExpectBounded(const Store& store) {
   EXPECT_EQ(store.quad_count(), kPlanQuads + 1u);
   EXPECT_LE(store.term_count(), 6 * kPlanQuads + 10u);
-  EXPECT_LE(LargestIdOf(*store.Read()), 12 * kPlanQuads);
+  EXPECT_LE(FindLargestId(*store.Read()), 12 * kPlanQuads);
 }
 
 TEST(StoreCompaction, AThousandPlansLeaveTheTermsOfOneInMemory) {
@@ -69,17 +69,17 @@ TEST(StoreCompaction, AThousandPlansLeaveTheTermsOfOneInMemory) {
   for (int run = 1; run <= 1000; ++run) {
     Replan(&store, run);
     if (run % 100 == 0) {
-      held.emplace_back(store.Read(), ContentOf(*store.Read()));
+      held.emplace_back(store.Read(), GetContent(*store.Read()));
     }
   }
   ExpectBounded(store);
   EXPECT_EQ(store.Read()->Find(Ex("node1/0")), kNoTerm);
   EXPECT_EQ(store.Read()->Find(Ex("always")), always);
-  EXPECT_EQ(ContentOf(*early).size(), 1u);
-  for (const auto& [view, was] : held) EXPECT_EQ(ContentOf(*view), was);
+  EXPECT_EQ(GetContent(*early).size(), 1u);
+  for (const auto& [view, was] : held) EXPECT_EQ(GetContent(*view), was);
 }
 
-std::int64_t RowsOf(const std::string& path) {
+std::int64_t CollectRows(const std::string& path) {
   SqliteDatabase database(path, false);
   SqliteQuery count = database.Prepare("SELECT count(*) FROM term");
   count.Step();
@@ -97,11 +97,11 @@ TEST(StoreCompaction, AThousandPlansLeaveTheTermsOfAFewOnDisk) {
     first.Commit(WorldChange::kYes);
     for (int run = 1; run <= 1000; ++run) Replan(&store, run);
     ExpectBounded(store);
-    content = ContentOf(*store.Read());
+    content = GetContent(*store.Read());
   }
-  EXPECT_LE(RowsOf(path), 8 * kPlanQuads);
+  EXPECT_LE(CollectRows(path), 8 * kPlanQuads);
   Store again(path);
-  EXPECT_EQ(ContentOf(*again.Read()), content);
+  EXPECT_EQ(GetContent(*again.Read()), content);
   ExpectBounded(again);
   for (int run = 1001; run <= 1010; ++run) Replan(&again, run);
   EXPECT_EQ(again.quad_count(), kPlanQuads + 1u);
@@ -116,7 +116,7 @@ TEST(StoreCompaction, RowsLeaveWithLaterCommitsAlsoAfterReopening) {
     Replan(&store, 1);
     Replan(&store, 2);
   }
-  EXPECT_GT(RowsOf(path), 4 * kPlanQuads);
+  EXPECT_GT(CollectRows(path), 4 * kPlanQuads);
   {
     Store store(path);
     for (int i = 0; i < 12; ++i) {
@@ -125,7 +125,7 @@ TEST(StoreCompaction, RowsLeaveWithLaterCommitsAlsoAfterReopening) {
       change.Commit(WorldChange::kYes);
     }
   }
-  EXPECT_EQ(RowsOf(path), 2 * kPlanQuads + 2 + 12 + 3);
+  EXPECT_EQ(CollectRows(path), 2 * kPlanQuads + 2 + 12 + 3);
   EXPECT_EQ(Store(path).quad_count(), kPlanQuads + 12u);
 }
 
@@ -133,13 +133,13 @@ TEST(StoreCompaction, AForkKeepsTheTermsItBeganWith) {
   Store store("", kOften);
   Replan(&store, 1);
   const auto fork = Store::Fork(store.Read());
-  const Model before = ContentOf(*fork->Read());
+  const Model before = GetContent(*fork->Read());
   for (int run = 2; run < 20; ++run) Replan(&store, run);
-  EXPECT_EQ(ContentOf(*fork->Read()), before);
+  EXPECT_EQ(GetContent(*fork->Read()), before);
   Replan(fork.get(), 2);
   const auto fork_of_fork = Store::Fork(fork->Read());
   for (int run = 3; run < 20; ++run) Replan(fork_of_fork.get(), run);
-  EXPECT_EQ(ContentOf(*fork_of_fork->Read()), ContentOf(*store.Read()));
+  EXPECT_EQ(GetContent(*fork_of_fork->Read()), GetContent(*store.Read()));
 }
 
 TEST(StoreCompaction, AForkOfACompactedStoreDoesNotMixTerms) {
@@ -149,7 +149,7 @@ TEST(StoreCompaction, AForkOfACompactedStoreDoesNotMixTerms) {
   const auto fork = Store::Fork(world);
   Replan(&store, 10);  // Gives freed ids to new terms, which the fork may see.
   Replan(fork.get(), 10);
-  EXPECT_EQ(ContentOf(*fork->Read()), ContentOf(*store.Read()));
+  EXPECT_EQ(GetContent(*fork->Read()), GetContent(*store.Read()));
   EXPECT_EQ(world->Find(Ex("node10/0")), kNoTerm);
 }
 

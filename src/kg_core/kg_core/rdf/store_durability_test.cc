@@ -57,18 +57,19 @@ std::uint64_t CommitNext(Store* store) {
   return change.Commit(WorldChange::kYes);
 }
 
-std::string LineOf(const Term& s, const Term& p, const Term& o, const Term& g) {
+std::string FormatLine(const Term& s, const Term& p, const Term& o,
+                       const Term& g) {
   return ToNTriples(s) + ToNTriples(p) + ToNTriples(o) + ToNTriples(g);
 }
-std::string LineOf(const Statement& s) {
-  return LineOf(s.subject, s.predicate, s.object, s.graph);
+std::string FormatLine(const Statement& s) {
+  return FormatLine(s.subject, s.predicate, s.object, s.graph);
 }
 
-std::set<std::string> ContentOf(const GraphView& view) {
+std::set<std::string> GetContent(const GraphView& view) {
   std::set<std::string> lines;
   view.Match({}, [&](const Quad& q) {
-    lines.insert(LineOf(view.Get(q.subject), view.Get(q.predicate),
-                        view.Get(q.object), view.Get(q.graph)));
+    lines.insert(FormatLine(view.Get(q.subject), view.Get(q.predicate),
+                            view.Get(q.object), view.Get(q.graph)));
     return true;
   });
   return lines;
@@ -76,10 +77,10 @@ std::set<std::string> ContentOf(const GraphView& view) {
 
 std::set<std::string> ContentAfter(std::uint64_t n) {
   std::set<std::string> lines;
-  if (n > 0) lines.insert(LineOf(Marker(n)));
+  if (n > 0) lines.insert(FormatLine(Marker(n)));
   for (std::uint64_t i = n > kKept ? n - kKept + 1 : 1; i <= n; ++i) {
     for (int part = 0; part < kParts; ++part) {
-      lines.insert(LineOf(Part(i, part)));
+      lines.insert(FormatLine(Part(i, part)));
     }
   }
   return lines;
@@ -87,10 +88,10 @@ std::set<std::string> ContentAfter(std::uint64_t n) {
 
 // Is the state exactly the one after its own world version?
 bool IsWhole(const Store& store) {
-  return ContentOf(*store.Read()) == ContentAfter(store.world_version());
+  return GetContent(*store.Read()) == ContentAfter(store.world_version());
 }
 
-std::string ErrorOf(const std::string& path) {
+std::string GetError(const std::string& path) {
   try {
     Store store(path);
   } catch (const InputError& error) {
@@ -124,7 +125,7 @@ pid_t Fork(const Work& work) {
   _exit(result);
 }
 
-int ExitCodeOf(pid_t child) {
+int GetExitCode(pid_t child) {
   int status = 0;
   waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -158,7 +159,7 @@ std::uint64_t CommitUntilKilled(const std::string& path,
   while (read(ends[0], &version, sizeof(version)) > 0) {
   }
   close(ends[0]);
-  EXPECT_EQ(ExitCodeOf(child), -1);  // Killed, not ended by itself.
+  EXPECT_EQ(GetExitCode(child), -1);  // Killed, not ended by itself.
   return version;
 }
 
@@ -196,7 +197,7 @@ TEST(StoreDurability, RefusesEveryTruncation) {
   const std::string path = folder / "cut.db";
   for (std::size_t size = 0; size < good.size(); size += 67) {
     WriteFile(path, good.substr(0, size));
-    const std::string error = ErrorOf(path);
+    const std::string error = GetError(path);
     ASSERT_EQ(error.rfind(path, 0), 0u) << size << ": " << error;
   }
 }
@@ -282,19 +283,19 @@ TEST(StoreDurability, RefusesFilesOfOthersAndLeavesThemAlone) {
   for (const std::string& bytes : {std::string(), std::string("not a database"),
                                    std::string(5000, 'x'), other, future}) {
     WriteFile(folder / "other.db", bytes);
-    const std::string error = ErrorOf(folder / "other.db");
+    const std::string error = GetError(folder / "other.db");
     EXPECT_EQ(error.rfind(folder / "other.db", 0), 0u) << error;
     EXPECT_EQ(Bytes(folder / "other.db"), bytes);
   }
-  EXPECT_NE(ErrorOf(folder / "").find("no store"), std::string::npos);
-  EXPECT_NE(ErrorOf(folder / "no/such/folder.db").find("cannot be created"),
+  EXPECT_NE(GetError(folder / "").find("no store"), std::string::npos);
+  EXPECT_NE(GetError(folder / "no/such/folder.db").find("cannot be created"),
             std::string::npos);
 }
 
 TEST(StoreDurability, RefusesALogWithoutItsFile) {
   const TemporaryFolder folder;
   WriteFile(folder / "gone.db-wal", MakeTorn(folder, 9).log);
-  EXPECT_NE(ErrorOf(folder / "gone.db").find("missing beside its log"),
+  EXPECT_NE(GetError(folder / "gone.db").find("missing beside its log"),
             std::string::npos);
 }
 
@@ -303,11 +304,11 @@ TEST(StoreDurability, RefusesASecondOpener) {
   const std::string path = folder / "store.db";
   std::optional<Store> first(path);
   CommitNext(&*first);
-  EXPECT_EQ(ErrorOf(path), path + ": is in use by another process");
+  EXPECT_EQ(GetError(path), path + ": is in use by another process");
   const pid_t child = Fork([&] {
-    return ErrorOf(path) == path + ": is in use by another process" ? 0 : 1;
+    return GetError(path) == path + ": is in use by another process" ? 0 : 1;
   });
-  EXPECT_EQ(ExitCodeOf(child), 0);
+  EXPECT_EQ(GetExitCode(child), 0);
   CommitNext(&*first);
   first.reset();
   const Store again(path);
@@ -350,7 +351,7 @@ int FillTheDisk(const std::string& path) {
 TEST(StoreDurability, AFullDiskRefusesAndChangesNothing) {
   const TemporaryFolder folder;
   const std::string path = folder / "store.db";
-  EXPECT_EQ(ExitCodeOf(Fork([&] { return FillTheDisk(path); })), 0);
+  EXPECT_EQ(GetExitCode(Fork([&] { return FillTheDisk(path); })), 0);
   const Store store(path);
   EXPECT_TRUE(IsWhole(store));
   EXPECT_GT(store.world_version(), 10u);
@@ -373,7 +374,7 @@ TEST(StoreDurability, ARefusedCommitMayBeTriedAgain) {
     LimitFileSize(RLIM_INFINITY);
     return change.Commit(WorldChange::kYes) == 1 ? 0 : 2;
   });
-  EXPECT_EQ(ExitCodeOf(child), 0);
+  EXPECT_EQ(GetExitCode(child), 0);
   EXPECT_EQ(Store(path).quad_count(), 20000u);
 }
 
@@ -403,7 +404,7 @@ TEST(StoreDurability, AFullDiskLosesNoRowsOfForgottenTerms) {
   const TemporaryFolder folder;
   const std::string path = folder / "store.db";
   const auto work = [&] { return FillTheDiskWithForgottenTerms(path); };
-  EXPECT_EQ(ExitCodeOf(Fork(work)), 0);
+  EXPECT_EQ(GetExitCode(Fork(work)), 0);
   const Store store(path);  // Its digest is right, or it would be refused.
   EXPECT_TRUE(IsWhole(store));
   EXPECT_EQ(store.world_version(), 450u);
@@ -415,9 +416,9 @@ TEST(StoreDurability, ADiskTooFullForAStoreIsNamed) {
   const pid_t child = Fork([&] {
     signal(SIGXFSZ, SIG_IGN);
     LimitFileSize(1000);
-    return ErrorOf(path).rfind(path + ": cannot be created", 0) == 0 ? 0 : 1;
+    return GetError(path).rfind(path + ": cannot be created", 0) == 0 ? 0 : 1;
   });
-  EXPECT_EQ(ExitCodeOf(child), 0);
+  EXPECT_EQ(GetExitCode(child), 0);
   EXPECT_FALSE(fs::exists(path));
   EXPECT_TRUE(IsWhole(Store(path)));
 }

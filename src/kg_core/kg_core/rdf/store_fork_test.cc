@@ -21,7 +21,7 @@ using Stores = std::vector<const Store*>;
 std::unique_ptr<Store> FullCopy(const GraphView& view) {
   auto copy = std::make_unique<Store>("");
   Transaction change = copy->Begin();
-  for (const auto& [s, p, o, g] : ContentOf(view)) change.Add({s, p, o, g});
+  for (const auto& [s, p, o, g] : GetContent(view)) change.Add({s, p, o, g});
   change.Commit(WorldChange::kNo);
   return copy;
 }
@@ -36,8 +36,8 @@ struct Branch {
 
 void ExpectRight(const Branch& branch) {
   const auto view = branch.store->Read();
-  ASSERT_EQ(ContentOf(*view), branch.model);
-  ASSERT_EQ(ContentOf(*branch.copy->Read()), branch.model);
+  ASSERT_EQ(GetContent(*view), branch.model);
+  ASSERT_EQ(GetContent(*branch.copy->Read()), branch.model);
   ASSERT_EQ(branch.store->quad_count(), branch.model.size());
   ASSERT_EQ(view->world_version(), branch.world_version);
 }
@@ -76,7 +76,7 @@ void ChangeBoth(RandomFacts* facts, Branch* branch) {
     ChangeAtRandom(&twin, &same, &twin_model);
     ChangeAtRandom(facts, &change, &branch->model);
   }
-  ASSERT_EQ(ContentOf(change.view()), branch->model);
+  ASSERT_EQ(GetContent(change.view()), branch->model);
   if (facts->Pick(4) == 0) {
     branch->model = before;
     return;
@@ -86,7 +86,7 @@ void ChangeBoth(RandomFacts* facts, Branch* branch) {
   same.Commit(WorldChange::kNo);
 }
 
-Branch ForkOf(const Branch& origin) {
+Branch MakeFork(const Branch& origin) {
   return {Store::Fork(origin.store->Read()), FullCopy(*origin.store->Read()),
           origin.model, origin.world_version};
 }
@@ -105,12 +105,12 @@ void RunForks(const std::string& path, int seed) {
     ExpectSameMatches(branch, facts.Next());
     held.emplace_back(branch.store->Read(), branch.model);
     for (const Branch& b : branches) ASSERT_NO_FATAL_FAILURE(ExpectRight(b));
-    if (facts.Pick(8) == 0) branches.push_back(ForkOf(branch));
+    if (facts.Pick(8) == 0) branches.push_back(MakeFork(branch));
     if (branches.size() > 5) {
       branches.erase(branches.begin() + facts.Pick(branches.size()));
     }
     const auto& [view, was] = held[facts.Pick(held.size())];
-    ASSERT_EQ(ContentOf(*view), was);
+    ASSERT_EQ(GetContent(*view), was);
   }
 }
 
@@ -160,12 +160,12 @@ TEST(StoreFork, OutlivesItsOrigin) {
   AddFact(origin.get(), "a");
   auto fork = Store::Fork(origin->Read());
   auto fork_of_fork = Store::Fork(fork->Read());
-  const Model before = ContentOf(*origin->Read());
+  const Model before = GetContent(*origin->Read());
   AddFact(origin.get(), "b");
   origin.reset();
   AddFact(fork.get(), "c");
   fork.reset();
-  EXPECT_EQ(ContentOf(*fork_of_fork->Read()), before);
+  EXPECT_EQ(GetContent(*fork_of_fork->Read()), before);
   AddFact(fork_of_fork.get(), "d");
   EXPECT_EQ(fork_of_fork->quad_count(), 2u);
   const Store again(folder / "store.db");
@@ -200,7 +200,7 @@ TEST(StoreFork, BranchesWriteAndReadAtTheSameTime) {
   Store origin("");
   for (int i = 0; i < 50; ++i) AddFact(&origin, "common" + std::to_string(i));
   const auto world = origin.Read();
-  const Model before = ContentOf(*world);
+  const Model before = GetContent(*world);
   std::vector<std::unique_ptr<Store>> forks;
   for (int i = 0; i < 2; ++i) forks.push_back(Store::Fork(world));
   const auto write = [](Store* store, const std::string& name) {
@@ -214,9 +214,9 @@ TEST(StoreFork, BranchesWriteAndReadAtTheSameTime) {
   for (const Store* store : Stores{&origin, forks[0].get(), forks[1].get()}) {
     readers.emplace_back([&, store] {
       while (!done) {
-        wrong += ContentOf(*world) != before;
+        wrong += GetContent(*world) != before;
         const auto view = store->Read();
-        const Model now = ContentOf(*view);
+        const Model now = GetContent(*view);
         wrong += Minus(before, now) != Model{};
         for (const auto& [s, p, o, g] : now) {
           wrong += !Has(*view, kFactsGraph, s, p, o);

@@ -87,8 +87,8 @@ TEST(Store, ADroppedTransactionLeavesNoTrace) {
   Transaction change = store.Begin();
   change.Add(Fact("b", "q", Literal("ever")));
   change.Commit(WorldChange::kYes);
-  EXPECT_EQ(ContentOf(*store.Read()),
-            Model{KeyOf(Fact("b", "q", Literal("ever")))});
+  EXPECT_EQ(GetContent(*store.Read()),
+            Model{MakeKey(Fact("b", "q", Literal("ever")))});
 }
 
 TEST(Store, AMatchMayChangeTheTransactionItLooksAt) {
@@ -160,7 +160,7 @@ TEST(Store, WritesTurtleThatReadsBack) {
   const std::string text = WriteTurtle(view, kFactsGraph);
   const auto read = ParseTurtle(text, "text", Iri(kFactsGraph));
   Model expected;
-  for (const Key& key : ContentOf(view)) {
+  for (const Key& key : GetContent(view)) {
     if (std::get<3>(key) == Iri(kFactsGraph)) expected.insert(key);
   }
   EXPECT_EQ(AsModel(read), expected);

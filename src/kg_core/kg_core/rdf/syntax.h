@@ -72,7 +72,7 @@ std::string WriteRdf(const GraphView& view, const RdfSelection& selection,
                      RdfSyntax syntax);
 
 // The graphs of `view` that hold statements, sorted.
-std::vector<std::string> GraphsOf(const GraphView& view);
+std::vector<std::string> ListGraphs(const GraphView& view);
 
 }  // namespace kg_core
 

@@ -25,7 +25,7 @@ Statements Read(std::string_view text, RdfSyntax syntax,
   return ParseRdf(text, syntax, {"facts", Iri(kDefault)}, limits);
 }
 
-std::string ErrorOf(std::string_view text, RdfSyntax syntax) {
+std::string GetError(std::string_view text, RdfSyntax syntax) {
   try {
     Read(text, syntax);
   } catch (const InputError& error) {
@@ -41,7 +41,7 @@ void Fill(const Statements& statements, VectorView* view) {
 }
 
 template <typename List>
-const auto& OneOf(const List& list, std::mt19937& random) {
+const auto& PickOne(const List& list, std::mt19937& random) {
   return list[random() % list.size()];
 }
 
@@ -60,14 +60,14 @@ Term RandomLiteral(std::mt19937& random) {
                                                  ".5",   "5.",    "1e3", "1.E3",
                                                  "true", "false", "NaN"};
   std::string text;
-  for (int i = random() % 5; i > 0; --i) text += OneOf(kPieces, random);
+  for (int i = random() % 5; i > 0; --i) text += PickOne(kPieces, random);
   switch (random() % 4) {
     case 0:
       return LanguageLiteral(text, random() % 2 == 0 ? "en" : "zh-hant-tw");
     case 1:
-      return Literal(text, kXsd + OneOf(kTypes, random));
+      return Literal(text, kXsd + PickOne(kTypes, random));
     case 2:
-      return Literal(OneOf(kBare, random), kXsd + OneOf(kTypes, random));
+      return Literal(PickOne(kBare, random), kXsd + PickOne(kTypes, random));
     default:
       return Literal(text);
   }
@@ -88,13 +88,13 @@ Term RandomIri(std::mt19937& random) {
                                                  kXsd + std::string("string"),
                                                  "http://h/a_:b1",
                                                  "tag:x._:b1"};
-  return Iri(OneOf(kIris, random));
+  return Iri(PickOne(kIris, random));
 }
 
 Term RandomBlank(std::mt19937& random) {
   static const std::vector<std::string> kLabels = {
       "b1", "b2", "B1", "B2", "genid1", "u", "1", "a.b", "x-y", "\u00e9"};
-  return Blank(OneOf(kLabels, random));
+  return Blank(PickOne(kLabels, random));
 }
 
 Term RandomNode(std::mt19937& random) {
@@ -110,7 +110,7 @@ Statements RandomStatements(std::mt19937& random) {
     statements.push_back(
         {RandomNode(random), RandomIri(random),
          is_literal ? RandomLiteral(random) : RandomNode(random),
-         Iri(OneOf(graphs, random))});
+         Iri(PickOne(graphs, random))});
   }
   return statements;
 }
@@ -128,7 +128,7 @@ TEST(RdfSyntaxes, BringBackWhatTheyWrote) {
     Fill(statements, &view);
     for (const RdfSyntaxName& syntax : RdfSyntaxes()) {
       const std::string text =
-          WriteRdf(view, {GraphsOf(view), kDefault}, syntax.syntax);
+          WriteRdf(view, {ListGraphs(view), kDefault}, syntax.syntax);
       const Statements want =
           syntax.has_graphs ? statements : InGraph(statements, kDefault);
       ASSERT_TRUE(IsIsomorphic(Read(text, syntax.syntax), want))
@@ -144,7 +144,7 @@ TEST(RdfSyntaxes, WriteOnlyTheChosenGraphs) {
       {Ex("a"), Ex("p"), Literal("2"), Iri("http://h/two")}};
   VectorView view;
   Fill(statements, &view);
-  EXPECT_EQ(GraphsOf(view),
+  EXPECT_EQ(ListGraphs(view),
             (std::vector<std::string>{"http://h/one", "http://h/two"}));
   EXPECT_EQ(
       WriteRdf(view, {{"http://h/two", "http://h/none"}}, RdfSyntax::kNQuads),
@@ -270,18 +270,18 @@ TEST(TriG, RefusesWhatIsNoTriG) {
 }
 
 TEST(RdfSyntaxes, NameThePlaceOfAnErrorInOneLine) {
-  EXPECT_EQ(ErrorOf("ex:g {\n  ex:a foaf:p 1 }", RdfSyntax::kTriG),
+  EXPECT_EQ(GetError("ex:g {\n  ex:a foaf:p 1 }", RdfSyntax::kTriG),
             "facts:2:8: unknown prefix 'foaf:'; expected one declared with "
             "@prefix, or one of ours");
-  EXPECT_EQ(ErrorOf("<http://h/s> <http://h/p> ex:o .", RdfSyntax::kNTriples),
+  EXPECT_EQ(GetError("<http://h/s> <http://h/p> ex:o .", RdfSyntax::kNTriples),
             "facts:1:27: expected an IRI in angles, a blank node, a literal or "
             "a point");
-  EXPECT_EQ(ErrorOf("<http://h/s> <http://h/p>\n", RdfSyntax::kNQuads),
+  EXPECT_EQ(GetError("<http://h/s> <http://h/p>\n", RdfSyntax::kNQuads),
             "facts:1:26: expected a point before the end of the line");
-  EXPECT_EQ(ErrorOf("_:b1 ex:p _:b2 .\n_:b3 3 4 .", RdfSyntax::kTriG)
+  EXPECT_EQ(GetError("_:b1 ex:p _:b2 .\n_:b3 3 4 .", RdfSyntax::kTriG)
                 .rfind("facts:2:6: ", 0),
             0u)
-      << ErrorOf("_:b1 ex:p _:b2 .\n_:b3 3 4 .", RdfSyntax::kTriG);
+      << GetError("_:b1 ex:p _:b2 .\n_:b3 3 4 .", RdfSyntax::kTriG);
 }
 
 TEST(RdfSyntaxes, RefuseDepthAndSizeBeforeReading) {
@@ -305,7 +305,7 @@ TEST(RdfSyntaxes, ReadMutatedTextOrRefuseItNeverWorse) {
     for (int changes = 1 + random() % 3; changes > 0; --changes) {
       text[random() % text.size()] = static_cast<char>(random());
     }
-    const RdfSyntaxName& syntax = OneOf(RdfSyntaxes(), random);
+    const RdfSyntaxName& syntax = PickOne(RdfSyntaxes(), random);
     try {
       Read(text.substr(0, random() % (text.size() + 1)), syntax.syntax);
     } catch (const InputError& error) {

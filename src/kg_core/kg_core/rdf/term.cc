@@ -69,11 +69,12 @@ std::size_t SkipDigits(std::string_view s, std::size_t at) {
   return at;
 }
 
-NumberForm FormOf(std::string_view s) {
+NumberForm FindForm(std::string_view s) {
   NumberForm form;
   const std::size_t start = SkipSign(s, 0);
   std::size_t at = SkipDigits(s, start);
   std::size_t digits = at - start;
+  // Digits may stand before the point, behind it or both.
   if (at < s.size() && s[at] == '.') {
     form.has_point = true;
     const std::size_t end = SkipDigits(s, at + 1);
@@ -107,19 +108,19 @@ std::optional<double> FloatingValue(std::string_view s) {
   if (s == "INF" || s == "+INF") return kInf;
   if (s == "-INF") return -kInf;
   if (s == "NaN") return std::numeric_limits<double>::quiet_NaN();
-  if (!FormOf(s).valid) return std::nullopt;
+  if (!FindForm(s).valid) return std::nullopt;
   return ToDouble(s);
 }
 
 std::optional<double> DecimalValue(std::string_view s) {
-  const NumberForm form = FormOf(s);
+  const NumberForm form = FindForm(s);
   if (!form.valid || form.has_exponent) return std::nullopt;
   return ToDouble(s);
 }
 
 std::optional<double> IntegerValue(std::string_view s,
                                    const IntegerType& type) {
-  const NumberForm form = FormOf(s);
+  const NumberForm form = FindForm(s);
   if (!form.valid || form.has_point || form.has_exponent) return std::nullopt;
   const double value = ToDouble(s);
   if (!(value >= type.min && value <= type.max)) return std::nullopt;
@@ -196,7 +197,7 @@ std::string IriToTurtle(std::string_view iri) {
 bool IsBareInTurtle(const Term& term) {
   const std::string_view type = XsdName(term);
   if (type == "boolean") return term.text == "true" || term.text == "false";
-  const NumberForm form = FormOf(term.text);
+  const NumberForm form = FindForm(term.text);
   if (!form.valid) return false;
   if (type == "integer") return !form.has_point && !form.has_exponent;
   if (type == "decimal") return form.has_fraction && !form.has_exponent;

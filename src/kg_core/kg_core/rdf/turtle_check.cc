@@ -3,33 +3,31 @@
 #include <algorithm>
 #include <utility>
 
+#include "absl/strings/ascii.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/text.h"
 
 namespace kg_core {
 namespace {
 
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
-
-bool IsLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 // Of a prefixed name or a label. Beyond ASCII, every character may stand there:
 // Turtle excludes only some punctuation, none of which is syntax.
-bool IsNameChar(char c) {
-  return IsLetter(c) || IsDigit(c) || c == '_' || c == '-' || c == ':' ||
-         c == '%' || static_cast<unsigned char>(c) >= 0x80;
+bool IsNameOrLabelChar(char c) {
+  return absl::ascii_isalpha(c) || absl::ascii_isdigit(c) || c == '_' ||
+         c == '-' || c == ':' || c == '%' ||
+         static_cast<unsigned char>(c) >= 0x80;
 }
 
-bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+bool IsTurtleSpace(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
 
 // Walks over the tokens. Only where they begin and end matters here: whether
 // they make sense is serd's business.
-class Scanner {
+class TurtleScanner {
  public:
-  Scanner(std::string_view text, RdfSyntax syntax, const std::string& source,
-          int max_nesting)
+  TurtleScanner(std::string_view text, RdfSyntax syntax,
+                const std::string& source, int max_nesting)
       : text_(text),
         source_(source),
         has_braces_(syntax == RdfSyntax::kTriG),
@@ -53,6 +51,7 @@ class Scanner {
 
   void Step() {
     const char c = text_[at_];
+    // A comment reaches to the end of its line, an IRI to '>' on the same line.
     if (c == '#') {
       at_ = std::min(text_.find('\n', at_), text_.size());
     } else if (c == '<') {
@@ -60,16 +59,17 @@ class Scanner {
     } else if (c == '"' || c == '\'') {
       SkipString();
     } else if (c == '@') {
-      for (++at_; IsLetter(At(at_)) || IsDigit(At(at_)) || At(at_) == '-';) {
+      for (++at_; absl::ascii_isalpha(At(at_)) ||
+                  absl::ascii_isdigit(At(at_)) || At(at_) == '-';) {
         ++at_;
       }
     } else if (c == '_' && At(at_ + 1) == ':') {
       at_ += 2;
       labels_.push_back(at_);
       SkipName();
-    } else if (IsDigit(c) || c == '+' || c == '-') {
+    } else if (absl::ascii_isdigit(c) || c == '+' || c == '-') {
       SkipNumber();
-    } else if (IsNameChar(c)) {
+    } else if (IsNameOrLabelChar(c)) {
       SkipName();
     } else {
       CountBracket(c);
@@ -106,7 +106,7 @@ class Scanner {
       while (At(next) == '.') ++next;
       if (At(next) == '\\' && !is_lines_) {
         at_ = std::min(next + 2, text_.size());
-      } else if (IsNameChar(At(next))) {
+      } else if (IsNameOrLabelChar(At(next))) {
         at_ = next + 1;
       } else {
         return;
@@ -116,14 +116,17 @@ class Scanner {
 
   void SkipNumber() {
     ++at_;
-    while (IsDigit(At(at_)) || (At(at_) == '.' && IsDigit(At(at_ + 1)))) ++at_;
+    while (absl::ascii_isdigit(At(at_)) ||
+           (At(at_) == '.' && absl::ascii_isdigit(At(at_ + 1)))) {
+      ++at_;
+    }
   }
 
   // One statement a line, ended by a point, of full terms only.
   void FollowLine() {
     const char c = text_[at_];
     if (c == '\n') EndLine();
-    if (IsSpace(c) || c == '#') return;
+    if (IsTurtleSpace(c) || c == '#') return;
     if (line_is_ended_) Refuse("expected the end of the line");
     const bool is_term = c == '<' || c == '"' || c == '_';
     if (!is_term && c != '.' && c != '@' && c != '^') {
@@ -192,7 +195,7 @@ std::vector<std::size_t> CheckRdfText(std::string_view text, RdfSyntax syntax,
     throw InputError(TurtleErrorPlace(text, source, *bad) +
                      "byte that is not UTF-8");
   }
-  return Scanner(text, syntax, source, limits.nesting).Run();
+  return TurtleScanner(text, syntax, source, limits.nesting).Run();
 }
 
 }  // namespace kg_core

@@ -1,5 +1,5 @@
-// Turtle from anybody: refused with one line, or read, written and read again
-// as the same facts.
+// Arbitrary input as Turtle: refused with one line, or read, written and read
+// again as the same facts.
 
 #include <cstddef>
 #include <cstdint>

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "absl/strings/ascii.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/text.h"
 #include "kg_core/rdf/namespaces.h"
@@ -13,12 +14,8 @@
 namespace kg_core {
 namespace {
 
-bool IsLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 int HexValue(char c) {
-  if (IsDigit(c)) return c - '0';
+  if (absl::ascii_isdigit(c)) return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
   if (c >= 'A' && c <= 'F') return c - 'A' + 10;
   return -1;
@@ -27,8 +24,8 @@ int HexValue(char c) {
 // Beyond ASCII, every character may stand in a name: Turtle excludes only some
 // punctuation there, none of which is syntax.
 bool IsNameChar(char c) {
-  return IsLetter(c) || IsDigit(c) || c == '_' || c == '-' ||
-         static_cast<unsigned char>(c) >= 0x80;
+  return absl::ascii_isalpha(c) || absl::ascii_isdigit(c) || c == '_' ||
+         c == '-' || static_cast<unsigned char>(c) >= 0x80;
 }
 
 bool IsForbiddenInIri(unsigned char c) {
@@ -65,7 +62,9 @@ class TermParser {
     if (c == '<') return Iri(ParseIri());
     if (c == '"' || c == '\'') return ParseQuoted();
     if (rest_.substr(0, 2) == "_:") return ParseBlank();
-    if (IsDigit(c) || c == '+' || c == '-' || c == '.') return ParseBare();
+    if (absl::ascii_isdigit(c) || c == '+' || c == '-' || c == '.') {
+      return ParseBare();
+    }
     if (rest_ == "true" || rest_ == "false") return ParseBare();
     return Iri(ParsePrefixedName());
   }
@@ -122,6 +121,7 @@ class TermParser {
     bool ends_with_dot = false;
     while (!rest_.empty()) {
       const char c = rest_[0];
+      // A '.' may stand inside of a local name, a '-' not at its beginning.
       const bool plain = IsNameChar(c) || c == ':';
       const bool dot = c == '.' && !local.empty();
       if (c == '\\') {
@@ -178,9 +178,10 @@ class TermParser {
 
   void CheckAbsolute(const std::string& iri) const {
     const std::string scheme = iri.substr(0, iri.find(':'));
-    bool valid = scheme.size() < iri.size() && IsLetter(iri[0]);
+    bool valid = scheme.size() < iri.size() && absl::ascii_isalpha(iri[0]);
     for (const char c : scheme) {
-      valid &= IsLetter(c) || IsDigit(c) || c == '+' || c == '-' || c == '.';
+      valid &= absl::ascii_isalpha(c) || absl::ascii_isdigit(c) || c == '+' ||
+               c == '-' || c == '.';
     }
     if (!valid) Refuse("its IRI is not absolute");
   }
@@ -255,7 +256,8 @@ class TermParser {
       const char c = rest_[0];
       if (c == '-' && !tag.empty() && tag.back() != '-') {
         in_first = false;
-      } else if (!IsLetter(c) && (in_first || !IsDigit(c))) {
+      } else if (!absl::ascii_isalpha(c) &&
+                 (in_first || !absl::ascii_isdigit(c))) {
         break;
       }
       tag.push_back(Take());

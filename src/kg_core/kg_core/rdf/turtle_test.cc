@@ -20,7 +20,7 @@ std::vector<Statement> Read(std::string_view text) {
   return ParseTurtle(text, "facts.ttl", kFacts);
 }
 
-std::string ErrorOf(std::string_view text, const TurtleLimits& limits = {}) {
+std::string GetError(std::string_view text, const TurtleLimits& limits = {}) {
   try {
     ParseTurtle(text, "facts.ttl", kFacts, limits);
   } catch (const InputError& error) {
@@ -123,12 +123,12 @@ TEST(Turtle, KeepsBlankLabelsApartThatSerdWouldMerge) {
 }
 
 TEST(Turtle, NamesThePlaceOfAnError) {
-  EXPECT_EQ(ErrorOf("ex:a ex:p 1 .\n  foaf:b ex:p 2 ."),
+  EXPECT_EQ(GetError("ex:a ex:p 1 .\n  foaf:b ex:p 2 ."),
             "facts.ttl:2:3: unknown prefix 'foaf:'; expected one declared "
             "with @prefix, or one of ours");
-  EXPECT_EQ(ErrorOf("ex:a ex:p\n <b> .").rfind("facts.ttl:2:", 0), 0u);
-  EXPECT_EQ(ErrorOf("ex:a ex:p 1 .\nex:a 3 4 .").rfind("facts.ttl:2:", 0), 0u)
-      << ErrorOf("ex:a ex:p 1 .\nex:a 3 4 .");
+  EXPECT_EQ(GetError("ex:a ex:p\n <b> .").rfind("facts.ttl:2:", 0), 0u);
+  EXPECT_EQ(GetError("ex:a ex:p 1 .\nex:a 3 4 .").rfind("facts.ttl:2:", 0), 0u)
+      << GetError("ex:a ex:p 1 .\nex:a 3 4 .");
 }
 
 TEST(Turtle, RefusesWhatIsNotTurtle) {
@@ -162,9 +162,9 @@ TEST(Turtle, RefusesWhatIsNotTurtle) {
 }
 
 TEST(Turtle, RefusesBytesThatAreNoText) {
-  EXPECT_EQ(ErrorOf("ex:a ex:p \"\n\xC3(\" ."),
+  EXPECT_EQ(GetError("ex:a ex:p \"\n\xC3(\" ."),
             "facts.ttl:2:1: byte that is not UTF-8");
-  EXPECT_EQ(ErrorOf(std::string_view("ex:a\0 ex:p 1 .", 14)),
+  EXPECT_EQ(GetError(std::string_view("ex:a\0 ex:p 1 .", 14)),
             "facts.ttl:1:5: NUL byte; expected text");
   for (const char* bad : {"\xC0\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80",
                           "\xFF", "\xE2\x82", "\x80"}) {
@@ -185,7 +185,7 @@ TEST(Turtle, RefusesDepthAndSizeBeforeReading) {
     EXPECT_THROW(Read(nested(201)), InputError);
     EXPECT_THROW(Read(nested(50000)), InputError);
   }
-  EXPECT_EQ(ErrorOf("ex:a ex:p 1 .", {5, 200}),
+  EXPECT_EQ(GetError("ex:a ex:p 1 .", {5, 200}),
             "facts.ttl:1:1: text of 13 bytes; expected at most 5");
 }
 

@@ -11,12 +11,12 @@
 namespace kg_core {
 namespace {
 
-// What is said of a subject: objects by property, all in Turtle.
-using Properties = std::map<std::string, std::set<std::string>>;
-using Subjects = std::map<std::string, Properties>;
+// The statements about a subject: objects by property, all in Turtle.
+using PropertyTexts = std::map<std::string, std::set<std::string>>;
+using SubjectTexts = std::map<std::string, PropertyTexts>;
 
 void Collect(const GraphView& view, const std::string& graph,
-             Subjects* subjects) {
+             SubjectTexts* subjects) {
   static const std::string kType = std::string(kRdf) + "type";
   const TermId graph_id = view.Find(Iri(graph));
   if (graph_id == kNoTerm) return;
@@ -30,7 +30,7 @@ void Collect(const GraphView& view, const std::string& graph,
   });
 }
 
-void Append(const Subjects& subjects, std::string* out) {
+void Append(const SubjectTexts& subjects, std::string* out) {
   for (const auto& [subject, properties] : subjects) {
     *out += "\n" + subject;
     const char* before_property = " ";
@@ -49,14 +49,14 @@ void Append(const Subjects& subjects, std::string* out) {
 
 std::string OurPrefixes() {
   std::string out;
-  for (const Prefix& prefix : kPrefixes) {
+  for (const NamespacePrefix& prefix : kPrefixes) {
     out += std::string("@prefix ") + prefix.name + ": <" + prefix.iri + "> .\n";
   }
   return out;
 }
 
 std::string ToTurtleText(const GraphView& view, const RdfSelection& selection) {
-  Subjects subjects;
+  SubjectTexts subjects;
   for (const std::string& graph : selection.graphs) {
     Collect(view, graph, &subjects);
   }
@@ -70,7 +70,7 @@ std::string ToTriG(const GraphView& view, const RdfSelection& selection) {
   const std::set<std::string> graphs(selection.graphs.begin(),
                                      selection.graphs.end());
   for (const std::string& graph : graphs) {
-    Subjects subjects;
+    SubjectTexts subjects;
     Collect(view, graph, &subjects);
     if (subjects.empty()) continue;
     const bool is_default = graph == selection.default_graph;
@@ -122,7 +122,7 @@ std::string WriteTurtle(const GraphView& view, std::string_view graph) {
   return WriteRdf(view, {{std::string(graph)}}, RdfSyntax::kTurtle);
 }
 
-std::vector<std::string> GraphsOf(const GraphView& view) {
+std::vector<std::string> ListGraphs(const GraphView& view) {
   std::set<TermId> ids;
   view.Match({}, [&](const Quad& quad) {
     ids.insert(quad.graph);

@@ -1,55 +1,42 @@
 #include "kg_core/rules/conclusion_check.h"
 
-#include <optional>
-
 #include "kg_core/base/input_error.h"
 #include "kg_core/facts/terms.h"
-#include "kg_core/mission/ingest.h"
-#include "kg_core/mission/ingested_facts.h"
 
 namespace kg_core {
 namespace {
 
-struct Forbidden {
+struct RuleTerm {
   const char* local;  // In ex:, a property or a class.
   const char* reason;
 };
-constexpr Forbidden kForbidden[] = {
+constexpr RuleTerm kRuleTerms[] = {
     {"construct", "a rule concludes no rules"},
     {"enabled", "a rule concludes no rules"},
     {"Rule", "a rule concludes no rules"},
     {"Inference", "reasons are not concluded"},
     {"byRule", "reasons are not concluded"},
     {"conclusion", "reasons are not concluded"},
-    {"ingestedFrom", "only an ingest of files states it"},
-    {"DataSource", "files are read before rules are run"},
-    {"gridRef", "files are read before rules are run"},
-    {"resampling", "files are read before rules are run"},
-    {"priors",
-     "it is expanded before rules are run: conclude "
-     "ex:hasPriorWeight"},
-    {"softOverrides",
-     "it is expanded before rules are run: conclude "
-     "ex:hasSoftOverride"},
 };
 
-// Why no rule may conclude `word`, a property or a class.
-std::optional<std::string> Refusal(const Term& word) {
-  for (const Forbidden& forbidden : kForbidden) {
-    if (word == Ex(forbidden.local)) return forbidden.reason;
+// Why no rule may conclude `term`, a property or a class.
+std::optional<std::string> FindRefusal(const Term& term,
+                                       ForbiddenTerm forbidden) {
+  for (const RuleTerm& row : kRuleTerms) {
+    if (term == Ex(row.local)) return row.reason;
   }
-  if (IngestReads(word)) return "files are read before rules are run";
-  return std::nullopt;
+  return forbidden(term);
 }
 
-std::string Line(const Term& rule, const Term& word, const std::string& why) {
-  return ToTurtle(rule) + " may not conclude " + ToTurtle(word) + ": " + why;
+std::string FormatRefusal(const Term& rule, const Term& term,
+                          const std::string& why) {
+  return ToTurtle(rule) + " may not conclude " + ToTurtle(term) + ": " + why;
 }
 
 }  // namespace
 
 void CheckWritten(const std::vector<Rule>& rules, const Vocabulary& vocabulary,
-                  std::vector<std::string>* reasons) {
+                  ForbiddenTerm forbidden, std::vector<std::string>* reasons) {
   for (const Rule& rule : rules) {
     for (const TripleKind& kind : rule.writes) {
       if (kind.predicate &&
@@ -61,23 +48,27 @@ void CheckWritten(const std::vector<Rule>& rules, const Vocabulary& vocabulary,
         reasons->push_back(ToTurtle(rule.iri) + ": " +
                            vocabulary.UnknownClass(*kind.type));
       }
-      for (const auto& word : {kind.predicate, kind.type}) {
-        const auto why = word ? Refusal(*word) : std::nullopt;
-        if (why) reasons->push_back(Line(rule.iri, *word, *why));
+      // A term may be both unknown and forbidden: report each.
+      for (const auto& term : {kind.predicate, kind.type}) {
+        const auto why = term ? FindRefusal(*term, forbidden) : std::nullopt;
+        if (why) reasons->push_back(FormatRefusal(rule.iri, *term, *why));
       }
     }
   }
 }
 
-void CheckConclusion(const Inference& inference) {
+void CheckConclusion(const Inference& inference, ForbiddenTerm forbidden) {
   const Term rule = Iri(inference.rule_iri);
   const Triple& triple = inference.conclusion;
   if (IsReason(triple.subject)) {
-    throw InputError(Line(rule, triple.subject, "reasons are not concluded"));
+    throw InputError(
+        FormatRefusal(rule, triple.subject, "reasons are not concluded"));
   }
   const bool is_type = triple.predicate == RdfType();
-  const Term& word = is_type ? triple.object : triple.predicate;
-  if (const auto why = Refusal(word)) throw InputError(Line(rule, word, *why));
+  const Term& term = is_type ? triple.object : triple.predicate;
+  if (const auto why = FindRefusal(term, forbidden)) {
+    throw InputError(FormatRefusal(rule, term, *why));
+  }
 }
 
 }  // namespace kg_core

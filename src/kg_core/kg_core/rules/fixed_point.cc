@@ -24,13 +24,13 @@ using Clock = std::chrono::steady_clock;
 using sparql::Row;
 
 // What one solution of a rule's WHERE gives, by ids of the RuleWorld.
-struct Derivation {
+struct RuleDerivation {
   const Rule* rule = nullptr;
   Quad conclusion;
   std::vector<Quad> premises;
 };
 
-std::string Number(double value) { return DoubleLiteral(value).text; }
+std::string XsdNumber(double value) { return DoubleLiteral(value).text; }
 
 // One evaluation of one rule.
 class RuleRun {
@@ -43,27 +43,27 @@ class RuleRun {
         instantiator_(&rule.query, &terms_) {
     for (const sparql::QuadTemplate& made : rule.query.construct) {
       const sparql::TriplePattern& triple = made.triple;
-      for (const sparql::Node& node :
+      for (const sparql::VarOrTerm& node :
            {triple.subject, triple.predicate, triple.object}) {
         if (node.is_variable) template_variables_.Insert(node.index);
       }
     }
   }
 
-  std::vector<Derivation> Run() {
+  std::vector<RuleDerivation> Run() {
     Dataset dataset;
     dataset.default_graphs = {kFactsGraph, kVocabGraph, kInferredGraph};
     dataset.named_graphs.emplace();
-    sparql::Evaluator evaluator(&rule_.query, &terms_,
-                                sparql::Resolve(rule_.query, dataset, &terms_),
-                                &budget_);
+    sparql::PatternEvaluator evaluator(
+        &rule_.query, &terms_, sparql::Resolve(rule_.query, dataset, &terms_),
+        &budget_);
     std::vector<Quad> matched;
     evaluator.Trace(&matched);
     evaluator.Run([&](Row& row) {
       Take(row, matched);
       return true;
     });
-    for (Derivation& derivation : found_) Settle(&derivation.conclusion);
+    for (RuleDerivation& derivation : found_) Settle(&derivation.conclusion);
     return std::move(found_);
   }
 
@@ -72,7 +72,7 @@ class RuleRun {
     NameBlankNodes(&row);
     instantiator_.Run(rule_.query.construct, row, [&](const Quad& quad) {
       budget_.Step();
-      budget_.UseWorkingBytes(sizeof(Derivation) +
+      budget_.UseWorkingBytes(sizeof(RuleDerivation) +
                               sizeof(Quad) * matched.size());
       found_.push_back({&rule_, quad, matched});
     });
@@ -81,26 +81,26 @@ class RuleRun {
   void NameBlankNodes(Row* row) {
     int count = 0;
     for (const int variable : template_variables_.Members()) {
-      if (!sparql::IsHidden(NameOf(variable))) continue;
-      Slot(row, variable) = terms_.Intern(NodeOf(*row, count++));
+      if (!sparql::IsHidden(GetName(variable))) continue;
+      Slot(row, variable) = terms_.Intern(MakeNode(*row, count++));
     }
   }
 
   // The IRI in place of the template's blank node number `count`.
-  Term NodeOf(const Row& row, int count) const {
+  Term MakeNode(const Row& row, int count) const {
     Hasher hash;
     hash.Add(rule_.iri.text);
     hash.Add(static_cast<double>(count));
     for (const int variable : template_variables_.Members()) {
-      if (sparql::IsHidden(NameOf(variable))) continue;
+      if (sparql::IsHidden(GetName(variable))) continue;
       const TermId value = row[static_cast<std::size_t>(variable)];
-      hash.Add(NameOf(variable));
+      hash.Add(GetName(variable));
       hash.Add(value == kNoTerm ? "" : ToNTriples(terms_.Get(value)));
     }
     return Ex("concluded/" + hash.Hex().substr(0, 32));
   }
 
-  const std::string& NameOf(int variable) const {
+  const std::string& GetName(int variable) const {
     return rule_.query.variables[static_cast<std::size_t>(variable)];
   }
   static TermId& Slot(Row* row, int variable) {
@@ -118,11 +118,11 @@ class RuleRun {
 
   const Rule& rule_;
   RuleWorld* world_;
-  sparql::Budget budget_;
+  sparql::QueryBudget budget_;
   sparql::TermTable terms_;
-  sparql::Instantiator instantiator_;
+  sparql::TemplateInstantiator instantiator_;
   sparql::VariableSet template_variables_;
-  std::vector<Derivation> found_;
+  std::vector<RuleDerivation> found_;
 };
 
 class FixedPoint {
@@ -138,8 +138,9 @@ class FixedPoint {
     for (const Stratum& stratum : Stratify(rules)) Complete(stratum);
     std::vector<Inference> all;
     for (auto& [conclusion, reasons] : reasons_) {
-      for (auto& [iri, inference] : reasons)
+      for (auto& [iri, inference] : reasons) {
         all.push_back(std::move(inference));
+      }
     }
     return all;
   }
@@ -159,16 +160,17 @@ class FixedPoint {
 
   // All rules on the same state; then what they found. True if any was new.
   bool Round(const Stratum& stratum) {
-    std::vector<Derivation> found;
+    std::vector<RuleDerivation> found;
     for (const Rule* rule : stratum.rules) {
-      for (Derivation& derivation : RunRule(*rule)) {
+      for (RuleDerivation& derivation : RunRule(*rule)) {
         const bool keep =
             !stratum.recursive || !world_.IsConcluded(derivation.conclusion);
         if (keep) found.push_back(std::move(derivation));
       }
     }
+    // Conclude only now: every rule of the round saw the same statements.
     bool is_new = false;
-    for (Derivation& derivation : found) {
+    for (RuleDerivation& derivation : found) {
       is_new |= world_.Conclude(derivation.conclusion);
       if (world_.size() > limits_.conclusions) {
         throw InputError(ToTurtle(derivation.rule->iri) +
@@ -180,7 +182,7 @@ class FixedPoint {
     return is_new;
   }
 
-  std::vector<Derivation> RunRule(const Rule& rule) {
+  std::vector<RuleDerivation> RunRule(const Rule& rule) {
     QueryLimits limits;
     limits.seconds = std::chrono::duration<double>(end_ - Clock::now()).count();
     limits.working_bytes = limits_.working_bytes;
@@ -190,22 +192,22 @@ class FixedPoint {
       const std::string name = ToTurtle(rule.iri) + ": ";
       if (Clock::now() < end_) throw InputError(name + error.what());
       throw InputError(name + "the rules took longer than the limit of " +
-                       Number(limits_.seconds) + " s");
+                       XsdNumber(limits_.seconds) + " s");
     }
   }
 
-  Triple TripleOf(const Quad& quad) const {
+  Triple MakeTriple(const Quad& quad) const {
     return {world_.Get(quad.subject), world_.Get(quad.predicate),
             world_.Get(quad.object)};
   }
 
-  void Keep(const Derivation& derivation) {
+  void Keep(const RuleDerivation& derivation) {
     Inference inference;
     inference.rule_iri = derivation.rule->iri.text;
-    inference.conclusion = TripleOf(derivation.conclusion);
+    inference.conclusion = MakeTriple(derivation.conclusion);
     std::map<std::string, Triple> premises;  // By name.
     for (const Quad& quad : derivation.premises) {
-      Triple premise = TripleOf(quad);
+      Triple premise = MakeTriple(quad);
       std::string name = StatementIri(premise);
       premises.emplace(std::move(name), std::move(premise));
     }
@@ -228,8 +230,9 @@ class FixedPoint {
         std::make_pair(conclusion.predicate, conclusion.object))];
     std::string iri = inference.iri;
     reasons.emplace(std::move(iri), std::move(inference));
-    if (reasons.size() > limits_.reasons)
+    if (reasons.size() > limits_.reasons) {
       reasons.erase(std::prev(reasons.end()));
+    }
   }
 
   using TripleKey = std::pair<TermId, std::pair<TermId, TermId>>;

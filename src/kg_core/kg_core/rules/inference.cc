@@ -8,7 +8,6 @@
 #include "kg_core/base/input_error.h"
 #include "kg_core/facts/terms.h"
 #include "kg_core/facts/vocabulary.h"
-#include "kg_core/rules/conclusion_check.h"
 #include "kg_core/rules/rule.h"
 
 namespace kg_core {
@@ -20,7 +19,7 @@ bool IsWorld(const Statement& statement) {
 }
 
 // What a transaction changed in facts and vocabulary.
-std::vector<Statement> ChangesOf(const Transaction& transaction) {
+std::vector<Statement> CollectWorldChanges(const Transaction& transaction) {
   std::vector<Statement> changes;
   for (auto& statements : {transaction.added(), transaction.removed()}) {
     std::copy_if(statements.begin(), statements.end(),
@@ -37,7 +36,7 @@ bool ChangesRules(const std::vector<Statement>& changes) {
 }
 
 bool IsRead(const std::vector<Statement>& changes, const Rule& rule) {
-  for (const auto* kinds : {&rule.reads, &rule.doubts}) {
+  for (const auto* kinds : {&rule.reads, &rule.negative_reads}) {
     for (const TripleKind& kind : *kinds) {
       for (const Statement& change : changes) {
         if (Includes(kind, change)) return true;
@@ -48,9 +47,10 @@ bool IsRead(const std::vector<Statement>& changes, const Rule& rule) {
 }
 
 // Makes the inferred graph hold exactly what `inferences` say.
-class Writer {
+class InferenceWriter {
  public:
-  explicit Writer(Transaction& transaction) : transaction_(transaction) {
+  explicit InferenceWriter(Transaction& transaction)
+      : transaction_(transaction) {
     const GraphView& view = transaction.view();
     graph_ = view.Find(Iri(kInferredGraph));
     if (graph_ == kNoTerm) return;
@@ -62,7 +62,7 @@ class Writer {
 
   void Write(const std::vector<Inference>& inferences) {
     for (const Inference& inference : inferences) {
-      for (Statement& statement : StatementsOf(inference)) {
+      for (Statement& statement : CollectStatements(inference)) {
         Want(std::move(statement));
       }
     }
@@ -110,8 +110,8 @@ std::size_t CountStatements(const std::vector<Inference>& inferences) {
   return count;
 }
 
-void Infer(const std::vector<Rule>& rules, const InferenceLimits& limits,
-           Transaction& transaction) {
+void Infer(const std::vector<Rule>& rules, ForbiddenTerm forbidden,
+           const InferenceLimits& limits, Transaction& transaction) {
   const std::vector<Inference> inferences =
       RunRules(rules, transaction.view(), limits);
   if (CountStatements(inferences) > limits.statements) {
@@ -120,20 +120,26 @@ void Infer(const std::vector<Rule>& rules, const InferenceLimits& limits,
         "the limit of " +
         std::to_string(limits.statements));
   }
-  for (const Inference& inference : inferences) CheckConclusion(inference);
-  Writer(transaction).Write(inferences);
+  for (const Inference& inference : inferences) {
+    CheckConclusion(inference, forbidden);
+  }
+  InferenceWriter(transaction).Write(inferences);
 }
 
 }  // namespace
 
 std::vector<std::string> StageInferences(Transaction& transaction,
+                                         ForbiddenTerm forbidden,
                                          const InferenceLimits& limits) {
-  const std::vector<Statement> changes = ChangesOf(transaction);
+  const std::vector<Statement> changes = CollectWorldChanges(transaction);
   if (changes.empty()) return {};
   std::vector<std::string> reasons;
   const std::vector<Rule> rules = LoadRules(transaction.view(), &reasons);
+  // Changed rules are checked as a whole, unchanged ones were checked before.
   const bool others = ChangesRules(changes);
-  if (others) CheckWritten(rules, Vocabulary(transaction.view()), &reasons);
+  if (others) {
+    CheckWritten(rules, Vocabulary(transaction.view()), forbidden, &reasons);
+  }
   if (!reasons.empty()) return reasons;
   const bool is_due =
       others || std::any_of(rules.begin(), rules.end(), [&](const Rule& rule) {
@@ -141,7 +147,7 @@ std::vector<std::string> StageInferences(Transaction& transaction,
       });
   if (!is_due) return {};
   try {
-    Infer(rules, limits, transaction);
+    Infer(rules, forbidden, limits, transaction);
   } catch (const InputError& error) {
     return {error.what()};
   }

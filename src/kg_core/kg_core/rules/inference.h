@@ -10,16 +10,18 @@
 #include <vector>
 
 #include "kg_core/rdf/store.h"
+#include "kg_core/rules/conclusion_check.h"
 #include "kg_core/rules/fixed_point.h"
-#include "kg_core/rules/reasons.h"
 
 namespace kg_core {
 
 // Brings the graph `inferred` up to date with what `transaction` changed in
 // facts and vocabulary; does nothing if no rule reads any of it. Returns the
-// reasons to refuse: a rule that cannot be used, or a limit that was hit; the
-// graph is then as it was.
+// reasons to refuse: a rule that cannot be used, a conclusion that is
+// `forbidden` (conclusion_check.h), or a limit that was hit; the graph is then
+// as it was.
 std::vector<std::string> StageInferences(Transaction& transaction,
+                                         ForbiddenTerm forbidden,
                                          const InferenceLimits& limits = {});
 
 }  // namespace kg_core

@@ -182,8 +182,9 @@ class Dice {
     atom.predicate = Predicate(level);
     atom.subject = AnyPlace();
     atom.object = atom.predicate == kType ? (*this)(3) : AnyPlace();
-    if (atom.predicate != kType && (*this)(5) == 0)
+    if (atom.predicate != kType && (*this)(5) == 0) {
       atom.path = "+*"[(*this)(2)];
+    }
     return atom;
   }
 
@@ -191,8 +192,9 @@ class Dice {
     TestRule rule;
     rule.level = (*this)(3);
     const int bodies = 1 + (*this)(4) / 3;
-    for (int i = 0; i < bodies; ++i)
+    for (int i = 0; i < bodies; ++i) {
       rule.bodies.push_back(MakeBody(rule.level));
+    }
     if (rule.level > 0 && (*this)(2) == 0) {
       rule.without = {MakeAtom((*this)(rule.level))};
       rule.without[0].path = ' ';
@@ -258,7 +260,7 @@ World ConclusionsIn(const GraphView& view) {
   return world;
 }
 
-World PremisesOf(const Inference& inference) {
+World CollectPremises(const Inference& inference) {
   World premises;
   for (const Triple& triple : inference.premises) {
     premises.insert(ToFact(triple));
@@ -270,7 +272,7 @@ World PremisesOf(const Inference& inference) {
 // all of which it needs?
 bool Follows(const TestRule& rule, const Inference& inference,
              const World& all) {
-  const World premises = PremisesOf(inference);
+  const World premises = CollectPremises(inference);
   bool follows = false;
   ForEachAssignment([&](const Assignment& values) {
     if (Conclude(rule.head, values) != ToFact(inference.conclusion)) return;
@@ -296,7 +298,7 @@ bool RestOnFacts(std::vector<Inference> inferences, World grounded) {
   while (is_new) {
     is_new = false;
     for (const Inference& inference : inferences) {
-      const World premises = PremisesOf(inference);
+      const World premises = CollectPremises(inference);
       const bool rests = std::all_of(
           premises.begin(), premises.end(),
           [&](const Fact3& fact) { return grounded.count(fact) > 0; });
@@ -305,7 +307,7 @@ bool RestOnFacts(std::vector<Inference> inferences, World grounded) {
   }
   return std::all_of(
       inferences.begin(), inferences.end(), [&](const Inference& inference) {
-        const World premises = PremisesOf(inference);
+        const World premises = CollectPremises(inference);
         return std::all_of(
             premises.begin(), premises.end(),
             [&](const Fact3& fact) { return grounded.count(fact) > 0; });
@@ -381,7 +383,7 @@ class RandomWorld {
         const int name = inference.rule_iri.back() - '0';
         ASSERT_TRUE(Follows(rules_.at(name), inference, all))
             << Text(rules_.at(name));
-        for (const Fact3& fact : PremisesOf(inference)) {
+        for (const Fact3& fact : CollectPremises(inference)) {
           ASSERT_EQ(all.count(fact), 1u);
         }
         inferences.push_back(inference);

@@ -18,7 +18,7 @@ namespace {
 using Lines = std::vector<std::string>;
 
 // The first reason why a rule of this text is refused; empty if it is taken.
-std::string RefusalOf(const std::string& construct) {
+std::string GetRefusal(const std::string& construct) {
   RuleStore store;
   const Lines reasons = store.AddRule("r", construct);
   EXPECT_LE(reasons.size(), 1u);
@@ -26,8 +26,8 @@ std::string RefusalOf(const std::string& construct) {
 }
 
 // The premises of the only inference of a triple, as Turtle.
-Lines PremisesOf(const RuleStore& store, const std::string& subject,
-                 const std::string& property, const std::string& object) {
+Lines CollectPremises(const RuleStore& store, const std::string& subject,
+                      const std::string& property, const std::string& object) {
   const auto why = WhyInferred(
       *store.store.Read(), {ParseTurtleTerm(subject), ParseTurtleTerm(property),
                             ParseTurtleTerm(object)});
@@ -77,7 +77,7 @@ TEST(Inference, IsPartOfTheTransactionAndNotBeforeIt) {
   {
     Transaction transaction = store.store.Begin();
     transaction.Add({Ex("a"), Ex("p0"), Ex("b"), Facts()});
-    EXPECT_TRUE(StageInferences(transaction).empty());
+    EXPECT_TRUE(StageInferences(transaction, RuleStore::FindForbidden).empty());
     EXPECT_TRUE(
         Has(transaction.view(), kInferredGraph, Ex("a"), Ex("p1"), Ex("b")));
     EXPECT_FALSE(store.Infers("ex:a", "ex:p1", "ex:b"));
@@ -133,7 +133,7 @@ TEST(Inference, CitesWhatWhereMatched) {
                 "} { ?a a ex:C0 } UNION { ?a a ex:C1 } }");
   store.Change("ex:a ex:p0 ex:b ; a ex:C1 . ex:b ex:p1 ex:c . ex:x a ex:C0 .");
   EXPECT_EQ(
-      PremisesOf(store, "ex:a", "ex:p3", "ex:c"),
+      CollectPremises(store, "ex:a", "ex:p3", "ex:c"),
       (Lines{"ex:a ex:p0 ex:b", "ex:a rdf:type ex:C1", "ex:b ex:p1 ex:c"}));
 }
 
@@ -145,7 +145,7 @@ TEST(Inference, CitesAShortestWayOfAPath) {
   store.Change(
       "ex:a a ex:C0 ; ex:p0 ex:x , ex:y . ex:x ex:p0 ex:z . "
       "ex:z ex:p0 ex:b . ex:b ex:p1 ex:y ; a ex:C1 .");
-  EXPECT_EQ(PremisesOf(store, "ex:a", "ex:p3", "ex:b"),
+  EXPECT_EQ(CollectPremises(store, "ex:a", "ex:p3", "ex:b"),
             (Lines{"ex:a ex:p0 ex:y", "ex:a rdf:type ex:C0", "ex:b ex:p1 ex:y",
                    "ex:b rdf:type ex:C1"}));
 }
@@ -158,7 +158,7 @@ TEST(Inference, CitesSequencesAndNegatedSetsWithinPaths) {
   store.Change(
       "ex:a a ex:C0 ; ex:p0 ex:x . ex:x ex:p1 ex:b ; ex:p2 ex:b . "
       "ex:b a ex:C1 .");
-  EXPECT_EQ(PremisesOf(store, "ex:a", "ex:p3", "ex:b"),
+  EXPECT_EQ(CollectPremises(store, "ex:a", "ex:p3", "ex:b"),
             (Lines{"ex:a ex:p0 ex:x", "ex:a rdf:type ex:C0",
                    "ex:b rdf:type "
                    "ex:C1",
@@ -171,10 +171,10 @@ TEST(Inference, CitesAllThatAnAggregateCounted) {
                 "CONSTRUCT { ?a ex:count ?n } WHERE { SELECT ?a "
                 "(COUNT(?b) AS ?n) { ?a ex:p0 ?b } GROUP BY ?a }");
   store.Change("ex:a ex:p0 ex:b , ex:c . ex:d ex:p0 ex:e .");
-  EXPECT_EQ(PremisesOf(store, "ex:a", "ex:count", "2"),
+  EXPECT_EQ(CollectPremises(store, "ex:a", "ex:count", "2"),
             (Lines{"ex:a ex:p0 ex:b", "ex:a ex:p0 ex:c"}));
   store.Change("", "ex:a ex:p0 ex:c .");
-  EXPECT_EQ(PremisesOf(store, "ex:a", "ex:count", "1"),
+  EXPECT_EQ(CollectPremises(store, "ex:a", "ex:count", "1"),
             Lines{"ex:a ex:p0 ex:b"});
   EXPECT_FALSE(store.Infers("ex:a", "ex:count", "2"));
 }
@@ -271,7 +271,7 @@ TEST(Inference, RefusesRulesThatTakeTooLong) {
 }
 
 TEST(Inference, RefusesToDoubtWhatFollowsFromTheDoubt) {
-  const std::string reason = RefusalOf(
+  const std::string reason = GetRefusal(
       "CONSTRUCT { ?a ex:p1 ?b } WHERE { ?a ex:p0 ?b FILTER NOT EXISTS "
       "{ ?b ex:p1 ?a } }");
   EXPECT_EQ(reason,
@@ -346,7 +346,7 @@ const BadRule kBadRules[] = {
 
 TEST(Inference, RefusesWhatIsNoRuleInOneLine) {
   for (const BadRule& bad : kBadRules) {
-    const std::string reason = RefusalOf(bad.construct);
+    const std::string reason = GetRefusal(bad.construct);
     EXPECT_NE(reason.find(bad.said), std::string::npos) << reason;
     EXPECT_EQ(reason.find("ex:r"), 0u) << reason;
     EXPECT_EQ(reason.find('\n'), std::string::npos) << reason;
@@ -388,7 +388,7 @@ TEST(Inference, AFactInPlaceOfAShippedRulesTextCounts) {
                    "shipped", Iri(kVocabGraph))) {
     ship.Add(s);
   }
-  ASSERT_TRUE(StageInferences(ship).empty());
+  ASSERT_TRUE(StageInferences(ship, RuleStore::FindForbidden).empty());
   ship.Commit(WorldChange::kYes);
   store.Change("ex:a ex:p0 ex:b .");
   EXPECT_TRUE(store.Infers("ex:a", "ex:p1", "ex:b"));

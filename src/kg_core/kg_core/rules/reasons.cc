@@ -15,7 +15,7 @@ constexpr char kInferenceFolder[] = "inference/";
 
 Term RdfTerm(const char* local) { return Iri(std::string(kRdf) + local); }
 
-std::string NameOf(const char* folder, const Hasher& hash) {
+std::string GetName(const char* folder, const Hasher& hash) {
   return kEx + (folder + hash.Hex().substr(0, kNameDigits));
 }
 
@@ -62,7 +62,7 @@ std::string StatementIri(const Triple& triple) {
   hash.Add(ToNTriples(triple.subject));
   hash.Add(ToNTriples(triple.predicate));
   hash.Add(ToNTriples(triple.object));
-  return NameOf(kStatementFolder, hash);
+  return GetName(kStatementFolder, hash);
 }
 
 std::string InferenceIri(const Inference& inference) {
@@ -72,14 +72,14 @@ std::string InferenceIri(const Inference& inference) {
   for (const Triple& premise : inference.premises) {
     hash.Add(StatementIri(premise));
   }
-  return NameOf(kInferenceFolder, hash);
+  return GetName(kInferenceFolder, hash);
 }
 
 bool IsReason(const Term& subject) {
   return LiesIn(subject, kStatementFolder) || LiesIn(subject, kInferenceFolder);
 }
 
-std::vector<Statement> StatementsOf(const Inference& inference) {
+std::vector<Statement> CollectStatements(const Inference& inference) {
   const Term graph = Iri(kInferredGraph);
   const Term node = Iri(inference.iri);
   const Term conclusion = Iri(StatementIri(inference.conclusion));

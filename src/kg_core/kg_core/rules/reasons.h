@@ -19,7 +19,7 @@
 
 #include "kg_core/rdf/graph_view.h"
 #include "kg_core/rdf/store.h"
-#include "kg_core/sparql/query_engine.h"
+#include "kg_core/sparql/query_result.h"
 
 namespace kg_core {
 
@@ -37,12 +37,12 @@ struct Inference {
 std::string StatementIri(const Triple& triple);
 std::string InferenceIri(const Inference& inference);
 
-// Is `subject` a node that only says why?
+// Is `subject` a node of reasons, not of conclusions?
 bool IsReason(const Term& subject);
 
 // What the graph `inferred` holds of `inference`, its conclusion included;
 // statements that several share are in each.
-std::vector<Statement> StatementsOf(const Inference& inference);
+std::vector<Statement> CollectStatements(const Inference& inference);
 
 // All there is on why `triple` was concluded, by IRI; empty if it was not. The
 // rule's rdfs:label and rdfs:comment say it in words.

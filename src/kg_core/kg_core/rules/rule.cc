@@ -9,25 +9,21 @@
 #include "kg_core/facts/terms.h"
 #include "kg_core/rules/rule_analysis.h"
 #include "kg_core/sparql/algebra.h"
+#include "kg_core/sparql/limits.h"
 #include "kg_core/sparql/parser.h"
-#include "kg_core/sparql/query_engine.h"
 
 namespace kg_core {
 namespace {
 
-bool Agree(const std::optional<Term>& a, const std::optional<Term>& b) {
-  return !a || !b || *a == *b;
-}
-
 // Rules keep no order of solutions, and conclude every triple once.
-void DropOrder(sparql::Pattern* pattern);
-void DropOrder(sparql::Select* select) {
+void DropOrder(sparql::GraphPattern* pattern);
+void DropOrder(sparql::SelectQuery* select) {
   select->order_by.clear();
   select->distinct = false;
   DropOrder(&select->where);
 }
-void DropOrder(sparql::Pattern* pattern) {
-  for (sparql::Pattern& part : pattern->parts) DropOrder(&part);
+void DropOrder(sparql::GraphPattern* pattern) {
+  for (sparql::GraphPattern& part : pattern->parts) DropOrder(&part);
   if (pattern->select != nullptr) DropOrder(pattern->select.get());
 }
 
@@ -42,7 +38,7 @@ Rule Parse(const Term& iri, const std::string& construct) {
   rule.query = sparql::ParseQuery(construct, limits.nesting);
   RuleReads found = AnalyseRule(rule.query);
   rule.reads = std::move(found.reads);
-  rule.doubts = std::move(found.doubts);
+  rule.negative_reads = std::move(found.negative_reads);
   DropOrder(&rule.query.select);
   sparql::Prepare(&rule.query.select);
   rule.writes = AnalyseTemplate(rule.query);
@@ -53,35 +49,21 @@ Rule Parse(const Term& iri, const std::string& construct) {
 }
 
 // The values in the facts, else those in the vocabulary.
-std::vector<Term> ValuesOf(const GraphView& view, const Term& rule,
-                           const Term& property) {
+std::vector<Term> CollectValues(const GraphView& view, const Term& rule,
+                                const Term& property) {
   std::vector<Term> values = Objects(view, kFactsGraph, rule, property);
   if (values.empty()) values = Objects(view, kVocabGraph, rule, property);
   return values;
 }
 
 bool IsEnabled(const GraphView& view, const Term& rule) {
-  const std::vector<Term> flags = ValuesOf(view, rule, Ex("enabled"));
+  const std::vector<Term> flags = CollectValues(view, rule, Ex("enabled"));
   return std::none_of(flags.begin(), flags.end(), [](const Term& flag) {
     return BooleanValue(flag) == false;
   });
 }
 
 }  // namespace
-
-bool Includes(const TripleKind& kind, const Statement& statement) {
-  if (kind.predicate && *kind.predicate != statement.predicate) return false;
-  return !kind.type || *kind.type == statement.object;
-}
-
-bool Overlap(const TripleKind& a, const TripleKind& b) {
-  return Agree(a.predicate, b.predicate) && Agree(a.type, b.type);
-}
-
-std::string ToString(const TripleKind& kind) {
-  if (kind.type) return "a " + ToTurtle(*kind.type);
-  return kind.predicate ? ToTurtle(*kind.predicate) : "any property";
-}
 
 Rule ParseRule(const Term& iri, const std::string& construct) {
   try {
@@ -101,8 +83,9 @@ std::vector<Rule> LoadRules(const GraphView& view,
   }
   std::vector<Rule> rules;
   for (const Term& iri : iris) {
+    // One reason for each rule that cannot be used, then on to the next.
     try {
-      const std::vector<Term> texts = ValuesOf(view, iri, Ex("construct"));
+      const std::vector<Term> texts = CollectValues(view, iri, Ex("construct"));
       if (!iri.is_iri() || texts.size() != 1) {
         throw InputError(ToTurtle(iri) +
                          " ex:construct: expected an IRI with exactly one");

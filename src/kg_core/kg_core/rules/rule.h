@@ -9,27 +9,16 @@
 #ifndef KG_CORE_RULES_RULE_H_
 #define KG_CORE_RULES_RULE_H_
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "kg_core/rdf/graph_view.h"
 #include "kg_core/rdf/store.h"
 #include "kg_core/rdf/term.h"
+#include "kg_core/rules/triple_kind.h"
 #include "kg_core/sparql/query.h"
 
 namespace kg_core {
-
-// Triples with this predicate (nothing: any) and, of rdf:type, this class
-// (nothing: any).
-struct TripleKind {
-  std::optional<Term> predicate;
-  std::optional<Term> type;
-};
-
-bool Includes(const TripleKind& kind, const Statement& statement);
-bool Overlap(const TripleKind& a, const TripleKind& b);
-std::string ToString(const TripleKind& kind);
 
 struct Rule {
   Term iri;
@@ -37,7 +26,7 @@ struct Rule {
   // Of a new triple of this kind come more solutions, never fewer.
   std::vector<TripleKind> reads;
   // Of this kind may come fewer: NOT EXISTS, MINUS, OPTIONAL, aggregates.
-  std::vector<TripleKind> doubts;
+  std::vector<TripleKind> negative_reads;
   std::vector<TripleKind> writes;
 };
 

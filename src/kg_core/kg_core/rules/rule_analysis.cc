@@ -8,35 +8,35 @@
 namespace kg_core {
 namespace {
 
-using sparql::Aggregate;
+using sparql::AggregateCall;
 using sparql::Expression;
-using sparql::Node;
-using sparql::Path;
-using sparql::Pattern;
+using sparql::GraphPattern;
+using sparql::PropertyPath;
 using sparql::Query;
-using sparql::Select;
+using sparql::SelectQuery;
 using sparql::TriplePattern;
+using sparql::VarOrTerm;
 
 constexpr const char* kChangingFunctions[] = {"RAND", "NOW", "UUID", "STRUUID",
                                               "BNODE"};
 
-const Term& ConstantOf(const Query& query, int index) {
+const Term& GetConstant(const Query& query, int index) {
   return query.constants[static_cast<std::size_t>(index)];
 }
 
-TripleKind KindOf(const Query& query, const TriplePattern& triple) {
+TripleKind GetKind(const Query& query, const TriplePattern& triple) {
   TripleKind kind;
   if (triple.predicate.is_variable) return kind;
-  kind.predicate = ConstantOf(query, triple.predicate.index);
+  kind.predicate = GetConstant(query, triple.predicate.index);
   if (*kind.predicate == RdfType() && !triple.object.is_variable) {
-    kind.type = ConstantOf(query, triple.object.index);
+    kind.type = GetConstant(query, triple.object.index);
   }
   return kind;
 }
 
-class Analyst {
+class RuleAnalyser {
  public:
-  explicit Analyst(const Query& query) : query_(query) {}
+  explicit RuleAnalyser(const Query& query) : query_(query) {}
 
   RuleReads Run() {
     Visit(query_.select, {});
@@ -45,19 +45,19 @@ class Analyst {
 
  private:
   struct Place {
-    bool doubtful = false;  // More triples here may mean fewer solutions.
+    bool negative = false;  // More triples here may mean fewer solutions.
     bool counted = false;   // Within what an aggregate sums up.
   };
-  static Place Doubtful(Place place) {
-    place.doubtful = true;
+  static Place Negative(Place place) {
+    place.negative = true;
     return place;
   }
 
   void Note(const TripleKind& kind, const Place& place) {
-    (place.doubtful ? found_.doubts : found_.reads).push_back(kind);
+    (place.negative ? found_.negative_reads : found_.reads).push_back(kind);
   }
 
-  void Visit(const Select& select, Place place) {
+  void Visit(const SelectQuery& select, Place place) {
     if (select.limit || select.offset > 0) {
       throw InputError("LIMIT and OFFSET are not for rules: they choose");
     }
@@ -66,17 +66,17 @@ class Analyst {
           "a DISTINCT subquery below an aggregate is not for rules: write "
           "COUNT(DISTINCT ?x)");
     }
-    for (const Aggregate& aggregate : select.aggregates) {
+    for (const AggregateCall& aggregate : select.aggregates) {
       CheckAggregate(aggregate);
     }
     if (select.grouped) place = {true, true};
     Visit(select.where, place);
-    VisitExpressions(select, Doubtful(place));
+    VisitExpressions(select, Negative(place));
   }
 
-  static void CheckAggregate(const Aggregate& aggregate) {
-    const bool chooses = aggregate.kind == Aggregate::Kind::kSample ||
-                         aggregate.kind == Aggregate::Kind::kGroupConcat;
+  static void CheckAggregate(const AggregateCall& aggregate) {
+    const bool chooses = aggregate.kind == AggregateCall::Kind::kSample ||
+                         aggregate.kind == AggregateCall::Kind::kGroupConcat;
     if (chooses) {
       throw InputError(
           "SAMPLE and GROUP_CONCAT are not for rules: their values depend on "
@@ -84,14 +84,14 @@ class Analyst {
     }
   }
 
-  void VisitExpressions(const Select& select, const Place& place) {
-    for (const sparql::Column& column : select.columns) {
+  void VisitExpressions(const SelectQuery& select, const Place& place) {
+    for (const sparql::SelectColumn& column : select.columns) {
       if (column.expression) Visit(*column.expression, place);
     }
-    for (const sparql::Column& key : select.group_by) {
+    for (const sparql::SelectColumn& key : select.group_by) {
       if (key.expression) Visit(*key.expression, place);
     }
-    for (const Aggregate& aggregate : select.aggregates) {
+    for (const AggregateCall& aggregate : select.aggregates) {
       if (aggregate.argument) Visit(*aggregate.argument, place);
     }
     for (const Expression& having : select.having) Visit(having, place);
@@ -100,24 +100,26 @@ class Analyst {
     }
   }
 
-  void Visit(const Pattern& pattern, const Place& place) {
-    if (pattern.kind == Pattern::Kind::kGraph) {
+  void Visit(const GraphPattern& pattern, const Place& place) {
+    if (pattern.kind == GraphPattern::Kind::kGraph) {
       throw InputError(
           "GRAPH is not for rules: they read facts, vocabulary and what rules "
           "conclude, as one graph");
     }
     for (const TriplePattern& triple : pattern.triples) Visit(triple, place);
-    const bool may_take_away = pattern.kind == Pattern::Kind::kLeftJoin ||
-                               pattern.kind == Pattern::Kind::kMinus;
+    // More solutions of the right part of OPTIONAL and MINUS can mean fewer of
+    // the whole.
+    const bool may_take_away = pattern.kind == GraphPattern::Kind::kLeftJoin ||
+                               pattern.kind == GraphPattern::Kind::kMinus;
     for (std::size_t i = 0; i < pattern.parts.size(); ++i) {
-      Visit(pattern.parts[i], i > 0 && may_take_away ? Doubtful(place) : place);
+      Visit(pattern.parts[i], i > 0 && may_take_away ? Negative(place) : place);
     }
-    const bool is_filter = pattern.kind == Pattern::Kind::kFilter;
+    const bool is_filter = pattern.kind == GraphPattern::Kind::kFilter;
     for (const Expression& filter : pattern.filters) {
       if (is_filter) {
         VisitCondition(filter, place);
       } else {
-        Visit(filter, Doubtful(place));
+        Visit(filter, Negative(place));
       }
     }
     if (pattern.select != nullptr) Visit(*pattern.select, place);
@@ -135,7 +137,7 @@ class Analyst {
       case Expression::Op::kExists:
         return Visit(*condition.pattern, place);
       default:
-        return Visit(condition, Doubtful(place));
+        return Visit(condition, Negative(place));
     }
   }
 
@@ -147,7 +149,7 @@ class Analyst {
     }
   }
 
-  static void CheckFunction(const sparql::Function& function) {
+  static void CheckFunction(const sparql::SparqlFunction& function) {
     for (const char* name : kChangingFunctions) {
       if (function.name != name) continue;
       throw InputError(function.name +
@@ -157,34 +159,34 @@ class Analyst {
   }
 
   void Visit(const TriplePattern& triple, const Place& place) {
-    if (!triple.path) return Note(KindOf(query_, triple), place);
+    if (!triple.path) return Note(GetKind(query_, triple), place);
     // A path of length zero between two variables goes through every node.
     const bool open = triple.subject.is_variable && triple.object.is_variable;
     Visit(*triple.path, open, place);
   }
 
-  void Visit(const Path& path, bool open, const Place& place) {
-    const bool may_be_empty = path.kind == Path::Kind::kZeroOrMore ||
-                              path.kind == Path::Kind::kZeroOrOne;
-    if (path.kind == Path::Kind::kNegated || (open && may_be_empty)) {
+  void Visit(const PropertyPath& path, bool open, const Place& place) {
+    const bool may_be_empty = path.kind == PropertyPath::Kind::kZeroOrMore ||
+                              path.kind == PropertyPath::Kind::kZeroOrOne;
+    if (path.kind == PropertyPath::Kind::kNegated || (open && may_be_empty)) {
       return Note({}, place);
     }
-    if (path.kind == Path::Kind::kLink) {
-      return Note({ConstantOf(query_, path.constant), std::nullopt}, place);
+    if (path.kind == PropertyPath::Kind::kLink) {
+      return Note({GetConstant(query_, path.constant), std::nullopt}, place);
     }
-    for (const Path& part : path.parts) Visit(part, open, place);
+    for (const PropertyPath& part : path.parts) Visit(part, open, place);
   }
 
   const Query& query_;
   RuleReads found_;
 };
 
-std::string NameOf(const Query& query, const Node& variable) {
+std::string GetName(const Query& query, const VarOrTerm& variable) {
   return "?" + query.variables[static_cast<std::size_t>(variable.index)];
 }
 
 // Can a solution bind `node`?
-bool IsGround(const Query& query, const Node& node) {
+bool IsGround(const Query& query, const VarOrTerm& node) {
   if (!node.is_variable) return true;
   if (sparql::IsHidden(query.variables[static_cast<std::size_t>(node.index)])) {
     return true;  // A node of its own, see fixed_point.h.
@@ -192,7 +194,7 @@ bool IsGround(const Query& query, const Node& node) {
   if (!query.select.grouped) {
     return query.select.where.possible.Contains(node.index);
   }
-  for (const sparql::Column& key : query.select.group_by) {
+  for (const sparql::SelectColumn& key : query.select.group_by) {
     if (key.variable == node.index) return true;
   }
   return false;
@@ -210,7 +212,7 @@ RuleReads AnalyseRule(const Query& query) {
         "conclude");
   }
   if (!query.unavailable.empty()) throw InputError(query.unavailable);
-  return Analyst(query).Run();
+  return RuleAnalyser(query).Run();
 }
 
 std::vector<TripleKind> AnalyseTemplate(const Query& query) {
@@ -220,12 +222,13 @@ std::vector<TripleKind> AnalyseTemplate(const Query& query) {
   std::vector<TripleKind> writes;
   for (const sparql::QuadTemplate& made : query.construct) {
     const TriplePattern& triple = made.triple;
-    for (const Node& node : {triple.subject, triple.predicate, triple.object}) {
+    for (const VarOrTerm& node :
+         {triple.subject, triple.predicate, triple.object}) {
       if (IsGround(query, node)) continue;
-      throw InputError(NameOf(query, node) +
+      throw InputError(GetName(query, node) +
                        " is concluded, but WHERE never binds it");
     }
-    writes.push_back(KindOf(query, triple));
+    writes.push_back(GetKind(query, triple));
   }
   return writes;
 }

@@ -7,14 +7,14 @@
 
 #include <vector>
 
-#include "kg_core/rules/rule.h"
+#include "kg_core/rules/triple_kind.h"
 #include "kg_core/sparql/query.h"
 
 namespace kg_core {
 
 struct RuleReads {
   std::vector<TripleKind> reads;
-  std::vector<TripleKind> doubts;
+  std::vector<TripleKind> negative_reads;
 };
 
 // Throws InputError "what is not for rules".

@@ -23,13 +23,13 @@ const TripleKind* FirstMet(const Kinds& writes, const Kinds& reads) {
 
 bool Feeds(const Rule& from, const Rule& to) {
   return FirstMet(from.writes, to.reads) != nullptr ||
-         FirstMet(from.writes, to.doubts) != nullptr;
+         FirstMet(from.writes, to.negative_reads) != nullptr;
 }
 
 // Which rules need which, at any remove.
-class Needs {
+class RuleNeeds {
  public:
-  explicit Needs(const std::vector<Rule>& rules)
+  explicit RuleNeeds(const std::vector<Rule>& rules)
       : count_(rules.size()), needs_(count_ * count_, false) {
     for (std::size_t i = 0; i < count_; ++i) {
       for (std::size_t j = 0; j < count_; ++j) {
@@ -46,7 +46,7 @@ class Needs {
     return needs_[i * count_ + j];
   }
   // Of the rules that rule i needs, and itself.
-  std::size_t CountOf(std::size_t i) const {
+  std::size_t GetCount(std::size_t i) const {
     std::size_t count = 0;
     for (std::size_t j = 0; j < count_; ++j) {
       if (j == i || (*this)(i, j)) ++count;
@@ -66,16 +66,16 @@ class Needs {
 };
 
 void CheckDoubts(const Stratum& stratum) {
-  for (const Rule* doubter : stratum.rules) {
+  for (const Rule* reader : stratum.rules) {
     for (const Rule* writer : stratum.rules) {
-      const TripleKind* kind = FirstMet(writer->writes, doubter->doubts);
+      const TripleKind* kind = FirstMet(writer->writes, reader->negative_reads);
       if (kind == nullptr) continue;
-      throw InputError(ToTurtle(doubter->iri) +
+      throw InputError(ToTurtle(reader->iri) +
                        ": its NOT EXISTS, MINUS, OPTIONAL or " +
                        "aggregate reads " + ToString(*kind) + ", which " +
                        ToTurtle(writer->iri) +
                        " concludes, and that depends in turn on what " +
-                       ToTurtle(doubter->iri) + " concludes");
+                       ToTurtle(reader->iri) + " concludes");
     }
   }
 }
@@ -83,13 +83,13 @@ void CheckDoubts(const Stratum& stratum) {
 }  // namespace
 
 std::vector<Stratum> Stratify(const std::vector<Rule>& rules) {
-  const Needs needs(rules);
+  const RuleNeeds needs(rules);
   // A rule needs all that the rules it needs need, so fewer come first.
   std::vector<std::size_t> order(rules.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(),
                    [&needs](std::size_t a, std::size_t b) {
-                     return needs.CountOf(a) < needs.CountOf(b);
+                     return needs.GetCount(a) < needs.GetCount(b);
                    });
   std::vector<Stratum> strata;
   std::vector<bool> done(rules.size(), false);

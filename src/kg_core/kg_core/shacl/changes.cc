@@ -5,18 +5,18 @@
 #include <string_view>
 #include <utility>
 
+#include "kg_core/facts/terms.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/shacl/validation.h"
 
 namespace kg_core::shacl {
 namespace {
 
-Term RdfType() { return Iri(std::string(kRdf) + "type"); }
 Term SubClassOf() { return Iri(std::string(kRdfs) + "subClassOf"); }
 
 // A step that validation takes from each node that `prefix` reaches.
-struct Read {
-  Path prefix;
+struct PathRead {
+  PropertyPath prefix;
   std::optional<Term> predicate;  // Any if none.
   Direction direction = Direction::kForward;
   bool is_class = false;  // Reads the class graphs.
@@ -26,15 +26,15 @@ class ReadFinder {
  public:
   explicit ReadFinder(const ShapeGraph& shapes) : shapes_(shapes) {}
 
-  std::vector<Read> Find(const Shape& shape) {
+  std::vector<PathRead> Find(const Shape& shape) {
     AddShape(shape, {});
     return std::move(reads_);
   }
 
  private:
-  void AddShape(const Shape& shape, const Path& prefix) {
+  void AddShape(const Shape& shape, const PropertyPath& prefix) {
     if (shape.deactivated) return;
-    Path values = prefix;
+    PropertyPath values = prefix;
     if (shape.path) {
       AddPath(*shape.path, prefix);
       values = Then(prefix, *shape.path);
@@ -44,8 +44,8 @@ class ReadFinder {
     }
   }
 
-  void AddConstraint(const Constraint& constraint, const Path& prefix,
-                     const Path& values) {
+  void AddConstraint(const Constraint& constraint, const PropertyPath& prefix,
+                     const PropertyPath& values) {
     const std::string_view name = constraint.component->parameter;
     if (name == "class") reads_.push_back({values, RdfType(), {}, true});
     if (name == "closed") reads_.push_back({values, std::nullopt, {}, false});
@@ -59,37 +59,39 @@ class ReadFinder {
     for (const Term& id : constraint.others) AddShape(shapes_.at(id), values);
   }
 
-  void AddPath(const Path& path, const Path& prefix) {
+  void AddPath(const PropertyPath& path, const PropertyPath& prefix) {
     switch (path.kind) {
-      case Path::Kind::kPredicate:
+      case PropertyPath::Kind::kPredicate:
         reads_.push_back({prefix, path.predicate, Direction::kForward, false});
         return;
-      case Path::Kind::kInverse:
+      case PropertyPath::Kind::kInverse:
         AddInverse(path, prefix);
         return;
-      case Path::Kind::kSequence: {
-        Path before = prefix;
-        for (const Path& part : path.parts) {
+      case PropertyPath::Kind::kSequence: {
+        PropertyPath before = prefix;
+        for (const PropertyPath& part : path.parts) {
           AddPath(part, before);
+          // The next part is read at the nodes that the parts so far lead to.
           before = Then(before, part);
         }
         return;
       }
-      case Path::Kind::kAlternative:
-      case Path::Kind::kZeroOrOne:
-        for (const Path& part : path.parts) AddPath(part, prefix);
+      case PropertyPath::Kind::kAlternative:
+      case PropertyPath::Kind::kZeroOrOne:
+        for (const PropertyPath& part : path.parts) AddPath(part, prefix);
         return;
-      case Path::Kind::kZeroOrMore:
-      case Path::Kind::kOneOrMore:
-        AddPath(path.parts[0],
-                Then(prefix, {Path::Kind::kZeroOrMore, {}, path.parts}));
+      case PropertyPath::Kind::kZeroOrMore:
+      case PropertyPath::Kind::kOneOrMore:
+        AddPath(
+            path.parts[0],
+            Then(prefix, {PropertyPath::Kind::kZeroOrMore, {}, path.parts}));
         return;
     }
   }
 
-  void AddInverse(const Path& path, const Path& prefix) {
-    const Path& part = path.parts[0];
-    if (part.kind != Path::Kind::kPredicate) {
+  void AddInverse(const PropertyPath& path, const PropertyPath& prefix) {
+    const PropertyPath& part = path.parts[0];
+    if (part.kind != PropertyPath::Kind::kPredicate) {
       AddPath(Inverse(part), prefix);
       return;
     }
@@ -97,7 +99,7 @@ class ReadFinder {
   }
 
   const ShapeGraph& shapes_;
-  std::vector<Read> reads_;
+  std::vector<PathRead> reads_;
 };
 
 bool HasTarget(const Shape& shape) {
@@ -112,17 +114,17 @@ bool IsIn(const std::vector<std::string>& graphs, const Term& graph) {
 
 using Statements = std::vector<const Statement*>;
 
-class Toucher {
+class TouchFinder {
  public:
-  Toucher(const DataGraph& before_and_after, const ShapeGraph& shapes,
-          const Statements& changes)
+  TouchFinder(const DataGraph& before_and_after, const ShapeGraph& shapes,
+              const Statements& changes)
       : data_(before_and_after), shapes_(shapes), changes_(changes) {
     for (const Statement* s : changes) by_predicate_[s->predicate].push_back(s);
   }
 
   std::set<Term> Touched(const Shape& shape) const {
     std::set<Term> nodes;
-    for (const Read& read : ReadFinder(shapes_).Find(shape)) {
+    for (const PathRead& read : ReadFinder(shapes_).Find(shape)) {
       nodes.merge(Walk(data_, Inverse(read.prefix), Seen(read)));
     }
     AddTargets(shape, nodes);
@@ -137,7 +139,7 @@ class Toucher {
   }
 
   // Where `read` would have begun to see one of the changes.
-  std::set<Term> Seen(const Read& read) const {
+  std::set<Term> Seen(const PathRead& read) const {
     std::set<Term> nodes;
     for (const Statement* s : read.predicate ? Of(*read.predicate) : changes_) {
       const bool sees = read.is_class ? IsIn(data_.class_graphs, s->graph)
@@ -177,7 +179,7 @@ class Toucher {
 
 std::optional<TouchedNodes> FindTouched(const DataGraph& data,
                                         const ShapeGraph& shapes,
-                                        const Change& change) {
+                                        const GraphChange& change) {
   Statements changes;
   for (const Statement& s : change.added) changes.push_back(&s);
   for (const Statement& s : change.removed) changes.push_back(&s);
@@ -188,18 +190,18 @@ std::optional<TouchedNodes> FindTouched(const DataGraph& data,
   }
   const DataGraph both{data.view, data.graph, data.class_graphs,
                        &change.removed};
-  const Toucher toucher(both, shapes, changes);
+  const TouchFinder finder(both, shapes, changes);
   TouchedNodes touched;
   for (const auto& [id, shape] : shapes) {
-    if (HasTarget(shape)) touched[id] = toucher.Touched(shape);
+    if (HasTarget(shape)) touched[id] = finder.Touched(shape);
   }
   return touched;
 }
 
 std::vector<Violation> ValidateTouched(const DataGraph& data,
                                        const ShapeGraph& shapes,
-                                       const Change& change) {
-  Validation validation(data, shapes);
+                                       const GraphChange& change) {
+  ShapeValidation validation(data, shapes);
   const auto touched = FindTouched(data, shapes, change);
   if (!touched) return validation.Run();
   std::vector<Violation> found;

@@ -21,12 +21,12 @@
 
 #include "kg_core/rdf/store.h"
 #include "kg_core/shacl/data_graph.h"
-#include "kg_core/shacl/shapes.h"
+#include "kg_core/shacl/shape.h"
 #include "kg_core/shacl/violation.h"
 
 namespace kg_core::shacl {
 
-struct Change {
+struct GraphChange {
   std::vector<Statement> added;
   std::vector<Statement> removed;
 };
@@ -36,13 +36,13 @@ struct Change {
 using TouchedNodes = std::map<Term, std::set<Term>>;
 std::optional<TouchedNodes> FindTouched(const DataGraph& data,
                                         const ShapeGraph& shapes,
-                                        const Change& change);
+                                        const GraphChange& change);
 
 // The violations at the touched focus nodes, in the order of a whole
 // validation; all there are if there was none before the change.
 std::vector<Violation> ValidateTouched(const DataGraph& data,
                                        const ShapeGraph& shapes,
-                                       const Change& change);
+                                       const GraphChange& change);
 
 }  // namespace kg_core::shacl
 

@@ -12,6 +12,7 @@
 
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
+#include "kg_core/shacl/shapes.h"
 #include "kg_core/shacl/validation.h"
 
 namespace kg_core::shacl {
@@ -87,7 +88,7 @@ class ChangesTest : public testing::Test {
     }
   }
 
-  static DataGraph DataOf(const GraphView& view) {
+  static DataGraph MakeData(const GraphView& view) {
     return {view, kData, {kData}, nullptr};
   }
 
@@ -98,7 +99,7 @@ class ChangesTest : public testing::Test {
     return lines;
   }
 
-  static std::string LineOf(const Violation& violation) {
+  static std::string FormatLine(const Violation& violation) {
     return violation.Line() + violation.component +
            ToTurtle(violation.source_shape);
   }
@@ -106,13 +107,15 @@ class ChangesTest : public testing::Test {
   void AddResults(const GraphView& view, const Shape& shape,
                   std::multiset<std::string>* lines,
                   const std::set<Term>* without = nullptr) const {
-    const DataGraph data = DataOf(view);
-    Validation validation(data, shapes_);
+    const DataGraph data = MakeData(view);
+    ShapeValidation validation(data, shapes_);
     for (const Term& focus : validation.FocusNodes(shape)) {
       if (without != nullptr && without->count(focus) != 0) continue;
       std::vector<Violation> found;
       validation.CheckShape(shape, focus, found);
-      for (const Violation& violation : found) lines->insert(LineOf(violation));
+      for (const Violation& violation : found) {
+        lines->insert(FormatLine(violation));
+      }
     }
   }
 
@@ -127,12 +130,12 @@ TEST_F(ChangesTest, TouchedNodesPlusTheResultsBeforeAreAFullValidation) {
     const auto before = store_.Read();
     Transaction transaction = store_.Begin();
     ChangeSomething(transaction);
-    const Change change{transaction.added(), transaction.removed()};
-    const DataGraph after = DataOf(transaction.view());
+    const GraphChange change{transaction.added(), transaction.removed()};
+    const DataGraph after = MakeData(transaction.view());
     const auto touched = FindTouched(after, shapes_, change);
     std::multiset<std::string> got;
     for (const auto& v : ValidateTouched(after, shapes_, change)) {
-      got.insert(LineOf(v));
+      got.insert(FormatLine(v));
     }
     if (touched) {
       ++partial;
@@ -152,8 +155,9 @@ TEST_F(ChangesTest, TouchedNodesPlusTheResultsBeforeAreAFullValidation) {
 TEST_F(ChangesTest, AChangeThatNoShapeReadsTouchesNothing) {
   Transaction transaction = store_.Begin();
   transaction.Add({Ex("n1"), Ex("other"), Ex("n2"), Iri(kData)});
-  const Change change{transaction.added(), transaction.removed()};
-  const auto touched = FindTouched(DataOf(transaction.view()), shapes_, change);
+  const GraphChange change{transaction.added(), transaction.removed()};
+  const auto touched =
+      FindTouched(MakeData(transaction.view()), shapes_, change);
   ASSERT_TRUE(touched.has_value());
   EXPECT_TRUE(touched->at(Ex("A")).empty());
 }
@@ -162,8 +166,8 @@ TEST_F(ChangesTest, AChangeOfTheClassTreeTouchesEverything) {
   Transaction transaction = store_.Begin();
   transaction.Add(
       {Ex("C1"), Iri(std::string(kRdfs) + "subClassOf"), Ex("C0"), Iri(kData)});
-  const Change change{transaction.added(), transaction.removed()};
-  EXPECT_FALSE(FindTouched(DataOf(transaction.view()), shapes_, change));
+  const GraphChange change{transaction.added(), transaction.removed()};
+  EXPECT_FALSE(FindTouched(MakeData(transaction.view()), shapes_, change));
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// The constraint components: what each one checks of a focus node and its value
-// nodes. https://www.w3.org/TR/shacl/#core-components
+#include "kg_core/shacl/components.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -20,8 +19,8 @@ namespace kg_core::shacl {
 namespace {
 
 // A component that asks the same of each value node.
-template <bool (*Fits)(const Check&, const Term&)>
-void EachValue(const Check& check) {
+template <bool (*Fits)(const ConstraintCheck&, const Term&)>
+void EachValue(const ConstraintCheck& check) {
   for (const Term& value : check.values) {
     if (!Fits(check, value)) check.Report(value);
   }
@@ -32,18 +31,18 @@ bool Holds(const std::vector<Term>& terms, const Term& term) {
 }
 
 // https://www.w3.org/TR/shacl/#ClassConstraintComponent
-bool IsOfClass(const Check& check, const Term& value) {
+bool IsOfClass(const ConstraintCheck& check, const Term& value) {
   return !value.is_literal() && check.run.IsInstance(value, check.parameter());
 }
 
 // https://www.w3.org/TR/shacl/#DatatypeConstraintComponent
-bool HasDatatype(const Check& check, const Term& value) {
+bool HasDatatype(const ConstraintCheck& check, const Term& value) {
   return value.is_literal() && value.datatype == check.parameter().text &&
          IsLexical(value, check.run.regexes());
 }
 
 // https://www.w3.org/TR/shacl/#NodeKindConstraintComponent
-bool HasNodeKind(const Check& check, const Term& value) {
+bool HasNodeKind(const ConstraintCheck& check, const Term& value) {
   const std::string kind = check.parameter().text.substr(sizeof(kSh) - 1);
   const char* name = value.is_iri()     ? "IRI"
                      : value.is_blank() ? "BlankNode"
@@ -52,12 +51,12 @@ bool HasNodeKind(const Check& check, const Term& value) {
 }
 
 // https://www.w3.org/TR/shacl/#MinCountConstraintComponent
-void CheckMinCount(const Check& check) {
+void CheckMinCount(const ConstraintCheck& check) {
   if (check.values.size() < check.constraint.count) check.Report({});
 }
 
 // https://www.w3.org/TR/shacl/#MaxCountConstraintComponent
-void CheckMaxCount(const Check& check) {
+void CheckMaxCount(const ConstraintCheck& check) {
   if (check.values.size() > check.constraint.count) check.Report({});
 }
 
@@ -77,7 +76,7 @@ Term InZone(const Term& time, const char* zone) {
 
 // https://www.w3.org/TR/shacl/#core-components-range: what cannot be compared
 // (NaN, a string with a number) violates.
-std::optional<sparql::Order> OrderOf(const Term& a, const Term& b) {
+std::optional<sparql::Order> CompareTerms(const Term& a, const Term& b) {
   if (!a.is_literal() || !b.is_literal()) return std::nullopt;
   if (!IsDateTime(a) || !IsDateTime(b) || HasZone(a) == HasZone(b)) {
     return sparql::Compare(a, b);
@@ -87,34 +86,34 @@ std::optional<sparql::Order> OrderOf(const Term& a, const Term& b) {
   return early == late ? early : std::nullopt;
 }
 bool IsLess(const Term& a, const Term& b) {
-  return OrderOf(a, b) == sparql::Order::kLess;
+  return CompareTerms(a, b) == sparql::Order::kLess;
 }
 bool IsLessOrEqual(const Term& a, const Term& b) {
-  return IsLess(a, b) || OrderOf(a, b) == sparql::Order::kEqual;
+  return IsLess(a, b) || CompareTerms(a, b) == sparql::Order::kEqual;
 }
-bool IsAbove(const Check& check, const Term& value) {
+bool IsAbove(const ConstraintCheck& check, const Term& value) {
   return IsLess(check.parameter(), value);
 }
-bool IsAtLeast(const Check& check, const Term& value) {
+bool IsAtLeast(const ConstraintCheck& check, const Term& value) {
   return IsLessOrEqual(check.parameter(), value);
 }
-bool IsBelow(const Check& check, const Term& value) {
+bool IsBelow(const ConstraintCheck& check, const Term& value) {
   return IsLess(value, check.parameter());
 }
-bool IsAtMost(const Check& check, const Term& value) {
+bool IsAtMost(const ConstraintCheck& check, const Term& value) {
   return IsLessOrEqual(value, check.parameter());
 }
 
 // https://www.w3.org/TR/shacl/#core-components-string
-bool IsLongEnough(const Check& check, const Term& value) {
+bool IsLongEnough(const ConstraintCheck& check, const Term& value) {
   return !value.is_blank() &&
          sparql::Utf8Length(value.text) >= check.constraint.count;
 }
-bool IsShortEnough(const Check& check, const Term& value) {
+bool IsShortEnough(const ConstraintCheck& check, const Term& value) {
   return !value.is_blank() &&
          sparql::Utf8Length(value.text) <= check.constraint.count;
 }
-bool MatchesPattern(const Check& check, const Term& value) {
+bool MatchesPattern(const ConstraintCheck& check, const Term& value) {
   if (value.is_blank()) return false;
   const std::string& pattern = check.parameter().text;
   return check.run.regexes()
@@ -124,7 +123,7 @@ bool MatchesPattern(const Check& check, const Term& value) {
 
 // https://www.w3.org/TR/shacl/#LanguageInConstraintComponent
 // "de" fits "de" and "de-CH". https://tools.ietf.org/html/rfc4647#section-3.3.1
-bool HasLanguage(const Check& check, const Term& value) {
+bool HasLanguage(const ConstraintCheck& check, const Term& value) {
   const std::vector<Term>& ranges = check.constraint.terms;
   return std::any_of(ranges.begin(), ranges.end(), [&](const Term& term) {
     if (value.language.empty()) return false;
@@ -135,7 +134,7 @@ bool HasLanguage(const Check& check, const Term& value) {
 }
 
 // https://www.w3.org/TR/shacl/#UniqueLangConstraintComponent
-void CheckUniqueLang(const Check& check) {
+void CheckUniqueLang(const ConstraintCheck& check) {
   std::map<std::string, int> counts;
   for (const Term& value : check.values) {
     if (!value.language.empty()) ++counts[sparql::LowerCase(value.language)];
@@ -146,17 +145,17 @@ void CheckUniqueLang(const Check& check) {
 }
 
 // https://www.w3.org/TR/shacl/#InConstraintComponent
-bool IsIn(const Check& check, const Term& value) {
+bool IsIn(const ConstraintCheck& check, const Term& value) {
   return Holds(check.constraint.terms, value);
 }
 
 // https://www.w3.org/TR/shacl/#HasValueConstraintComponent
-void CheckHasValue(const Check& check) {
+void CheckHasValue(const ConstraintCheck& check) {
   if (!Holds(check.values, check.parameter())) check.Report({});
 }
 
 // https://www.w3.org/TR/shacl/#ClosedConstraintComponent
-void CheckClosed(const Check& check) {
+void CheckClosed(const ConstraintCheck& check) {
   const DataGraph& data = check.run.data();
   for (const Term& value : check.values) {
     Quad pattern;
@@ -173,12 +172,12 @@ void CheckClosed(const Check& check) {
 }
 
 // https://www.w3.org/TR/shacl/#core-components-property-pairs
-std::vector<Term> OtherValues(const Check& check) {
+std::vector<Term> OtherValues(const ConstraintCheck& check) {
   return Step(check.run.data(), check.focus, check.parameter(),
               Direction::kForward);
 }
 template <bool (*Fits)(const Term&, const Term&)>
-void CheckPair(const Check& check) {
+void CheckPair(const ConstraintCheck& check) {
   const std::vector<Term> others = OtherValues(check);
   for (const Term& value : check.values) {
     for (const Term& other : others) {
@@ -186,7 +185,7 @@ void CheckPair(const Check& check) {
     }
   }
 }
-void CheckEquals(const Check& check) {
+void CheckEquals(const ConstraintCheck& check) {
   const std::vector<Term> others = OtherValues(check);
   for (const Term& value : check.values) {
     if (!Holds(others, value)) check.Report(value);
@@ -195,7 +194,7 @@ void CheckEquals(const Check& check) {
     if (!Holds(check.values, other)) check.Report(other);
   }
 }
-void CheckDisjoint(const Check& check) {
+void CheckDisjoint(const ConstraintCheck& check) {
   const std::vector<Term> others = OtherValues(check);
   for (const Term& value : check.values) {
     if (Holds(others, value)) check.Report(value);
@@ -203,12 +202,12 @@ void CheckDisjoint(const Check& check) {
 }
 
 // https://www.w3.org/TR/shacl/#NodeConstraintComponent
-bool ConformsToNode(const Check& check, const Term& value) {
+bool ConformsToNode(const ConstraintCheck& check, const Term& value) {
   return check.run.Conforms(check.parameter(), value);
 }
 
 // https://www.w3.org/TR/shacl/#PropertyConstraintComponent
-void CheckProperty(const Check& check) {
+void CheckProperty(const ConstraintCheck& check) {
   const Shape& property = check.run.shape(check.parameter());
   for (const Term& value : check.values) {
     check.run.CheckShape(property, value, check.found);
@@ -216,28 +215,29 @@ void CheckProperty(const Check& check) {
 }
 
 // https://www.w3.org/TR/shacl/#core-components-logical
-std::ptrdiff_t CountConforming(const Check& check, const Term& value) {
+std::ptrdiff_t CountConforming(const ConstraintCheck& check,
+                               const Term& value) {
   const std::vector<Term>& shapes = check.constraint.terms;
   return std::count_if(shapes.begin(), shapes.end(), [&](const Term& shape) {
     return check.run.Conforms(shape, value);
   });
 }
-bool ConformsToAny(const Check& check, const Term& value) {
+bool ConformsToAny(const ConstraintCheck& check, const Term& value) {
   return CountConforming(check, value) >= 1;
 }
-bool ConformsToOne(const Check& check, const Term& value) {
+bool ConformsToOne(const ConstraintCheck& check, const Term& value) {
   return CountConforming(check, value) == 1;
 }
-bool ConformsToAll(const Check& check, const Term& value) {
+bool ConformsToAll(const ConstraintCheck& check, const Term& value) {
   return CountConforming(check, value) ==
          static_cast<std::ptrdiff_t>(check.constraint.terms.size());
 }
-bool ConformsToNone(const Check& check, const Term& value) {
+bool ConformsToNone(const ConstraintCheck& check, const Term& value) {
   return CountConforming(check, value) == 0;
 }
 
 // https://www.w3.org/TR/shacl/#QualifiedValueShapeConstraintComponent
-std::size_t CountQualified(const Check& check) {
+std::size_t CountQualified(const ConstraintCheck& check) {
   const std::vector<Term>& siblings = check.constraint.others;
   const auto count = std::count_if(
       check.values.begin(), check.values.end(), [&](const Term& value) {
@@ -249,72 +249,79 @@ std::size_t CountQualified(const Check& check) {
       });
   return static_cast<std::size_t>(count);
 }
-void CheckQualifiedMin(const Check& check) {
+void CheckQualifiedMin(const ConstraintCheck& check) {
   if (CountQualified(check) < check.constraint.count) check.Report({});
 }
-void CheckQualifiedMax(const Check& check) {
+void CheckQualifiedMax(const ConstraintCheck& check) {
   if (CountQualified(check) > check.constraint.count) check.Report({});
 }
 
-using Kind = ParameterKind;
-constexpr bool kMostOne = true;
+constexpr bool kMaxOne = true;
 constexpr bool kPropertyOnly = true;
-constexpr Component kComponents[] = {
-    {"minCount", "MinCountConstraintComponent", Kind::kCount, CheckMinCount,
-     kMostOne, kPropertyOnly},
-    {"maxCount", "MaxCountConstraintComponent", Kind::kCount, CheckMaxCount,
-     kMostOne, kPropertyOnly},
-    {"class", "ClassConstraintComponent", Kind::kIri, EachValue<IsOfClass>},
-    {"datatype", "DatatypeConstraintComponent", Kind::kIri,
-     EachValue<HasDatatype>, kMostOne},
-    {"nodeKind", "NodeKindConstraintComponent", Kind::kNodeKind,
-     EachValue<HasNodeKind>, kMostOne},
-    {"minExclusive", "MinExclusiveConstraintComponent", Kind::kLiteral,
-     EachValue<IsAbove>, kMostOne},
-    {"minInclusive", "MinInclusiveConstraintComponent", Kind::kLiteral,
-     EachValue<IsAtLeast>, kMostOne},
-    {"maxExclusive", "MaxExclusiveConstraintComponent", Kind::kLiteral,
-     EachValue<IsBelow>, kMostOne},
-    {"maxInclusive", "MaxInclusiveConstraintComponent", Kind::kLiteral,
-     EachValue<IsAtMost>, kMostOne},
-    {"minLength", "MinLengthConstraintComponent", Kind::kCount,
-     EachValue<IsLongEnough>, kMostOne},
-    {"maxLength", "MaxLengthConstraintComponent", Kind::kCount,
-     EachValue<IsShortEnough>, kMostOne},
-    {"pattern", "PatternConstraintComponent", Kind::kPattern,
-     EachValue<MatchesPattern>, kMostOne},
-    {"languageIn", "LanguageInConstraintComponent", Kind::kLanguages,
-     EachValue<HasLanguage>, kMostOne},
-    {"uniqueLang", "UniqueLangConstraintComponent", Kind::kTrue,
-     CheckUniqueLang, kMostOne, kPropertyOnly},
-    {"in", "InConstraintComponent", Kind::kList, EachValue<IsIn>, kMostOne},
-    {"hasValue", "HasValueConstraintComponent", Kind::kAny, CheckHasValue},
-    {"closed", "ClosedConstraintComponent", Kind::kTrue, CheckClosed, kMostOne},
-    {"equals", "EqualsConstraintComponent", Kind::kIri, CheckEquals},
-    {"disjoint", "DisjointConstraintComponent", Kind::kIri, CheckDisjoint},
-    {"lessThan", "LessThanConstraintComponent", Kind::kIri, CheckPair<IsLess>,
-     false, kPropertyOnly},
-    {"lessThanOrEquals", "LessThanOrEqualsConstraintComponent", Kind::kIri,
-     CheckPair<IsLessOrEqual>, false, kPropertyOnly},
-    {"node", "NodeConstraintComponent", Kind::kShape,
+constexpr ConstraintComponent kComponents[] = {
+    {"minCount", "MinCountConstraintComponent", ParameterKind::kCount,
+     CheckMinCount, kMaxOne, kPropertyOnly},
+    {"maxCount", "MaxCountConstraintComponent", ParameterKind::kCount,
+     CheckMaxCount, kMaxOne, kPropertyOnly},
+    {"class", "ClassConstraintComponent", ParameterKind::kIri,
+     EachValue<IsOfClass>},
+    {"datatype", "DatatypeConstraintComponent", ParameterKind::kIri,
+     EachValue<HasDatatype>, kMaxOne},
+    {"nodeKind", "NodeKindConstraintComponent", ParameterKind::kNodeKind,
+     EachValue<HasNodeKind>, kMaxOne},
+    {"minExclusive", "MinExclusiveConstraintComponent", ParameterKind::kLiteral,
+     EachValue<IsAbove>, kMaxOne},
+    {"minInclusive", "MinInclusiveConstraintComponent", ParameterKind::kLiteral,
+     EachValue<IsAtLeast>, kMaxOne},
+    {"maxExclusive", "MaxExclusiveConstraintComponent", ParameterKind::kLiteral,
+     EachValue<IsBelow>, kMaxOne},
+    {"maxInclusive", "MaxInclusiveConstraintComponent", ParameterKind::kLiteral,
+     EachValue<IsAtMost>, kMaxOne},
+    {"minLength", "MinLengthConstraintComponent", ParameterKind::kCount,
+     EachValue<IsLongEnough>, kMaxOne},
+    {"maxLength", "MaxLengthConstraintComponent", ParameterKind::kCount,
+     EachValue<IsShortEnough>, kMaxOne},
+    {"pattern", "PatternConstraintComponent", ParameterKind::kPattern,
+     EachValue<MatchesPattern>, kMaxOne},
+    {"languageIn", "LanguageInConstraintComponent", ParameterKind::kLanguages,
+     EachValue<HasLanguage>, kMaxOne},
+    {"uniqueLang", "UniqueLangConstraintComponent", ParameterKind::kTrue,
+     CheckUniqueLang, kMaxOne, kPropertyOnly},
+    {"in", "InConstraintComponent", ParameterKind::kList, EachValue<IsIn>,
+     kMaxOne},
+    {"hasValue", "HasValueConstraintComponent", ParameterKind::kAny,
+     CheckHasValue},
+    {"closed", "ClosedConstraintComponent", ParameterKind::kTrue, CheckClosed,
+     kMaxOne},
+    {"equals", "EqualsConstraintComponent", ParameterKind::kIri, CheckEquals},
+    {"disjoint", "DisjointConstraintComponent", ParameterKind::kIri,
+     CheckDisjoint},
+    {"lessThan", "LessThanConstraintComponent", ParameterKind::kIri,
+     CheckPair<IsLess>, false, kPropertyOnly},
+    {"lessThanOrEquals", "LessThanOrEqualsConstraintComponent",
+     ParameterKind::kIri, CheckPair<IsLessOrEqual>, false, kPropertyOnly},
+    {"node", "NodeConstraintComponent", ParameterKind::kShape,
      EachValue<ConformsToNode>},
-    {"property", "PropertyShapeComponent", Kind::kPropertyShape, CheckProperty},
-    {"or", "OrConstraintComponent", Kind::kShapeList, EachValue<ConformsToAny>},
-    {"xone", "XoneConstraintComponent", Kind::kShapeList,
+    {"property", "PropertyShapeComponent", ParameterKind::kPropertyShape,
+     CheckProperty},
+    {"or", "OrConstraintComponent", ParameterKind::kShapeList,
+     EachValue<ConformsToAny>},
+    {"xone", "XoneConstraintComponent", ParameterKind::kShapeList,
      EachValue<ConformsToOne>},
-    {"and", "AndConstraintComponent", Kind::kShapeList,
+    {"and", "AndConstraintComponent", ParameterKind::kShapeList,
      EachValue<ConformsToAll>},
-    {"not", "NotConstraintComponent", Kind::kShape, EachValue<ConformsToNone>},
+    {"not", "NotConstraintComponent", ParameterKind::kShape,
+     EachValue<ConformsToNone>},
     {"qualifiedMinCount", "QualifiedMinCountConstraintComponent",
-     Kind::kQualified, CheckQualifiedMin, kMostOne},
+     ParameterKind::kQualified, CheckQualifiedMin, kMaxOne},
     {"qualifiedMaxCount", "QualifiedMaxCountConstraintComponent",
-     Kind::kQualified, CheckQualifiedMax, kMostOne},
+     ParameterKind::kQualified, CheckQualifiedMax, kMaxOne},
 };
 
 }  // namespace
 
-const Component* FindComponent(std::string_view local) {
-  for (const Component& component : kComponents) {
+const ConstraintComponent* FindComponent(std::string_view local) {
+  for (const ConstraintComponent& component : kComponents) {
     if (local == component.parameter) return &component;
   }
   return nullptr;

@@ -20,13 +20,13 @@ constexpr char kInteger[] = "^[+-]?\\d+$";
 constexpr char kReal[] =
     "^([+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d+)?|[+-]?INF|NaN)$";
 
-struct Row {
+struct LexicalRow {
   const char* datatype;  // Local name in xsd:.
   const char* pattern;
   const char* least = nullptr;  // Integers only: bounds, null for none.
   const char* most = nullptr;
 };
-constexpr Row kRows[] = {
+constexpr LexicalRow kRows[] = {
     {"boolean", "^(true|false|0|1)$"},
     {"decimal", "^[+-]?(\\d+(\\.\\d*)?|\\.\\d+)$"},
     {"double", kReal},
@@ -91,7 +91,7 @@ int CompareIntegers(const std::string& a, const std::string& b) {
   return x.negative ? -order : order;
 }
 
-bool IsInBounds(const Row& row, const std::string& text) {
+bool IsInBounds(const LexicalRow& row, const std::string& text) {
   if (row.least && CompareIntegers(text, row.least) < 0) return false;
   return !row.most || CompareIntegers(text, row.most) <= 0;
 }
@@ -115,9 +115,9 @@ bool IsLexical(const Term& literal, sparql::RegexCache& regexes) {
   const std::string xsd = kXsd;
   if (literal.datatype.compare(0, xsd.size(), xsd) != 0) return true;
   const std::string name = literal.datatype.substr(xsd.size());
-  const Row* row =
-      std::find_if(std::begin(kRows), std::end(kRows),
-                   [&](const Row& each) { return name == each.datatype; });
+  const LexicalRow* row = std::find_if(
+      std::begin(kRows), std::end(kRows),
+      [&](const LexicalRow& each) { return name == each.datatype; });
   if (row == std::end(kRows)) return true;
   const auto matches = regexes.Matches(literal.text, row->pattern, "");
   return matches && *matches && IsInBounds(*row, literal.text) &&

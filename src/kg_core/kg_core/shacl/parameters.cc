@@ -11,7 +11,7 @@
 namespace kg_core::shacl {
 namespace {
 
-constexpr double kMostCount = 1e15;  // Exact as a double.
+constexpr double kMaxCount = 1e15;  // Exact as a double.
 
 [[noreturn]] void Expected(const Shape& shape, const std::string& local,
                            const std::string& what, const Term& value) {
@@ -56,6 +56,7 @@ std::optional<std::string> WhatIsWrong(const Constraint& constraint,
     case ParameterKind::kPropertyShape:
     case ParameterKind::kShapeList:
       return unless(!term.is_literal(), "a shape");
+    // Checked where they are read, or not restricted.
     case ParameterKind::kAny:
     case ParameterKind::kTrue:
     case ParameterKind::kCount:
@@ -89,8 +90,8 @@ std::size_t ReadCount(const Shape& shape, const std::string& local,
                       const Term& value) {
   const auto number = sparql::ToNumber(value);
   const bool is_count =
-      number && number->type == sparql::Number::Type::kInteger &&
-      number->ToDouble() >= 0 && number->ToDouble() <= kMostCount;
+      number && number->type == sparql::XsdNumber::Type::kInteger &&
+      number->ToDouble() >= 0 && number->ToDouble() <= kMaxCount;
   if (!is_count) Expected(shape, local, "an integer of at least 0", value);
   return static_cast<std::size_t>(number->ToDouble());
 }

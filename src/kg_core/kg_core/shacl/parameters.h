@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string>
 
-#include "kg_core/shacl/shapes.h"
+#include "kg_core/shacl/shape.h"
 
 namespace kg_core::shacl {
 

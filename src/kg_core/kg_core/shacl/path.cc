@@ -11,20 +11,20 @@
 namespace kg_core::shacl {
 namespace {
 
-using Kind = Path::Kind;
+using PathKind = PropertyPath::Kind;
 
-constexpr int kDeepestNesting = 32;
+constexpr int kMaxPathNesting = 32;
 
 // Paths of one part, by the property that holds it.
 struct OnePart {
   const char* property;
-  Kind kind;
+  PathKind kind;
 };
 constexpr OnePart kOnePart[] = {
-    {"inversePath", Kind::kInverse},
-    {"zeroOrMorePath", Kind::kZeroOrMore},
-    {"oneOrMorePath", Kind::kOneOrMore},
-    {"zeroOrOnePath", Kind::kZeroOrOne},
+    {"inversePath", PathKind::kInverse},
+    {"zeroOrMorePath", PathKind::kZeroOrMore},
+    {"oneOrMorePath", PathKind::kOneOrMore},
+    {"zeroOrOnePath", PathKind::kZeroOrOne},
 };
 
 Term Sh(const char* local) { return Iri(std::string(kSh) + local); }
@@ -34,19 +34,19 @@ Term RdfFirst() { return Iri(std::string(kRdf) + "first"); }
   throw InputError("path: " + what);
 }
 
-class Reader {
+class PathReader {
  public:
-  Reader(const GraphView& view, const std::string& graph)
+  PathReader(const GraphView& view, const std::string& graph)
       : view_(view), graph_(graph) {}
 
   // https://www.w3.org/TR/shacl/#dfn-shacl-property-path
-  Path Read(const Term& node, int depth) const {
-    if (depth > kDeepestNesting) Refuse("nested too deeply, or in itself");
+  PropertyPath Read(const Term& node, int depth) const {
+    if (depth > kMaxPathNesting) Refuse("nested too deeply, or in itself");
     if (node.is_iri()) return PredicatePath(node);
     if (node.is_literal()) Refuse("expected no literal: " + ToTurtle(node));
     // A list is one whatever else it is (W3C test path-strange-001).
     if (FirstObject(view_, graph_, node, RdfFirst())) {
-      return ReadParts(Kind::kSequence, node, depth);
+      return ReadParts(PathKind::kSequence, node, depth);
     }
     if (CountKinds(node) != 1) {
       Refuse(
@@ -55,9 +55,9 @@ class Reader {
           "sh:zeroOrOnePath");
     }
     if (const auto list = One(node, "alternativePath")) {
-      return ReadParts(Kind::kAlternative, *list, depth);
+      return ReadParts(PathKind::kAlternative, *list, depth);
     }
-    Path path;
+    PropertyPath path;
     for (const OnePart& row : kOnePart) {
       const auto part = One(node, row.property);
       if (!part) continue;
@@ -81,12 +81,12 @@ class Reader {
     return count;
   }
 
-  Path ReadParts(Kind kind, const Term& list, int depth) const {
+  PropertyPath ReadParts(PathKind kind, const Term& list, int depth) const {
     const auto members = ReadList(view_, graph_, list);
     if (!members || members->size() < 2) {
       Refuse("expected a list of two or more paths");
     }
-    Path path;
+    PropertyPath path;
     path.kind = kind;
     for (const Term& member : *members) {
       path.parts.push_back(Read(member, depth + 1));
@@ -110,7 +110,7 @@ std::set<Term> WalkPredicate(const DataGraph& data, const Term& predicate,
 }
 
 // Breadth-first from `reached`, which counts.
-std::set<Term> Closure(const DataGraph& data, const Path& part,
+std::set<Term> Closure(const DataGraph& data, const PropertyPath& part,
                        std::set<Term> reached) {
   std::set<Term> front = reached;
   while (!front.empty()) {
@@ -125,71 +125,80 @@ std::set<Term> Closure(const DataGraph& data, const Path& part,
 
 }  // namespace
 
-Path PredicatePath(const Term& predicate) {
-  return {Kind::kPredicate, predicate, {}};
+PropertyPath PredicatePath(const Term& predicate) {
+  return {PathKind::kPredicate, predicate, {}};
 }
 
-Path Then(const Path& a, const Path& b) {
-  return {Kind::kSequence, {}, {a, b}};
+PropertyPath Then(const PropertyPath& a, const PropertyPath& b) {
+  return {PathKind::kSequence, {}, {a, b}};
 }
 
-Path Inverse(const Path& path) {
-  if (path.kind == Kind::kPredicate) return {Kind::kInverse, {}, {path}};
-  if (path.kind == Kind::kInverse) return path.parts[0];
-  Path inverse = path;
-  for (Path& part : inverse.parts) part = Inverse(part);
-  if (path.kind == Kind::kSequence) {
+PropertyPath Inverse(const PropertyPath& path) {
+  if (path.kind == PathKind::kPredicate) {
+    return {PathKind::kInverse, {}, {path}};
+  }
+  if (path.kind == PathKind::kInverse) return path.parts[0];
+  PropertyPath inverse = path;
+  for (PropertyPath& part : inverse.parts) part = Inverse(part);
+  if (path.kind == PathKind::kSequence) {
     std::reverse(inverse.parts.begin(), inverse.parts.end());
   }
   return inverse;
 }
 
-std::string ToTurtle(const Path& path) {
-  if (path.kind == Kind::kPredicate) return kg_core::ToTurtle(path.predicate);
+std::string ToTurtle(const PropertyPath& path) {
+  if (path.kind == PathKind::kPredicate) {
+    return kg_core::ToTurtle(path.predicate);
+  }
   for (const OnePart& row : kOnePart) {
     if (row.kind != path.kind) continue;
     return std::string("[ sh:") + row.property + " " + ToTurtle(path.parts[0]) +
            " ]";
   }
   std::string list = "( ";
-  for (const Path& part : path.parts) list += ToTurtle(part) + " ";
+  for (const PropertyPath& part : path.parts) list += ToTurtle(part) + " ";
   list += ")";
-  if (path.kind == Kind::kSequence) return list;
+  if (path.kind == PathKind::kSequence) return list;
   return "[ sh:alternativePath " + list + " ]";
 }
 
-Path ReadPath(const GraphView& view, const std::string& graph,
-              const Term& node) {
-  return Reader(view, graph).Read(node, 0);
+PropertyPath ReadPath(const GraphView& view, const std::string& graph,
+                      const Term& node) {
+  return PathReader(view, graph).Read(node, 0);
 }
 
-std::set<Term> Walk(const DataGraph& data, const Path& path,
+std::set<Term> Walk(const DataGraph& data, const PropertyPath& path,
                     const std::set<Term>& from) {
   switch (path.kind) {
-    case Kind::kPredicate:
+    case PathKind::kPredicate:
       return WalkPredicate(data, path.predicate, from, Direction::kForward);
-    case Kind::kInverse: {
-      const Path& part = path.parts[0];
-      if (part.kind != Kind::kPredicate) return Walk(data, Inverse(part), from);
+    case PathKind::kInverse: {
+      const PropertyPath& part = path.parts[0];
+      if (part.kind != PathKind::kPredicate) {
+        return Walk(data, Inverse(part), from);
+      }
       return WalkPredicate(data, part.predicate, from, Direction::kBackward);
     }
-    case Kind::kSequence: {
+    case PathKind::kSequence: {
       std::set<Term> reached = from;
-      for (const Path& part : path.parts) reached = Walk(data, part, reached);
+      for (const PropertyPath& part : path.parts) {
+        reached = Walk(data, part, reached);
+      }
       return reached;
     }
-    case Kind::kAlternative: {
+    case PathKind::kAlternative: {
       std::set<Term> reached;
-      for (const Path& part : path.parts) {
+      for (const PropertyPath& part : path.parts) {
         reached.merge(Walk(data, part, from));
       }
       return reached;
     }
-    case Kind::kZeroOrMore:
+    case PathKind::kZeroOrMore:
       return Closure(data, path.parts[0], from);
-    case Kind::kOneOrMore:
+    // p+ is p followed by p*.
+    case PathKind::kOneOrMore:
       return Closure(data, path.parts[0], Walk(data, path.parts[0], from));
-    case Kind::kZeroOrOne: {
+    case PathKind::kZeroOrOne: {
       std::set<Term> reached = Walk(data, path.parts[0], from);
       reached.insert(from.begin(), from.end());
       return reached;

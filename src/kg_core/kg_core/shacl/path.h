@@ -12,7 +12,7 @@
 
 namespace kg_core::shacl {
 
-struct Path {
+struct PropertyPath {
   enum class Kind {
     kPredicate,
     kInverse,
@@ -22,26 +22,26 @@ struct Path {
     kOneOrMore,
     kZeroOrOne
   };
-  Kind kind = Kind::kSequence;  // An empty sequence stays where it is.
-  Term predicate;               // kPredicate only.
-  std::vector<Path> parts;      // Else: one, or those of a list.
+  Kind kind = Kind::kSequence;      // An empty sequence stays where it is.
+  Term predicate;                   // kPredicate only.
+  std::vector<PropertyPath> parts;  // Else: one, or those of a list.
 };
 
-Path PredicatePath(const Term& predicate);
+PropertyPath PredicatePath(const Term& predicate);
 // `a`, then `b`.
-Path Then(const Path& a, const Path& b);
+PropertyPath Then(const PropertyPath& a, const PropertyPath& b);
 // The path back.
-Path Inverse(const Path& path);
+PropertyPath Inverse(const PropertyPath& path);
 
 // In Turtle, e.g. "ex:p", "[ sh:inversePath ex:p ]", "( ex:p ex:q )".
-std::string ToTurtle(const Path& path);
+std::string ToTurtle(const PropertyPath& path);
 
 // The path that `node` describes; throws InputError "path: ..." if it is none.
-Path ReadPath(const GraphView& view, const std::string& graph,
-              const Term& node);
+PropertyPath ReadPath(const GraphView& view, const std::string& graph,
+                      const Term& node);
 
 // Every node that the path reaches from `from`, once. Cycles end.
-std::set<Term> Walk(const DataGraph& data, const Path& path,
+std::set<Term> Walk(const DataGraph& data, const PropertyPath& path,
                     const std::set<Term>& from);
 
 }  // namespace kg_core::shacl

@@ -6,18 +6,18 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/rdf_list.h"
+#include "kg_core/shacl/components.h"
 #include "kg_core/shacl/parameters.h"
 
 namespace kg_core::shacl {
 namespace {
 
-constexpr int kDeepestNesting = 64;
+constexpr int kMaxShapeNesting = 64;
 
 Term Sh(std::string_view local) { return Iri(kSh + std::string(local)); }
-Term RdfType() { return Iri(std::string(kRdf) + "type"); }
-
 // Properties of a shape that constrain nothing, or that are read elsewhere.
 constexpr std::string_view kOtherProperties[] = {
     "path",
@@ -41,9 +41,9 @@ constexpr std::string_view kOtherProperties[] = {
 constexpr std::string_view kTargets[] = {"targetClass", "targetNode",
                                          "targetSubjectsOf", "targetObjectsOf"};
 
-class Loader {
+class ShapeLoader {
  public:
-  Loader(const GraphView& view, const std::string& graph)
+  ShapeLoader(const GraphView& view, const std::string& graph)
       : view_(view), graph_(graph) {}
 
   ShapeGraph Load() {
@@ -53,19 +53,19 @@ class Loader {
       }
     }
     for (const std::string_view target : kTargets) {
-      for (const Term& id : SubjectsOf(Sh(target))) LoadShape(id, id);
+      for (const Term& id : ListSubjects(Sh(target))) LoadShape(id, id);
     }
     FindSiblings();
     return std::move(shapes_);
   }
 
  private:
-  std::vector<Term> ObjectsOf(const Term& subject,
-                              std::string_view local) const {
+  std::vector<Term> ListObjects(const Term& subject,
+                                std::string_view local) const {
     return Objects(view_, graph_, subject, Sh(local));
   }
 
-  std::vector<Term> SubjectsOf(const Term& property) const {
+  std::vector<Term> ListSubjects(const Term& property) const {
     std::vector<Term> found;
     Quad pattern;
     pattern.predicate = view_.Find(property);
@@ -80,7 +80,7 @@ class Loader {
 
   // The value of a property that a shape has at most once.
   std::optional<Term> One(const Shape& shape, std::string_view local) const {
-    const std::vector<Term> values = ObjectsOf(shape.id, local);
+    const std::vector<Term> values = ListObjects(shape.id, local);
     if (values.size() > 1) {
       RefuseShape(shape, "expected at most one sh:" + std::string(local));
     }
@@ -114,7 +114,7 @@ class Loader {
   }
 
   std::vector<Term> Iris(const Shape& shape, std::string_view local) const {
-    std::vector<Term> values = ObjectsOf(shape.id, local);
+    std::vector<Term> values = ListObjects(shape.id, local);
     for (const Term& value : values) {
       if (value.is_iri()) continue;
       RefuseShape(shape, "expected an IRI as sh:" + std::string(local) +
@@ -128,7 +128,7 @@ class Loader {
     shape.target_classes = Iris(shape, "targetClass");
     shape.target_subjects_of = Iris(shape, "targetSubjectsOf");
     shape.target_objects_of = Iris(shape, "targetObjectsOf");
-    shape.target_nodes = ObjectsOf(shape.id, "targetNode");
+    shape.target_nodes = ListObjects(shape.id, "targetNode");
     for (const Term& node : shape.target_nodes) {
       if (!node.is_blank()) continue;
       RefuseShape(shape, "expected no blank node as sh:targetNode");
@@ -151,7 +151,7 @@ class Loader {
   }
 
   void LoadWords(Shape& shape) const {
-    shape.messages = ObjectsOf(shape.id, "message");
+    shape.messages = ListObjects(shape.id, "message");
     for (const Term& message : shape.messages) {
       if (!message.is_literal()) {
         RefuseShape(shape, "expected a text as sh:message");
@@ -168,7 +168,7 @@ class Loader {
 
   void ReadTerms(const Shape& shape, const Term& value,
                  Constraint& constraint) const {
-    const Component& component = *constraint.component;
+    const ConstraintComponent& component = *constraint.component;
     constraint.terms = {value};
     if (component.kind == ParameterKind::kList ||
         component.kind == ParameterKind::kLanguages ||
@@ -180,6 +180,7 @@ class Loader {
       }
       constraint.terms = std::move(*members);
     }
+    // sh:flags belongs to sh:pattern in the same shape.
     const auto flags = One(shape, "flags");
     if (flags) constraint.flags = flags->text;
     CheckParameter(shape, constraint);
@@ -199,19 +200,20 @@ class Loader {
       }
       allowed = *members;
     }
-    for (const Term& property : ObjectsOf(shape.id, "property")) {
+    for (const Term& property : ListObjects(shape.id, "property")) {
       const auto path = FirstObject(view_, graph_, property, Sh("path"));
       if (path && path->is_iri()) allowed.push_back(*path);
     }
     return allowed;
   }
 
-  void LoadConstraint(Shape& shape, const Component& component,
+  void LoadConstraint(Shape& shape, const ConstraintComponent& component,
                       const Term& value) {
     if (component.property_only && !shape.path) {
       RefuseShape(shape, std::string("expected no sh:") + component.parameter +
                              " in a node shape");
     }
+    // One() refuses a shape with two values.
     if (component.most_one) One(shape, component.parameter);
     Constraint constraint;
     constraint.component = &component;
@@ -232,8 +234,9 @@ class Loader {
       constraint.terms = {*qualified};
     }
     if (RefersToShapes(component.kind)) {
-      for (const Term& term : constraint.terms)
+      for (const Term& term : constraint.terms) {
         LoadReferred(shape, constraint, term);
+      }
     }
     shape.constraints.push_back(std::move(constraint));
   }
@@ -251,7 +254,7 @@ class Loader {
     const std::string& iri = view_.Get(quad.predicate).text;
     if (iri.compare(0, sizeof(kSh) - 1, kSh) != 0) return;
     const std::string local = iri.substr(sizeof(kSh) - 1);
-    if (const Component* component = FindComponent(local)) {
+    if (const ConstraintComponent* component = FindComponent(local)) {
       LoadConstraint(shape, *component, view_.Get(quad.object));
       return;
     }
@@ -269,10 +272,11 @@ class Loader {
     if (id.is_literal()) {
       RefuseShape(shape, "expected a shape, not " + kg_core::ToTurtle(id));
     }
+    // Shapes between here and the root of the recursion are open.
     if (!open_.insert(id).second) {
       RefuseShape(shape, "it refers to itself; recursion is not available");
     }
-    if (open_.size() > kDeepestNesting) {
+    if (open_.size() > kMaxShapeNesting) {
       RefuseShape(shape, "shapes are nested too deeply");
     }
     LoadPath(shape);
@@ -284,7 +288,7 @@ class Loader {
     shapes_.emplace(id, std::move(shape));
   }
 
-  // A shape of which the graph says nothing is a name misspelt: refused.
+  // A shape without statements in the graph is a misspelt name: refused.
   void LoadProperties(Shape& shape) {
     Quad pattern;
     pattern.subject = view_.Find(shape.id);
@@ -319,7 +323,7 @@ class Loader {
       if (!IsTrue(shape, "qualifiedValueShapesDisjoint")) continue;
       const auto own = One(shape, "qualifiedValueShape");
       if (!own) continue;
-      const std::vector<Term> siblings = SiblingsOf(id, *own);
+      const std::vector<Term> siblings = ListSiblings(id, *own);
       for (Constraint& constraint : shape.constraints) {
         if (constraint.component->kind == ParameterKind::kQualified) {
           constraint.others = siblings;
@@ -328,11 +332,11 @@ class Loader {
     }
   }
 
-  std::vector<Term> SiblingsOf(const Term& id, const Term& own) {
+  std::vector<Term> ListSiblings(const Term& id, const Term& own) {
     std::set<Term> siblings;
     for (const Term& parent : Subjects(view_, graph_, Sh("property"), id)) {
-      for (const Term& property : ObjectsOf(parent, "property")) {
-        for (const Term& s : ObjectsOf(property, "qualifiedValueShape")) {
+      for (const Term& property : ListObjects(parent, "property")) {
+        for (const Term& s : ListObjects(property, "qualifiedValueShape")) {
           if (s != own) siblings.insert(s);
         }
       }
@@ -353,13 +357,7 @@ class Loader {
 }  // namespace
 
 ShapeGraph LoadShapes(const GraphView& view, const std::string& graph) {
-  return Loader(view, graph).Load();
-}
-
-bool RefersToShapes(ParameterKind kind) {
-  return kind == ParameterKind::kShape || kind == ParameterKind::kShapeList ||
-         kind == ParameterKind::kPropertyShape ||
-         kind == ParameterKind::kQualified;
+  return ShapeLoader(view, graph).Load();
 }
 
 }  // namespace kg_core::shacl

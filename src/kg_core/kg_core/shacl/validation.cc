@@ -4,12 +4,11 @@
 #include <string>
 #include <utility>
 
+#include "kg_core/facts/terms.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_core::shacl {
 namespace {
-
-Term RdfType() { return Iri(std::string(kRdf) + "type"); }
 
 using Place = TermId Quad::*;
 
@@ -30,7 +29,7 @@ std::vector<Term> Ends(const DataGraph& data, const Term& predicate,
 
 }  // namespace
 
-const std::set<Term>& Validation::Classes(const Term& top) {
+const std::set<Term>& ShapeValidation::Classes(const Term& top) {
   const auto [entry, is_new] = classes_.try_emplace(top);
   if (is_new) {
     entry->second = ClassesBelow(data_.view, data_.class_graphs, top);
@@ -38,8 +37,8 @@ const std::set<Term>& Validation::Classes(const Term& top) {
   return entry->second;
 }
 
-bool Validation::HasTypeIn(const std::string& graph, const Term& node,
-                           const Term& wanted) {
+bool ShapeValidation::HasTypeIn(const std::string& graph, const Term& node,
+                                const Term& wanted) {
   const std::set<Term>& classes = Classes(wanted);
   const std::vector<Term> types = Objects(data_.view, graph, node, RdfType());
   return std::any_of(types.begin(), types.end(), [&](const Term& type) {
@@ -47,7 +46,7 @@ bool Validation::HasTypeIn(const std::string& graph, const Term& node,
   });
 }
 
-bool Validation::IsInstance(const Term& node, const Term& wanted) {
+bool ShapeValidation::IsInstance(const Term& node, const Term& wanted) {
   const std::vector<std::string>& graphs = data_.class_graphs;
   return std::any_of(graphs.begin(), graphs.end(), [&](const auto& graph) {
     return HasTypeIn(graph, node, wanted);
@@ -55,7 +54,7 @@ bool Validation::IsInstance(const Term& node, const Term& wanted) {
 }
 
 // https://www.w3.org/TR/shacl/#targets
-std::vector<Term> Validation::FocusNodes(const Shape& shape) {
+std::vector<Term> ShapeValidation::FocusNodes(const Shape& shape) {
   std::set<Term> nodes(shape.target_nodes.begin(), shape.target_nodes.end());
   const auto add = [&](const std::vector<Term>& found) {
     nodes.insert(found.begin(), found.end());
@@ -74,7 +73,7 @@ std::vector<Term> Validation::FocusNodes(const Shape& shape) {
   return {nodes.begin(), nodes.end()};
 }
 
-bool Validation::IsTarget(const Shape& shape, const Term& node) {
+bool ShapeValidation::IsTarget(const Shape& shape, const Term& node) {
   const auto any = [](const std::vector<Term>& terms, auto holds) {
     return std::any_of(terms.begin(), terms.end(), holds);
   };
@@ -92,8 +91,8 @@ bool Validation::IsTarget(const Shape& shape, const Term& node) {
          any(shape.target_objects_of, has_edge(Direction::kBackward));
 }
 
-void Validation::CheckShape(const Shape& shape, const Term& focus,
-                            std::vector<Violation>& found) {
+void ShapeValidation::CheckShape(const Shape& shape, const Term& focus,
+                                 std::vector<Violation>& found) {
   if (shape.deactivated) return;
   std::vector<Term> values = {focus};
   if (shape.path) {
@@ -106,13 +105,13 @@ void Validation::CheckShape(const Shape& shape, const Term& focus,
   }
 }
 
-bool Validation::Conforms(const Term& shape_id, const Term& node) {
+bool ShapeValidation::Conforms(const Term& shape_id, const Term& node) {
   std::vector<Violation> found;
   CheckShape(shape(shape_id), node, found);
   return found.empty();
 }
 
-std::vector<Violation> Validation::Run() {
+std::vector<Violation> ShapeValidation::Run() {
   std::vector<Violation> found;
   for (const auto& [id, shape] : shapes_) {
     if (shape.deactivated) continue;
@@ -121,7 +120,7 @@ std::vector<Violation> Validation::Run() {
   return found;
 }
 
-Violation& Check::Report(const Term& value) const {
+Violation& ConstraintCheck::Report(const Term& value) const {
   Violation violation;
   violation.focus_node = focus;
   violation.path = shape.path;

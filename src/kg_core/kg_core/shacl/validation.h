@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "kg_core/shacl/data_graph.h"
-#include "kg_core/shacl/shapes.h"
+#include "kg_core/shacl/shape.h"
 #include "kg_core/shacl/violation.h"
 #include "kg_core/sparql/regex.h"
 
 namespace kg_core::shacl {
 
-class Validation {
+class ShapeValidation {
  public:
-  Validation(const DataGraph& data, const ShapeGraph& shapes)
+  ShapeValidation(const DataGraph& data, const ShapeGraph& shapes)
       : data_(data), shapes_(shapes) {}
 
   // Every focus node of every shape with a target.
@@ -47,8 +47,8 @@ class Validation {
 };
 
 // What a component's function sees.
-struct Check {
-  Validation& run;
+struct ConstraintCheck {
+  ShapeValidation& run;
   const Shape& shape;
   const Constraint& constraint;
   const Term& focus;

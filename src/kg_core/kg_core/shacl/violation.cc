@@ -42,7 +42,7 @@ std::vector<std::string> Lines(const std::vector<Violation>& violations) {
 
 std::string ReportTurtle(const std::vector<Violation>& violations) {
   std::string text;
-  for (const Prefix& prefix : kPrefixes) {
+  for (const NamespacePrefix& prefix : kPrefixes) {
     text +=
         std::string("@prefix ") + prefix.name + ": <" + prefix.iri + "> .\n";
   }

@@ -14,9 +14,9 @@ namespace kg_core {
 
 struct Violation {
   Term focus_node;
-  std::optional<shacl::Path> path;  // None for a node shape.
-  Term value;                       // Empty IRI where none is to blame.
-  Term source_shape;                // Often a blank node;
+  std::optional<shacl::PropertyPath> path;  // None for a node shape.
+  Term value;                               // Empty IRI where none is to blame.
+  Term source_shape;                        // Often a blank node;
   Term named_shape;            // the nearest shape around it that has a name.
   Term severity;               // sh:Violation, sh:Warning, sh:Info or another.
   std::string component;       // "sh:MinCountConstraintComponent"

@@ -17,7 +17,7 @@ bool IsKnown(const Quad& pattern) {
 }  // namespace
 
 ActiveGraph::ActiveGraph(const GraphView* view, std::vector<TermId> graphs,
-                         Budget* budget)
+                         QueryBudget* budget)
     : view_(view), budget_(budget) {
   for (const TermId graph : graphs) {
     const bool twice =

@@ -16,7 +16,7 @@ namespace kg_core::sparql {
 class ActiveGraph {
  public:
   ActiveGraph(const GraphView* view, std::vector<TermId> graphs,
-              Budget* budget);
+              QueryBudget* budget);
 
   // Every triple that matches, once, though several graphs have it. The graph
   // of `pattern` does not count. False if `visit` was: stop.
@@ -34,7 +34,7 @@ class ActiveGraph {
 
   const GraphView* view_;
   std::vector<TermId> graphs_;
-  Budget* budget_;
+  QueryBudget* budget_;
 };
 
 }  // namespace kg_core::sparql

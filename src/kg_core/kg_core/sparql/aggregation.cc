@@ -4,9 +4,9 @@
 
 namespace kg_core::sparql {
 
-using Kind = Aggregate::Kind;
+using AggregateKind = AggregateCall::Kind;
 
-void Accumulator::AddRow(const Row& row) {
+void AggregateAccumulator::AddRow(const Row& row) {
   if (aggregate_->distinct) {
     if (!seen_rows_.insert(row).second) return;
     budget_->UseWorkingBytes(2 * sizeof(TermId) * (row.size() + 8));
@@ -15,11 +15,12 @@ void Accumulator::AddRow(const Row& row) {
 }
 
 // An error spoils sums and averages and does not count elsewhere.
-void Accumulator::Add(TermId value) {
+void AggregateAccumulator::Add(TermId value) {
   if (value == kNoTerm) {
     error_ = true;
     return;
   }
+  // DISTINCT: a value that was already counted changes nothing.
   if (aggregate_->distinct) {
     if (!seen_.insert(value).second) return;
     budget_->UseWorkingBytes(4 * sizeof(TermId));
@@ -27,72 +28,73 @@ void Accumulator::Add(TermId value) {
   ++count_;
   const Term& term = terms_->Get(value);
   switch (aggregate_->kind) {
-    case Kind::kCount:
+    case AggregateKind::kCount:
       break;
-    case Kind::kSum:
-    case Kind::kAvg:
+    case AggregateKind::kSum:
+    case AggregateKind::kAvg:
       AddNumber(term);
       break;
-    case Kind::kMin:
-      if (best_ == kNoTerm || OrderOf(&term, &terms_->Get(best_)) < 0) {
+    case AggregateKind::kMin:
+      if (best_ == kNoTerm || CompareTerms(&term, &terms_->Get(best_)) < 0) {
         best_ = value;
       }
       break;
-    case Kind::kMax:
-      if (best_ == kNoTerm || OrderOf(&term, &terms_->Get(best_)) > 0) {
+    case AggregateKind::kMax:
+      if (best_ == kNoTerm || CompareTerms(&term, &terms_->Get(best_)) > 0) {
         best_ = value;
       }
       break;
-    case Kind::kSample:
+    case AggregateKind::kSample:
       if (best_ == kNoTerm) best_ = value;
       break;
-    case Kind::kGroupConcat:
+    case AggregateKind::kGroupConcat:
       AddText(term);
       break;
   }
 }
 
-void Accumulator::AddNumber(const Term& term) {
-  const std::optional<Number> number = ToNumber(term);
+void AggregateAccumulator::AddNumber(const Term& term) {
+  const std::optional<XsdNumber> number = ToNumber(term);
   if (!number) {
     error_ = true;
     return;
   }
-  if (!sum_) sum_ = Number();
+  if (!sum_) sum_ = XsdNumber();
   sum_ = Calculate(Arithmetic::kAdd, *sum_, *number);
   if (!sum_) error_ = true;
 }
 
-void Accumulator::AddText(const Term& term) {
+void AggregateAccumulator::AddText(const Term& term) {
   if (count_ > 1) text_ += aggregate_->separator;
   text_ += term.text;
   budget_->UseWorkingBytes(term.text.size() + aggregate_->separator.size());
 }
 
-std::optional<Term> Accumulator::Result() const {
-  const Number number = sum_.value_or(Number());
+std::optional<Term> AggregateAccumulator::Result() const {
+  const XsdNumber number = sum_.value_or(XsdNumber());
   switch (aggregate_->kind) {
-    case Kind::kCount:
+    case AggregateKind::kCount:
       return IntegerLiteral(static_cast<long long>(count_));
-    case Kind::kSum:
+    case AggregateKind::kSum:
       if (error_) return std::nullopt;
       return ToTerm(number);
-    case Kind::kAvg: {
+    case AggregateKind::kAvg: {
       if (error_) return std::nullopt;
+      // The average of an empty group is 0 by the recommendation.
       if (count_ == 0) return IntegerLiteral(0);
-      Number count;
+      XsdNumber count;
       count.exact.digits = static_cast<__int128>(count_);
-      const std::optional<Number> average =
+      const std::optional<XsdNumber> average =
           Calculate(Arithmetic::kDivide, number, count);
       if (!average) return std::nullopt;
       return ToTerm(*average);
     }
-    case Kind::kMin:
-    case Kind::kMax:
-    case Kind::kSample:
+    case AggregateKind::kMin:
+    case AggregateKind::kMax:
+    case AggregateKind::kSample:
       if (best_ == kNoTerm) return std::nullopt;
       return terms_->Get(best_);
-    case Kind::kGroupConcat:
+    case AggregateKind::kGroupConcat:
       return Literal(text_);
   }
   return std::nullopt;

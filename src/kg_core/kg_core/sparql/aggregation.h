@@ -15,9 +15,10 @@
 namespace kg_core::sparql {
 
 // The running value of one aggregate.
-class Accumulator {
+class AggregateAccumulator {
  public:
-  Accumulator(const Aggregate* aggregate, TermTable* terms, Budget* budget)
+  AggregateAccumulator(const AggregateCall* aggregate, TermTable* terms,
+                       QueryBudget* budget)
       : aggregate_(aggregate), terms_(terms), budget_(budget) {}
 
   // Takes a value, kNoTerm for an error or unbound.
@@ -31,12 +32,12 @@ class Accumulator {
   void AddNumber(const Term& term);
   void AddText(const Term& term);
 
-  const Aggregate* aggregate_;
+  const AggregateCall* aggregate_;
   TermTable* terms_;
-  Budget* budget_;
+  QueryBudget* budget_;
   std::size_t count_ = 0;
   bool error_ = false;
-  std::optional<Number> sum_;
+  std::optional<XsdNumber> sum_;
   TermId best_ = kNoTerm;
   std::string text_;
   absl::flat_hash_set<TermId> seen_;  // DISTINCT.

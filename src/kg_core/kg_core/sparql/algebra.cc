@@ -7,13 +7,13 @@
 namespace kg_core::sparql {
 namespace {
 
-using Kind = Pattern::Kind;
+using PatternKind = GraphPattern::Kind;
 
-void InsertNode(const Node& node, VariableSet* set) {
+void InsertNode(const VarOrTerm& node, VariableSet* set) {
   if (node.is_variable && node.index != kNone) set->Insert(node.index);
 }
 
-VariableSet TripleVariables(const Pattern& basic) {
+VariableSet TripleVariables(const GraphPattern& basic) {
   VariableSet set;
   for (const TriplePattern& triple : basic.triples) {
     InsertNode(triple.subject, &set);
@@ -34,35 +34,35 @@ bool HasExists(const Expression& expression) {
 VariableSet VariablesOfAll(const std::vector<Expression>& expressions) {
   VariableSet set;
   for (const Expression& expression : expressions) {
-    set.InsertAll(VariablesOf(expression));
+    set.InsertAll(CollectVariables(expression));
   }
   return set;
 }
 
 void ForEachExists(Expression* expression,
-                   absl::FunctionRef<void(Pattern*)> visit) {
+                   absl::FunctionRef<void(GraphPattern*)> visit) {
   if (expression->pattern != nullptr) visit(expression->pattern.get());
   for (Expression& argument : expression->arguments) {
     ForEachExists(&argument, visit);
   }
 }
 
-void ForEachExpression(Select* select,
+void ForEachExpression(SelectQuery* select,
                        absl::FunctionRef<void(Expression*)> visit) {
-  for (Column& column : select->columns) {
+  for (SelectColumn& column : select->columns) {
     if (column.expression) visit(&*column.expression);
   }
-  for (Column& key : select->group_by) {
+  for (SelectColumn& key : select->group_by) {
     if (key.expression) visit(&*key.expression);
   }
-  for (Aggregate& aggregate : select->aggregates) {
+  for (AggregateCall& aggregate : select->aggregates) {
     if (aggregate.argument) visit(&*aggregate.argument);
   }
   for (Expression& expression : select->having) visit(&expression);
   for (OrderKey& key : select->order_by) visit(&key.expression);
 }
 
-VariableSet CertainValues(const Pattern& values) {
+VariableSet CertainValues(const GraphPattern& values) {
   VariableSet certain;
   for (std::size_t i = 0; i < values.variables.size(); ++i) {
     bool bound = true;
@@ -75,13 +75,13 @@ VariableSet CertainValues(const Pattern& values) {
 }
 
 // Of the columns of a subquery, those that its pattern binds for certain.
-VariableSet CertainColumns(const Select& select) {
+VariableSet CertainColumns(const SelectQuery& select) {
   VariableSet keys;
-  for (const Column& key : select.group_by) {
+  for (const SelectColumn& key : select.group_by) {
     if (!key.expression) keys.Insert(key.variable);
   }
   VariableSet certain;
-  for (const Column& column : select.columns) {
+  for (const SelectColumn& column : select.columns) {
     const bool kept = !select.grouped || keys.Contains(column.variable);
     if (!column.expression && kept &&
         select.where.certain.Contains(column.variable)) {
@@ -91,45 +91,46 @@ VariableSet CertainColumns(const Select& select) {
   return certain;
 }
 
-VariableSet CertainVariables(const Pattern& pattern) {
+VariableSet CertainVariables(const GraphPattern& pattern) {
   VariableSet certain;
   switch (pattern.kind) {
-    case Kind::kBasic:
+    case PatternKind::kBasic:
       return TripleVariables(pattern);
-    case Kind::kValues:
+    case PatternKind::kValues:
       return CertainValues(pattern);
-    case Kind::kSelect:
+    case PatternKind::kSelect:
       return CertainColumns(*pattern.select);
-    case Kind::kUnion:
+    // Only variables that are bound in each alternative.
+    case PatternKind::kUnion:
       certain = pattern.parts[0].certain;
-      for (const Pattern& part : pattern.parts) {
+      for (const GraphPattern& part : pattern.parts) {
         certain = certain.And(part.certain);
       }
       return certain;
-    case Kind::kJoin:
+    case PatternKind::kJoin:
       certain = pattern.parts[0].certain;
       certain.InsertAll(pattern.parts[1].certain);
       return certain;
-    case Kind::kGraph:
+    case PatternKind::kGraph:
       certain = pattern.parts[0].certain;
       InsertNode(pattern.graph, &certain);
       return certain;
-    case Kind::kLeftJoin:
-    case Kind::kMinus:
-    case Kind::kFilter:
-    case Kind::kExtend:
+    case PatternKind::kLeftJoin:
+    case PatternKind::kMinus:
+    case PatternKind::kFilter:
+    case PatternKind::kExtend:
       break;
   }
   return pattern.parts[0].certain;
 }
 
-VariableSet PossibleVariables(const Pattern& pattern) {
+VariableSet PossibleVariables(const GraphPattern& pattern) {
   VariableSet possible;
-  if (pattern.kind == Kind::kBasic) return TripleVariables(pattern);
-  if (pattern.kind == Kind::kSelect) return VisibleVariables(pattern);
-  for (const Pattern& part : pattern.parts) {
+  if (pattern.kind == PatternKind::kBasic) return TripleVariables(pattern);
+  if (pattern.kind == PatternKind::kSelect) return VisibleVariables(pattern);
+  for (const GraphPattern& part : pattern.parts) {
     possible.InsertAll(part.possible);
-    if (pattern.kind == Kind::kMinus) break;
+    if (pattern.kind == PatternKind::kMinus) break;
   }
   InsertNode(pattern.graph, &possible);
   if (pattern.variable != kNone) possible.Insert(pattern.variable);
@@ -137,17 +138,17 @@ VariableSet PossibleVariables(const Pattern& pattern) {
   return possible;
 }
 
-void Analyse(Pattern* pattern);
+void Analyse(GraphPattern* pattern);
 
 void AnalyseExists(Expression* expression) {
-  ForEachExists(expression, [](Pattern* pattern) { Analyse(pattern); });
+  ForEachExists(expression, [](GraphPattern* pattern) { Analyse(pattern); });
 }
 
 // Sets `possible` and `certain`, inside first.
-void Analyse(Pattern* pattern) {
-  for (Pattern& part : pattern->parts) Analyse(&part);
+void Analyse(GraphPattern* pattern) {
+  for (GraphPattern& part : pattern->parts) Analyse(&part);
   for (Expression& filter : pattern->filters) AnalyseExists(&filter);
-  if (pattern->kind == Kind::kSelect) {
+  if (pattern->kind == PatternKind::kSelect) {
     Analyse(&pattern->select->where);
     ForEachExpression(pattern->select.get(), AnalyseExists);
   }
@@ -156,30 +157,32 @@ void Analyse(Pattern* pattern) {
 }
 
 // Moves `filter` into `pattern` if its variables are certain there.
-bool Push(Expression* filter, Pattern* pattern) {
-  const VariableSet variables = VariablesOf(*filter);
-  const auto into = [&](Pattern* part) {
+bool Push(Expression* filter, GraphPattern* pattern) {
+  const VariableSet variables = CollectVariables(*filter);
+  // A filter may move into a part only if the part certainly binds all of its
+  // variables.
+  const auto into = [&](GraphPattern* part) {
     return variables.IsSubsetOf(part->certain) && Push(filter, part);
   };
   switch (pattern->kind) {
-    case Kind::kBasic:
-    case Kind::kFilter:
+    case PatternKind::kBasic:
+    case PatternKind::kFilter:
       if (!variables.IsSubsetOf(pattern->certain)) return false;
-      if (pattern->kind == Kind::kFilter && into(&pattern->parts[0])) {
+      if (pattern->kind == PatternKind::kFilter && into(&pattern->parts[0])) {
         return true;
       }
       pattern->filters.push_back(std::move(*filter));
       return true;
-    case Kind::kJoin:
+    case PatternKind::kJoin:
       return into(&pattern->parts[0]) || into(&pattern->parts[1]);
-    case Kind::kLeftJoin:
-    case Kind::kMinus:
-    case Kind::kGraph:
-    case Kind::kExtend:
+    case PatternKind::kLeftJoin:
+    case PatternKind::kMinus:
+    case PatternKind::kGraph:
+    case PatternKind::kExtend:
       return into(&pattern->parts[0]);
-    case Kind::kUnion:
-    case Kind::kValues:
-    case Kind::kSelect:
+    case PatternKind::kUnion:
+    case PatternKind::kValues:
+    case PatternKind::kSelect:
       break;
   }
   return false;
@@ -196,13 +199,15 @@ void SplitConjunction(Expression expression, std::vector<Expression>* out) {
   }
 }
 
-void PushFilters(Pattern* pattern) {
-  for (Pattern& part : pattern->parts) PushFilters(&part);
-  if (pattern->kind == Kind::kSelect) PushFilters(&pattern->select->where);
-  for (Expression& filter : pattern->filters) {
-    ForEachExists(&filter, [](Pattern* inner) { PushFilters(inner); });
+void PushFilters(GraphPattern* pattern) {
+  for (GraphPattern& part : pattern->parts) PushFilters(&part);
+  if (pattern->kind == PatternKind::kSelect) {
+    PushFilters(&pattern->select->where);
   }
-  if (pattern->kind != Kind::kFilter) return;
+  for (Expression& filter : pattern->filters) {
+    ForEachExists(&filter, [](GraphPattern* inner) { PushFilters(inner); });
+  }
+  if (pattern->kind != PatternKind::kFilter) return;
   std::vector<Expression> conjuncts;
   for (Expression& filter : pattern->filters) {
     SplitConjunction(std::move(filter), &conjuncts);
@@ -216,26 +221,26 @@ void PushFilters(Pattern* pattern) {
 }
 
 // Does `pattern` give the same solutions whether or not it sees `seeds`?
-bool SafeToSeed(const Pattern& pattern, const VariableSet& seeds) {
+bool SafeToSeed(const GraphPattern& pattern, const VariableSet& seeds) {
   VariableSet seen;  // What it looks at without binding it itself.
   switch (pattern.kind) {
-    case Kind::kBasic:
-    case Kind::kValues:
-    case Kind::kJoin:   // Its parts are marked one by one,
-    case Kind::kUnion:  // and so are these.
-    case Kind::kGraph:
+    case PatternKind::kBasic:
+    case PatternKind::kValues:
+    case PatternKind::kJoin:   // Its parts are marked one by one,
+    case PatternKind::kUnion:  // and so are these.
+    case PatternKind::kGraph:
       return true;
-    case Kind::kSelect:
+    case PatternKind::kSelect:
       return false;
-    case Kind::kExtend:
+    case PatternKind::kExtend:
       if (seeds.Contains(pattern.variable)) return false;
       seen = VariablesOfAll(pattern.filters);
       break;
-    case Kind::kFilter:
+    case PatternKind::kFilter:
       seen = VariablesOfAll(pattern.filters);
       break;
-    case Kind::kLeftJoin:
-    case Kind::kMinus:
+    case PatternKind::kLeftJoin:
+    case PatternKind::kMinus:
       seen = VariablesOfAll(pattern.filters);
       seen.InsertAll(MentionedVariables(pattern.parts[1]));
       break;
@@ -249,37 +254,39 @@ VariableSet With(VariableSet set, const VariableSet& more) {
 }
 
 // How the variables bound outside reach a pattern.
-struct Seeding {
+struct PatternSeeds {
   VariableSet seeds;
-  // Within EXISTS they are put in place of the variables, come what may.
+  // Within EXISTS they always replace the variables.
   // https://www.w3.org/TR/sparql11-query/#defn_substitute
   bool substitute = false;
 };
 
-void Mark(Pattern* pattern, Seeding seeding);
+void Mark(GraphPattern* pattern, PatternSeeds seeding);
 
 void MarkExists(Expression* expression, const VariableSet& seeds) {
-  ForEachExists(expression, [&seeds](Pattern* inner) {
+  ForEachExists(expression, [&seeds](GraphPattern* inner) {
     Mark(inner, {seeds, true});
   });
 }
 
-void MarkSelect(Select* select) {
+void MarkSelect(SelectQuery* select) {
   Mark(&select->where, {});
   VariableSet seeds = select->where.possible;
-  for (const Column& key : select->group_by) seeds.Insert(key.variable);
-  for (const Column& column : select->columns) seeds.Insert(column.variable);
+  for (const SelectColumn& key : select->group_by) seeds.Insert(key.variable);
+  for (const SelectColumn& column : select->columns) {
+    seeds.Insert(column.variable);
+  }
   ForEachExpression(select, [&seeds](Expression* expression) {
     MarkExists(expression, seeds);
   });
 }
 
 // A right side that shares nothing with the left is evaluated once.
-void MarkRight(Pattern* right, const Seeding& seeding) {
+void MarkRight(GraphPattern* right, const PatternSeeds& seeding) {
   Mark(right, seeding);
   const bool shares = !right->possible.And(seeding.seeds).Members().empty();
   const bool cheap =
-      right->kind == Kind::kBasic || right->kind == Kind::kValues;
+      right->kind == PatternKind::kBasic || right->kind == PatternKind::kValues;
   if (!shares && !cheap && !seeding.substitute && !right->materialise) {
     Mark(right, {});
     right->materialise = true;
@@ -287,38 +294,39 @@ void MarkRight(Pattern* right, const Seeding& seeding) {
 }
 
 // Sets `materialise`; see the header.
-void Mark(Pattern* pattern, Seeding seeding) {
+void Mark(GraphPattern* pattern, PatternSeeds seeding) {
   pattern->materialise =
-      pattern->kind == Kind::kSelect ||
+      pattern->kind == PatternKind::kSelect ||
       (!seeding.substitute && !SafeToSeed(*pattern, seeding.seeds));
+  // A pattern that is evaluated alone sees no outer bindings.
   if (pattern->materialise) seeding = {};
-  Seeding inner = seeding;
+  PatternSeeds inner = seeding;
   switch (pattern->kind) {
-    case Kind::kBasic:
-    case Kind::kValues:
+    case PatternKind::kBasic:
+    case PatternKind::kValues:
       break;
-    case Kind::kSelect:
+    case PatternKind::kSelect:
       MarkSelect(pattern->select.get());
       break;
-    case Kind::kJoin:
-    case Kind::kLeftJoin:
+    case PatternKind::kJoin:
+    case PatternKind::kLeftJoin:
       Mark(&pattern->parts[0], seeding);
       inner.seeds.InsertAll(pattern->parts[0].possible);
       MarkRight(&pattern->parts[1], inner);
       break;
-    case Kind::kMinus:
+    case PatternKind::kMinus:
       Mark(&pattern->parts[0], seeding);
       Mark(&pattern->parts[1], {});
       break;
-    case Kind::kUnion:
-      for (Pattern& part : pattern->parts) Mark(&part, seeding);
+    case PatternKind::kUnion:
+      for (GraphPattern& part : pattern->parts) Mark(&part, seeding);
       break;
-    case Kind::kGraph:
+    case PatternKind::kGraph:
       InsertNode(pattern->graph, &inner.seeds);
       Mark(&pattern->parts[0], inner);
       break;
-    case Kind::kFilter:
-    case Kind::kExtend:
+    case PatternKind::kFilter:
+    case PatternKind::kExtend:
       Mark(&pattern->parts[0], seeding);
       break;
   }
@@ -328,26 +336,28 @@ void Mark(Pattern* pattern, Seeding seeding) {
 }
 
 // VALUES first: it is small, and its values lead into the indices.
-void MoveValues(Pattern* pattern) {
-  for (Pattern& part : pattern->parts) MoveValues(&part);
-  if (pattern->kind == Kind::kSelect) MoveValues(&pattern->select->where);
-  if (pattern->kind != Kind::kJoin) return;
-  Pattern& left = pattern->parts[0];
-  Pattern& right = pattern->parts[1];
-  if (right.kind == Kind::kValues && SafeToSeed(left, right.possible)) {
+void MoveValues(GraphPattern* pattern) {
+  for (GraphPattern& part : pattern->parts) MoveValues(&part);
+  if (pattern->kind == PatternKind::kSelect) {
+    MoveValues(&pattern->select->where);
+  }
+  if (pattern->kind != PatternKind::kJoin) return;
+  GraphPattern& left = pattern->parts[0];
+  GraphPattern& right = pattern->parts[1];
+  if (right.kind == PatternKind::kValues && SafeToSeed(left, right.possible)) {
     std::swap(left, right);
   }
 }
 
 }  // namespace
 
-VariableSet VariablesOf(const Expression& expression) {
+VariableSet CollectVariables(const Expression& expression) {
   VariableSet set;
   const bool mentions = expression.op == Expression::Op::kVariable ||
                         expression.op == Expression::Op::kBound;
   if (mentions) set.Insert(expression.index);
   for (const Expression& argument : expression.arguments) {
-    set.InsertAll(VariablesOf(argument));
+    set.InsertAll(CollectVariables(argument));
   }
   if (expression.pattern != nullptr) {
     set.InsertAll(MentionedVariables(*expression.pattern));
@@ -355,18 +365,18 @@ VariableSet VariablesOf(const Expression& expression) {
   return set;
 }
 
-VariableSet VisibleVariables(const Pattern& pattern) {
+VariableSet VisibleVariables(const GraphPattern& pattern) {
   VariableSet set;
-  if (pattern.kind == Kind::kBasic) return TripleVariables(pattern);
-  if (pattern.kind == Kind::kSelect) {
-    for (const Column& column : pattern.select->columns) {
+  if (pattern.kind == PatternKind::kBasic) return TripleVariables(pattern);
+  if (pattern.kind == PatternKind::kSelect) {
+    for (const SelectColumn& column : pattern.select->columns) {
       set.Insert(column.variable);
     }
     return set;
   }
-  for (const Pattern& part : pattern.parts) {
+  for (const GraphPattern& part : pattern.parts) {
     set.InsertAll(VisibleVariables(part));
-    if (pattern.kind == Kind::kMinus) break;
+    if (pattern.kind == PatternKind::kMinus) break;
   }
   InsertNode(pattern.graph, &set);
   if (pattern.variable != kNone) set.Insert(pattern.variable);
@@ -374,17 +384,17 @@ VariableSet VisibleVariables(const Pattern& pattern) {
   return set;
 }
 
-VariableSet MentionedVariables(const Pattern& pattern) {
+VariableSet MentionedVariables(const GraphPattern& pattern) {
   VariableSet set = VisibleVariables(pattern);
-  if (pattern.kind == Kind::kSelect) return set;
+  if (pattern.kind == PatternKind::kSelect) return set;
   set.InsertAll(VariablesOfAll(pattern.filters));
-  for (const Pattern& part : pattern.parts) {
+  for (const GraphPattern& part : pattern.parts) {
     set.InsertAll(MentionedVariables(part));
   }
   return set;
 }
 
-void Prepare(Select* select) {
+void Prepare(SelectQuery* select) {
   Analyse(&select->where);
   ForEachExpression(select, AnalyseExists);
   PushFilters(&select->where);

@@ -17,15 +17,15 @@ namespace kg_core::sparql {
 
 // Sets `possible`, `certain` and `materialise` in the whole of `select`, moves
 // filters down to where their variables become bound, and VALUES to the front.
-void Prepare(Select* select);
+void Prepare(SelectQuery* select);
 
 // The variables visible outside of `pattern`.
 // https://www.w3.org/TR/sparql11-query/#variableScope
-VariableSet VisibleVariables(const Pattern& pattern);
+VariableSet VisibleVariables(const GraphPattern& pattern);
 // The variables that an expression mentions, those of EXISTS too.
-VariableSet VariablesOf(const Expression& expression);
+VariableSet CollectVariables(const Expression& expression);
 // The variables bound or mentioned anywhere within `pattern`.
-VariableSet MentionedVariables(const Pattern& pattern);
+VariableSet MentionedVariables(const GraphPattern& pattern);
 
 }  // namespace kg_core::sparql
 

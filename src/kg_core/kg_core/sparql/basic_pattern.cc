@@ -23,17 +23,17 @@ constexpr double kOpenPath = 1e7;
 constexpr double kHalfBoundPath = 100.0;
 
 // Up to three variables bound by one match, unbound when it goes out of scope.
-class Binding {
+class RowBinding {
  public:
-  explicit Binding(Row* row) : row_(row) {}
-  ~Binding() {
+  explicit RowBinding(Row* row) : row_(row) {}
+  ~RowBinding() {
     for (int i = 0; i < count_; ++i) (*row_)[bound_[i]] = kNoTerm;
   }
-  Binding(const Binding&) = delete;
-  Binding& operator=(const Binding&) = delete;
+  RowBinding(const RowBinding&) = delete;
+  RowBinding& operator=(const RowBinding&) = delete;
 
   // False if the variable already has another value.
-  bool Bind(const Node& node, TermId value) {
+  bool Bind(const VarOrTerm& node, TermId value) {
     if (!node.is_variable) return true;
     const auto variable = static_cast<std::size_t>(node.index);
     TermId& slot = (*row_)[variable];
@@ -51,26 +51,26 @@ class Binding {
 
 }  // namespace
 
-struct Evaluator::BasicRun {
+struct PatternEvaluator::BasicRun {
   const Plan& plan;
   const ActiveGraph& graph;
   Row* row;
   Emit emit;
 };
 
-TermId Evaluator::ConstantOf(const Node& node) const {
+TermId PatternEvaluator::GetConstant(const VarOrTerm& node) const {
   if (node.is_variable || node.index == kNone) return kNoTerm;
   return constants_[static_cast<std::size_t>(node.index)];
 }
 
-TermId Evaluator::ValueOf(const Node& node, const Row& row) const {
+TermId PatternEvaluator::GetValue(const VarOrTerm& node, const Row& row) const {
   return node.is_variable ? row[static_cast<std::size_t>(node.index)]
-                          : ConstantOf(node);
+                          : GetConstant(node);
 }
 
-double Evaluator::Cost(const TriplePattern& triple, const ActiveGraph& g,
-                       const VariableSet& bound) const {
-  const auto is_bound = [&bound](const Node& node) {
+double PatternEvaluator::Cost(const TriplePattern& triple, const ActiveGraph& g,
+                              const VariableSet& bound) const {
+  const auto is_bound = [&bound](const VarOrTerm& node) {
     return node.is_variable && bound.Contains(node.index);
   };
   const bool from = is_bound(triple.subject);
@@ -81,16 +81,17 @@ double Evaluator::Cost(const TriplePattern& triple, const ActiveGraph& g,
     return ends == 0 ? kOpenPath : ends == 1 ? kHalfBoundPath : 1.0;
   }
   double cost = static_cast<double>(
-      g.Estimate({ConstantOf(triple.subject), ConstantOf(triple.predicate),
-                  ConstantOf(triple.object), kNoTerm}));
+      g.Estimate({GetConstant(triple.subject), GetConstant(triple.predicate),
+                  GetConstant(triple.object), kNoTerm}));
   if (from) cost /= kBoundSubject;
   if (is_bound(triple.predicate)) cost /= kBoundPredicate;
   if (to) cost /= kBoundObject;
   return cost;
 }
 
-const Evaluator::Plan& Evaluator::PlanOf(const Pattern& p, const ActiveGraph& g,
-                                         const Row& row) {
+const PatternEvaluator::Plan& PatternEvaluator::GetPlan(const GraphPattern& p,
+                                                        const ActiveGraph& g,
+                                                        const Row& row) {
   std::unique_ptr<Plan>& slot = plans_[&p];
   if (slot != nullptr) return *slot;
   slot = std::make_unique<Plan>();
@@ -100,6 +101,8 @@ const Evaluator::Plan& Evaluator::PlanOf(const Pattern& p, const ActiveGraph& g,
   }
   std::vector<const TriplePattern*> left;
   for (const TriplePattern& triple : p.triples) left.push_back(&triple);
+  // Greedy order: next is the triple with the least estimated cost, given the
+  // variables bound so far.
   while (!left.empty()) {
     auto best = left.begin();
     double best_cost = std::numeric_limits<double>::infinity();
@@ -111,20 +114,21 @@ const Evaluator::Plan& Evaluator::PlanOf(const Pattern& p, const ActiveGraph& g,
       best = it;
     }
     slot->steps.push_back(*best);
-    for (const Node& node :
+    for (const VarOrTerm& node :
          {(*best)->subject, (*best)->predicate, (*best)->object}) {
       if (node.is_variable) bound.Insert(node.index);
     }
     left.erase(best);
   }
+  // Each filter goes to the first step at which all of its variables are bound.
   slot->filters.resize(slot->steps.size() + 1);
   for (const Expression& filter : p.filters) {
     VariableSet known;
     std::size_t step = 0;
-    const VariableSet wanted = VariablesOf(filter);
+    const VariableSet wanted = CollectVariables(filter);
     while (step < slot->steps.size() && !wanted.IsSubsetOf(known)) {
       const TriplePattern& triple = *slot->steps[step++];
-      for (const Node& node :
+      for (const VarOrTerm& node :
            {triple.subject, triple.predicate, triple.object}) {
         if (node.is_variable) known.Insert(node.index);
       }
@@ -134,25 +138,26 @@ const Evaluator::Plan& Evaluator::PlanOf(const Pattern& p, const ActiveGraph& g,
   return *slot;
 }
 
-bool Evaluator::Basic(const Pattern& p, const ActiveGraph& g, Row* row,
-                      Emit emit) {
-  const BasicRun run{PlanOf(p, g, *row), g, row, emit};
+bool PatternEvaluator::Basic(const GraphPattern& p, const ActiveGraph& g,
+                             Row* row, Emit emit) {
+  const BasicRun run{GetPlan(p, g, *row), g, row, emit};
   return Step(run, 0);
 }
 
-bool Evaluator::Step(const BasicRun& run, std::size_t step) {
+bool PatternEvaluator::Step(const BasicRun& run, std::size_t step) {
   budget_->Step();
+  // A filter that fails ends this branch, not the whole evaluation.
   for (const Expression* filter : run.plan.filters[step]) {
     if (!expressions_.Holds(*filter, {*run.row, run.graph})) return true;
   }
   if (step == run.plan.steps.size()) return run.emit(*run.row);
   const TriplePattern& triple = *run.plan.steps[step];
   if (triple.path) return PathStep(run, step, triple);
-  const Quad pattern{ValueOf(triple.subject, *run.row),
-                     ValueOf(triple.predicate, *run.row),
-                     ValueOf(triple.object, *run.row), kNoTerm};
+  const Quad pattern{GetValue(triple.subject, *run.row),
+                     GetValue(triple.predicate, *run.row),
+                     GetValue(triple.object, *run.row), kNoTerm};
   return run.graph.Match(pattern, [&](const Quad& quad) {
-    Binding binding(run.row);
+    RowBinding binding(run.row);
     const MatchedScope scope(matched_);
     scope.Push(quad);
     return !binding.Bind(triple.subject, quad.subject) ||
@@ -164,17 +169,19 @@ bool Evaluator::Step(const BasicRun& run, std::size_t step) {
 // Between two variables, a path of length zero connects nodes of the graph
 // only, whatever else gave the variables their values.
 // https://www.w3.org/TR/sparql11-query/#defn_evalPP_ZeroOrOnePath
-bool Evaluator::PathStep(const BasicRun& run, std::size_t step,
-                         const TriplePattern& triple) {
-  const TermId subject = ValueOf(triple.subject, *run.row);
-  const TermId object = ValueOf(triple.object, *run.row);
+bool PatternEvaluator::PathStep(const BasicRun& run, std::size_t step,
+                                const TriplePattern& triple) {
+  const TermId subject = GetValue(triple.subject, *run.row);
+  const TermId object = GetValue(triple.object, *run.row);
+  // A zero-length path matches any node, but only nodes of the graph count
+  // where both ends are variables.
   const bool check = triple.subject.is_variable && triple.object.is_variable &&
                      (subject != kNoTerm || object != kNoTerm);
   const PathWalker walker(&run.graph, &constants_, budget_);
   return walker.Walk(
       *triple.path, subject, object, [&](TermId from, TermId to) {
         if (check && from == to && !run.graph.HasNode(from)) return true;
-        Binding binding(run.row);
+        RowBinding binding(run.row);
         if (!binding.Bind(triple.subject, from) ||
             !binding.Bind(triple.object, to)) {
           return true;

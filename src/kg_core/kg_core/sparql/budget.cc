@@ -11,7 +11,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // A limit that is not a number, or beyond a day, is a day.
-Clock::time_point EndOf(double seconds) {
+Clock::time_point GetEnd(double seconds) {
   constexpr double kDay_s = 86400.0;
   const double limited = seconds < kDay_s ? seconds : kDay_s;
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(
@@ -20,10 +20,10 @@ Clock::time_point EndOf(double seconds) {
 
 }  // namespace
 
-Budget::Budget(const QueryLimits& limits)
-    : limits_(limits), end_(EndOf(limits.seconds)) {}
+QueryBudget::QueryBudget(const QueryLimits& limits)
+    : limits_(limits), end_(GetEnd(limits.seconds)) {}
 
-void Budget::CheckTime() const {
+void QueryBudget::CheckTime() const {
   if (Clock::now() < end_) return;
   char text[96];
   std::snprintf(text, sizeof text,
@@ -32,14 +32,14 @@ void Budget::CheckTime() const {
   throw LimitError(text);
 }
 
-void Budget::UseWorkingBytes(std::size_t bytes) {
+void QueryBudget::UseWorkingBytes(std::size_t bytes) {
   working_bytes_ += bytes;
   if (working_bytes_ <= limits_.working_bytes) return;
   throw LimitError("the query needs more memory than the limit of " +
                    std::to_string(limits_.working_bytes) + " bytes");
 }
 
-void Budget::AddResultRow(std::size_t bytes) {
+void QueryBudget::AddResultRow(std::size_t bytes) {
   if (++rows_ > limits_.rows) {
     throw LimitError("the result has more rows than the limit of " +
                      std::to_string(limits_.rows));

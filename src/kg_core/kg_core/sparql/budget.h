@@ -6,13 +6,13 @@
 #include <chrono>
 #include <cstddef>
 
-#include "kg_core/sparql/query_engine.h"
+#include "kg_core/sparql/limits.h"
 
 namespace kg_core::sparql {
 
-class Budget {
+class QueryBudget {
  public:
-  explicit Budget(const QueryLimits& limits);
+  explicit QueryBudget(const QueryLimits& limits);
 
   // One step of any loop; throws InputError once the time is over.
   void Step() {

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "kg_core/rdf/namespaces.h"
-#include "kg_core/sparql/date_time.h"
 #include "kg_core/sparql/functions.h"
 #include "kg_core/sparql/values.h"
+#include "kg_core/sparql/xsd_date_time.h"
 
 namespace kg_core::sparql {
 namespace {
@@ -23,7 +23,7 @@ std::string Stripped(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-std::optional<bool> BooleanOf(const Term& term) {
+std::optional<bool> ParseBoolean(const Term& term) {
   if (term.datatype != Xsd("boolean")) return std::nullopt;
   if (term.text == "true" || term.text == "1") return true;
   if (term.text == "false" || term.text == "0") return false;
@@ -32,7 +32,7 @@ std::optional<bool> BooleanOf(const Term& term) {
 
 // A float or double as XPath writes it: "1.25", "1.0E7".
 // https://www.w3.org/TR/xpath-functions/#casting-to-string
-std::string RealText(const Number& number) {
+std::string RealText(const XsdNumber& number) {
   const double size = std::fabs(number.real);
   const bool plain = size == 0 || (size >= 1e-6 && size < 1e6);
   // The shortest digits that read back the same.
@@ -54,10 +54,10 @@ std::string RealText(const Number& number) {
 
 Answer ToStringCast(FunctionContext&, const Arguments& a) {
   if (a[0]->is_blank()) return std::nullopt;
-  if (const std::optional<bool> truth = BooleanOf(*a[0])) {
+  if (const std::optional<bool> truth = ParseBoolean(*a[0])) {
     return Literal(*truth ? "true" : "false");
   }
-  const std::optional<Number> number = ToNumber(*a[0]);
+  const std::optional<XsdNumber> number = ToNumber(*a[0]);
   if (!number) return Literal(a[0]->text);
   return Literal(number->is_exact() ? ToString(number->exact)
                                     : RealText(*number));
@@ -65,10 +65,10 @@ Answer ToStringCast(FunctionContext&, const Arguments& a) {
 
 Answer ToBooleanCast(FunctionContext&, const Arguments& a) {
   const Term& term = *a[0];
-  if (const std::optional<bool> value = BooleanOf(term)) {
+  if (const std::optional<bool> value = ParseBoolean(term)) {
     return BooleanLiteral(*value);
   }
-  if (const std::optional<Number> number = ToNumber(term)) {
+  if (const std::optional<XsdNumber> number = ToNumber(term)) {
     const double value = number->ToDouble();
     return BooleanLiteral(!(std::isnan(value) || value == 0.0));
   }
@@ -80,10 +80,10 @@ Answer ToBooleanCast(FunctionContext&, const Arguments& a) {
 }
 
 // Numbers, booleans and strings as a number; a string is read as `type`.
-std::optional<Number> AsNumber(const Term& term, Number::Type type) {
-  if (const std::optional<Number> number = ToNumber(term)) return number;
-  Number number;
-  if (const std::optional<bool> truth = BooleanOf(term)) {
+std::optional<XsdNumber> AsNumber(const Term& term, XsdNumber::Type type) {
+  if (const std::optional<XsdNumber> number = ToNumber(term)) return number;
+  XsdNumber number;
+  if (const std::optional<bool> truth = ParseBoolean(term)) {
     number.exact.digits = *truth ? 1 : 0;
     return number;
   }
@@ -92,18 +92,20 @@ std::optional<Number> AsNumber(const Term& term, Number::Type type) {
   return ToNumber(Literal(Stripped(term.text), ToTerm(number).datatype));
 }
 
-template <Number::Type kType>
+template <XsdNumber::Type kType>
 Answer ToNumberCast(FunctionContext&, const Arguments& a) {
-  std::optional<Number> number = AsNumber(*a[0], kType);
+  std::optional<XsdNumber> number = AsNumber(*a[0], kType);
   if (!number) return std::nullopt;
-  const bool to_exact = kType <= Number::Type::kDecimal;
+  const bool to_exact = kType <= XsdNumber::Type::kDecimal;
   if (to_exact && !number->is_exact()) {
     const std::optional<Decimal> exact = FromDouble(number->real);
     if (!exact) return std::nullopt;
     number->exact = *exact;
   }
   if (!to_exact) number->real = number->ToDouble();
-  if (kType == Number::Type::kInteger) number->exact = Truncate(number->exact);
+  if (kType == XsdNumber::Type::kInteger) {
+    number->exact = Truncate(number->exact);
+  }
   number->type = kType;
   return ToTerm(*number);
 }
@@ -141,13 +143,13 @@ Answer ToDateCast(FunctionContext&, const Arguments& a) {
 
 }  // namespace
 
-std::vector<Function> CastFunctions() {
+std::vector<SparqlFunction> CastFunctions() {
   return {{Xsd("string"), 1, 1, ToStringCast},
           {Xsd("boolean"), 1, 1, ToBooleanCast},
-          {Xsd("integer"), 1, 1, ToNumberCast<Number::Type::kInteger>},
-          {Xsd("decimal"), 1, 1, ToNumberCast<Number::Type::kDecimal>},
-          {Xsd("float"), 1, 1, ToNumberCast<Number::Type::kFloat>},
-          {Xsd("double"), 1, 1, ToNumberCast<Number::Type::kDouble>},
+          {Xsd("integer"), 1, 1, ToNumberCast<XsdNumber::Type::kInteger>},
+          {Xsd("decimal"), 1, 1, ToNumberCast<XsdNumber::Type::kDecimal>},
+          {Xsd("float"), 1, 1, ToNumberCast<XsdNumber::Type::kFloat>},
+          {Xsd("double"), 1, 1, ToNumberCast<XsdNumber::Type::kDouble>},
           {Xsd("dateTime"), 1, 1, ToDateTimeCast},
           {Xsd("date"), 1, 1, ToDateCast}};
 }

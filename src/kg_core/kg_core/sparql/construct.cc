@@ -35,7 +35,7 @@ class TripleSet {
 
  private:
   TermTable* terms_;
-  Budget* budget_;
+  QueryBudget* budget_;
   absl::flat_hash_set<std::tuple<TermId, TermId, TermId>> seen_;
   std::vector<Triple> triples_;
 };
@@ -50,13 +50,14 @@ std::vector<TermId> Resources(const QueryRun& run) {
     run.budget->UseWorkingBytes(4 * sizeof(TermId));
     resources.push_back(id);
   };
-  for (const Node& node : run.query.describe) {
+  // First the resources that the query names, then those of its solutions.
+  for (const VarOrTerm& node : run.query.describe) {
     if (node.is_variable) continue;
     const auto constant = static_cast<std::size_t>(node.index);
     add(run.terms->Intern(run.query.constants[constant]));
   }
   run.evaluator->Run([&](Row& row) {
-    for (const Node& node : run.query.describe) {
+    for (const VarOrTerm& node : run.query.describe) {
       if (node.is_variable) add(row[static_cast<std::size_t>(node.index)]);
     }
     return true;
@@ -66,14 +67,14 @@ std::vector<TermId> Resources(const QueryRun& run) {
 
 }  // namespace
 
-Instantiator::Instantiator(const Query* query, TermTable* terms)
+TemplateInstantiator::TemplateInstantiator(const Query* query, TermTable* terms)
     : query_(query), terms_(terms) {
   for (const Term& constant : query->constants) {
     constants_.push_back(terms->Intern(constant));
   }
 }
 
-TermId Instantiator::ValueOf(const Node& node) {
+TermId TemplateInstantiator::GetValue(const VarOrTerm& node) {
   if (node.index == kNone) return kNoTerm;
   const auto index = static_cast<std::size_t>(node.index);
   if (!node.is_variable) return constants_[index];
@@ -84,7 +85,7 @@ TermId Instantiator::ValueOf(const Node& node) {
   return slot;
 }
 
-bool Instantiator::IsRdf(const Quad& quad) const {
+bool TemplateInstantiator::IsRdf(const Quad& quad) const {
   if (quad.subject == kNoTerm || quad.predicate == kNoTerm ||
       quad.object == kNoTerm) {
     return false;
@@ -93,14 +94,14 @@ bool Instantiator::IsRdf(const Quad& quad) const {
          terms_->Get(quad.predicate).is_iri();
 }
 
-void Instantiator::Run(const std::vector<QuadTemplate>& templates,
-                       const Row& solution,
-                       absl::FunctionRef<void(const Quad&)> give) {
+void TemplateInstantiator::Run(const std::vector<QuadTemplate>& templates,
+                               const Row& solution,
+                               absl::FunctionRef<void(const Quad&)> give) {
   row_ = solution;
   for (const QuadTemplate& made : templates) {
     const TriplePattern& triple = made.triple;
-    const Quad quad{ValueOf(triple.subject), ValueOf(triple.predicate),
-                    ValueOf(triple.object), ValueOf(made.graph)};
+    const Quad quad{GetValue(triple.subject), GetValue(triple.predicate),
+                    GetValue(triple.object), GetValue(made.graph)};
     const bool named = made.graph.index != kNone;
     const bool has_graph =
         !named || (quad.graph != kNoTerm && terms_->Get(quad.graph).is_iri());
@@ -110,7 +111,7 @@ void Instantiator::Run(const std::vector<QuadTemplate>& templates,
 
 std::vector<Triple> Construct(const QueryRun& run) {
   TripleSet triples(run);
-  Instantiator instantiator(&run.query, run.terms);
+  TemplateInstantiator instantiator(&run.query, run.terms);
   run.evaluator->Run([&](Row& row) {
     instantiator.Run(run.query.construct, row,
                      [&triples](const Quad& quad) { triples.Add(quad); });

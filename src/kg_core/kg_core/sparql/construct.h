@@ -9,15 +9,15 @@
 #include "absl/functional/function_ref.h"
 #include "kg_core/sparql/evaluator.h"
 #include "kg_core/sparql/query.h"
-#include "kg_core/sparql/query_engine.h"
+#include "kg_core/sparql/query_result.h"
 #include "kg_core/sparql/term_table.h"
 
 namespace kg_core::sparql {
 
 // Puts the terms of solutions into templates.
-class Instantiator {
+class TemplateInstantiator {
  public:
-  Instantiator(const Query* query, TermTable* terms);
+  TemplateInstantiator(const Query* query, TermTable* terms);
 
   // Calls `give` with each quad that the templates make of `solution`, graph
   // kNoTerm for the default graph. What would have an unbound variable, or be
@@ -26,7 +26,7 @@ class Instantiator {
            absl::FunctionRef<void(const Quad&)> give);
 
  private:
-  TermId ValueOf(const Node& node);
+  TermId GetValue(const VarOrTerm& node);
   bool IsRdf(const Quad& quad) const;
 
   const Query* query_;
@@ -35,12 +35,12 @@ class Instantiator {
   Row row_;
 };
 
-// What a query in hand is run with.
+// The context in which a query is run.
 struct QueryRun {
   const Query& query;
-  Evaluator* evaluator;
+  PatternEvaluator* evaluator;
   TermTable* terms;
-  Budget* budget;
+  QueryBudget* budget;
 };
 
 // The triples of a CONSTRUCT query, each once.

@@ -38,7 +38,7 @@ Wide PowerOfTen(int exponent) {
   return power;
 }
 
-std::string DigitsOf(Wide value) {
+std::string FormatDigits(Wide value) {
   std::string digits;
   do {
     const int digit = static_cast<int>(value % 10);
@@ -67,6 +67,7 @@ std::optional<Decimal> ParseDecimal(std::string_view text) {
     }
     if (c < '0' || c > '9') return std::nullopt;
     digit_seen = true;
+    // Fraction digits beyond the scale are cut off.
     if (point_seen && value.scale == kMaxScale) continue;
     if (!MultiplyByTen(&value.digits)) return std::nullopt;
     if (__builtin_add_overflow(value.digits, Wide{c - '0'}, &value.digits)) {
@@ -81,7 +82,7 @@ std::optional<Decimal> ParseDecimal(std::string_view text) {
 
 std::string ToString(const Decimal& value) {
   const Decimal trimmed = Trim(value);
-  std::string text = DigitsOf(trimmed.digits);
+  std::string text = FormatDigits(trimmed.digits);
   if (trimmed.scale > 0) {
     const auto scale = static_cast<std::size_t>(trimmed.scale);
     if (text.size() <= scale) text.insert(0, scale + 1 - text.size(), '0');
@@ -96,6 +97,7 @@ double ToDouble(const Decimal& value) {
 
 std::optional<Decimal> FromDouble(double value) {
   if (!std::isfinite(value)) return std::nullopt;
+  // The shortest decimal that reads back as `value`: 17 digits always do.
   for (int precision = 15; precision <= 17; ++precision) {
     char text[64];
     std::snprintf(text, sizeof text, "%.*e", precision - 1, value);

@@ -6,23 +6,24 @@
 
 namespace kg_core::sparql {
 
-Evaluator::Evaluator(const Query* query, TermTable* terms, DatasetIds dataset,
-                     Budget* budget)
+PatternEvaluator::PatternEvaluator(const Query* query, TermTable* terms,
+                                   DatasetIds dataset, QueryBudget* budget)
     : query_(query),
       terms_(terms),
       dataset_(std::move(dataset)),
       budget_(budget),
-      expressions_(query, terms, budget,
-                   [this](const Pattern& pattern, const Solution& solution) {
-                     return HasSolution(pattern, solution);
-                   }),
+      expressions_(
+          query, terms, budget,
+          [this](const GraphPattern& pattern, const Solution& solution) {
+            return HasSolution(pattern, solution);
+          }),
       default_graph_(&terms->view(), dataset_.default_graphs, budget) {
   for (const Term& constant : query->constants) {
     constants_.push_back(terms->Intern(constant));
   }
 }
 
-void Evaluator::Run(Emit emit) {
+void PatternEvaluator::Run(Emit emit) {
   if (query_->form == Query::Form::kAsk && !query_->select.grouped) {
     Row row(query_->variables.size(), kNoTerm);
     Evaluate(query_->select.where, default_graph_, &row, emit);
@@ -31,14 +32,15 @@ void Evaluator::Run(Emit emit) {
   RunSelect(query_->select, default_graph_, emit);
 }
 
-bool Evaluator::Evaluate(const Pattern& p, const ActiveGraph& g, Row* row,
-                         Emit emit) {
-  if (p.materialise) return TableOf(p, g).Join(row, emit);
+bool PatternEvaluator::Evaluate(const GraphPattern& p, const ActiveGraph& g,
+                                Row* row, Emit emit) {
+  if (p.materialise) return GetTable(p, g).Join(row, emit);
   return EvaluateBody(p, g, row, emit);
 }
 
 // The solutions of `p` alone.
-JoinTable& Evaluator::TableOf(const Pattern& p, const ActiveGraph& g) {
+JoinTable& PatternEvaluator::GetTable(const GraphPattern& p,
+                                      const ActiveGraph& g) {
   std::unique_ptr<JoinTable>& table = tables_[{&p, &g}];
   if (table != nullptr) return *table;
   auto fresh = std::make_unique<JoinTable>(p, budget_, matched_);
@@ -50,41 +52,43 @@ JoinTable& Evaluator::TableOf(const Pattern& p, const ActiveGraph& g) {
   return *(tables_[{&p, &g}] = std::move(fresh));
 }
 
-bool Evaluator::EvaluateBody(const Pattern& p, const ActiveGraph& g, Row* row,
-                             Emit emit) {
+bool PatternEvaluator::EvaluateBody(const GraphPattern& p, const ActiveGraph& g,
+                                    Row* row, Emit emit) {
   switch (p.kind) {
-    case Pattern::Kind::kBasic:
+    case GraphPattern::Kind::kBasic:
       return Basic(p, g, row, emit);
-    case Pattern::Kind::kJoin:
+    // Index nested loop join: bindings of the left part go into the right part.
+    case GraphPattern::Kind::kJoin:
       return Evaluate(p.parts[0], g, row, [&](Row& left) {
         return Evaluate(p.parts[1], g, &left, emit);
       });
-    case Pattern::Kind::kLeftJoin:
+    case GraphPattern::Kind::kLeftJoin:
       return LeftJoin(p, g, row, emit);
-    case Pattern::Kind::kFilter:
+    case GraphPattern::Kind::kFilter:
       return Evaluate(p.parts[0], g, row, [&](Row& solution) {
         return !HoldAll(p.filters, g, &solution) || emit(solution);
       });
-    case Pattern::Kind::kUnion:
-      return std::all_of(
-          p.parts.begin(), p.parts.end(),
-          [&](const Pattern& part) { return Evaluate(part, g, row, emit); });
-    case Pattern::Kind::kMinus:
+    case GraphPattern::Kind::kUnion:
+      return std::all_of(p.parts.begin(), p.parts.end(),
+                         [&](const GraphPattern& part) {
+                           return Evaluate(part, g, row, emit);
+                         });
+    case GraphPattern::Kind::kMinus:
       return Minus(p, g, row, emit);
-    case Pattern::Kind::kGraph:
+    case GraphPattern::Kind::kGraph:
       return Graph(p, row, emit);
-    case Pattern::Kind::kExtend:
+    case GraphPattern::Kind::kExtend:
       return Extend(p, g, row, emit);
-    case Pattern::Kind::kValues:
+    case GraphPattern::Kind::kValues:
       return Values(p, row, emit);
-    case Pattern::Kind::kSelect:
+    case GraphPattern::Kind::kSelect:
       return RunSelect(*p.select, g, emit);
   }
   return true;
 }
 
-bool Evaluator::HoldAll(const std::vector<Expression>& filters,
-                        const ActiveGraph& g, Row* row) {
+bool PatternEvaluator::HoldAll(const std::vector<Expression>& filters,
+                               const ActiveGraph& g, Row* row) {
   return std::all_of(filters.begin(), filters.end(),
                      [&](const Expression& filter) {
                        return expressions_.Holds(filter, {*row, g});
@@ -92,8 +96,8 @@ bool Evaluator::HoldAll(const std::vector<Expression>& filters,
 }
 
 // https://www.w3.org/TR/sparql11-query/#defn_algLeftJoin
-bool Evaluator::LeftJoin(const Pattern& p, const ActiveGraph& g, Row* row,
-                         Emit emit) {
+bool PatternEvaluator::LeftJoin(const GraphPattern& p, const ActiveGraph& g,
+                                Row* row, Emit emit) {
   return Evaluate(p.parts[0], g, row, [&](Row& left) {
     bool extended = false;
     const bool go_on = Evaluate(p.parts[1], g, &left, [&](Row& both) {
@@ -106,17 +110,17 @@ bool Evaluator::LeftJoin(const Pattern& p, const ActiveGraph& g, Row* row,
 }
 
 // https://www.w3.org/TR/sparql11-query/#defn_algMinus
-bool Evaluator::Minus(const Pattern& p, const ActiveGraph& g, Row* row,
-                      Emit emit) {
-  JoinTable& right = TableOf(p.parts[1], g);
+bool PatternEvaluator::Minus(const GraphPattern& p, const ActiveGraph& g,
+                             Row* row, Emit emit) {
+  JoinTable& right = GetTable(p.parts[1], g);
   return Evaluate(p.parts[0], g, row, [&](Row& left) {
     return right.HasSharing(left) || emit(left);
   });
 }
 
 // https://www.w3.org/TR/sparql11-query/#defn_extend
-bool Evaluator::Extend(const Pattern& p, const ActiveGraph& g, Row* row,
-                       Emit emit) {
+bool PatternEvaluator::Extend(const GraphPattern& p, const ActiveGraph& g,
+                              Row* row, Emit emit) {
   const auto variable = static_cast<std::size_t>(p.variable);
   return Evaluate(p.parts[0], g, row, [&](Row& solution) {
     expressions_.BeginRow();
@@ -133,7 +137,7 @@ bool Evaluator::Extend(const Pattern& p, const ActiveGraph& g, Row* row,
 }
 
 // https://www.w3.org/TR/sparql11-query/#inline-data
-bool Evaluator::Values(const Pattern& p, Row* row, Emit emit) {
+bool PatternEvaluator::Values(const GraphPattern& p, Row* row, Emit emit) {
   Row merged = *row;
   for (const std::vector<int>& values : p.rows) {
     budget_->Step();
@@ -152,8 +156,8 @@ bool Evaluator::Values(const Pattern& p, Row* row, Emit emit) {
 }
 
 // https://www.w3.org/TR/sparql11-query/#defn_evalGraph
-bool Evaluator::Graph(const Pattern& p, Row* row, Emit emit) {
-  const TermId known = ValueOf(p.graph, *row);
+bool PatternEvaluator::Graph(const GraphPattern& p, Row* row, Emit emit) {
+  const TermId known = GetValue(p.graph, *row);
   if (known != kNoTerm) {
     const ActiveGraph* graph = NamedGraph(known);
     return graph == nullptr || Evaluate(p.parts[0], *graph, row, emit);
@@ -171,7 +175,8 @@ bool Evaluator::Graph(const Pattern& p, Row* row, Emit emit) {
 }
 
 // https://www.w3.org/TR/sparql11-query/#defn_evalExists
-bool Evaluator::HasSolution(const Pattern& p, const Solution& solution) {
+bool PatternEvaluator::HasSolution(const GraphPattern& p,
+                                   const Solution& solution) {
   const MatchedScope scope(matched_);
   bool found = false;
   Row row = solution.row;

@@ -32,13 +32,13 @@ struct DatasetIds {
   TermId unnamed_graph = kNoTerm;                   // ... but this one.
 };
 
-class Evaluator {
+class PatternEvaluator {
  public:
   // A solution; false stops the evaluation.
   using Emit = absl::FunctionRef<bool(Row&)>;
 
-  Evaluator(const Query* query, TermTable* terms, DatasetIds dataset,
-            Budget* budget);
+  PatternEvaluator(const Query* query, TermTable* terms, DatasetIds dataset,
+                   QueryBudget* budget);
 
   // Calls `emit` with the columns of each solution of the query (of ASK: the
   // whole solution).
@@ -62,56 +62,59 @@ class Evaluator {
   struct Group;
 
   // Each returns false if `emit` stopped it, and leaves `row` as it was.
-  bool Evaluate(const Pattern& p, const ActiveGraph& g, Row* row, Emit emit);
-  bool EvaluateBody(const Pattern& p, const ActiveGraph& g, Row* row,
+  bool Evaluate(const GraphPattern& p, const ActiveGraph& g, Row* row,
+                Emit emit);
+  bool EvaluateBody(const GraphPattern& p, const ActiveGraph& g, Row* row,
                     Emit emit);
-  bool LeftJoin(const Pattern& p, const ActiveGraph& g, Row* row, Emit emit);
-  bool Minus(const Pattern& p, const ActiveGraph& g, Row* row, Emit emit);
-  bool Extend(const Pattern& p, const ActiveGraph& g, Row* row, Emit emit);
-  bool Graph(const Pattern& p, Row* row, Emit emit);
-  bool Values(const Pattern& p, Row* row, Emit emit);
+  bool LeftJoin(const GraphPattern& p, const ActiveGraph& g, Row* row,
+                Emit emit);
+  bool Minus(const GraphPattern& p, const ActiveGraph& g, Row* row, Emit emit);
+  bool Extend(const GraphPattern& p, const ActiveGraph& g, Row* row, Emit emit);
+  bool Graph(const GraphPattern& p, Row* row, Emit emit);
+  bool Values(const GraphPattern& p, Row* row, Emit emit);
   bool HoldAll(const std::vector<Expression>& filters, const ActiveGraph& g,
                Row* row);
-  bool HasSolution(const Pattern& p, const Solution& solution);
-  JoinTable& TableOf(const Pattern& p, const ActiveGraph& g);
+  bool HasSolution(const GraphPattern& p, const Solution& solution);
+  JoinTable& GetTable(const GraphPattern& p, const ActiveGraph& g);
 
   // Graphs (named_graphs.cc).
   const ActiveGraph* NamedGraph(TermId graph);
-  std::vector<TermId> CandidateGraphs(const Pattern& p, const Row& row);
+  std::vector<TermId> CandidateGraphs(const GraphPattern& p, const Row& row);
 
   // Basic graph patterns (basic_pattern.cc).
-  bool Basic(const Pattern& p, const ActiveGraph& g, Row* row, Emit emit);
+  bool Basic(const GraphPattern& p, const ActiveGraph& g, Row* row, Emit emit);
   bool Step(const BasicRun& run, std::size_t step);
   bool PathStep(const BasicRun& run, std::size_t step,
                 const TriplePattern& triple);
-  const Plan& PlanOf(const Pattern& p, const ActiveGraph& g, const Row& row);
+  const Plan& GetPlan(const GraphPattern& p, const ActiveGraph& g,
+                      const Row& row);
   double Cost(const TriplePattern& triple, const ActiveGraph& g,
               const VariableSet& bound) const;
-  TermId ValueOf(const Node& node, const Row& row) const;
-  TermId ConstantOf(const Node& node) const;
+  TermId GetValue(const VarOrTerm& node, const Row& row) const;
+  TermId GetConstant(const VarOrTerm& node) const;
 
   // Subqueries and solution modifiers (select.cc).
-  bool RunSelect(const Select& select, const ActiveGraph& g, Emit emit);
-  bool Solutions(const Select& select, const ActiveGraph& g, Emit emit);
-  bool Grouped(const Select& select, const ActiveGraph& g, Emit emit);
-  Group NewGroup(const Select& select, const Row& key);
-  bool FinishRow(const Select& select, const ActiveGraph& g, Row* row,
+  bool RunSelect(const SelectQuery& select, const ActiveGraph& g, Emit emit);
+  bool Solutions(const SelectQuery& select, const ActiveGraph& g, Emit emit);
+  bool Grouped(const SelectQuery& select, const ActiveGraph& g, Emit emit);
+  Group NewGroup(const SelectQuery& select, const Row& key);
+  bool FinishRow(const SelectQuery& select, const ActiveGraph& g, Row* row,
                  Emit emit);
   void RankKeys(std::vector<Sorted>* all);
-  std::vector<Sorted> SortedSolutions(const Select& select,
+  std::vector<Sorted> SortedSolutions(const SelectQuery& select,
                                       const ActiveGraph& g);
 
   const Query* query_;
   TermTable* terms_;
   DatasetIds dataset_;
-  Budget* budget_;
+  QueryBudget* budget_;
   std::vector<Quad>* matched_ = nullptr;  // Of Trace().
   ExpressionEvaluator expressions_;
   std::vector<TermId> constants_;  // Ids of the query's constants.
   ActiveGraph default_graph_;
   absl::flat_hash_map<TermId, std::unique_ptr<ActiveGraph>> graphs_;
-  absl::flat_hash_map<const Pattern*, std::unique_ptr<Plan>> plans_;
-  absl::flat_hash_map<std::pair<const Pattern*, const ActiveGraph*>,
+  absl::flat_hash_map<const GraphPattern*, std::unique_ptr<Plan>> plans_;
+  absl::flat_hash_map<std::pair<const GraphPattern*, const ActiveGraph*>,
                       std::unique_ptr<JoinTable>>
       tables_;
 };

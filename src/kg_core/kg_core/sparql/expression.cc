@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "kg_core/rdf/namespaces.h"
-#include "kg_core/sparql/date_time.h"
 #include "kg_core/sparql/values.h"
+#include "kg_core/sparql/xsd_date_time.h"
 
 namespace kg_core::sparql {
 namespace {
@@ -48,7 +48,7 @@ std::optional<bool> Relation(Op op, const Term& a, const Term& b) {
   }
 }
 
-Arithmetic OperationOf(Op op) {
+Arithmetic ToOperation(Op op) {
   switch (op) {
     case Op::kAdd:
       return Arithmetic::kAdd;
@@ -64,7 +64,7 @@ Arithmetic OperationOf(Op op) {
 }  // namespace
 
 ExpressionEvaluator::ExpressionEvaluator(const Query* query, TermTable* terms,
-                                         Budget* budget, Exists exists)
+                                         QueryBudget* budget, Exists exists)
     : query_(query),
       terms_(terms),
       budget_(budget),
@@ -203,10 +203,10 @@ const Term* ExpressionEvaluator::Arithmetic(const Expression& e,
   const Term* a = Value(e.arguments[0], solution);
   const Term* b = Value(e.arguments[1], solution);
   if (a == nullptr || b == nullptr) return nullptr;
-  const std::optional<Number> x = ToNumber(*a);
-  const std::optional<Number> y = ToNumber(*b);
+  const std::optional<XsdNumber> x = ToNumber(*a);
+  const std::optional<XsdNumber> y = ToNumber(*b);
   if (!x || !y) return nullptr;
-  const std::optional<Number> result = Calculate(OperationOf(e.op), *x, *y);
+  const std::optional<XsdNumber> result = Calculate(ToOperation(e.op), *x, *y);
   return result ? Own(ToTerm(*result)) : nullptr;
 }
 
@@ -214,7 +214,7 @@ const Term* ExpressionEvaluator::Sign(const Expression& e,
                                       const Solution& solution) {
   const Term* value = Value(e.arguments[0], solution);
   if (value == nullptr) return nullptr;
-  std::optional<Number> number = ToNumber(*value);
+  std::optional<XsdNumber> number = ToNumber(*value);
   if (!number) return nullptr;
   if (e.op == Op::kPlus) return value;
   number->exact.digits = -number->exact.digits;

@@ -31,9 +31,9 @@ struct Solution {
 class ExpressionEvaluator {
  public:
   // Has `pattern` a solution that agrees with this one?
-  using Exists = std::function<bool(const Pattern&, const Solution&)>;
+  using Exists = std::function<bool(const GraphPattern&, const Solution&)>;
 
-  ExpressionEvaluator(const Query* query, TermTable* terms, Budget* budget,
+  ExpressionEvaluator(const Query* query, TermTable* terms, QueryBudget* budget,
                       Exists exists);
 
   // Is its effective boolean value true?
@@ -60,7 +60,7 @@ class ExpressionEvaluator {
 
   const Query* query_;
   TermTable* terms_;
-  Budget* budget_;
+  QueryBudget* budget_;
   Exists exists_;
   FunctionContext context_;
   std::deque<Term> computed_;

@@ -1,4 +1,4 @@
-// Blank nodes that nobody else has: neither the store, nor another query or
+// Blank nodes that are unique: neither the store, nor another query or
 // process.
 
 #ifndef KG_CORE_SPARQL_FRESH_BLANK_H_

@@ -97,21 +97,21 @@ Answer StrUuid(FunctionContext& context, const Arguments&) {
   return Literal(RandomUuid(context));
 }
 
-using Table = absl::flat_hash_map<std::string, Function>;
+using Table = absl::flat_hash_map<std::string, SparqlFunction>;
 
 Table AllFunctions() {
   Table table;
   for (const auto& functions :
        {TermFunctions(), StringFunctions(), NumberFunctions(), TimeFunctions(),
         HashFunctions(), CastFunctions(), GeoFunctions()}) {
-    for (const Function& function : functions) {
+    for (const SparqlFunction& function : functions) {
       table.emplace(function.name, function);
     }
   }
   return table;
 }
 
-const Function* FindIn(const std::string& name) {
+const SparqlFunction* FindIn(const std::string& name) {
   static const Table* const table = new Table(AllFunctions());
   const auto found = table->find(name);
   return found == table->end() ? nullptr : &found->second;
@@ -119,7 +119,7 @@ const Function* FindIn(const std::string& name) {
 
 }  // namespace
 
-std::vector<Function> TermFunctions() {
+std::vector<SparqlFunction> TermFunctions() {
   return {{"STR", 1, 1, Str},
           {"LANG", 1, 1, Lang},
           {"DATATYPE", 1, 1, Datatype},
@@ -137,7 +137,7 @@ std::vector<Function> TermFunctions() {
           {"STRUUID", 0, 0, StrUuid}};
 }
 
-const Function* FindKeywordFunction(std::string_view name) {
+const SparqlFunction* FindKeywordFunction(std::string_view name) {
   std::string upper(name);
   for (char& c : upper) {
     c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -145,7 +145,7 @@ const Function* FindKeywordFunction(std::string_view name) {
   return FindIn(upper);
 }
 
-const Function* FindIriFunction(std::string_view iri) {
+const SparqlFunction* FindIriFunction(std::string_view iri) {
   return FindIn(std::string(iri));
 }
 

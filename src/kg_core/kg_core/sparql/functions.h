@@ -41,7 +41,7 @@ struct FunctionContext {
 using Arguments = std::vector<const Term*>;
 using Answer = std::optional<Term>;
 
-struct Function {
+struct SparqlFunction {
   std::string name;  // Upper case keyword, or an IRI.
   std::size_t least = 1;
   std::size_t most = 1;
@@ -50,17 +50,17 @@ struct Function {
 
 inline constexpr std::size_t kAnyNumber = 1000000;
 
-std::vector<Function> TermFunctions();
-std::vector<Function> StringFunctions();
-std::vector<Function> NumberFunctions();
-std::vector<Function> TimeFunctions();
-std::vector<Function> HashFunctions();
-std::vector<Function> CastFunctions();
-std::vector<Function> GeoFunctions();
+std::vector<SparqlFunction> TermFunctions();
+std::vector<SparqlFunction> StringFunctions();
+std::vector<SparqlFunction> NumberFunctions();
+std::vector<SparqlFunction> TimeFunctions();
+std::vector<SparqlFunction> HashFunctions();
+std::vector<SparqlFunction> CastFunctions();
+std::vector<SparqlFunction> GeoFunctions();
 
 // By keyword in any case, or by IRI; nullptr if there is none.
-const Function* FindKeywordFunction(std::string_view name);
-const Function* FindIriFunction(std::string_view iri);
+const SparqlFunction* FindKeywordFunction(std::string_view name);
+const SparqlFunction* FindIriFunction(std::string_view iri);
 
 }  // namespace kg_core::sparql
 

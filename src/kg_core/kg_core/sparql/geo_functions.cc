@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kCachedGeometries = 10000;
 
 // The geometry of a literal, parsed once per query; nullptr if it is none.
-const Geometry* GeometryOf(FunctionContext& context, const Term& term) {
+const Geometry* GetGeometry(FunctionContext& context, const Term& term) {
   const bool typed = term.datatype == std::string(kGeo) + "wktLiteral" ||
                      term.datatype == std::string(kXsd) + "string";
   if (!term.is_literal() || !typed) return nullptr;
@@ -35,46 +35,47 @@ const Geometry* GeometryOf(FunctionContext& context, const Term& term) {
       .first->second.get();
 }
 
-struct Pair {
+struct GeometryPair {
   const Geometry* a = nullptr;
   const Geometry* b = nullptr;
   explicit operator bool() const { return a != nullptr && b != nullptr; }
 };
 
-Pair GeometriesOf(FunctionContext& context, const Arguments& arguments) {
+GeometryPair GetGeometries(FunctionContext& context,
+                           const Arguments& arguments) {
   if (context.geometries.size() + 2 > kCachedGeometries) {
     context.geometries.clear();
   }
-  return {GeometryOf(context, *arguments[0]),
-          GeometryOf(context, *arguments[1])};
+  return {GetGeometry(context, *arguments[0]),
+          GetGeometry(context, *arguments[1])};
 }
 
 Answer Intersects(FunctionContext& context, const Arguments& arguments) {
-  const Pair pair = GeometriesOf(context, arguments);
+  const GeometryPair pair = GetGeometries(context, arguments);
   if (!pair) return std::nullopt;
   return BooleanLiteral(pair.a->Intersects(*pair.b));
 }
 
 Answer Disjoint(FunctionContext& context, const Arguments& arguments) {
-  const Pair pair = GeometriesOf(context, arguments);
+  const GeometryPair pair = GetGeometries(context, arguments);
   if (!pair) return std::nullopt;
   return BooleanLiteral(!pair.a->Intersects(*pair.b));
 }
 
 Answer Within(FunctionContext& context, const Arguments& arguments) {
-  const Pair pair = GeometriesOf(context, arguments);
+  const GeometryPair pair = GetGeometries(context, arguments);
   if (!pair) return std::nullopt;
   return BooleanLiteral(pair.a->Within(*pair.b));
 }
 
-Answer Contains(FunctionContext& context, const Arguments& arguments) {
-  const Pair pair = GeometriesOf(context, arguments);
+Answer GeometryContains(FunctionContext& context, const Arguments& arguments) {
+  const GeometryPair pair = GetGeometries(context, arguments);
   if (!pair) return std::nullopt;
   return BooleanLiteral(pair.b->Within(*pair.a));
 }
 
 Answer Distance(FunctionContext& context, const Arguments& arguments) {
-  const Pair pair = GeometriesOf(context, arguments);
+  const GeometryPair pair = GetGeometries(context, arguments);
   if (!pair) return std::nullopt;
   const std::string uom = "http://www.opengis.net/def/uom/OGC/1.0/";
   const std::string& unit = arguments[2]->text;
@@ -89,12 +90,12 @@ Answer Distance(FunctionContext& context, const Arguments& arguments) {
 
 }  // namespace
 
-std::vector<Function> GeoFunctions() {
+std::vector<SparqlFunction> GeoFunctions() {
   const std::string geof(kGeof);
   return {{geof + "sfIntersects", 2, 2, Intersects},
           {geof + "sfDisjoint", 2, 2, Disjoint},
           {geof + "sfWithin", 2, 2, Within},
-          {geof + "sfContains", 2, 2, Contains},
+          {geof + "sfContains", 2, 2, GeometryContains},
           {geof + "distance", 3, 3, Distance}};
 }
 

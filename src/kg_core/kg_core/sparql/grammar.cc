@@ -46,78 +46,80 @@ std::string Describe(const Token& token) {
 
 }  // namespace
 
-Grammar::Grammar(std::vector<Token> tokens, int nesting)
+SparqlGrammar::SparqlGrammar(std::vector<Token> tokens, int nesting)
     : tokens_(std::move(tokens)), nesting_(nesting) {
-  for (const Prefix& prefix : kPrefixes) prefixes_[prefix.name] = prefix.iri;
+  for (const NamespacePrefix& prefix : kPrefixes)
+    prefixes_[prefix.name] = prefix.iri;
 }
 
-Grammar::Nested::Nested(Grammar* grammar) : grammar_(grammar) {
+SparqlGrammar::Nested::Nested(SparqlGrammar* grammar) : grammar_(grammar) {
   if (++grammar->depth_ > grammar->nesting_) {
     grammar->Fail(grammar->Peek(), "nested deeper than the limit of " +
                                        std::to_string(grammar->nesting_));
   }
 }
 
-const Token& Grammar::Peek(std::size_t ahead) const {
+const Token& SparqlGrammar::Peek(std::size_t ahead) const {
   return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
 }
 
-Token Grammar::Take() {
+Token SparqlGrammar::Take() {
   const Token token = Peek();
   if (at_ + 1 < tokens_.size()) ++at_;
   return token;
 }
 
-bool Grammar::AtWord(std::string_view word, std::size_t ahead) const {
+bool SparqlGrammar::AtWord(std::string_view word, std::size_t ahead) const {
   const Token& token = Peek(ahead);
   return token.kind == Token::Kind::kWord && SameWord(token.text, word);
 }
 
-bool Grammar::AtMark(std::string_view mark, std::size_t ahead) const {
+bool SparqlGrammar::AtMark(std::string_view mark, std::size_t ahead) const {
   const Token& token = Peek(ahead);
   return token.kind == Token::Kind::kPunctuation && token.text == mark;
 }
 
-bool Grammar::TakeWord(std::string_view word) {
+bool SparqlGrammar::TakeWord(std::string_view word) {
   if (!AtWord(word)) return false;
   Take();
   return true;
 }
 
-bool Grammar::TakeMark(std::string_view mark) {
+bool SparqlGrammar::TakeMark(std::string_view mark) {
   if (!AtMark(mark)) return false;
   Take();
   return true;
 }
 
-void Grammar::ExpectWord(std::string_view word) {
+void SparqlGrammar::ExpectWord(std::string_view word) {
   if (!TakeWord(word)) Expected(std::string(word));
 }
 
-void Grammar::ExpectMark(std::string_view mark) {
+void SparqlGrammar::ExpectMark(std::string_view mark) {
   if (!TakeMark(mark)) Expected("'" + std::string(mark) + "'");
 }
 
-void Grammar::FailAt(Position position, const std::string& what) const {
+void SparqlGrammar::FailAt(QueryPosition position,
+                           const std::string& what) const {
   throw InputError(std::to_string(position.line) + ":" +
                    std::to_string(position.column) + ": " + what);
 }
 
-void Grammar::Fail(const Token& token, const std::string& what) const {
+void SparqlGrammar::Fail(const Token& token, const std::string& what) const {
   FailAt(token.position, what);
 }
 
-void Grammar::Expected(const std::string& what) const {
+void SparqlGrammar::Expected(const std::string& what) const {
   Fail(Peek(), "expected " + what + ", got " + Describe(Peek()));
 }
 
-bool Grammar::AtIri() const {
+bool SparqlGrammar::AtIri() const {
   return Peek().kind == Token::Kind::kIri ||
          Peek().kind == Token::Kind::kPrefixedName;
 }
 
 // [136] iri
-std::string Grammar::ReadIri() {
+std::string SparqlGrammar::ReadIri() {
   if (!AtIri()) Expected("an IRI");
   const Token token = Take();
   if (token.kind == Token::Kind::kIri) {
@@ -130,7 +132,7 @@ std::string Grammar::ReadIri() {
   return prefix->second + token.text;
 }
 
-bool Grammar::AtLiteral() const {
+bool SparqlGrammar::AtLiteral() const {
   const auto numeric = [](const Token& token) {
     return token.kind == Token::Kind::kInteger ||
            token.kind == Token::Kind::kDecimal ||
@@ -142,7 +144,7 @@ bool Grammar::AtLiteral() const {
 }
 
 // [129] RDFLiteral, [130] NumericLiteral, [134] BooleanLiteral
-Term Grammar::ReadLiteral() {
+Term SparqlGrammar::ReadLiteral() {
   std::string sign;
   if (AtMark("+") || AtMark("-")) sign = Take().text;
   const Token token = Take();
@@ -161,13 +163,14 @@ Term Grammar::ReadLiteral() {
     default:
       Fail(token, "expected a literal, got " + Describe(token));
   }
+  // A string: its language tag, its datatype or neither follows.
   if (Peek().kind == Token::Kind::kLanguageTag) {
     return LanguageLiteral(token.text, Take().text);
   }
   return TakeMark("^^") ? Literal(token.text, ReadIri()) : Literal(token.text);
 }
 
-int Grammar::ReadVariable() {
+int SparqlGrammar::ReadVariable() {
   if (Peek().kind != Token::Kind::kVariable) Expected("a variable");
   if (!template_.variables) {
     Fail(Peek(), std::string(template_.name) + " may not have variables");
@@ -175,21 +178,21 @@ int Grammar::ReadVariable() {
   return VariableNumber(Take().text);
 }
 
-int Grammar::VariableNumber(const std::string& name) {
+int SparqlGrammar::VariableNumber(const std::string& name) {
   const int next = static_cast<int>(query_.variables.size());
   const auto [found, is_new] = variable_numbers_.emplace(name, next);
   if (is_new) query_.variables.push_back(name);
   return found->second;
 }
 
-int Grammar::FreshVariable() {
+int SparqlGrammar::FreshVariable() {
   CheckBlankAllowed();
   return VariableNumber("." + std::to_string(query_.variables.size()));
 }
 
 // A label belongs to one basic graph pattern.
 // https://www.w3.org/TR/sparql11-query/#grammarBNodes
-Node Grammar::BlankNode(const std::string& label) {
+VarOrTerm SparqlGrammar::BlankNode(const std::string& label) {
   CheckBlankAllowed();
   const auto [found, is_new] = block_of_label_.emplace(label, block_);
   if (!is_new && found->second != block_) {
@@ -199,7 +202,7 @@ Node Grammar::BlankNode(const std::string& label) {
   return {true, VariableNumber("_:" + label)};
 }
 
-int Grammar::ConstantNumber(const Term& term) {
+int SparqlGrammar::ConstantNumber(const Term& term) {
   const int next = static_cast<int>(query_.constants.size());
   const auto [found, is_new] =
       constant_numbers_.emplace(ToNTriples(term), next);
@@ -207,7 +210,7 @@ int Grammar::ConstantNumber(const Term& term) {
   return found->second;
 }
 
-Node Grammar::ConstantNode(const Term& term) {
+VarOrTerm SparqlGrammar::ConstantNode(const Term& term) {
   return {false, ConstantNumber(term)};
 }
 

@@ -19,46 +19,46 @@
 
 namespace kg_core::sparql {
 
-class Grammar {
+class SparqlGrammar {
  public:
-  Grammar(std::vector<Token> tokens, int nesting);
+  SparqlGrammar(std::vector<Token> tokens, int nesting);
   Query ReadQuery();
-  Update ReadUpdate();
+  UpdateRequest ReadUpdate();
 
  private:
   // A group and the filters that hold for all of it.
   struct Group {
-    Pattern pattern;
+    GraphPattern pattern;
     std::vector<Expression> filters;
   };
   // A bracket that has been opened; closes when it goes out of scope.
   class Nested {
    public:
-    explicit Nested(Grammar* grammar);
+    explicit Nested(SparqlGrammar* grammar);
     ~Nested() { --grammar_->depth_; }
     Nested(const Nested&) = delete;
     Nested& operator=(const Nested&) = delete;
 
    private:
-    Grammar* grammar_;
+    SparqlGrammar* grammar_;
   };
 
   // Query forms (parser.cc).
   void ReadPrologue();
   void RefuseOtherForms();
   void ReadDatasetClauses();
-  void ReadSelect(Select* select);  // From SELECT to its end.
-  bool ReadSelectClause(Select* select);
-  Column ReadAliased();  // expression AS ?v ')'
-  void ReadWhere(Select* select);
-  void ReadModifiers(Select* select);
+  void ReadSelect(SelectQuery* select);  // From SELECT to its end.
+  bool ReadSelectClause(SelectQuery* select);
+  SelectColumn ReadAliased();  // expression AS ?v ')'
+  void ReadWhere(SelectQuery* select);
+  void ReadModifiers(SelectQuery* select);
   void ReadModifiersOfForm();
-  void AddColumns(const VariableSet& variables, Select* select);
-  void ReadGroupBy(Select* select);
-  void ReadHaving(Select* select);
-  void ReadOrderBy(Select* select);
-  void ReadLimits(Select* select);
-  void CheckColumns(const Select& select, Position position);
+  void AddColumns(const VariableSet& variables, SelectQuery* select);
+  void ReadGroupBy(SelectQuery* select);
+  void ReadHaving(SelectQuery* select);
+  void ReadOrderBy(SelectQuery* select);
+  void ReadLimits(SelectQuery* select);
+  void CheckColumns(const SelectQuery& select, QueryPosition position);
   std::size_t ReadCount();
 
   // Templates: CONSTRUCT and DESCRIBE (parse_template.cc).
@@ -71,60 +71,62 @@ class Grammar {
   };
   void ReadConstruct();
   void ReadDescribe();
-  Pattern ReadTemplateTriples(const TemplateRules& rules);
+  GraphPattern ReadTemplateTriples(const TemplateRules& rules);
   void AddTemplateColumns(const std::vector<QuadTemplate>& templates);
   std::vector<QuadTemplate> ReadQuads(const TemplateRules& rules);
-  void ReadQuadTriples(const Node& graph, std::vector<QuadTemplate>* quads);
+  void ReadQuadTriples(const VarOrTerm& graph,
+                       std::vector<QuadTemplate>* quads);
 
   // Updates (parse_update.cc).
-  Operation ReadOperation();
+  UpdateOperation ReadOperation();
   void BeginOperation();
-  bool ReadGraphOperation(Operation* operation);
-  GraphRef ReadGraphRef(Operation::Kind kind);
-  void ReadInsertData(Operation* operation);
-  void ReadDeleteWhere(Operation* operation);
-  void ReadModify(Operation* operation);
+  bool ReadGraphOperation(UpdateOperation* operation);
+  GraphRef ReadGraphRef(UpdateOperation::Kind kind);
+  void ReadInsertData(UpdateOperation* operation);
+  void ReadDeleteWhere(UpdateOperation* operation);
+  void ReadModify(UpdateOperation* operation);
   void ReadUsing();
   void CheckBlankAllowed() const;
 
   // Patterns (parse_pattern.cc).
   Group ReadGroup();
-  Pattern ReadGroupPattern();
-  void ReadGroupElement(Group* group, Pattern* basic);
-  Pattern ReadGroupOrUnion();
-  Pattern ReadGraph();
-  Pattern ReadService();
-  Pattern ReadMinus(Pattern left);
-  Pattern ReadOptional(Pattern left);
+  GraphPattern ReadGroupPattern();
+  void ReadGroupElement(Group* group, GraphPattern* basic);
+  GraphPattern ReadGroupOrUnion();
+  GraphPattern ReadGraph();
+  GraphPattern ReadService();
+  GraphPattern ReadMinus(GraphPattern left);
+  GraphPattern ReadOptional(GraphPattern left);
   void ReadBind(Group* group);
-  Pattern ReadValues();
+  GraphPattern ReadValues();
   std::vector<int> ReadValuesRow(std::size_t width);
   int ReadDataValue();
-  Pattern Join(Pattern left, Pattern right);
+  GraphPattern Join(GraphPattern left, GraphPattern right);
   void CountPattern();
 
   // Triples and paths (parse_triples.cc).
   bool AtTriples() const;
-  void ReadTriplesBlock(Pattern* basic);
-  void ReadPropertyList(const Node& subject, Pattern* basic, bool required);
-  void ReadObjects(const Node& subject, const Path* path, const Node& verb,
-                   Pattern* basic);
-  Node ReadGraphNode(Pattern* basic);
-  Node ReadBlankProperties(Pattern* basic);
-  Node ReadCollection(Pattern* basic);
-  void AddTriple(const Node& subject, const Node& predicate, const Node& object,
-                 Pattern* basic);
-  void AddPath(const Node& subject, const Path& path, const Node& object,
-               Pattern* basic);
+  void ReadTriplesBlock(GraphPattern* basic);
+  void ReadPropertyList(const VarOrTerm& subject, GraphPattern* basic,
+                        bool required);
+  void ReadObjects(const VarOrTerm& subject, const PropertyPath* path,
+                   const VarOrTerm& verb, GraphPattern* basic);
+  VarOrTerm ReadGraphNode(GraphPattern* basic);
+  VarOrTerm ReadBlankProperties(GraphPattern* basic);
+  VarOrTerm ReadCollection(GraphPattern* basic);
+  void AddTriple(const VarOrTerm& subject, const VarOrTerm& predicate,
+                 const VarOrTerm& object, GraphPattern* basic);
+  void AddPath(const VarOrTerm& subject, const PropertyPath& path,
+               const VarOrTerm& object, GraphPattern* basic);
   bool AtPath() const;
-  Path ReadPath();
-  Path ReadPathSequence();
-  Path ReadPathStep();
-  Path ReadPathPrimary();
-  Path ReadNegatedSet();
-  Path ReadNegatedLink();
+  PropertyPath ReadPath();
+  PropertyPath ReadPathSequence();
+  PropertyPath ReadPathStep();
+  PropertyPath ReadPathPrimary();
+  PropertyPath ReadNegatedSet();
+  PropertyPath ReadNegatedLink();
   bool AtTerm() const;
-  Node ReadVariableOrTerm();
+  VarOrTerm ReadVariableOrTerm();
 
   // Expressions (parse_expression.cc).
   Expression ReadExpression();
@@ -138,13 +140,13 @@ class Grammar {
   Expression ReadConstraint();
   Expression ReadWordExpression();
   Expression ReadExists(Expression::Op op);
-  Expression ReadAggregate(Aggregate::Kind kind);
+  Expression ReadAggregate(AggregateCall::Kind kind);
   Expression ReadIriExpression();
-  Expression ReadCall(const Function& function, Position position);
+  Expression ReadCall(const SparqlFunction& function, QueryPosition position);
   Expression ReadSpecialForm(Expression::Op op, std::size_t least,
                              std::size_t most);
   std::vector<Expression> ReadArguments();
-  void ReadSeparator(Aggregate* aggregate);
+  void ReadSeparator(AggregateCall* aggregate);
 
   // Tokens and names (grammar.cc).
   const Token& Peek(std::size_t ahead = 0) const;
@@ -162,11 +164,12 @@ class Grammar {
   int ReadVariable();
   int VariableNumber(const std::string& name);
   int FreshVariable();
-  Node BlankNode(const std::string& label);
+  VarOrTerm BlankNode(const std::string& label);
   int ConstantNumber(const Term& term);
-  Node ConstantNode(const Term& term);
+  VarOrTerm ConstantNode(const Term& term);
   [[noreturn]] void Fail(const Token& token, const std::string& what) const;
-  [[noreturn]] void FailAt(Position position, const std::string& what) const;
+  [[noreturn]] void FailAt(QueryPosition position,
+                           const std::string& what) const;
   [[noreturn]] void Expected(const std::string& what) const;
 
   std::vector<Token> tokens_;
@@ -183,7 +186,7 @@ class Grammar {
   int block_ = 0;   // The basic graph pattern being read ...
   int blocks_ = 0;  // ... of so many so far.
   // Where aggregates go; nullptr where none may stand.
-  Select* aggregates_of_ = nullptr;
+  SelectQuery* aggregates_of_ = nullptr;
   TemplateRules template_;  // Of the template being read.
 };
 

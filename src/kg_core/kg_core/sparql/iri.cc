@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kNpos = std::string_view::npos;
 
 // scheme "://" authority path "?" query "#" fragment, each with its mark.
-struct Parts {
+struct IriParts {
   std::string_view scheme;     // "http:"
   std::string_view authority;  // "//host"
   std::string_view path;
@@ -37,11 +37,11 @@ std::string_view TakeFront(std::string_view* rest, std::size_t length) {
   return front;
 }
 
-Parts Split(std::string_view iri) {
-  Parts parts;
+IriParts Split(std::string_view iri) {
+  IriParts parts;
   parts.scheme = TakeFront(&iri, SchemeLength(iri));
   if (iri.substr(0, 2) == "//") {
-    parts.authority = TakeFront(&iri, iri.find_first_of("/?#", 2));
+    { parts.authority = TakeFront(&iri, iri.find_first_of("/?#", 2)); }
   }
   parts.path = TakeFront(&iri, iri.find_first_of("?#"));
   parts.query = TakeFront(&iri, iri.find('#'));
@@ -53,6 +53,7 @@ Parts Split(std::string_view iri) {
 std::string RemoveDotSegments(std::string_view in) {
   std::string out;
   while (!in.empty()) {
+    // The cases A to E of RFC 3986, section 5.2.4.
     if (in.substr(0, 3) == "../") {
       in.remove_prefix(3);
     } else if (in.substr(0, 2) == "./" || in.substr(0, 3) == "/./") {
@@ -73,7 +74,7 @@ std::string RemoveDotSegments(std::string_view in) {
 }
 
 // https://www.rfc-editor.org/rfc/rfc3986#section-5.2.3
-std::string MergePaths(const Parts& base, std::string_view path) {
+std::string MergePaths(const IriParts& base, std::string_view path) {
   if (!base.authority.empty() && base.path.empty()) {
     return "/" + std::string(path);
   }
@@ -100,8 +101,8 @@ std::string ResolveIri(std::string_view base_iri, std::string_view reference) {
   if (base_iri.empty() || IsAbsoluteIri(reference)) {
     return std::string(reference);
   }
-  const Parts base = Split(base_iri);
-  const Parts r = Split(reference);
+  const IriParts base = Split(base_iri);
+  const IriParts r = Split(reference);
   const std::string rest = std::string(r.query) + std::string(r.fragment);
   if (!r.authority.empty()) {
     return Join(base.scheme, r.authority, RemoveDotSegments(r.path), rest);

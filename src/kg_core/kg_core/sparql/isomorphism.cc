@@ -16,18 +16,18 @@ using Color = std::size_t;
 using Places = std::array<int, 4>;
 using Colors = std::vector<Color>;
 
-int BlankOf(int place) { return -1 - place; }
+int GetBlankIndex(int place) { return -1 - place; }
 bool IsBlank(int place) { return place < 0; }
 
-struct Graph {
+struct BlankNodeGraph {
   std::set<Places> quads;
   std::size_t blanks = 0;
 };
 
 // `ground` numbers the terms that are no blank nodes, for both graphs.
-Graph GraphOf(const std::vector<Statement>& statements,
-              std::map<Term, int>* ground) {
-  Graph graph;
+BlankNodeGraph GetGraph(const std::vector<Statement>& statements,
+                        std::map<Term, int>* ground) {
+  BlankNodeGraph graph;
   std::map<Term, int> blanks;
   const auto number = [&](const Term& term) {
     std::map<Term, int>& numbers = term.is_blank() ? blanks : *ground;
@@ -43,25 +43,27 @@ Graph GraphOf(const std::vector<Statement>& statements,
   return graph;
 }
 
-std::size_t CountOf(const Colors& colors) {
+std::size_t GetCount(const Colors& colors) {
   return std::set<Color>(colors.begin(), colors.end()).size();
 }
 
 // What the quads say of each blank node, given the colors of the others.
-Colors Refined(const Graph& graph, const Colors& colors) {
+Colors Refined(const BlankNodeGraph& graph, const Colors& colors) {
   std::vector<std::vector<Color>> said(graph.blanks);
+  // A blank node's new color depends on the quads it is in: the colors of their
+  // members and the positions at which it stands itself.
   for (const Places& quad : graph.quads) {
     std::array<Color, 4> seen;
     for (std::size_t i = 0; i < 4; ++i) {
       seen[i] = IsBlank(quad[i])
-                    ? colors[static_cast<std::size_t>(BlankOf(quad[i]))]
+                    ? colors[static_cast<std::size_t>(GetBlankIndex(quad[i]))]
                     : absl::HashOf(quad[i]);
     }
     for (std::size_t i = 0; i < 4; ++i) {
       if (!IsBlank(quad[i])) continue;
       std::array<bool, 4> here;
       for (std::size_t j = 0; j < 4; ++j) here[j] = quad[j] == quad[i];
-      said[static_cast<std::size_t>(BlankOf(quad[i]))].push_back(
+      said[static_cast<std::size_t>(GetBlankIndex(quad[i]))].push_back(
           absl::HashOf(seen, here));
     }
   }
@@ -73,15 +75,16 @@ Colors Refined(const Graph& graph, const Colors& colors) {
   return refined;
 }
 
-class Matcher {
+class GraphMatcher {
  public:
-  Matcher(const Graph& a, const Graph& b) : a_(a), b_(b) {}
+  GraphMatcher(const BlankNodeGraph& a, const BlankNodeGraph& b)
+      : a_(a), b_(b) {}
 
   // Can the graphs be matched so that colors agree?
   bool Match(Colors a, Colors b) {
     std::size_t count = 0;
-    while (count < CountOf(a)) {
-      count = CountOf(a);
+    while (count < GetCount(a)) {
+      count = GetCount(a);
       a = Refined(a_, a);
       b = Refined(b_, b);
     }
@@ -119,15 +122,15 @@ class Matcher {
     for (Places quad : a_.quads) {
       for (int& place : quad) {
         if (!IsBlank(place)) continue;
-        place = partners.at(a[static_cast<std::size_t>(BlankOf(place))]);
+        place = partners.at(a[static_cast<std::size_t>(GetBlankIndex(place))]);
       }
       moved.insert(quad);
     }
     return moved == b_.quads;
   }
 
-  const Graph& a_;
-  const Graph& b_;
+  const BlankNodeGraph& a_;
+  const BlankNodeGraph& b_;
   std::size_t choices_ = 0;
 };
 
@@ -136,12 +139,13 @@ class Matcher {
 bool IsIsomorphic(const std::vector<Statement>& a,
                   const std::vector<Statement>& b) {
   std::map<Term, int> ground;
-  const Graph left = GraphOf(a, &ground);
-  const Graph right = GraphOf(b, &ground);
+  const BlankNodeGraph left = GetGraph(a, &ground);
+  const BlankNodeGraph right = GetGraph(b, &ground);
   if (left.quads.size() != right.quads.size() || left.blanks != right.blanks) {
     return false;
   }
-  return Matcher(left, right).Match(Colors(left.blanks), Colors(right.blanks));
+  return GraphMatcher(left, right)
+      .Match(Colors(left.blanks), Colors(right.blanks));
 }
 
 }  // namespace kg_core

@@ -15,8 +15,8 @@ namespace {
 using Edge = std::pair<int, int>;
 using Edges = std::vector<Edge>;
 
-std::vector<Statement> GraphOf(const Edges& edges,
-                               const std::vector<int>& labels) {
+std::vector<Statement> GetGraph(const Edges& edges,
+                                const std::vector<int>& labels) {
   std::vector<Statement> statements;
   const auto node = [&labels](int i) {
     return Blank("n" + std::to_string(labels[static_cast<std::size_t>(i)]));
@@ -60,7 +60,7 @@ TEST(Isomorphism, AgreesWithTryingEveryPermutation) {
     for (int i = 0; i < kNodes; ++i) a.emplace_back(i, edge().second);
     for (int i = 0; i < kNodes; ++i) b.emplace_back(i, edge().second);
     const bool want = IsIsomorphicByBruteForce(a, b, kNodes);
-    EXPECT_EQ(IsIsomorphic(GraphOf(a, same), GraphOf(b, same)), want);
+    EXPECT_EQ(IsIsomorphic(GetGraph(a, same), GetGraph(b, same)), want);
     equal += want ? 1 : 0;
   }
   EXPECT_GT(equal, 50);
@@ -75,13 +75,13 @@ TEST(Isomorphism, FindsARenamedGraphOfLookAlikes) {
   for (int i = 0; i < 12; ++i) labels.push_back((i * 5 + 3) % 12);
   std::vector<int> same(12);
   for (int i = 0; i < 12; ++i) same[static_cast<std::size_t>(i)] = i;
-  EXPECT_TRUE(IsIsomorphic(GraphOf(ring, same), GraphOf(ring, labels)));
+  EXPECT_TRUE(IsIsomorphic(GetGraph(ring, same), GetGraph(ring, labels)));
   // Two rings of six have the same degrees.
   Edges two;
   for (int i = 0; i < 12; ++i) {
     two.emplace_back(i, i < 6 ? (i + 1) % 6 : 6 + (i + 1) % 6);
   }
-  EXPECT_FALSE(IsIsomorphic(GraphOf(ring, same), GraphOf(two, same)));
+  EXPECT_FALSE(IsIsomorphic(GetGraph(ring, same), GetGraph(two, same)));
 }
 
 TEST(Isomorphism, TellsGroundTermsAndGraphsApart) {

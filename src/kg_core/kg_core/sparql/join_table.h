@@ -19,7 +19,8 @@ class JoinTable {
  public:
   // For solutions of `pattern`. What each was matched with is that part of
   // `matched` (Evaluator::Trace; may be null) that comes after now.
-  JoinTable(const Pattern& pattern, Budget* budget, std::vector<Quad>* matched);
+  JoinTable(const GraphPattern& pattern, QueryBudget* budget,
+            std::vector<Quad>* matched);
 
   void Add(const Row& row);
   // Calls `emit` with `row` merged with each solution that agrees with it;
@@ -44,7 +45,7 @@ class JoinTable {
   std::vector<std::uint32_t> all_;
   // By the columns that are its key.
   absl::flat_hash_map<std::vector<std::size_t>, Index> indices_;
-  Budget* budget_;
+  QueryBudget* budget_;
   std::vector<Quad>* matched_;
   std::size_t matched_before_;
   std::vector<std::vector<Quad>> matched_of_;  // By solution, if traced.

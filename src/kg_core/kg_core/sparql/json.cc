@@ -11,17 +11,17 @@ namespace {
 
 constexpr int kMaxNesting = 100;
 
-class Parser {
+class JsonParser {
  public:
-  explicit Parser(std::string_view text) : text_(text) {}
+  explicit JsonParser(std::string_view text) : text_(text) {}
 
-  Json Run() {
+  JsonValue Run() {
     const auto bad = FirstBadUtf8(text_);
     if (bad) {
       at_ = *bad;
       Expected("UTF-8");
     }
-    Json value = ReadValue(0);
+    JsonValue value = ReadValue(0);
     SkipBlanks();
     if (at_ < text_.size()) Expected("the end");
     return value;
@@ -50,10 +50,10 @@ class Parser {
     if (!Take(mark)) Expected("'" + std::string(mark) + "'");
   }
 
-  Json ReadValue(int depth);
-  Json ReadArray(int depth);
-  Json ReadObject(int depth);
-  Json ReadNumber();
+  JsonValue ReadValue(int depth);
+  JsonValue ReadArray(int depth);
+  JsonValue ReadObject(int depth);
+  JsonValue ReadNumber();
   std::string ReadString();
   void ReadEscape(std::string* out);
   std::uint32_t ReadHex4();
@@ -62,29 +62,29 @@ class Parser {
   std::size_t at_ = 0;
 };
 
-Json Parser::ReadValue(int depth) {
+JsonValue JsonParser::ReadValue(int depth) {
   if (depth > kMaxNesting) Expected("no deeper nesting");
   SkipBlanks();
-  Json value;
+  JsonValue value;
   if (Peek() == '{') return ReadObject(depth);
   if (Peek() == '[') return ReadArray(depth);
   if (Peek() == '"') {
-    value.kind = Json::Kind::kString;
+    value.kind = JsonValue::Kind::kString;
     value.text = ReadString();
   } else if (Take("true")) {
-    value.kind = Json::Kind::kBoolean;
+    value.kind = JsonValue::Kind::kBoolean;
     value.boolean = true;
   } else if (Take("false")) {
-    value.kind = Json::Kind::kBoolean;
+    value.kind = JsonValue::Kind::kBoolean;
   } else if (!Take("null")) {
     return ReadNumber();
   }
   return value;
 }
 
-Json Parser::ReadArray(int depth) {
-  Json value;
-  value.kind = Json::Kind::kArray;
+JsonValue JsonParser::ReadArray(int depth) {
+  JsonValue value;
+  value.kind = JsonValue::Kind::kArray;
   Expect("[");
   if (Take("]")) return value;
   do {
@@ -94,9 +94,9 @@ Json Parser::ReadArray(int depth) {
   return value;
 }
 
-Json Parser::ReadObject(int depth) {
-  Json value;
-  value.kind = Json::Kind::kObject;
+JsonValue JsonParser::ReadObject(int depth) {
+  JsonValue value;
+  value.kind = JsonValue::Kind::kObject;
   Expect("{");
   if (Take("}")) return value;
   do {
@@ -110,9 +110,9 @@ Json Parser::ReadObject(int depth) {
   return value;
 }
 
-Json Parser::ReadNumber() {
-  Json value;
-  value.kind = Json::Kind::kNumber;
+JsonValue JsonParser::ReadNumber() {
+  JsonValue value;
+  value.kind = JsonValue::Kind::kNumber;
   const std::size_t end =
       std::min(text_.find_first_not_of("+-.0123456789eE", at_), text_.size());
   if (end == at_) Expected("a value");
@@ -121,7 +121,7 @@ Json Parser::ReadNumber() {
   return value;
 }
 
-std::string Parser::ReadString() {
+std::string JsonParser::ReadString() {
   std::string out;
   ++at_;
   while (Peek() != '"') {
@@ -139,13 +139,14 @@ std::string Parser::ReadString() {
   return out;
 }
 
-void Parser::ReadEscape(std::string* out) {
+void JsonParser::ReadEscape(std::string* out) {
   constexpr std::string_view kFrom = "\"\\/bfnrt";
   constexpr std::string_view kTo = "\"\\/\b\f\n\r\t";
   ++at_;
   if (Peek() == 'u') {
     ++at_;
     std::uint32_t code = ReadHex4();
+    // A high surrogate is half of a character: its low surrogate follows.
     if (code >= 0xD800 && code < 0xDC00 && text_.substr(at_, 2) == "\\u") {
       at_ += 2;
       const std::uint32_t low = ReadHex4();
@@ -165,7 +166,7 @@ void Parser::ReadEscape(std::string* out) {
   out->push_back(kTo[i]);
 }
 
-std::uint32_t Parser::ReadHex4() {
+std::uint32_t JsonParser::ReadHex4() {
   std::uint32_t code = 0;
   for (int i = 0; i < 4; ++i) {
     constexpr std::string_view kDigits = "0123456789abcdef0123456789ABCDEF";
@@ -181,13 +182,13 @@ std::uint32_t Parser::ReadHex4() {
 
 }  // namespace
 
-const Json* Json::Find(std::string_view name) const {
+const JsonValue* JsonValue::Find(std::string_view name) const {
   for (const auto& [key, value] : members) {
     if (key == name) return &value;
   }
   return nullptr;
 }
 
-Json ParseJson(std::string_view text) { return Parser(text).Run(); }
+JsonValue ParseJson(std::string_view text) { return JsonParser(text).Run(); }
 
 }  // namespace kg_core::sparql

@@ -11,21 +11,21 @@
 
 namespace kg_core::sparql {
 
-struct Json {
+struct JsonValue {
   enum class Kind { kNull, kBoolean, kNumber, kString, kArray, kObject };
   Kind kind = Kind::kNull;
   bool boolean = false;
-  std::string text;         // kString; of kNumber: as written.
-  std::vector<Json> items;  // kArray.
-  std::vector<std::pair<std::string, Json>> members;  // kObject, in order.
+  std::string text;              // kString; of kNumber: as written.
+  std::vector<JsonValue> items;  // kArray.
+  std::vector<std::pair<std::string, JsonValue>> members;  // kObject, in order.
 
   // The first member of that name; nullptr if there is none.
-  const Json* Find(std::string_view name) const;
+  const JsonValue* Find(std::string_view name) const;
 };
 
 // Throws InputError "JSON, line:column: what was expected"; nesting is limited
 // to 100.
-Json ParseJson(std::string_view text);
+JsonValue ParseJson(std::string_view text);
 
 }  // namespace kg_core::sparql
 

@@ -27,9 +27,9 @@ bool IsMultibyte(char c) { return (c & 0x80) != 0; }
 bool IsNameStart(char c) { return IsLetter(c) || c == '_' || IsMultibyte(c); }
 bool IsNameChar(char c) { return IsNameStart(c) || IsDigit(c) || c == '-'; }
 
-class Lexer {
+class QueryLexer {
  public:
-  explicit Lexer(std::string_view text) : text_(text) {}
+  explicit QueryLexer(std::string_view text) : text_(text) {}
 
   std::vector<Token> Run() {
     std::vector<Token> tokens;
@@ -80,10 +80,10 @@ class Lexer {
 
   std::string_view text_;
   std::size_t at_ = 0;
-  Position position_;
+  QueryPosition position_;
 };
 
-void Lexer::SkipBlanks() {
+void QueryLexer::SkipBlanks() {
   while (!AtEnd()) {
     const char c = Peek();
     if (c == '#') {
@@ -96,12 +96,14 @@ void Lexer::SkipBlanks() {
   }
 }
 
-Token Lexer::Next() {
+Token QueryLexer::Next() {
   SkipBlanks();
   Token token;
   token.position = position_;
   if (AtEnd()) return token;
   const char c = Peek();
+  // '<' and '?' also are operators: where no IRI or variable follows, they are
+  // read as punctuation.
   if (c == '<' && ReadIri(&token)) return token;
   if ((c == '?' || c == '$') && ReadVariable(&token)) return token;
   if (c == '_' && Peek(1) == ':') {
@@ -119,7 +121,7 @@ Token Lexer::Next() {
 }
 
 // [139] IRIREF; if no '>' ends it, '<' is an operator.
-bool Lexer::ReadIri(Token* token) {
+bool QueryLexer::ReadIri(Token* token) {
   std::size_t end = at_ + 1;
   while (end < text_.size() && text_[end] != '>') {
     const char c = text_[end];
@@ -129,6 +131,7 @@ bool Lexer::ReadIri(Token* token) {
     }
     ++end;
   }
+  // No '>' ahead: '<' is an operator.
   if (end >= text_.size()) return false;
   token->kind = Token::Kind::kIri;
   Take();
@@ -145,7 +148,7 @@ bool Lexer::ReadIri(Token* token) {
 }
 
 // https://www.w3.org/TR/sparql11-query/#codepointEscape, after the backslash.
-void Lexer::ReadCodePoint(std::string* out) {
+void QueryLexer::ReadCodePoint(std::string* out) {
   const int digits = Peek() == 'u' ? 4 : Peek() == 'U' ? 8 : 0;
   if (digits == 0) Fail("expected \\u or \\U and hexadecimal digits");
   Take();
@@ -161,7 +164,7 @@ void Lexer::ReadCodePoint(std::string* out) {
 }
 
 // [143] VAR1, [144] VAR2
-bool Lexer::ReadVariable(Token* token) {
+bool QueryLexer::ReadVariable(Token* token) {
   if (!IsNameStart(Peek(1)) && !IsDigit(Peek(1))) return false;
   token->kind = Token::Kind::kVariable;
   Take();
@@ -170,7 +173,7 @@ bool Lexer::ReadVariable(Token* token) {
 }
 
 // How many bytes from `start` are name characters, dots only inside.
-std::size_t Lexer::DottedNameLength(std::size_t start) const {
+std::size_t QueryLexer::DottedNameLength(std::size_t start) const {
   std::size_t end = start;
   while (end < text_.size() && (IsNameChar(text_[end]) || text_[end] == '.')) {
     ++end;
@@ -180,7 +183,7 @@ std::size_t Lexer::DottedNameLength(std::size_t start) const {
 }
 
 // [142] BLANK_NODE_LABEL
-void Lexer::ReadBlankLabel(Token* token) {
+void QueryLexer::ReadBlankLabel(Token* token) {
   token->kind = Token::Kind::kBlankLabel;
   Take();
   Take();
@@ -191,7 +194,7 @@ void Lexer::ReadBlankLabel(Token* token) {
 }
 
 // A keyword, or [140] PNAME_NS / [141] PNAME_LN.
-bool Lexer::ReadName(Token* token) {
+bool QueryLexer::ReadName(Token* token) {
   const std::size_t length = IsNameStart(Peek()) ? DottedNameLength(at_) : 0;
   const std::size_t after = at_ + length;
   if (after < text_.size() && text_[after] == ':' && Peek() != '_') {
@@ -210,7 +213,7 @@ bool Lexer::ReadName(Token* token) {
 }
 
 // [169] PN_LOCAL with [170] PLX; a final dot ends the triple instead.
-void Lexer::ReadLocalName(Token* token) {
+void QueryLexer::ReadLocalName(Token* token) {
   std::string* local = &token->text;
   std::size_t dots = 0;  // Dots seen, not yet known to be inside.
   for (bool first = true;; first = false) {
@@ -240,13 +243,14 @@ void Lexer::ReadLocalName(Token* token) {
 }
 
 // [156]-[159] STRING_LITERAL1, 2, LONG1, LONG2
-void Lexer::ReadString(Token* token) {
+void QueryLexer::ReadString(Token* token) {
   token->kind = Token::Kind::kString;
   const char quote = Peek();
   const bool is_long = Peek(1) == quote && Peek(2) == quote;
   for (int i = 0; i < (is_long ? 3 : 1); ++i) Take();
   while (true) {
     if (AtEnd()) {
+      // Report where the string begins, not the end of the text.
       position_ = token->position;
       Fail("this string does not end");
     }
@@ -268,7 +272,7 @@ void Lexer::ReadString(Token* token) {
 }
 
 // [160] ECHAR, after the backslash.
-void Lexer::ReadStringEscape(std::string* out) {
+void QueryLexer::ReadStringEscape(std::string* out) {
   constexpr std::string_view kFrom = "tbnrf\\\"'";
   constexpr std::string_view kTo = "\t\b\n\r\f\\\"'";
   if (Peek() == 'u' || Peek() == 'U') return ReadCodePoint(out);
@@ -278,12 +282,12 @@ void Lexer::ReadStringEscape(std::string* out) {
   out->push_back(kTo[i]);
 }
 
-void Lexer::ReadDigits(Token* token) {
+void QueryLexer::ReadDigits(Token* token) {
   while (IsDigit(Peek())) token->text.push_back(Take());
 }
 
 // [146] INTEGER, [147] DECIMAL, [148] DOUBLE
-void Lexer::ReadNumber(Token* token) {
+void QueryLexer::ReadNumber(Token* token) {
   token->kind = Token::Kind::kInteger;
   ReadDigits(token);
   const auto exponent_at = [&](std::size_t ahead) {
@@ -292,6 +296,7 @@ void Lexer::ReadNumber(Token* token) {
     return IsDigit(sign) ||
            ((sign == '+' || sign == '-') && IsDigit(Peek(ahead + 2)));
   };
+  // A '.' without a digit or an exponent behind it ends the triple.
   if (Peek() == '.' && (IsDigit(Peek(1)) || exponent_at(1))) {
     token->kind = Token::Kind::kDecimal;
     TakeInto(&token->text, 1);
@@ -305,7 +310,7 @@ void Lexer::ReadNumber(Token* token) {
 }
 
 // [145] LANGTAG
-void Lexer::ReadLanguageTag(Token* token) {
+void QueryLexer::ReadLanguageTag(Token* token) {
   token->kind = Token::Kind::kLanguageTag;
   Take();
   if (!IsLetter(Peek())) Fail("expected a language tag after @");
@@ -316,7 +321,7 @@ void Lexer::ReadLanguageTag(Token* token) {
   }
 }
 
-void Lexer::ReadPunctuation(Token* token) {
+void QueryLexer::ReadPunctuation(Token* token) {
   token->kind = Token::Kind::kPunctuation;
   for (const std::string_view mark : kPunctuation) {
     if (text_.substr(at_, mark.size()) != mark) continue;
@@ -338,7 +343,7 @@ std::vector<Token> Tokenize(std::string_view text) {
                      std::to_string(Utf8Length(before.substr(start)) + 1) +
                      ": this is not UTF-8");
   }
-  return Lexer(text).Run();
+  return QueryLexer(text).Run();
 }
 
 }  // namespace kg_core::sparql

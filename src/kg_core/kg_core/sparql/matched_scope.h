@@ -11,7 +11,7 @@
 
 namespace kg_core::sparql {
 
-// Takes away what was added within it. Does nothing if nobody traces (null).
+// Removes what was added within it. Does nothing without a trace (null).
 class MatchedScope {
  public:
   explicit MatchedScope(std::vector<Quad>* matched)

@@ -7,30 +7,31 @@
 namespace kg_core::sparql {
 namespace {
 
-using Kind = Pattern::Kind;
+using PatternKind = GraphPattern::Kind;
 
 // A triple pattern that every solution of `pattern` must match, if there is one
 // that is easy to see.
-const TriplePattern* Anchor(const Pattern& pattern) {
+const TriplePattern* Anchor(const GraphPattern& pattern) {
   switch (pattern.kind) {
-    case Kind::kBasic:
+    case PatternKind::kBasic:
       for (const TriplePattern& triple : pattern.triples) {
+        // A triple with a constant narrows down the graphs that can match.
         const bool constant = !triple.subject.is_variable ||
                               !triple.object.is_variable ||
                               !triple.predicate.is_variable;
         if (!triple.path && constant) return &triple;
       }
       return nullptr;
-    case Kind::kJoin:
-    case Kind::kLeftJoin:
-    case Kind::kFilter:
-    case Kind::kMinus:
-    case Kind::kExtend:
+    case PatternKind::kJoin:
+    case PatternKind::kLeftJoin:
+    case PatternKind::kFilter:
+    case PatternKind::kMinus:
+    case PatternKind::kExtend:
       return Anchor(pattern.parts[0]);
-    case Kind::kUnion:
-    case Kind::kGraph:
-    case Kind::kValues:
-    case Kind::kSelect:
+    case PatternKind::kUnion:
+    case PatternKind::kGraph:
+    case PatternKind::kValues:
+    case PatternKind::kSelect:
       break;
   }
   return nullptr;
@@ -38,7 +39,7 @@ const TriplePattern* Anchor(const Pattern& pattern) {
 
 // Of the quads that match, by looking at them.
 std::vector<TermId> GraphsOfMatches(const GraphView& view, const Quad& pattern,
-                                    Budget* budget) {
+                                    QueryBudget* budget) {
   std::vector<TermId> graphs;
   view.Match(pattern, [&](const Quad& quad) {
     budget->Step();
@@ -52,7 +53,7 @@ std::vector<TermId> GraphsOfMatches(const GraphView& view, const Quad& pattern,
 
 // All that may have such a quad, by asking the index about each.
 std::vector<TermId> GraphsWith(const GraphView& view, Quad pattern,
-                               Budget* budget) {
+                               QueryBudget* budget) {
   std::vector<TermId> graphs;
   for (const TermId graph : view.Graphs()) {
     budget->Step();
@@ -65,7 +66,7 @@ std::vector<TermId> GraphsWith(const GraphView& view, Quad pattern,
 }  // namespace
 
 // The graph named `graph`; nullptr if the dataset has none of this name.
-const ActiveGraph* Evaluator::NamedGraph(TermId graph) {
+const ActiveGraph* PatternEvaluator::NamedGraph(TermId graph) {
   const auto known = graphs_.find(graph);
   if (known != graphs_.end()) return known->second.get();
   auto active = std::make_unique<ActiveGraph>(
@@ -81,20 +82,23 @@ const ActiveGraph* Evaluator::NamedGraph(TermId graph) {
 
 // The graphs that may have solutions of `p`: by a look at each graph, or, where
 // that is less, at each quad that matches the anchor.
-std::vector<TermId> Evaluator::CandidateGraphs(const Pattern& p,
-                                               const Row& row) {
+std::vector<TermId> PatternEvaluator::CandidateGraphs(const GraphPattern& p,
+                                                      const Row& row) {
   if (dataset_.named_graphs) return *dataset_.named_graphs;
   Quad quad;
   const TriplePattern* anchor = p.materialise ? nullptr : Anchor(p);
   if (anchor != nullptr) {
-    quad.subject = ValueOf(anchor->subject, row);
-    quad.predicate = ValueOf(anchor->predicate, row);
-    quad.object = ValueOf(anchor->object, row);
+    quad.subject = GetValue(anchor->subject, row);
+    quad.predicate = GetValue(anchor->predicate, row);
+    quad.object = GetValue(anchor->object, row);
   }
+  // A term that the store does not know is in no quad.
   if (TermTable::IsLocal(quad.subject) || TermTable::IsLocal(quad.predicate) ||
       TermTable::IsLocal(quad.object)) {
     return {};
   }
+  // With few matches it is cheaper to look at each of them than to ask every
+  // graph whether it has one.
   constexpr std::size_t kFewQuads = 32;
   const GraphView& view = terms_->view();
   std::vector<TermId> graphs = view.Estimate(quad) <= kFewQuads

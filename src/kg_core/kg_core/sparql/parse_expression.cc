@@ -41,16 +41,16 @@ constexpr SpecialForm kSpecialForms[] = {
 // [127] Aggregate
 struct AggregateWord {
   const char* word;
-  Aggregate::Kind kind;
+  AggregateCall::Kind kind;
 };
 constexpr AggregateWord kAggregates[] = {
-    {"COUNT", Aggregate::Kind::kCount},
-    {"SUM", Aggregate::Kind::kSum},
-    {"AVG", Aggregate::Kind::kAvg},
-    {"MIN", Aggregate::Kind::kMin},
-    {"MAX", Aggregate::Kind::kMax},
-    {"SAMPLE", Aggregate::Kind::kSample},
-    {"GROUP_CONCAT", Aggregate::Kind::kGroupConcat},
+    {"COUNT", AggregateCall::Kind::kCount},
+    {"SUM", AggregateCall::Kind::kSum},
+    {"AVG", AggregateCall::Kind::kAvg},
+    {"MIN", AggregateCall::Kind::kMin},
+    {"MAX", AggregateCall::Kind::kMax},
+    {"SAMPLE", AggregateCall::Kind::kSample},
+    {"GROUP_CONCAT", AggregateCall::Kind::kGroupConcat},
 };
 
 Expression Of(Op op, std::vector<Expression> arguments) {
@@ -84,7 +84,7 @@ std::string Upper(std::string text) {
 }  // namespace
 
 // [111] ConditionalOrExpression
-Expression Grammar::ReadExpression() {
+Expression SparqlGrammar::ReadExpression() {
   const Nested nested(this);
   std::vector<Expression> parts;
   do {
@@ -95,7 +95,7 @@ Expression Grammar::ReadExpression() {
 }
 
 // [112] ConditionalAndExpression
-Expression Grammar::ReadAnd() {
+Expression SparqlGrammar::ReadAnd() {
   std::vector<Expression> parts;
   do {
     parts.push_back(ReadRelational());
@@ -105,7 +105,7 @@ Expression Grammar::ReadAnd() {
 }
 
 // [114] RelationalExpression
-Expression Grammar::ReadRelational() {
+Expression SparqlGrammar::ReadRelational() {
   Expression left = ReadAdditive();
   for (const MarkOp& relation : kRelations) {
     if (!TakeMark(relation.mark)) continue;
@@ -121,7 +121,7 @@ Expression Grammar::ReadRelational() {
 }
 
 // [116] AdditiveExpression
-Expression Grammar::ReadAdditive() {
+Expression SparqlGrammar::ReadAdditive() {
   Expression left = ReadMultiplicative();
   for (int chain = 0;; ++chain) {
     const auto* sum =
@@ -135,7 +135,7 @@ Expression Grammar::ReadAdditive() {
 }
 
 // [117] MultiplicativeExpression
-Expression Grammar::ReadMultiplicative() {
+Expression SparqlGrammar::ReadMultiplicative() {
   Expression left = ReadUnary();
   for (int chain = 0;; ++chain) {
     const auto* product =
@@ -149,7 +149,7 @@ Expression Grammar::ReadMultiplicative() {
 }
 
 // [118] UnaryExpression
-Expression Grammar::ReadUnary() {
+Expression SparqlGrammar::ReadUnary() {
   if (AtLiteral()) return ReadPrimary();
   for (const MarkOp& unary : kUnaries) {
     if (!TakeMark(unary.mark)) continue;
@@ -162,7 +162,7 @@ Expression Grammar::ReadUnary() {
 }
 
 // [120] BrackettedExpression
-Expression Grammar::ReadBracketed() {
+Expression SparqlGrammar::ReadBracketed() {
   ExpectMark("(");
   Expression expression = ReadExpression();
   ExpectMark(")");
@@ -170,7 +170,7 @@ Expression Grammar::ReadBracketed() {
 }
 
 // [119] PrimaryExpression
-Expression Grammar::ReadPrimary() {
+Expression SparqlGrammar::ReadPrimary() {
   if (AtMark("(")) return ReadBracketed();
   if (Peek().kind == Token::Kind::kVariable) {
     return Of(Op::kVariable, ReadVariable());
@@ -183,7 +183,7 @@ Expression Grammar::ReadPrimary() {
 }
 
 // [69] Constraint
-Expression Grammar::ReadConstraint() {
+Expression SparqlGrammar::ReadConstraint() {
   if (AtMark("(")) return ReadBracketed();
   if (AtIri()) {
     const Token name = Peek();
@@ -198,11 +198,11 @@ Expression Grammar::ReadConstraint() {
 }
 
 // [128] iriOrFunction
-Expression Grammar::ReadIriExpression() {
-  const Position position = Peek().position;
+Expression SparqlGrammar::ReadIriExpression() {
+  const QueryPosition position = Peek().position;
   const std::string iri = ReadIri();
   if (!AtMark("(")) return Of(Op::kConstant, ConstantNumber(Iri(iri)));
-  const Function* function = FindIriFunction(iri);
+  const SparqlFunction* function = FindIriFunction(iri);
   if (function != nullptr) return ReadCall(*function, position);
   if (query_.unavailable.empty()) {
     query_.unavailable = std::to_string(position.line) + ":" +
@@ -213,7 +213,7 @@ Expression Grammar::ReadIriExpression() {
 }
 
 // [71] ArgList, [79] ExpressionList
-std::vector<Expression> Grammar::ReadArguments() {
+std::vector<Expression> SparqlGrammar::ReadArguments() {
   std::vector<Expression> arguments;
   ExpectMark("(");
   if (TakeMark(")")) return arguments;
@@ -224,7 +224,8 @@ std::vector<Expression> Grammar::ReadArguments() {
   return arguments;
 }
 
-Expression Grammar::ReadCall(const Function& function, Position position) {
+Expression SparqlGrammar::ReadCall(const SparqlFunction& function,
+                                   QueryPosition position) {
   Expression call = Of(Op::kCall, ReadArguments());
   call.function = &function;
   const std::size_t count = call.arguments.size();
@@ -238,7 +239,7 @@ Expression Grammar::ReadCall(const Function& function, Position position) {
 }
 
 // [121] BuiltInCall
-Expression Grammar::ReadWordExpression() {
+Expression SparqlGrammar::ReadWordExpression() {
   const Token word = Peek();
   const std::string name = Upper(word.text);
   for (const SpecialForm& form : kSpecialForms) {
@@ -260,7 +261,7 @@ Expression Grammar::ReadWordExpression() {
     Take();
     return ReadExists(Op::kNotExists);
   }
-  const Function* function = FindKeywordFunction(name);
+  const SparqlFunction* function = FindKeywordFunction(name);
   if (function == nullptr) {
     Fail(word, "expected an expression, got " + word.text);
   }
@@ -268,8 +269,8 @@ Expression Grammar::ReadWordExpression() {
   return ReadCall(*function, word.position);
 }
 
-Expression Grammar::ReadSpecialForm(Op op, std::size_t least,
-                                    std::size_t most) {
+Expression SparqlGrammar::ReadSpecialForm(Op op, std::size_t least,
+                                          std::size_t most) {
   const Token word = Take();
   Expression form = Of(op, ReadArguments());
   const std::size_t count = form.arguments.size();
@@ -282,35 +283,36 @@ Expression Grammar::ReadSpecialForm(Op op, std::size_t least,
 }
 
 // [125] ExistsFunc, [126] NotExistsFunc
-Expression Grammar::ReadExists(Op op) {
+Expression SparqlGrammar::ReadExists(Op op) {
   ExpectWord("EXISTS");
-  Select* const outer = aggregates_of_;
+  SelectQuery* const outer = aggregates_of_;
   aggregates_of_ = nullptr;
   Expression expression;
   expression.op = op;
-  expression.pattern = std::make_unique<Pattern>(ReadGroupPattern());
+  expression.pattern = std::make_unique<GraphPattern>(ReadGroupPattern());
   aggregates_of_ = outer;
   return expression;
 }
 
 // [127] Aggregate: its value becomes a variable of the group.
-Expression Grammar::ReadAggregate(Aggregate::Kind kind) {
+Expression SparqlGrammar::ReadAggregate(AggregateCall::Kind kind) {
   const Token word = Take();
   if (aggregates_of_ == nullptr) {
     Fail(word, word.text +
                    " may stand in SELECT, HAVING and ORDER BY only, "
                    "and not within another aggregate");
   }
-  Select* const select = aggregates_of_;
+  // No aggregate within an aggregate.
+  SelectQuery* const select = aggregates_of_;
   aggregates_of_ = nullptr;
-  Aggregate aggregate;
+  AggregateCall aggregate;
   aggregate.kind = kind;
   ExpectMark("(");
   aggregate.distinct = TakeWord("DISTINCT");
-  if (kind != Aggregate::Kind::kCount || !TakeMark("*")) {
+  if (kind != AggregateCall::Kind::kCount || !TakeMark("*")) {
     aggregate.argument = ReadExpression();
   }
-  if (kind == Aggregate::Kind::kGroupConcat) ReadSeparator(&aggregate);
+  if (kind == AggregateCall::Kind::kGroupConcat) ReadSeparator(&aggregate);
   ExpectMark(")");
   aggregate.variable = FreshVariable();
   const int variable = aggregate.variable;
@@ -319,7 +321,7 @@ Expression Grammar::ReadAggregate(Aggregate::Kind kind) {
   return Of(Op::kVariable, variable);
 }
 
-void Grammar::ReadSeparator(Aggregate* aggregate) {
+void SparqlGrammar::ReadSeparator(AggregateCall* aggregate) {
   if (!TakeMark(";")) return;
   ExpectWord("SEPARATOR");
   ExpectMark("=");

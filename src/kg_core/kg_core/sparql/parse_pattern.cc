@@ -9,43 +9,44 @@ namespace {
 // What an evaluation's recursion is deep at most; see CountPattern.
 constexpr int kMaxPatterns = 1000;
 
-Pattern Binary(Pattern::Kind kind, Pattern left, Pattern right) {
-  Pattern pattern;
+GraphPattern Binary(GraphPattern::Kind kind, GraphPattern left,
+                    GraphPattern right) {
+  GraphPattern pattern;
   pattern.kind = kind;
   pattern.parts.push_back(std::move(left));
   pattern.parts.push_back(std::move(right));
   return pattern;
 }
 
-bool IsUnit(const Pattern& pattern) {
-  return pattern.kind == Pattern::Kind::kBasic && pattern.triples.empty();
+bool IsUnit(const GraphPattern& pattern) {
+  return pattern.kind == GraphPattern::Kind::kBasic && pattern.triples.empty();
 }
 
 }  // namespace
 
-void Grammar::CountPattern() {
+void SparqlGrammar::CountPattern() {
   if (++patterns_ > kMaxPatterns) {
     Fail(Peek(),
          "more patterns than the limit of " + std::to_string(kMaxPatterns));
   }
 }
 
-Pattern Grammar::Join(Pattern left, Pattern right) {
+GraphPattern SparqlGrammar::Join(GraphPattern left, GraphPattern right) {
   if (IsUnit(left)) return right;
   if (IsUnit(right)) return left;
-  return Binary(Pattern::Kind::kJoin, std::move(left), std::move(right));
+  return Binary(GraphPattern::Kind::kJoin, std::move(left), std::move(right));
 }
 
 // [53] GroupGraphPattern
-Grammar::Group Grammar::ReadGroup() {
+SparqlGrammar::Group SparqlGrammar::ReadGroup() {
   const Nested nested(this);
   CountPattern();
   ExpectMark("{");
   Group group;
   if (AtWord("SELECT")) {
-    group.pattern.kind = Pattern::Kind::kSelect;
-    group.pattern.select = std::make_unique<Select>();
-    Select* const outer = aggregates_of_;
+    group.pattern.kind = GraphPattern::Kind::kSelect;
+    group.pattern.select = std::make_unique<SelectQuery>();
+    SelectQuery* const outer = aggregates_of_;
     block_ = ++blocks_;
     ReadSelect(group.pattern.select.get());
     block_ = ++blocks_;
@@ -53,26 +54,28 @@ Grammar::Group Grammar::ReadGroup() {
     ExpectMark("}");
     return group;
   }
+  // A blank node label must not be used in two basic graph patterns: each has a
+  // block number of its own.
   block_ = ++blocks_;
-  Pattern basic;
+  GraphPattern basic;
   while (!TakeMark("}")) ReadGroupElement(&group, &basic);
   group.pattern = Join(std::move(group.pattern), std::move(basic));
   block_ = ++blocks_;
   return group;
 }
 
-Pattern Grammar::ReadGroupPattern() {
+GraphPattern SparqlGrammar::ReadGroupPattern() {
   Group group = ReadGroup();
   if (group.filters.empty()) return std::move(group.pattern);
-  Pattern filter;
-  filter.kind = Pattern::Kind::kFilter;
+  GraphPattern filter;
+  filter.kind = GraphPattern::Kind::kFilter;
   filter.parts.push_back(std::move(group.pattern));
   filter.filters = std::move(group.filters);
   return filter;
 }
 
 // [54] GroupGraphPatternSub, [56] GraphPatternNotTriples
-void Grammar::ReadGroupElement(Group* group, Pattern* basic) {
+void SparqlGrammar::ReadGroupElement(Group* group, GraphPattern* basic) {
   if (AtTriples()) {
     ReadTriplesBlock(basic);
     if (AtTriples()) Expected("'.' or '}'");
@@ -88,7 +91,7 @@ void Grammar::ReadGroupElement(Group* group, Pattern* basic) {
   }
   CountPattern();
   group->pattern = Join(std::move(group->pattern), std::move(*basic));
-  *basic = Pattern();
+  *basic = GraphPattern();
   if (TakeWord("OPTIONAL")) {
     group->pattern = ReadOptional(std::move(group->pattern));
   } else if (TakeWord("MINUS")) {
@@ -111,23 +114,24 @@ void Grammar::ReadGroupElement(Group* group, Pattern* basic) {
 }
 
 // [57] OptionalGraphPattern: the filters of its group see the left side.
-Pattern Grammar::ReadOptional(Pattern left) {
+GraphPattern SparqlGrammar::ReadOptional(GraphPattern left) {
   Group right = ReadGroup();
-  Pattern pattern = Binary(Pattern::Kind::kLeftJoin, std::move(left),
-                           std::move(right.pattern));
+  GraphPattern pattern = Binary(GraphPattern::Kind::kLeftJoin, std::move(left),
+                                std::move(right.pattern));
   pattern.filters = std::move(right.filters);
   return pattern;
 }
 
 // [66] MinusGraphPattern
-Pattern Grammar::ReadMinus(Pattern left) {
-  return Binary(Pattern::Kind::kMinus, std::move(left), ReadGroupPattern());
+GraphPattern SparqlGrammar::ReadMinus(GraphPattern left) {
+  return Binary(GraphPattern::Kind::kMinus, std::move(left),
+                ReadGroupPattern());
 }
 
 // [58] GraphGraphPattern
-Pattern Grammar::ReadGraph() {
-  Pattern pattern;
-  pattern.kind = Pattern::Kind::kGraph;
+GraphPattern SparqlGrammar::ReadGraph() {
+  GraphPattern pattern;
+  pattern.kind = GraphPattern::Kind::kGraph;
   if (Peek().kind == Token::Kind::kVariable) {
     pattern.graph = {true, ReadVariable()};
   } else {
@@ -140,8 +144,8 @@ Pattern Grammar::ReadGraph() {
 // [59] ServiceGraphPattern: this store asks nobody. SERVICE fails then, and
 // with SILENT it has one solution that binds nothing: OPTIONAL of what never
 // is. https://www.w3.org/TR/sparql11-federated-query/#serviceSilent
-Pattern Grammar::ReadService() {
-  const Position position = Take().position;
+GraphPattern SparqlGrammar::ReadService() {
+  const QueryPosition position = Take().position;
   const bool silent = TakeWord("SILENT");
   const std::string before = query_.unavailable;
   if (Peek().kind == Token::Kind::kVariable) {
@@ -149,7 +153,7 @@ Pattern Grammar::ReadService() {
   } else {
     ReadIri();
   }
-  const Pattern inner = ReadGroupPattern();
+  const GraphPattern inner = ReadGroupPattern();
   query_.unavailable = before;
   if (!silent && before.empty()) {
     query_.unavailable = std::to_string(position.line) + ":" +
@@ -157,28 +161,31 @@ Pattern Grammar::ReadService() {
                          ": SERVICE is not available: a query reads this store "
                          "only";
   }
-  Pattern nothing;
-  nothing.kind = Pattern::Kind::kValues;
+  // SERVICE SILENT that fails has one solution without bindings. Its variables
+  // stay visible, unbound.
+  GraphPattern nothing;
+  nothing.kind = GraphPattern::Kind::kValues;
   nothing.variables = VisibleVariables(inner).Members();
-  return Binary(Pattern::Kind::kLeftJoin, Pattern(), std::move(nothing));
+  return Binary(GraphPattern::Kind::kLeftJoin, GraphPattern(),
+                std::move(nothing));
 }
 
 // [67] GroupOrUnionGraphPattern
-Pattern Grammar::ReadGroupOrUnion() {
-  Pattern first = ReadGroupPattern();
+GraphPattern SparqlGrammar::ReadGroupOrUnion() {
+  GraphPattern first = ReadGroupPattern();
   if (!AtWord("UNION")) return first;
-  Pattern pattern;
-  pattern.kind = Pattern::Kind::kUnion;
+  GraphPattern pattern;
+  pattern.kind = GraphPattern::Kind::kUnion;
   pattern.parts.push_back(std::move(first));
   while (TakeWord("UNION")) pattern.parts.push_back(ReadGroupPattern());
   return pattern;
 }
 
 // [60] Bind
-void Grammar::ReadBind(Group* group) {
+void SparqlGrammar::ReadBind(Group* group) {
   ExpectMark("(");
-  Pattern pattern;
-  pattern.kind = Pattern::Kind::kExtend;
+  GraphPattern pattern;
+  pattern.kind = GraphPattern::Kind::kExtend;
   pattern.filters.push_back(ReadExpression());
   ExpectWord("AS");
   const Token name = Peek();
@@ -192,9 +199,9 @@ void Grammar::ReadBind(Group* group) {
 }
 
 // [61] InlineData, [62] DataBlock
-Pattern Grammar::ReadValues() {
-  Pattern pattern;
-  pattern.kind = Pattern::Kind::kValues;
+GraphPattern SparqlGrammar::ReadValues() {
+  GraphPattern pattern;
+  pattern.kind = GraphPattern::Kind::kValues;
   const bool single = Peek().kind == Token::Kind::kVariable;
   if (single) {
     pattern.variables.push_back(ReadVariable());
@@ -210,7 +217,7 @@ Pattern Grammar::ReadValues() {
   return pattern;
 }
 
-std::vector<int> Grammar::ReadValuesRow(std::size_t width) {
+std::vector<int> SparqlGrammar::ReadValuesRow(std::size_t width) {
   const Token start = Peek();
   ExpectMark("(");
   std::vector<int> row;
@@ -223,7 +230,7 @@ std::vector<int> Grammar::ReadValuesRow(std::size_t width) {
 }
 
 // [65] DataBlockValue
-int Grammar::ReadDataValue() {
+int SparqlGrammar::ReadDataValue() {
   if (TakeWord("UNDEF")) return kNone;
   if (AtIri()) return ConstantNumber(Iri(ReadIri()));
   if (AtLiteral()) return ConstantNumber(ReadLiteral());

@@ -7,19 +7,19 @@
 namespace kg_core::sparql {
 
 // Called just after the token that makes a blank node.
-void Grammar::CheckBlankAllowed() const {
+void SparqlGrammar::CheckBlankAllowed() const {
   if (template_.blank_nodes) return;
   Fail(tokens_[at_ - 1],
        std::string(template_.name) + " may not have blank nodes");
 }
 
 // [52] TriplesTemplate in braces. Labels of blank nodes are its own.
-Pattern Grammar::ReadTemplateTriples(const TemplateRules& rules) {
+GraphPattern SparqlGrammar::ReadTemplateTriples(const TemplateRules& rules) {
   const Nested nested(this);
   const TemplateRules outer = template_;
   ExpectMark("{");
   template_ = rules;
-  Pattern basic;
+  GraphPattern basic;
   ReadTriplesBlock(&basic);
   template_ = outer;
   ExpectMark("}");
@@ -27,11 +27,12 @@ Pattern Grammar::ReadTemplateTriples(const TemplateRules& rules) {
 }
 
 // The pattern need only give the variables that the templates mention.
-void Grammar::AddTemplateColumns(const std::vector<QuadTemplate>& templates) {
+void SparqlGrammar::AddTemplateColumns(
+    const std::vector<QuadTemplate>& templates) {
   VariableSet variables;
   for (const QuadTemplate& quad : templates) {
     const TriplePattern& triple = quad.triple;
-    for (const Node& node :
+    for (const VarOrTerm& node :
          {triple.subject, triple.predicate, triple.object, quad.graph}) {
       if (node.is_variable) variables.Insert(node.index);
     }
@@ -40,16 +41,16 @@ void Grammar::AddTemplateColumns(const std::vector<QuadTemplate>& templates) {
 }
 
 // [50] Quads in braces.
-std::vector<QuadTemplate> Grammar::ReadQuads(const TemplateRules& rules) {
+std::vector<QuadTemplate> SparqlGrammar::ReadQuads(const TemplateRules& rules) {
   const Nested nested(this);
   std::vector<QuadTemplate> quads;
   ExpectMark("{");
   template_ = rules;
   ReadQuadTriples({}, &quads);
   while (TakeWord("GRAPH")) {
-    const Node graph = Peek().kind == Token::Kind::kVariable
-                           ? Node{true, ReadVariable()}
-                           : ConstantNode(Iri(ReadIri()));
+    const VarOrTerm graph = Peek().kind == Token::Kind::kVariable
+                                ? VarOrTerm{true, ReadVariable()}
+                                : ConstantNode(Iri(ReadIri()));
     ExpectMark("{");
     ReadQuadTriples(graph, &quads);
     ExpectMark("}");
@@ -61,9 +62,9 @@ std::vector<QuadTemplate> Grammar::ReadQuads(const TemplateRules& rules) {
   return quads;
 }
 
-void Grammar::ReadQuadTriples(const Node& graph,
-                              std::vector<QuadTemplate>* quads) {
-  Pattern basic;
+void SparqlGrammar::ReadQuadTriples(const VarOrTerm& graph,
+                                    std::vector<QuadTemplate>* quads) {
+  GraphPattern basic;
   ReadTriplesBlock(&basic);
   for (TriplePattern& triple : basic.triples) {
     quads->push_back({std::move(triple), graph});
@@ -71,20 +72,22 @@ void Grammar::ReadQuadTriples(const Node& graph,
 }
 
 // [10] ConstructQuery
-void Grammar::ReadConstruct() {
+void SparqlGrammar::ReadConstruct() {
   TemplateRules rules;
   rules.active = true;
+  // The short form CONSTRUCT WHERE { ... } uses the pattern as its template.
   const bool full = AtMark("{");
   if (!full) {
     ReadDatasetClauses();
     ExpectWord("WHERE");
   }
-  Pattern triples = ReadTemplateTriples(rules);
+  GraphPattern triples = ReadTemplateTriples(rules);
   for (const TriplePattern& triple : triples.triples) {
     if (!full) CountPattern();
     query_.construct.push_back({triple, {}});
   }
   if (full) {
+    // Labels of the template are not those of the pattern.
     block_of_label_.clear();
     block_ = ++blocks_;
     ReadDatasetClauses();
@@ -97,21 +100,21 @@ void Grammar::ReadConstruct() {
 }
 
 // [11] DescribeQuery
-void Grammar::ReadDescribe() {
+void SparqlGrammar::ReadDescribe() {
   const bool all = TakeMark("*");
   while (!all && (AtIri() || Peek().kind == Token::Kind::kVariable)) {
     query_.describe.push_back(ReadVariableOrTerm());
   }
   if (!all && query_.describe.empty()) Expected("an IRI, a variable or '*'");
   ReadDatasetClauses();
-  Select* const select = &query_.select;
+  SelectQuery* const select = &query_.select;
   if (AtWord("WHERE") || AtMark("{")) ReadWhere(select);
   VariableSet wanted;
-  for (const Node& node : query_.describe) {
+  for (const VarOrTerm& node : query_.describe) {
     if (node.is_variable) wanted.Insert(node.index);
   }
   AddColumns(all ? VisibleVariables(select->where) : wanted, select);
-  for (const Column& column : select->columns) {
+  for (const SelectColumn& column : select->columns) {
     if (all) query_.describe.push_back({true, column.variable});
   }
   ReadModifiersOfForm();

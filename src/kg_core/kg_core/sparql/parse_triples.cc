@@ -8,16 +8,17 @@ namespace {
 
 Term RdfTerm(const char* name) { return Iri(std::string(kRdf) + name); }
 
-Path Combined(Path::Kind kind, std::vector<Path> parts) {
+PropertyPath Combined(PropertyPath::Kind kind,
+                      std::vector<PropertyPath> parts) {
   if (parts.size() == 1) return std::move(parts[0]);
-  Path path;
+  PropertyPath path;
   path.kind = kind;
   path.parts = std::move(parts);
   return path;
 }
 
-Path Wrapped(Path::Kind kind, Path part) {
-  Path path;
+PropertyPath Wrapped(PropertyPath::Kind kind, PropertyPath part) {
+  PropertyPath path;
   path.kind = kind;
   path.parts.push_back(std::move(part));
   return path;
@@ -25,18 +26,18 @@ Path Wrapped(Path::Kind kind, Path part) {
 
 }  // namespace
 
-bool Grammar::AtTerm() const {
+bool SparqlGrammar::AtTerm() const {
   return AtIri() || AtLiteral() || Peek().kind == Token::Kind::kVariable ||
          Peek().kind == Token::Kind::kBlankLabel ||
          (AtMark("(") && AtMark(")", 1)) || (AtMark("[") && AtMark("]", 1));
 }
 
-bool Grammar::AtTriples() const {
+bool SparqlGrammar::AtTriples() const {
   return AtTerm() || AtMark("(") || AtMark("[");
 }
 
 // [106] VarOrTerm, [109] GraphTerm
-Node Grammar::ReadVariableOrTerm() {
+VarOrTerm SparqlGrammar::ReadVariableOrTerm() {
   if (Peek().kind == Token::Kind::kVariable) return {true, ReadVariable()};
   if (AtIri()) return ConstantNode(Iri(ReadIri()));
   if (AtLiteral()) return ConstantNode(ReadLiteral());
@@ -54,32 +55,33 @@ Node Grammar::ReadVariableOrTerm() {
 }
 
 // [55] TriplesBlock
-void Grammar::ReadTriplesBlock(Pattern* basic) {
+void SparqlGrammar::ReadTriplesBlock(GraphPattern* basic) {
   while (AtTriples()) {
     if (AtTerm()) {
-      const Node subject = ReadVariableOrTerm();
+      const VarOrTerm subject = ReadVariableOrTerm();
       ReadPropertyList(subject, basic, true);
     } else {
-      const Node subject = ReadGraphNode(basic);
+      const VarOrTerm subject = ReadGraphNode(basic);
       ReadPropertyList(subject, basic, false);
     }
     if (!TakeMark(".")) return;
   }
 }
 
-bool Grammar::AtPath() const {
+bool SparqlGrammar::AtPath() const {
   return AtIri() || AtWord("a") || AtMark("^") || AtMark("!") || AtMark("(");
 }
 
 // [83] PropertyListPathNotEmpty
-void Grammar::ReadPropertyList(const Node& subject, Pattern* basic,
-                               bool required) {
+void SparqlGrammar::ReadPropertyList(const VarOrTerm& subject,
+                                     GraphPattern* basic, bool required) {
   while (true) {
     if (Peek().kind == Token::Kind::kVariable) {
-      const Node verb{true, ReadVariable()};
+      const VarOrTerm verb{true, ReadVariable()};
       ReadObjects(subject, nullptr, verb, basic);
     } else if (template_.active ? AtIri() || AtWord("a") : AtPath()) {
-      const Path path = template_.active ? ReadPathPrimary() : ReadPath();
+      const PropertyPath path =
+          template_.active ? ReadPathPrimary() : ReadPath();
       ReadObjects(subject, &path, {}, basic);
     } else if (required) {
       Expected("a property");
@@ -92,10 +94,11 @@ void Grammar::ReadPropertyList(const Node& subject, Pattern* basic,
 }
 
 // [86] ObjectListPath
-void Grammar::ReadObjects(const Node& subject, const Path* path,
-                          const Node& verb, Pattern* basic) {
+void SparqlGrammar::ReadObjects(const VarOrTerm& subject,
+                                const PropertyPath* path, const VarOrTerm& verb,
+                                GraphPattern* basic) {
   do {
-    const Node object = ReadGraphNode(basic);
+    const VarOrTerm object = ReadGraphNode(basic);
     if (path != nullptr) {
       AddPath(subject, *path, object, basic);
     } else {
@@ -105,7 +108,7 @@ void Grammar::ReadObjects(const Node& subject, const Path* path,
 }
 
 // [105] GraphNodePath
-Node Grammar::ReadGraphNode(Pattern* basic) {
+VarOrTerm SparqlGrammar::ReadGraphNode(GraphPattern* basic) {
   if (AtTerm()) return ReadVariableOrTerm();
   if (AtMark("[")) return ReadBlankProperties(basic);
   if (AtMark("(")) return ReadCollection(basic);
@@ -113,28 +116,28 @@ Node Grammar::ReadGraphNode(Pattern* basic) {
 }
 
 // [101] BlankNodePropertyListPath
-Node Grammar::ReadBlankProperties(Pattern* basic) {
+VarOrTerm SparqlGrammar::ReadBlankProperties(GraphPattern* basic) {
   const Nested nested(this);
   ExpectMark("[");
-  const Node node{true, FreshVariable()};
+  const VarOrTerm node{true, FreshVariable()};
   ReadPropertyList(node, basic, true);
   ExpectMark("]");
   return node;
 }
 
 // [103] CollectionPath
-Node Grammar::ReadCollection(Pattern* basic) {
+VarOrTerm SparqlGrammar::ReadCollection(GraphPattern* basic) {
   const Nested nested(this);
   ExpectMark("(");
-  const Node first = ConstantNode(RdfTerm("first"));
-  const Node rest = ConstantNode(RdfTerm("rest"));
-  const Node head{true, FreshVariable()};
-  Node cell = head;
+  const VarOrTerm first = ConstantNode(RdfTerm("first"));
+  const VarOrTerm rest = ConstantNode(RdfTerm("rest"));
+  const VarOrTerm head{true, FreshVariable()};
+  VarOrTerm cell = head;
   while (true) {
-    const Node item = ReadGraphNode(basic);
+    const VarOrTerm item = ReadGraphNode(basic);
     AddTriple(cell, first, item, basic);
     if (TakeMark(")")) break;
-    const Node next{true, FreshVariable()};
+    const VarOrTerm next{true, FreshVariable()};
     AddTriple(cell, rest, next, basic);
     cell = next;
   }
@@ -142,35 +145,37 @@ Node Grammar::ReadCollection(Pattern* basic) {
   return head;
 }
 
-void Grammar::AddTriple(const Node& subject, const Node& predicate,
-                        const Node& object, Pattern* basic) {
+void SparqlGrammar::AddTriple(const VarOrTerm& subject,
+                              const VarOrTerm& predicate,
+                              const VarOrTerm& object, GraphPattern* basic) {
   if (!template_.active) CountPattern();
   basic->triples.push_back({subject, predicate, object, std::nullopt});
 }
 
 // Links, inverses and sequences are triple patterns.
 // https://www.w3.org/TR/sparql11-query/#sparqlTranslatePathPatterns
-void Grammar::AddPath(const Node& subject, const Path& path, const Node& object,
-                      Pattern* basic) {
+void SparqlGrammar::AddPath(const VarOrTerm& subject, const PropertyPath& path,
+                            const VarOrTerm& object, GraphPattern* basic) {
   switch (path.kind) {
-    case Path::Kind::kLink:
+    case PropertyPath::Kind::kLink:
       return AddTriple(subject, {false, path.constant}, object, basic);
-    case Path::Kind::kInverse:
+    case PropertyPath::Kind::kInverse:
       return AddPath(object, path.parts[0], subject, basic);
-    case Path::Kind::kSequence: {
-      Node from = subject;
+    case PropertyPath::Kind::kSequence: {
+      // A sequence becomes triples that are linked by fresh variables.
+      VarOrTerm from = subject;
       for (std::size_t i = 0; i + 1 < path.parts.size(); ++i) {
-        const Node to{true, FreshVariable()};
+        const VarOrTerm to{true, FreshVariable()};
         AddPath(from, path.parts[i], to, basic);
         from = to;
       }
       return AddPath(from, path.parts.back(), object, basic);
     }
-    case Path::Kind::kAlternative:
-    case Path::Kind::kZeroOrMore:
-    case Path::Kind::kOneOrMore:
-    case Path::Kind::kZeroOrOne:
-    case Path::Kind::kNegated:
+    case PropertyPath::Kind::kAlternative:
+    case PropertyPath::Kind::kZeroOrMore:
+    case PropertyPath::Kind::kOneOrMore:
+    case PropertyPath::Kind::kZeroOrOne:
+    case PropertyPath::Kind::kNegated:
       break;
   }
   CountPattern();
@@ -178,47 +183,48 @@ void Grammar::AddPath(const Node& subject, const Path& path, const Node& object,
 }
 
 // [89] PathAlternative
-Path Grammar::ReadPath() {
+PropertyPath SparqlGrammar::ReadPath() {
   const Nested nested(this);
-  std::vector<Path> parts;
+  std::vector<PropertyPath> parts;
   do {
     parts.push_back(ReadPathSequence());
   } while (TakeMark("|"));
-  return Combined(Path::Kind::kAlternative, std::move(parts));
+  return Combined(PropertyPath::Kind::kAlternative, std::move(parts));
 }
 
 // [90] PathSequence
-Path Grammar::ReadPathSequence() {
-  std::vector<Path> parts;
+PropertyPath SparqlGrammar::ReadPathSequence() {
+  std::vector<PropertyPath> parts;
   do {
     parts.push_back(ReadPathStep());
   } while (TakeMark("/"));
-  return Combined(Path::Kind::kSequence, std::move(parts));
+  return Combined(PropertyPath::Kind::kSequence, std::move(parts));
 }
 
 // [91] PathElt, [92] PathEltOrInverse
-Path Grammar::ReadPathStep() {
+PropertyPath SparqlGrammar::ReadPathStep() {
   const bool inverse = TakeMark("^");
-  Path path = ReadPathPrimary();
+  PropertyPath path = ReadPathPrimary();
   if (TakeMark("*")) {
-    path = Wrapped(Path::Kind::kZeroOrMore, std::move(path));
+    path = Wrapped(PropertyPath::Kind::kZeroOrMore, std::move(path));
   } else if (TakeMark("+")) {
-    path = Wrapped(Path::Kind::kOneOrMore, std::move(path));
+    path = Wrapped(PropertyPath::Kind::kOneOrMore, std::move(path));
   } else if (TakeMark("?")) {
-    path = Wrapped(Path::Kind::kZeroOrOne, std::move(path));
+    path = Wrapped(PropertyPath::Kind::kZeroOrOne, std::move(path));
   }
-  return inverse ? Wrapped(Path::Kind::kInverse, std::move(path)) : path;
+  return inverse ? Wrapped(PropertyPath::Kind::kInverse, std::move(path))
+                 : path;
 }
 
 // [94] PathPrimary
-Path Grammar::ReadPathPrimary() {
+PropertyPath SparqlGrammar::ReadPathPrimary() {
   if (TakeMark("!")) return ReadNegatedSet();
   if (TakeMark("(")) {
-    Path path = ReadPath();
+    PropertyPath path = ReadPath();
     ExpectMark(")");
     return path;
   }
-  Path link;
+  PropertyPath link;
   if (AtWord("a") && Peek().text == "a") {
     Take();
     link.constant = ConstantNumber(RdfTerm("type"));
@@ -230,9 +236,9 @@ Path Grammar::ReadPathPrimary() {
 }
 
 // [95] PathNegatedPropertySet
-Path Grammar::ReadNegatedSet() {
-  Path path;
-  path.kind = Path::Kind::kNegated;
+PropertyPath SparqlGrammar::ReadNegatedSet() {
+  PropertyPath path;
+  path.kind = PropertyPath::Kind::kNegated;
   if (!TakeMark("(")) {
     path.parts.push_back(ReadNegatedLink());
     return path;
@@ -246,11 +252,12 @@ Path Grammar::ReadNegatedSet() {
 }
 
 // [96] PathOneInPropertySet
-Path Grammar::ReadNegatedLink() {
+PropertyPath SparqlGrammar::ReadNegatedLink() {
   const bool inverse = TakeMark("^");
   if (!AtIri() && !AtWord("a")) Expected("a property");
-  Path link = ReadPathPrimary();
-  return inverse ? Wrapped(Path::Kind::kInverse, std::move(link)) : link;
+  PropertyPath link = ReadPathPrimary();
+  return inverse ? Wrapped(PropertyPath::Kind::kInverse, std::move(link))
+                 : link;
 }
 
 }  // namespace kg_core::sparql

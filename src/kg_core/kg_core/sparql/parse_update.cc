@@ -9,39 +9,40 @@
 namespace kg_core::sparql {
 namespace {
 
-using Kind = Operation::Kind;
+using OperationKind = UpdateOperation::Kind;
 
 struct GraphWord {
   const char* word;
-  Kind kind;
+  OperationKind kind;
 };
 constexpr GraphWord kGraphWords[] = {
-    {"LOAD", Kind::kLoad},     {"CLEAR", Kind::kClear}, {"DROP", Kind::kDrop},
-    {"CREATE", Kind::kCreate}, {"COPY", Kind::kCopy},   {"MOVE", Kind::kMove},
-    {"ADD", Kind::kAdd},
+    {"LOAD", OperationKind::kLoad}, {"CLEAR", OperationKind::kClear},
+    {"DROP", OperationKind::kDrop}, {"CREATE", OperationKind::kCreate},
+    {"COPY", OperationKind::kCopy}, {"MOVE", OperationKind::kMove},
+    {"ADD", OperationKind::kAdd},
 };
 
 // DELETE WHERE: the quads are pattern and template in one.
-Pattern PatternOf(const QuadTemplate& quad) {
-  Pattern basic;
+GraphPattern MakePattern(const QuadTemplate& quad) {
+  GraphPattern basic;
   basic.triples.push_back(quad.triple);
   if (quad.graph.index == kNone) return basic;
-  Pattern graph;
-  graph.kind = Pattern::Kind::kGraph;
+  GraphPattern graph;
+  graph.kind = GraphPattern::Kind::kGraph;
   graph.graph = quad.graph;
   graph.parts.push_back(std::move(basic));
   return graph;
 }
 
-bool SameGraph(const Node& a, const Node& b) {
+bool SameGraph(const VarOrTerm& a, const VarOrTerm& b) {
   return a.is_variable == b.is_variable && a.index == b.index;
 }
 
 }  // namespace
 
 // [29] Update, [30] Update1
-Update Grammar::ReadUpdate() {
-  Update update;
+UpdateRequest SparqlGrammar::ReadUpdate() {
+  UpdateRequest update;
   ReadPrologue();
   while (Peek().kind != Token::Kind::kEnd) {
     update.operations.push_back(ReadOperation());
@@ -54,8 +55,8 @@ Update Grammar::ReadUpdate() {
   return update;
 }
 
-// Each operation numbers its own variables; prefixes and the base go on.
-void Grammar::BeginOperation() {
+// Each operation numbers its own variables; prefixes and the base are kept.
+void SparqlGrammar::BeginOperation() {
   Query fresh;
   fresh.base = query_.base;
   query_ = std::move(fresh);
@@ -64,9 +65,9 @@ void Grammar::BeginOperation() {
   block_ = ++blocks_;
 }
 
-Operation Grammar::ReadOperation() {
+UpdateOperation SparqlGrammar::ReadOperation() {
   BeginOperation();
-  Operation operation;
+  UpdateOperation operation;
   operation.position = Peek().position;
   if (ReadGraphOperation(&operation)) return operation;
   if (AtWord("INSERT") && AtWord("DATA", 1)) {
@@ -82,6 +83,7 @@ Operation Grammar::ReadOperation() {
   } else {
     Expected("an update such as INSERT, DELETE, CLEAR or COPY");
   }
+  // The next operation begins with an empty query, but keeps BASE.
   operation.query = std::move(query_);
   query_ = {};
   query_.base = operation.query.base;
@@ -89,7 +91,7 @@ Operation Grammar::ReadOperation() {
 }
 
 // [31] Load to [37] Copy
-bool Grammar::ReadGraphOperation(Operation* operation) {
+bool SparqlGrammar::ReadGraphOperation(UpdateOperation* operation) {
   const GraphWord* found = nullptr;
   for (const GraphWord& graph_word : kGraphWords) {
     if (AtWord(graph_word.word)) found = &graph_word;
@@ -98,12 +100,13 @@ bool Grammar::ReadGraphOperation(Operation* operation) {
   Take();
   operation->kind = found->kind;
   operation->silent = TakeWord("SILENT");
-  const bool moves = found->kind == Kind::kCopy || found->kind == Kind::kMove ||
-                     found->kind == Kind::kAdd;
+  const bool moves = found->kind == OperationKind::kCopy ||
+                     found->kind == OperationKind::kMove ||
+                     found->kind == OperationKind::kAdd;
   if (moves) {
     operation->source = ReadGraphRef(found->kind);
     ExpectWord("TO");
-  } else if (found->kind == Kind::kLoad) {
+  } else if (found->kind == OperationKind::kLoad) {
     operation->source = {GraphRef::Kind::kIri, ReadIri()};
     if (!TakeWord("INTO")) return true;
   }
@@ -112,11 +115,14 @@ bool Grammar::ReadGraphOperation(Operation* operation) {
 }
 
 // [44] GraphRef, [45] GraphOrDefault, [47] GraphRefAll
-GraphRef Grammar::ReadGraphRef(Operation::Kind kind) {
-  const bool may_be_all = kind == Kind::kClear || kind == Kind::kDrop;
-  const bool moves =
-      kind == Kind::kCopy || kind == Kind::kMove || kind == Kind::kAdd;
+GraphRef SparqlGrammar::ReadGraphRef(UpdateOperation::Kind kind) {
+  const bool may_be_all =
+      kind == OperationKind::kClear || kind == OperationKind::kDrop;
+  const bool moves = kind == OperationKind::kCopy ||
+                     kind == OperationKind::kMove ||
+                     kind == OperationKind::kAdd;
   GraphRef graph;
+  // CREATE and LOAD name a graph by GRAPH only.
   if ((may_be_all || moves) && TakeWord("DEFAULT")) return graph;
   if (may_be_all && TakeWord("NAMED")) {
     graph.kind = GraphRef::Kind::kNamed;
@@ -136,7 +142,7 @@ GraphRef Grammar::ReadGraphRef(Operation::Kind kind) {
 
 // [38] InsertData. No label may return in the data of another one.
 // https://www.w3.org/TR/sparql11-query/#grammarBNodes
-void Grammar::ReadInsertData(Operation* operation) {
+void SparqlGrammar::ReadInsertData(UpdateOperation* operation) {
   Take();
   Take();
   std::swap(block_of_label_, block_of_data_label_);
@@ -145,23 +151,24 @@ void Grammar::ReadInsertData(Operation* operation) {
 }
 
 // [40] DeleteWhere
-void Grammar::ReadDeleteWhere(Operation* operation) {
+void SparqlGrammar::ReadDeleteWhere(UpdateOperation* operation) {
   Take();
   Take();
   operation->removed = ReadQuads({true, true, false, "DELETE WHERE"});
-  Pattern where;
+  GraphPattern where;
   for (const QuadTemplate& quad : operation->removed) {
     CountPattern();
-    Pattern part = PatternOf(quad);
+    GraphPattern part = MakePattern(quad);
+    // Consecutive quads of one graph form one basic graph pattern.
     const bool same = &quad != operation->removed.data() &&
                       SameGraph(quad.graph, (&quad)[-1].graph);
     if (!same) {
       where = Join(std::move(where), std::move(part));
       continue;
     }
-    Pattern* last = &where;
-    if (last->kind == Pattern::Kind::kJoin) last = &last->parts[1];
-    if (last->kind == Pattern::Kind::kGraph) last = &last->parts[0];
+    GraphPattern* last = &where;
+    if (last->kind == GraphPattern::Kind::kJoin) last = &last->parts[1];
+    if (last->kind == GraphPattern::Kind::kGraph) last = &last->parts[0];
     last->triples.push_back(quad.triple);
   }
   query_.select.where = std::move(where);
@@ -169,7 +176,7 @@ void Grammar::ReadDeleteWhere(Operation* operation) {
 }
 
 // [41] Modify
-void Grammar::ReadModify(Operation* operation) {
+void SparqlGrammar::ReadModify(UpdateOperation* operation) {
   if (TakeWord("WITH")) operation->with = ReadIri();
   const auto labels = block_of_label_;
   const bool deletes = TakeWord("DELETE");
@@ -191,7 +198,7 @@ void Grammar::ReadModify(Operation* operation) {
 }
 
 // [43] UsingClause
-void Grammar::ReadUsing() {
+void SparqlGrammar::ReadUsing() {
   while (TakeWord("USING")) {
     query_.has_dataset = true;
     const bool named = TakeWord("NAMED");
@@ -199,8 +206,8 @@ void Grammar::ReadUsing() {
   }
 }
 
-Update ParseUpdate(std::string_view text, int nesting) {
-  return Grammar(Tokenize(text), nesting).ReadUpdate();
+UpdateRequest ParseUpdate(std::string_view text, int nesting) {
+  return SparqlGrammar(Tokenize(text), nesting).ReadUpdate();
 }
 
 }  // namespace kg_core::sparql

@@ -11,11 +11,11 @@
 namespace kg_core::sparql {
 namespace {
 
-struct Refusal {
+struct RefusedForm {
   const char* word;
   const char* reason;
 };
-constexpr Refusal kOtherForms[] = {
+constexpr RefusedForm kOtherForms[] = {
     {"INSERT", "INSERT is not available: a query changes nothing"},
     {"DELETE", "DELETE is not available: a query changes nothing"},
     {"LOAD", "LOAD is not available: a query changes nothing"},
@@ -38,7 +38,7 @@ Expression VariableExpression(int variable) {
 }  // namespace
 
 // [4] Prologue
-void Grammar::ReadPrologue() {
+void SparqlGrammar::ReadPrologue() {
   while (true) {
     if (TakeWord("BASE")) {
       if (Peek().kind != Token::Kind::kIri) Expected("an IRI in <>");
@@ -57,14 +57,14 @@ void Grammar::ReadPrologue() {
   }
 }
 
-void Grammar::RefuseOtherForms() {
-  for (const Refusal& form : kOtherForms) {
+void SparqlGrammar::RefuseOtherForms() {
+  for (const RefusedForm& form : kOtherForms) {
     if (AtWord(form.word)) Fail(Peek(), form.reason);
   }
 }
 
 // [1] QueryUnit
-Query Grammar::ReadQuery() {
+Query SparqlGrammar::ReadQuery() {
   ReadPrologue();
   RefuseOtherForms();
   if (AtWord("SELECT")) {
@@ -88,7 +88,7 @@ Query Grammar::ReadQuery() {
 }
 
 // [13] DatasetClause
-void Grammar::ReadDatasetClauses() {
+void SparqlGrammar::ReadDatasetClauses() {
   while (TakeWord("FROM")) {
     query_.has_dataset = true;
     const bool named = TakeWord("NAMED");
@@ -97,8 +97,8 @@ void Grammar::ReadDatasetClauses() {
 }
 
 // [7] SelectQuery, [8] SubSelect
-void Grammar::ReadSelect(Select* select) {
-  const Position start = Peek().position;
+void SparqlGrammar::ReadSelect(SelectQuery* select) {
+  const QueryPosition start = Peek().position;
   aggregates_of_ = select;
   const bool all = ReadSelectClause(select);
   aggregates_of_ = nullptr;
@@ -115,7 +115,8 @@ void Grammar::ReadSelect(Select* select) {
 }
 
 // Those of `variables` that have a name.
-void Grammar::AddColumns(const VariableSet& variables, Select* select) {
+void SparqlGrammar::AddColumns(const VariableSet& variables,
+                               SelectQuery* select) {
   for (const int variable : variables.Members()) {
     if (IsHidden(query_.variables[static_cast<std::size_t>(variable)])) {
       continue;
@@ -125,7 +126,7 @@ void Grammar::AddColumns(const VariableSet& variables, Select* select) {
 }
 
 // [9] SelectClause; true for SELECT *.
-bool Grammar::ReadSelectClause(Select* select) {
+bool SparqlGrammar::ReadSelectClause(SelectQuery* select) {
   ExpectWord("SELECT");
   select->distinct = TakeWord("DISTINCT");
   // REDUCED may keep every solution, and we do.
@@ -144,8 +145,8 @@ bool Grammar::ReadSelectClause(Select* select) {
   }
 }
 
-Column Grammar::ReadAliased() {
-  Column column;
+SelectColumn SparqlGrammar::ReadAliased() {
+  SelectColumn column;
   column.expression = ReadExpression();
   ExpectWord("AS");
   column.variable = ReadVariable();
@@ -154,22 +155,22 @@ Column Grammar::ReadAliased() {
 }
 
 // [17] WhereClause
-void Grammar::ReadWhere(Select* select) {
-  Select* const outer = aggregates_of_;
+void SparqlGrammar::ReadWhere(SelectQuery* select) {
+  SelectQuery* const outer = aggregates_of_;
   aggregates_of_ = nullptr;
   TakeWord("WHERE");
   select->where = ReadGroupPattern();
   aggregates_of_ = outer;
 }
 
-void Grammar::ReadModifiersOfForm() {
+void SparqlGrammar::ReadModifiersOfForm() {
   aggregates_of_ = &query_.select;
   ReadModifiers(&query_.select);
   aggregates_of_ = nullptr;
 }
 
 // [18] SolutionModifier, [28] ValuesClause
-void Grammar::ReadModifiers(Select* select) {
+void SparqlGrammar::ReadModifiers(SelectQuery* select) {
   ReadGroupBy(select);
   ReadHaving(select);
   ReadOrderBy(select);
@@ -182,13 +183,14 @@ void Grammar::ReadModifiers(Select* select) {
 }
 
 // [19] GroupClause
-void Grammar::ReadGroupBy(Select* select) {
+void SparqlGrammar::ReadGroupBy(SelectQuery* select) {
   if (!TakeWord("GROUP")) return;
   ExpectWord("BY");
-  Select* const outer = aggregates_of_;
+  // Aggregates may not stand in GROUP BY.
+  SelectQuery* const outer = aggregates_of_;
   aggregates_of_ = nullptr;
   while (true) {
-    Column key;
+    SelectColumn key;
     if (Peek().kind == Token::Kind::kVariable) {
       key.variable = ReadVariable();
     } else if (TakeMark("(")) {
@@ -210,7 +212,7 @@ void Grammar::ReadGroupBy(Select* select) {
 }
 
 // [21] HavingClause
-void Grammar::ReadHaving(Select* select) {
+void SparqlGrammar::ReadHaving(SelectQuery* select) {
   if (!TakeWord("HAVING")) return;
   do {
     select->having.push_back(ReadConstraint());
@@ -220,7 +222,7 @@ void Grammar::ReadHaving(Select* select) {
 }
 
 // [23] OrderClause
-void Grammar::ReadOrderBy(Select* select) {
+void SparqlGrammar::ReadOrderBy(SelectQuery* select) {
   if (!TakeWord("ORDER")) return;
   ExpectWord("BY");
   while (true) {
@@ -244,7 +246,7 @@ void Grammar::ReadOrderBy(Select* select) {
   }
 }
 
-std::size_t Grammar::ReadCount() {
+std::size_t SparqlGrammar::ReadCount() {
   if (Peek().kind != Token::Kind::kInteger || Peek().text.size() > 18) {
     Expected("a whole number");
   }
@@ -253,7 +255,7 @@ std::size_t Grammar::ReadCount() {
 }
 
 // [25] LimitOffsetClauses
-void Grammar::ReadLimits(Select* select) {
+void SparqlGrammar::ReadLimits(SelectQuery* select) {
   bool offset_seen = false;
   while (true) {
     if (!select->limit && TakeWord("LIMIT")) {
@@ -269,15 +271,16 @@ void Grammar::ReadLimits(Select* select) {
 
 // https://www.w3.org/TR/sparql11-query/#selectExpressions and
 // #aggregateRestrictions
-void Grammar::CheckColumns(const Select& select, Position position) {
+void SparqlGrammar::CheckColumns(const SelectQuery& select,
+                                 QueryPosition position) {
   const VariableSet visible = VisibleVariables(select.where);
   VariableSet known;  // What a column of a grouped query may mention.
-  for (const Column& key : select.group_by) known.Insert(key.variable);
-  for (const Aggregate& aggregate : select.aggregates) {
+  for (const SelectColumn& key : select.group_by) known.Insert(key.variable);
+  for (const AggregateCall& aggregate : select.aggregates) {
     known.Insert(aggregate.variable);
   }
   VariableSet columns;
-  for (const Column& column : select.columns) {
+  for (const SelectColumn& column : select.columns) {
     const std::string name =
         "?" + query_.variables[static_cast<std::size_t>(column.variable)];
     if (!column.expression) {
@@ -291,7 +294,8 @@ void Grammar::CheckColumns(const Select& select, Position position) {
         columns.Contains(column.variable)) {
       FailAt(position, name + " already has values in this query");
     }
-    if (select.grouped && !VariablesOf(*column.expression).IsSubsetOf(known)) {
+    if (select.grouped &&
+        !CollectVariables(*column.expression).IsSubsetOf(known)) {
       FailAt(position, "the expression of " + name +
                            " mentions a variable that is not grouped by");
     }
@@ -301,7 +305,7 @@ void Grammar::CheckColumns(const Select& select, Position position) {
 }
 
 Query ParseQuery(std::string_view text, int nesting) {
-  return Grammar(Tokenize(text), nesting).ReadQuery();
+  return SparqlGrammar(Tokenize(text), nesting).ReadQuery();
 }
 
 }  // namespace kg_core::sparql

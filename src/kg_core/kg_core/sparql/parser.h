@@ -17,7 +17,7 @@ Query ParseQuery(std::string_view text, int nesting);
 
 // Likewise an update request. Queries and updates do not know each other's
 // keywords.
-Update ParseUpdate(std::string_view text, int nesting);
+UpdateRequest ParseUpdate(std::string_view text, int nesting);
 
 }  // namespace kg_core::sparql
 

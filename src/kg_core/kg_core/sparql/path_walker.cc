@@ -6,35 +6,36 @@
 
 namespace kg_core::sparql {
 
-bool PathWalker::Walk(const Path& path, TermId from, TermId to,
+bool PathWalker::Walk(const PropertyPath& path, TermId from, TermId to,
                       Visit visit) const {
   switch (path.kind) {
-    case Path::Kind::kLink:
+    case PropertyPath::Kind::kLink:
       return graph_->Match(
-          {from, IdOf(path), to, kNoTerm},
+          {from, FindId(path), to, kNoTerm},
           [&](const Quad& quad) { return visit(quad.subject, quad.object); });
-    case Path::Kind::kInverse:
+    case PropertyPath::Kind::kInverse:
       return Walk(path.parts[0], to, from,
                   [&](TermId a, TermId b) { return visit(b, a); });
-    case Path::Kind::kSequence:
+    case PropertyPath::Kind::kSequence:
       return WalkSequence(path.parts.data(), path.parts.size(), {from, to},
                           visit);
-    case Path::Kind::kAlternative:
-      return std::all_of(
-          path.parts.begin(), path.parts.end(),
-          [&](const Path& part) { return Walk(part, from, to, visit); });
-    case Path::Kind::kNegated:
+    case PropertyPath::Kind::kAlternative:
+      return std::all_of(path.parts.begin(), path.parts.end(),
+                         [&](const PropertyPath& part) {
+                           return Walk(part, from, to, visit);
+                         });
+    case PropertyPath::Kind::kNegated:
       return WalkNegated(path, {from, to}, visit);
-    case Path::Kind::kZeroOrMore:
-    case Path::Kind::kOneOrMore:
-    case Path::Kind::kZeroOrOne:
+    case PropertyPath::Kind::kZeroOrMore:
+    case PropertyPath::Kind::kOneOrMore:
+    case PropertyPath::Kind::kZeroOrOne:
       return WalkClosure(path, {from, to}, visit);
   }
   return true;
 }
 
-bool PathWalker::WalkSequence(const Path* parts, std::size_t count, Ends ends,
-                              Visit visit) const {
+bool PathWalker::WalkSequence(const PropertyPath* parts, std::size_t count,
+                              Ends ends, Visit visit) const {
   if (count == 1) return Walk(parts[0], ends.from, ends.to, visit);
   if (ends.from == kNoTerm && ends.to != kNoTerm) {
     return Walk(parts[count - 1], kNoTerm, ends.to,
@@ -51,17 +52,19 @@ bool PathWalker::WalkSequence(const Path* parts, std::size_t count, Ends ends,
 }
 
 // https://www.w3.org/TR/sparql11-query/#defn_evalPP_negatedPropertySet
-bool PathWalker::WalkNegated(const Path& path, Ends ends, Visit visit) const {
+bool PathWalker::WalkNegated(const PropertyPath& path, Ends ends,
+                             Visit visit) const {
   std::vector<TermId> forward;
   std::vector<TermId> backward;
-  for (const Path& part : path.parts) {
-    const bool inverse = part.kind == Path::Kind::kInverse;
+  for (const PropertyPath& part : path.parts) {
+    const bool inverse = part.kind == PropertyPath::Kind::kInverse;
     (inverse ? backward : forward)
-        .push_back(IdOf(inverse ? part.parts[0] : part));
+        .push_back(FindId(inverse ? part.parts[0] : part));
   }
   const auto contains = [](const std::vector<TermId>& ids, TermId id) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   };
+  // !(p | q) looks forward only, !(^p) backward only, a mixture both ways.
   if (!forward.empty() || backward.empty()) {
     const bool go_on = graph_->Match(
         {ends.from, kNoTerm, ends.to, kNoTerm}, [&](const Quad& quad) {
@@ -79,7 +82,7 @@ bool PathWalker::WalkNegated(const Path& path, Ends ends, Visit visit) const {
 }
 
 // https://www.w3.org/TR/sparql11-query/#defn_evalPP_ZeroOrMorePath
-std::vector<TermId> PathWalker::Reach(const Path& path, TermId start,
+std::vector<TermId> PathWalker::Reach(const PropertyPath& path, TermId start,
                                       bool forward) const {
   absl::flat_hash_set<TermId> seen;
   std::vector<TermId> reached;
@@ -94,12 +97,13 @@ std::vector<TermId> PathWalker::Reach(const Path& path, TermId start,
            return true;
          });
   };
-  if (path.kind == Path::Kind::kOneOrMore) {
+  // Breadth first. p+ has its start only if a cycle leads back to it.
+  if (path.kind == PropertyPath::Kind::kOneOrMore) {
     expand(start);
   } else {
     add(start);
   }
-  if (path.kind == Path::Kind::kZeroOrOne) {
+  if (path.kind == PropertyPath::Kind::kZeroOrOne) {
     expand(start);
     return reached;
   }
@@ -107,7 +111,8 @@ std::vector<TermId> PathWalker::Reach(const Path& path, TermId start,
   return reached;
 }
 
-bool PathWalker::WalkClosure(const Path& path, Ends ends, Visit visit) const {
+bool PathWalker::WalkClosure(const PropertyPath& path, Ends ends,
+                             Visit visit) const {
   if (ends.from == kNoTerm && ends.to == kNoTerm) {
     for (const TermId node : graph_->Nodes()) {
       if (!WalkClosure(path, {node, kNoTerm}, visit)) return false;

@@ -21,12 +21,13 @@ class PathWalker {
 
   // `constants` are the ids of the query's constants, by number.
   PathWalker(const ActiveGraph* graph, const std::vector<TermId>* constants,
-             Budget* budget)
+             QueryBudget* budget)
       : graph_(graph), constants_(constants), budget_(budget) {}
 
   // Visits all pairs that `path` connects; kNoTerm is any end. False if `visit`
   // was: stop.
-  bool Walk(const Path& path, TermId from, TermId to, Visit visit) const;
+  bool Walk(const PropertyPath& path, TermId from, TermId to,
+            Visit visit) const;
 
  private:
   struct Ends {
@@ -34,19 +35,20 @@ class PathWalker {
     TermId to;
   };
 
-  TermId IdOf(const Path& link) const {
+  TermId FindId(const PropertyPath& link) const {
     return (*constants_)[static_cast<std::size_t>(link.constant)];
   }
-  bool WalkSequence(const Path* parts, std::size_t count, Ends ends,
+  bool WalkSequence(const PropertyPath* parts, std::size_t count, Ends ends,
                     Visit visit) const;
-  bool WalkNegated(const Path& path, Ends ends, Visit visit) const;
-  bool WalkClosure(const Path& path, Ends ends, Visit visit) const;
+  bool WalkNegated(const PropertyPath& path, Ends ends, Visit visit) const;
+  bool WalkClosure(const PropertyPath& path, Ends ends, Visit visit) const;
   // What is reached from `start`, each once, in order of discovery.
-  std::vector<TermId> Reach(const Path& path, TermId start, bool forward) const;
+  std::vector<TermId> Reach(const PropertyPath& path, TermId start,
+                            bool forward) const;
 
   const ActiveGraph* graph_;
   const std::vector<TermId>* constants_;
-  Budget* budget_;
+  QueryBudget* budget_;
 };
 
 }  // namespace kg_core::sparql

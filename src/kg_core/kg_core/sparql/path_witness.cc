@@ -33,26 +33,28 @@ void PathWitness::Improve(std::optional<Way>* best,
   if (way && (!*best || IsBetter(*way, **best))) *best = std::move(way);
 }
 
-std::optional<Way> PathWitness::Find(const Path& path, TermId from,
+std::optional<Way> PathWitness::Find(const PropertyPath& path, TermId from,
                                      TermId to) const {
   std::optional<Way> best;
   switch (path.kind) {
-    case Path::Kind::kLink:
+    case PropertyPath::Kind::kLink:
       return FindLink({from,
                        (*constants_)[static_cast<std::size_t>(path.constant)],
                        to, kNoTerm});
-    case Path::Kind::kInverse:
+    case PropertyPath::Kind::kInverse:
       return Find(path.parts[0], to, from);
-    case Path::Kind::kSequence:
+    case PropertyPath::Kind::kSequence:
       return FindSequence(path.parts.data(), path.parts.size(), from, to);
-    case Path::Kind::kAlternative:
-      for (const Path& part : path.parts) Improve(&best, Find(part, from, to));
+    case PropertyPath::Kind::kAlternative:
+      for (const PropertyPath& part : path.parts) {
+        Improve(&best, Find(part, from, to));
+      }
       return best;
-    case Path::Kind::kNegated:
+    case PropertyPath::Kind::kNegated:
       return FindNegated(path, from, to);
-    case Path::Kind::kZeroOrMore:
-    case Path::Kind::kOneOrMore:
-    case Path::Kind::kZeroOrOne:
+    case PropertyPath::Kind::kZeroOrMore:
+    case PropertyPath::Kind::kOneOrMore:
+    case PropertyPath::Kind::kZeroOrOne:
       break;
   }
   return FindClosure(path, from, to);
@@ -67,7 +69,8 @@ std::optional<Way> PathWitness::FindLink(const Quad& wanted) const {
   return way;
 }
 
-std::vector<TermId> PathWitness::Targets(const Path& path, TermId from) const {
+std::vector<TermId> PathWitness::Targets(const PropertyPath& path,
+                                         TermId from) const {
   std::set<TermId> targets;
   walker_.Walk(path, from, kNoTerm, [&targets](TermId, TermId to) {
     targets.insert(to);
@@ -76,7 +79,7 @@ std::vector<TermId> PathWitness::Targets(const Path& path, TermId from) const {
   return {targets.begin(), targets.end()};
 }
 
-std::optional<Way> PathWitness::FindSequence(const Path* parts,
+std::optional<Way> PathWitness::FindSequence(const PropertyPath* parts,
                                              std::size_t count, TermId from,
                                              TermId to) const {
   if (count == 1) return Find(parts[0], from, to);
@@ -91,18 +94,19 @@ std::optional<Way> PathWitness::FindSequence(const Path* parts,
 }
 
 // Every triple between the two is tried, whichever way the path may go.
-std::optional<Way> PathWitness::FindNegated(const Path& path, TermId from,
-                                            TermId to) const {
+std::optional<Way> PathWitness::FindNegated(const PropertyPath& path,
+                                            TermId from, TermId to) const {
   std::optional<Way> best;
   for (const bool inverse : {false, true}) {
     const TermId subject = inverse ? to : from;
     const TermId object = inverse ? from : to;
+    // Forward and backward members of the set exclude in their direction only.
     bool has_direction = !inverse && path.parts.empty();
     std::set<TermId> excluded;
-    for (const Path& part : path.parts) {
-      if ((part.kind == Path::Kind::kInverse) != inverse) continue;
+    for (const PropertyPath& part : path.parts) {
+      if ((part.kind == PropertyPath::Kind::kInverse) != inverse) continue;
       has_direction = true;
-      const Path& link = inverse ? part.parts[0] : part;
+      const PropertyPath& link = inverse ? part.parts[0] : part;
       excluded.insert((*constants_)[static_cast<std::size_t>(link.constant)]);
     }
     if (!has_direction) continue;
@@ -115,7 +119,7 @@ std::optional<Way> PathWitness::FindNegated(const Path& path, TermId from,
 }
 
 // One more step from every node of `layer`: the best way to each next node.
-PathWitness::Ways PathWitness::NextLayer(const Path& step,
+PathWitness::Ways PathWitness::NextLayer(const PropertyPath& step,
                                          const Ways& layer) const {
   Ways next;
   for (const auto& [node, way] : layer) {
@@ -134,16 +138,16 @@ PathWitness::Ways PathWitness::NextLayer(const Path& step,
 }
 
 // Breadth first, a layer of nodes at a time.
-std::optional<Way> PathWitness::FindClosure(const Path& path, TermId from,
-                                            TermId to) const {
-  if (path.kind != Path::Kind::kOneOrMore && from == to) return Way{};
+std::optional<Way> PathWitness::FindClosure(const PropertyPath& path,
+                                            TermId from, TermId to) const {
+  if (path.kind != PropertyPath::Kind::kOneOrMore && from == to) return Way{};
   std::set<TermId> seen;
   Ways layer = {{from, {}}};
   while (!layer.empty()) {
     layer = NextLayer(path.parts[0], layer);
     const auto found = layer.find(to);
     if (found != layer.end()) return found->second;
-    if (path.kind == Path::Kind::kZeroOrOne) break;
+    if (path.kind == PropertyPath::Kind::kZeroOrOne) break;
     for (auto node = layer.begin(); node != layer.end();) {
       node =
           seen.insert(node->first).second ? std::next(node) : layer.erase(node);

@@ -23,7 +23,7 @@ namespace kg_core::sparql {
 class PathWitness {
  public:
   PathWitness(const ActiveGraph* graph, const std::vector<TermId>* constants,
-              Budget* budget, const TermTable* terms)
+              QueryBudget* budget, const TermTable* terms)
       : graph_(graph),
         constants_(constants),
         budget_(budget),
@@ -31,7 +31,7 @@ class PathWitness {
         walker_(graph, constants, budget) {}
 
   // Nothing if `path` does not connect the two; empty for a way of length zero.
-  std::optional<std::vector<Quad>> Find(const Path& path, TermId from,
+  std::optional<std::vector<Quad>> Find(const PropertyPath& path, TermId from,
                                         TermId to) const;
 
  private:
@@ -39,20 +39,20 @@ class PathWitness {
   using Ways = std::map<TermId, Way>;  // By where they lead.
 
   std::optional<Way> FindLink(const Quad& wanted) const;
-  std::optional<Way> FindSequence(const Path* parts, std::size_t count,
+  std::optional<Way> FindSequence(const PropertyPath* parts, std::size_t count,
                                   TermId from, TermId to) const;
-  std::optional<Way> FindNegated(const Path& path, TermId from,
+  std::optional<Way> FindNegated(const PropertyPath& path, TermId from,
                                  TermId to) const;
-  std::optional<Way> FindClosure(const Path& path, TermId from,
+  std::optional<Way> FindClosure(const PropertyPath& path, TermId from,
                                  TermId to) const;
-  Ways NextLayer(const Path& step, const Ways& layer) const;
-  std::vector<TermId> Targets(const Path& path, TermId from) const;
+  Ways NextLayer(const PropertyPath& step, const Ways& layer) const;
+  std::vector<TermId> Targets(const PropertyPath& path, TermId from) const;
   bool IsBetter(const Way& a, const Way& b) const;
   void Improve(std::optional<Way>* best, std::optional<Way> way) const;
 
   const ActiveGraph* graph_;
   const std::vector<TermId>* constants_;
-  Budget* budget_;
+  QueryBudget* budget_;
   const TermTable* terms_;
   PathWalker walker_;
 };

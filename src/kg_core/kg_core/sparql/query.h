@@ -2,7 +2,7 @@
 // https://www.w3.org/TR/sparql11-query/#sparqlAlgebra
 //
 // Variables and constants are numbered once for the whole text; blank nodes of
-// a query are variables that nobody can select ("_:" and "." begin no name).
+// a query are variables that cannot be selected ("_:" and "." begin no name).
 
 #ifndef KG_CORE_SPARQL_QUERY_H_
 #define KG_CORE_SPARQL_QUERY_H_
@@ -21,17 +21,17 @@ namespace kg_core::sparql {
 
 inline constexpr int kNone = -1;
 
-struct Pattern;
-struct Select;
+struct GraphPattern;
+struct SelectQuery;
 
 // A position of a triple pattern: a variable or a constant, by number.
-struct Node {
+struct VarOrTerm {
   bool is_variable = false;
   int index = kNone;
 };
 
 // https://www.w3.org/TR/sparql11-query/#propertypaths
-struct Path {
+struct PropertyPath {
   enum class Kind {
     kLink,         // constant
     kInverse,      // ^part
@@ -44,14 +44,14 @@ struct Path {
   };
   Kind kind = Kind::kLink;
   int constant = kNone;
-  std::vector<Path> parts;
+  std::vector<PropertyPath> parts;
 };
 
 struct TriplePattern {
-  Node subject;
-  Node predicate;  // Not used if there is a path.
-  Node object;
-  std::optional<Path> path;
+  VarOrTerm subject;
+  VarOrTerm predicate;  // Not used if there is a path.
+  VarOrTerm object;
+  std::optional<PropertyPath> path;
 };
 
 struct Expression {
@@ -84,14 +84,14 @@ struct Expression {
     kCall,
   };
   Op op = Op::kConstant;
-  int index = kNone;                   // kVariable, kBound, kConstant.
-  const Function* function = nullptr;  // kCall.
+  int index = kNone;                         // kVariable, kBound, kConstant.
+  const SparqlFunction* function = nullptr;  // kCall.
   std::vector<Expression> arguments;
-  std::unique_ptr<Pattern> pattern;  // kExists, kNotExists.
+  std::unique_ptr<GraphPattern> pattern;  // kExists, kNotExists.
 };
 
 // https://www.w3.org/TR/sparql11-query/#sparqlAlgebra
-struct Pattern {
+struct GraphPattern {
   enum class Kind {
     kBasic,     // triples; filters as soon as their variables are bound
     kJoin,      // parts[0] and parts[1]
@@ -106,13 +106,13 @@ struct Pattern {
   };
   Kind kind = Kind::kBasic;
   std::vector<TriplePattern> triples;
-  std::vector<Pattern> parts;
+  std::vector<GraphPattern> parts;
   std::vector<Expression> filters;
-  Node graph;
+  VarOrTerm graph;
   int variable = kNone;
   std::vector<int> variables;
   std::vector<std::vector<int>> rows;  // Constants, kNone = UNDEF.
-  std::unique_ptr<Select> select;
+  std::unique_ptr<SelectQuery> select;
 
   // Set by Prepare() (algebra.h).
   VariableSet possible;      // May be bound in a solution.
@@ -121,7 +121,7 @@ struct Pattern {
 };
 
 // https://www.w3.org/TR/sparql11-query/#aggregates
-struct Aggregate {
+struct AggregateCall {
   enum class Kind { kCount, kSum, kAvg, kMin, kMax, kSample, kGroupConcat };
   Kind kind = Kind::kCount;
   bool distinct = false;
@@ -130,7 +130,7 @@ struct Aggregate {
   int variable = kNone;  // Where its value goes.
 };
 
-struct Column {
+struct SelectColumn {
   int variable = kNone;
   std::optional<Expression> expression;
 };
@@ -140,13 +140,13 @@ struct OrderKey {
   bool descending = false;
 };
 
-struct Select {
-  Pattern where;
-  std::vector<Column> columns;
+struct SelectQuery {
+  GraphPattern where;
+  std::vector<SelectColumn> columns;
   bool distinct = false;
   bool grouped = false;  // GROUP BY or an aggregate.
-  std::vector<Column> group_by;
-  std::vector<Aggregate> aggregates;
+  std::vector<SelectColumn> group_by;
+  std::vector<AggregateCall> aggregates;
   std::vector<Expression> having;
   std::vector<OrderKey> order_by;
   std::optional<std::size_t> limit;
@@ -157,15 +157,16 @@ struct Select {
 // says in which graph. No paths; hidden variables are fresh blank nodes.
 struct QuadTemplate {
   TriplePattern triple;
-  Node graph;  // kNone: the default graph.
+  VarOrTerm graph;  // kNone: the default graph.
 };
 
 struct Query {
   enum class Form { kSelect, kAsk, kConstruct, kDescribe };
   Form form = Form::kSelect;
-  Select select;  // Of ASK: its pattern; else its columns are what is needed.
+  SelectQuery
+      select;  // Of ASK: its pattern; else its columns are what is needed.
   std::vector<QuadTemplate> construct;
-  std::vector<Node> describe;
+  std::vector<VarOrTerm> describe;
   std::vector<std::string> variables;  // Names by number.
   std::vector<Term> constants;
   // FROM and FROM NAMED; nothing if there is neither.

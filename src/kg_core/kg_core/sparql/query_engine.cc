@@ -4,7 +4,6 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/limit_error.h"
-#include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/algebra.h"
 #include "kg_core/sparql/budget.h"
 #include "kg_core/sparql/construct.h"
@@ -16,14 +15,14 @@
 namespace kg_core {
 namespace {
 
-using sparql::Budget;
-using sparql::Evaluator;
+using sparql::PatternEvaluator;
 using sparql::Query;
+using sparql::QueryBudget;
 using sparql::QueryRun;
 using sparql::Row;
 using sparql::TermTable;
 
-std::size_t BytesOf(const std::vector<std::optional<Term>>& row) {
+std::size_t CountBytes(const std::vector<std::optional<Term>>& row) {
   std::size_t bytes = 0;
   for (const std::optional<Term>& term : row) {
     if (!term) continue;
@@ -49,7 +48,7 @@ bool HasSolution(const QueryRun& run) {
 
 void SelectRows(const QueryRun& run, QueryResult* result) {
   std::vector<std::size_t> columns;
-  for (const sparql::Column& column : run.query.select.columns) {
+  for (const sparql::SelectColumn& column : run.query.select.columns) {
     columns.push_back(static_cast<std::size_t>(column.variable));
     result->variables.push_back(run.query.variables[columns.back()]);
   }
@@ -59,7 +58,7 @@ void SelectRows(const QueryRun& run, QueryResult* result) {
       const TermId id = solution[columns[i]];
       if (id != kNoTerm) row[i] = run.terms->Get(id);
     }
-    run.budget->AddResultRow(BytesOf(row));
+    run.budget->AddResultRow(CountBytes(row));
     result->rows.push_back(std::move(row));
     return true;
   });
@@ -67,26 +66,19 @@ void SelectRows(const QueryRun& run, QueryResult* result) {
 
 }  // namespace
 
-Dataset DefaultDataset(const std::optional<std::string>& plan_graph) {
-  Dataset dataset;
-  dataset.default_graphs = {kFactsGraph, kVocabGraph, kInferredGraph,
-                            kProvGraph, kStateGraph};
-  if (plan_graph) dataset.default_graphs.push_back(*plan_graph);
-  return dataset;
-}
-
 QueryResult RunQuery(const GraphView& view, std::string_view query_text,
                      const Dataset& dataset, const QueryLimits& limits) {
   CheckText(query_text, limits);
-  Budget budget(limits);
+  QueryBudget budget(limits);
   Query query = sparql::ParseQuery(query_text, limits.nesting);
   if (!query.unavailable.empty()) throw InputError(query.unavailable);
+  // A dataset of the protocol goes before FROM of the query.
   if (dataset.is_binding) query.has_dataset = false;
   if (query.has_dataset) sparql::CheckDataset(view, query);
   sparql::Prepare(&query.select);
   TermTable terms(&view, &budget);
-  Evaluator evaluator(&query, &terms, sparql::Resolve(query, dataset, &terms),
-                      &budget);
+  PatternEvaluator evaluator(&query, &terms,
+                             sparql::Resolve(query, dataset, &terms), &budget);
   const QueryRun run{query, &evaluator, &terms, &budget};
   QueryResult result;
   switch (query.form) {

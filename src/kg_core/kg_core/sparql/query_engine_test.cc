@@ -82,7 +82,7 @@ std::string Value(const std::string& expression) {
   return Rows("SELECT (" + expression + " AS ?v) {}").at(0);
 }
 
-std::string ErrorOf(const std::string& query, const QueryLimits& limits = {}) {
+std::string GetError(const std::string& query, const QueryLimits& limits = {}) {
   try {
     Query(query, limits);
   } catch (const InputError& error) {
@@ -406,7 +406,7 @@ TEST(QueryEngine, SaysWhereTheMistakeIs) {
       {"ASK { ?a ex:p \xff }", "1:15: this is not UTF-8"},
   };
   for (const auto& [query, error] : kCases) {
-    EXPECT_EQ(ErrorOf(query), error) << query;
+    EXPECT_EQ(GetError(query), error) << query;
   }
 }
 
@@ -415,39 +415,39 @@ TEST(QueryEngine, EndsWithinItsLimits) {
       "{ ?a ?b ?c . ?d ?e ?f . ?g ?h ?i . ?j ?k ?l . ?m ?n ?o . ?p ?q ?r }";
   QueryLimits limits;
   limits.rows = 1000;
-  EXPECT_EQ(ErrorOf("SELECT * " + cross, limits),
+  EXPECT_EQ(GetError("SELECT * " + cross, limits),
             "the result has more rows than the limit of 1000");
   limits = {};
   limits.bytes = 5000;
-  EXPECT_EQ(ErrorOf("SELECT * " + cross, limits),
+  EXPECT_EQ(GetError("SELECT * " + cross, limits),
             "the result has more bytes than the limit of 5000");
   limits = {};
   limits.seconds = 0.05;
-  EXPECT_EQ(ErrorOf("SELECT (COUNT(*) AS ?total) " + cross, limits),
+  EXPECT_EQ(GetError("SELECT (COUNT(*) AS ?total) " + cross, limits),
             "the query took longer than the limit of 0.05 s");
-  EXPECT_EQ(ErrorOf("ASK " + cross.substr(0, cross.size() - 1) +
-                        "FILTER(STRLEN(CONCAT(STR(?a), STR(?r))) < 0) }",
-                    limits),
+  EXPECT_EQ(GetError("ASK " + cross.substr(0, cross.size() - 1) +
+                         "FILTER(STRLEN(CONCAT(STR(?a), STR(?r))) < 0) }",
+                     limits),
             "the query took longer than the limit of 0.05 s");
   limits = {};
   limits.working_bytes = 100000;
-  EXPECT_EQ(ErrorOf("SELECT * " + cross + " ORDER BY ?a", limits),
+  EXPECT_EQ(GetError("SELECT * " + cross + " ORDER BY ?a", limits),
             "the query needs more memory than the limit of 100000 bytes");
 }
 
 TEST(QueryEngine, CountsTriplesAgainstItsLimits) {
   QueryLimits limits;
   limits.rows = 10;
-  EXPECT_EQ(ErrorOf("CONSTRUCT { ?a ?b [] } { ?a ?b ?c }", limits),
+  EXPECT_EQ(GetError("CONSTRUCT { ?a ?b [] } { ?a ?b ?c }", limits),
             "the result has more rows than the limit of 10");
   limits.rows = 9;
-  EXPECT_EQ(ErrorOf("DESCRIBE ex:alpha", limits),
+  EXPECT_EQ(GetError("DESCRIBE ex:alpha", limits),
             "the result has more rows than the limit of 9");
 }
 
 TEST(QueryEngine, StopsARegularExpressionThatBacktracks) {
   const std::string many(40, 'a');
-  EXPECT_EQ(ErrorOf("ASK { FILTER(REGEX('" + many + "b', '^(a+)+$')) }"),
+  EXPECT_EQ(GetError("ASK { FILTER(REGEX('" + many + "b', '^(a+)+$')) }"),
             "a regular expression took more steps than the limit of 200000");
 }
 
@@ -465,17 +465,17 @@ TEST(QueryEngine, EvaluatesAsLongAChainAsItAccepts) {
 
 TEST(QueryEngine, RefusesTooDeepNestingAndTooLongTexts) {
   const std::string open(300, '(');
-  EXPECT_EQ(ErrorOf("ASK { FILTER" + open),
+  EXPECT_EQ(GetError("ASK { FILTER" + open),
             "1:213: nested deeper than the limit of 200");
   std::string groups;
   for (int i = 0; i < 300; ++i) groups += "{";
-  EXPECT_EQ(ErrorOf("ASK " + groups),
+  EXPECT_EQ(GetError("ASK " + groups),
             "1:205: nested deeper than the limit of 200");
-  EXPECT_EQ(ErrorOf(std::string(65537, ' ')),
+  EXPECT_EQ(GetError(std::string(65537, ' ')),
             "the query is longer than the limit of 65536 bytes");
   std::string optionals;
   for (int i = 0; i < 2000; ++i) optionals += "OPTIONAL{?a ex:p ?b}";
-  EXPECT_NE(ErrorOf("ASK {" + optionals + "}").find("more patterns than"),
+  EXPECT_NE(GetError("ASK {" + optionals + "}").find("more patterns than"),
             std::string::npos);
 }
 

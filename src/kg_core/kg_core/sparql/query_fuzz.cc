@@ -1,6 +1,7 @@
-// SPARQL from anybody, as a query and as an update, on a small world: answered
-// or refused with one line, within the limits; a query that was answered can be
-// written in every format, an update that was refused has changed nothing.
+// Arbitrary input as SPARQL, as a query and as an update, on a small world:
+// answered or refused with one line, within the limits; a query that was
+// answered can be written in every format, an update that was refused has
+// changed nothing.
 
 #include <cstddef>
 #include <cstdint>

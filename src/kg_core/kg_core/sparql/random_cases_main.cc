@@ -29,7 +29,7 @@
 namespace kg_core::brute {
 namespace {
 
-constexpr std::size_t kMostRows = 2000;
+constexpr std::size_t kMaxRows = 2000;
 constexpr char kPrologue[] =
     "PREFIX ex: <http://example.org/mission/>\n"
     "PREFIX xsd: <http://www.w3.org/2001/XMLSchema#>\n";
@@ -129,7 +129,7 @@ class PlainGroup {
         "!isIRI(?b) && ?b != " + dice_.Object(),
         "EXISTS { " + Triple("?b", "?x") + "}",
         "NOT EXISTS { " + Triple("?x", "?a") + "}"};
-    return OneOf(conditions);
+    return PickOne(conditions);
   }
 
   Text DrawElement() {
@@ -147,19 +147,19 @@ class PlainGroup {
         "MINUS { " + Triple("?x", "?a") + "} ",
         "VALUES ?a { ex:n0 ex:n1 } ",
         "VALUES (?a ?w) { (ex:n0 1) (ex:n1 2) } ",
-        "?a " + OneOf(paths) + " ?e" + std::to_string(++drawn_) + " . ",
-        "?f" + std::to_string(++drawn_) + " " + OneOf(paths) + " ex:n1 . ",
+        "?a " + PickOne(paths) + " ?e" + std::to_string(++drawn_) + " . ",
+        "?f" + std::to_string(++drawn_) + " " + PickOne(paths) + " ex:n1 . ",
         "{ SELECT DISTINCT ?a ?d { " + Triple("?a", "?x") + "?a " +
-            OneOf(stars) + " ?d } } ",
+            PickOne(stars) + " ?d } } ",
         "GRAPH ?g { " + Triple("?a", "?c") + "} ",
         "GRAPH ex:g2 { " + Triple("?c", "?a") + "} ",
         "{ SELECT ?z (COUNT(?x) AS ?k) { " + Triple("?z", "?x") +
             "} GROUP BY ?z } ",
         "{ SELECT DISTINCT ?a { " + Triple("?a", "?x") + "} } "};
-    return OneOf(elements);
+    return PickOne(elements);
   }
 
-  Text OneOf(const std::vector<Text>& texts) {
+  Text PickOne(const std::vector<Text>& texts) {
     return texts[dice_.Below(static_cast<int>(texts.size()))];
   }
 
@@ -200,7 +200,7 @@ void AddGraph(const Triples& triples, const Term& graph, VectorView* view,
   }
 }
 
-nlohmann::json RowsOf(const QueryResult& result) {
+nlohmann::json CollectRows(const QueryResult& result) {
   nlohmann::json rows = nlohmann::json::array();
   for (const auto& row : AsRows(result).rows) {
     nlohmann::json cells = nlohmann::json::array();
@@ -230,9 +230,9 @@ void PrintCase(unsigned seed) {
   const Dataset dataset{{std::string(kEx) + "g0", std::string(kEx) + "g1"},
                         std::nullopt};
   const QueryResult result = RunQuery(view, query, dataset, {});
-  if (AsRows(result).rows.size() > kMostRows) return;
+  if (AsRows(result).rows.size() > kMaxRows) return;
   out["variables"] = AsRows(result).variables;
-  out["rows"] = RowsOf(result);
+  out["rows"] = CollectRows(result);
   std::printf("%s\n", out.dump().c_str());
 }
 

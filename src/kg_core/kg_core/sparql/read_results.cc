@@ -13,10 +13,11 @@
 namespace kg_core {
 namespace {
 
-using sparql::Json;
+using sparql::JsonValue;
 
-const Json& Member(const Json& object, const char* name, Json::Kind kind) {
-  const Json* member = object.Find(name);
+const JsonValue& Member(const JsonValue& object, const char* name,
+                        JsonValue::Kind kind) {
+  const JsonValue* member = object.Find(name);
   if (member == nullptr || member->kind != kind) {
     throw InputError("JSON result: expected a member \"" + std::string(name) +
                      "\" of the right type");
@@ -24,14 +25,14 @@ const Json& Member(const Json& object, const char* name, Json::Kind kind) {
   return *member;
 }
 
-std::string TextOf(const Json& object, const char* name) {
-  return Member(object, name, Json::Kind::kString).text;
+std::string GetText(const JsonValue& object, const char* name) {
+  return Member(object, name, JsonValue::Kind::kString).text;
 }
 
 // https://www.w3.org/TR/sparql11-results-json/#select-encode-terms
-Term TermOf(const Json& object) {
-  const std::string type = TextOf(object, "type");
-  const std::string text = TextOf(object, "value");
+Term MakeTerm(const JsonValue& object) {
+  const std::string type = GetText(object, "type");
+  const std::string text = GetText(object, "value");
   if (type == "uri") return Iri(text);
   if (type == "bnode") return Blank(text);
   if (type != "literal" && type != "typed-literal") {
@@ -39,21 +40,21 @@ Term TermOf(const Json& object) {
                      type);
   }
   if (object.Find("xml:lang") != nullptr) {
-    return LanguageLiteral(text, TextOf(object, "xml:lang"));
+    return LanguageLiteral(text, GetText(object, "xml:lang"));
   }
   if (object.Find("datatype") == nullptr) return Literal(text);
-  return Literal(text, TextOf(object, "datatype"));
+  return Literal(text, GetText(object, "datatype"));
 }
 
-std::vector<std::optional<Term>> RowOf(
-    const Json& binding, const std::vector<std::string>& variables) {
+std::vector<std::optional<Term>> MakeRow(
+    const JsonValue& binding, const std::vector<std::string>& variables) {
   std::vector<std::optional<Term>> row(variables.size());
   for (const auto& [name, term] : binding.members) {
     const auto found = std::find(variables.begin(), variables.end(), name);
     if (found == variables.end()) {
       throw InputError("JSON result: ?" + name + " is not in \"vars\"");
     }
-    row[static_cast<std::size_t>(found - variables.begin())] = TermOf(term);
+    row[static_cast<std::size_t>(found - variables.begin())] = MakeTerm(term);
   }
   return row;
 }
@@ -138,21 +139,23 @@ Term ReadTsvTerm(std::string_view text) {
 }  // namespace
 
 QueryResult ReadJsonResult(std::string_view text) {
-  const Json json = sparql::ParseJson(text);
+  const JsonValue json = sparql::ParseJson(text);
   QueryResult result;
-  if (const Json* answer = json.Find("boolean")) {
+  // The answer of ASK has no bindings.
+  if (const JsonValue* answer = json.Find("boolean")) {
     result.form = QueryResult::Form::kAsk;
     result.answer = answer->boolean;
     return result;
   }
-  const Json& head = Member(json, "head", Json::Kind::kObject);
-  for (const Json& name : Member(head, "vars", Json::Kind::kArray).items) {
+  const JsonValue& head = Member(json, "head", JsonValue::Kind::kObject);
+  for (const JsonValue& name :
+       Member(head, "vars", JsonValue::Kind::kArray).items) {
     result.variables.push_back(name.text);
   }
-  const Json& results = Member(json, "results", Json::Kind::kObject);
-  const Json& rows = Member(results, "bindings", Json::Kind::kArray);
-  for (const Json& binding : rows.items) {
-    result.rows.push_back(RowOf(binding, result.variables));
+  const JsonValue& results = Member(json, "results", JsonValue::Kind::kObject);
+  const JsonValue& rows = Member(results, "bindings", JsonValue::Kind::kArray);
+  for (const JsonValue& binding : rows.items) {
+    result.rows.push_back(MakeRow(binding, result.variables));
   }
   return result;
 }

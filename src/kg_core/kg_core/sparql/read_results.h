@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-#include "kg_core/sparql/query_engine.h"
+#include "kg_core/sparql/query_result.h"
 
 namespace kg_core {
 

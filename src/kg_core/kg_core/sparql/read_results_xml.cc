@@ -11,7 +11,7 @@
 namespace kg_core {
 namespace {
 
-Term TermOf(const XmlTag& tag, const XmlReader& reader) {
+Term MakeTerm(const XmlTag& tag, const XmlReader& reader) {
   if (tag.name == "uri") return Iri(tag.text);
   if (tag.name == "bnode") return Blank(tag.text);
   if (tag.name != "literal") reader.Expected("<uri>, <bnode> or <literal>");
@@ -35,7 +35,7 @@ void ReadBinding(const XmlTag& tag, XmlReader* reader, QueryResult* result) {
     reader->Expected("the binding of a variable of <head>");
   }
   result->rows.back()[static_cast<std::size_t>(found - variables.begin())] =
-      TermOf(reader->Next(), *reader);
+      MakeTerm(reader->Next(), *reader);
 }
 
 }  // namespace

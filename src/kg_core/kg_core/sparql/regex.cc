@@ -16,14 +16,8 @@ constexpr std::uint32_t kHeapLimit_KiB = 20000;
 constexpr std::size_t kPatternLimit_bytes = 4096;
 constexpr std::size_t kReplacedLimit_bytes = 1u << 20;
 
-struct Deleter {
-  void operator()(pcre2_code* p) const { pcre2_code_free(p); }
-  void operator()(pcre2_match_data* p) const { pcre2_match_data_free(p); }
-  void operator()(pcre2_match_context* p) const { pcre2_match_context_free(p); }
-};
-
 // https://www.w3.org/TR/xpath-functions/#flags
-std::optional<std::uint32_t> OptionsOf(const std::string& flags) {
+std::optional<std::uint32_t> ParseOptions(const std::string& flags) {
   std::uint32_t options = PCRE2_UTF | PCRE2_NEVER_BACKSLASH_C;
   bool literal = false;
   for (const char flag : flags) {
@@ -79,9 +73,9 @@ PCRE2_SPTR Bytes(const std::string& text) {
 
 }  // namespace
 
-class Regex {
+class CompiledRegex {
  public:
-  Regex(const std::string& pattern, std::uint32_t options) {
+  CompiledRegex(const std::string& pattern, std::uint32_t options) {
     int error = 0;
     std::size_t offset = 0;
     code_.reset(pcre2_compile(Bytes(pattern), pattern.size(), options, &error,
@@ -114,6 +108,14 @@ class Regex {
   }
 
  private:
+  struct Deleter {
+    void operator()(pcre2_code* p) const { pcre2_code_free(p); }
+    void operator()(pcre2_match_data* p) const { pcre2_match_data_free(p); }
+    void operator()(pcre2_match_context* p) const {
+      pcre2_match_context_free(p);
+    }
+  };
+
   std::unique_ptr<pcre2_code, Deleter> code_;
   std::unique_ptr<pcre2_match_data, Deleter> data_;
   std::unique_ptr<pcre2_match_context, Deleter> context_;
@@ -123,8 +125,9 @@ namespace {
 
 // Appends `replacement` with its groups filled in; false if it is malformed.
 // https://www.w3.org/TR/xpath-functions/#func-replace
-bool AppendReplacement(const Regex& regex, int groups, const std::string& text,
-                       const std::string& replacement, std::string* out) {
+bool AppendReplacement(const CompiledRegex& regex, int groups,
+                       const std::string& text, const std::string& replacement,
+                       std::string* out) {
   for (std::size_t i = 0; i < replacement.size(); ++i) {
     const char c = replacement[i];
     if (c != '$' && c != '\\') {
@@ -139,6 +142,7 @@ bool AppendReplacement(const Regex& regex, int groups, const std::string& text,
       continue;
     }
     if (next < '0' || next > '9') return false;
+    // $N of a group that the pattern does not have is empty.
     if (next - '0' >= groups) continue;
     const auto [begin, end] = regex.Group(next - '0');
     if (begin != PCRE2_UNSET) out->append(text, begin, end - begin);
@@ -151,17 +155,17 @@ bool AppendReplacement(const Regex& regex, int groups, const std::string& text,
 RegexCache::RegexCache() = default;
 RegexCache::~RegexCache() = default;
 
-const Regex* RegexCache::Compile(const std::string& pattern,
-                                 const std::string& flags) {
+const CompiledRegex* RegexCache::Compile(const std::string& pattern,
+                                         const std::string& flags) {
   const std::string key = flags + "/" + pattern;
   const auto found = compiled_.find(key);
   if (found != compiled_.end()) return found->second.get();
-  std::unique_ptr<Regex> regex;
-  const std::optional<std::uint32_t> options = OptionsOf(flags);
+  std::unique_ptr<CompiledRegex> regex;
+  const std::optional<std::uint32_t> options = ParseOptions(flags);
   if (options && pattern.size() <= kPatternLimit_bytes) {
     const bool is_spaced = Has(flags, 'x') && !Has(flags, 'q');
-    regex = std::make_unique<Regex>(is_spaced ? WithoutSpace(pattern) : pattern,
-                                    *options);
+    regex = std::make_unique<CompiledRegex>(
+        is_spaced ? WithoutSpace(pattern) : pattern, *options);
     if (!regex->ok()) regex.reset();
   }
   if (compiled_.size() >= 1000) compiled_.clear();
@@ -171,7 +175,7 @@ const Regex* RegexCache::Compile(const std::string& pattern,
 std::optional<bool> RegexCache::Matches(const std::string& text,
                                         const std::string& pattern,
                                         const std::string& flags) {
-  const Regex* regex = Compile(pattern, flags);
+  const CompiledRegex* regex = Compile(pattern, flags);
   if (regex == nullptr) return std::nullopt;
   return regex->Match(text, 0) > 0;
 }
@@ -180,7 +184,7 @@ std::optional<std::string> RegexCache::Replace(const std::string& text,
                                                const std::string& pattern,
                                                const std::string& replacement,
                                                const std::string& flags) {
-  const Regex* regex = Compile(pattern, flags);
+  const CompiledRegex* regex = Compile(pattern, flags);
   if (regex == nullptr || regex->Match("", 0) > 0) return std::nullopt;
   std::string out;
   std::size_t at = 0;

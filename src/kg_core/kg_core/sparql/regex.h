@@ -12,7 +12,7 @@
 
 namespace kg_core::sparql {
 
-class Regex;
+class CompiledRegex;
 
 // The regular expressions of one query, each compiled once.
 class RegexCache {
@@ -35,9 +35,10 @@ class RegexCache {
                                      const std::string& flags);
 
  private:
-  const Regex* Compile(const std::string& pattern, const std::string& flags);
+  const CompiledRegex* Compile(const std::string& pattern,
+                               const std::string& flags);
 
-  absl::flat_hash_map<std::string, std::unique_ptr<Regex>> compiled_;
+  absl::flat_hash_map<std::string, std::unique_ptr<CompiledRegex>> compiled_;
 };
 
 }  // namespace kg_core::sparql

@@ -61,10 +61,10 @@ std::string JsonRow(const QueryResult& result, std::size_t row) {
   return "{" + out + "}";
 }
 
-using Lines = std::vector<std::vector<std::string>>;
+using TextRows = std::vector<std::vector<std::string>>;
 
-Lines CellsOf(const QueryResult& result) {
-  Lines lines(1);
+TextRows FormatCells(const QueryResult& result) {
+  TextRows lines(1);
   for (const std::string& name : result.variables) {
     lines[0].push_back("?" + name);
   }
@@ -137,7 +137,8 @@ std::string ToTextTable(const QueryResult& result) {
   if (result.form == QueryResult::Form::kAsk) {
     return result.answer ? "yes\n" : "no\n";
   }
-  const Lines lines = CellsOf(result);
+  const TextRows lines = FormatCells(result);
+  // Widths count characters, not bytes.
   std::vector<std::size_t> widths(result.variables.size(), 0);
   for (const auto& line : lines) {
     for (std::size_t i = 0; i < line.size(); ++i) {

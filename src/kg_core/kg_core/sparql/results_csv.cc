@@ -6,7 +6,7 @@ namespace kg_core {
 namespace {
 
 // What differs between the two.
-struct Style {
+struct SeparatorStyle {
   const char* separator;
   const char* line_end;
   const char* variable_mark;
@@ -28,8 +28,8 @@ std::string CsvCell(const Term& term) {
   return CsvText(term.is_blank() ? "_:" + term.text : term.text);
 }
 
-constexpr Style kCsv = {",", "\r\n", "", CsvCell};
-constexpr Style kTsv = {"\t", "\n", "?", ToNTriples};
+constexpr SeparatorStyle kCsv = {",", "\r\n", "", CsvCell};
+constexpr SeparatorStyle kTsv = {"\t", "\n", "?", ToNTriples};
 
 QueryResult Tabular(const QueryResult& given) {
   if (given.form != QueryResult::Form::kAsk) return AsRows(given);
@@ -39,7 +39,7 @@ QueryResult Tabular(const QueryResult& given) {
   return result;
 }
 
-std::string Lines(const QueryResult& given, const Style& style) {
+std::string WriteRows(const QueryResult& given, const SeparatorStyle& style) {
   const QueryResult result = Tabular(given);
   std::string out;
   for (std::size_t i = 0; i < result.variables.size(); ++i) {
@@ -59,7 +59,7 @@ std::string Lines(const QueryResult& given, const Style& style) {
 
 }  // namespace
 
-std::string ToCsv(const QueryResult& result) { return Lines(result, kCsv); }
-std::string ToTsv(const QueryResult& result) { return Lines(result, kTsv); }
+std::string ToCsv(const QueryResult& result) { return WriteRows(result, kCsv); }
+std::string ToTsv(const QueryResult& result) { return WriteRows(result, kTsv); }
 
 }  // namespace kg_core

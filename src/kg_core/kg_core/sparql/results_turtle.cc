@@ -11,17 +11,17 @@ namespace {
 
 // Objects by property by subject, all written.
 using ObjectSet = std::set<std::string>;
-using Properties = std::map<std::string, ObjectSet>;
-using Written = std::map<std::string, Properties>;
+using PropertyObjects = std::map<std::string, ObjectSet>;
+using SubjectProperties = std::map<std::string, PropertyObjects>;
 
-bool Uses(const Term& term, const Prefix& prefix) {
+bool Uses(const Term& term, const NamespacePrefix& prefix) {
   const std::string& iri = term.is_literal() ? term.datatype : term.text;
   return !term.is_blank() && iri.rfind(prefix.iri, 0) == 0;
 }
 
 std::string UsedPrefixes(const std::vector<Triple>& triples) {
   std::string out;
-  for (const Prefix& prefix : kPrefixes) {
+  for (const NamespacePrefix& prefix : kPrefixes) {
     bool used = false;
     for (const Triple& t : triples) {
       used = used || Uses(t.subject, prefix) || Uses(t.predicate, prefix) ||
@@ -38,7 +38,7 @@ std::string Property(const Term& predicate) {
                                                       : ToTurtle(predicate);
 }
 
-std::string PropertyLines(const Properties& properties) {
+std::string PropertyLines(const PropertyObjects& properties) {
   std::string out;
   for (const auto& [property, objects] : properties) {
     out += (out.empty() ? " " : " ;\n    ") + property;
@@ -54,7 +54,7 @@ std::string PropertyLines(const Properties& properties) {
 }  // namespace
 
 std::string TriplesToTurtle(const std::vector<Triple>& triples) {
-  Written subjects;
+  SubjectProperties subjects;
   for (const Triple& t : triples) {
     subjects[ToTurtle(t.subject)][Property(t.predicate)].insert(
         ToTurtle(t.object));

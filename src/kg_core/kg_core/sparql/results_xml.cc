@@ -26,6 +26,7 @@ std::string XmlText(const std::string& text) {
       case '"':
         out += "&quot;";
         break;
+      // XML readers turn a bare carriage return into a line feed.
       case '\r':
         out += "&#13;";
         break;

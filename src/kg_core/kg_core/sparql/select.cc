@@ -21,22 +21,23 @@ TermId& Slot(Row* row, int variable) {
 
 }  // namespace
 
-struct Evaluator::Sorted {
+struct PatternEvaluator::Sorted {
   std::vector<TermId> keys;  // Then ranks: RankKeys.
   Row row;
 };
 
 // Only a stop asked for by `emit` is passed on, not the end of LIMIT.
-bool Evaluator::RunSelect(const Select& select, const ActiveGraph& g,
-                          Emit emit) {
+bool PatternEvaluator::RunSelect(const SelectQuery& select,
+                                 const ActiveGraph& g, Emit emit) {
   absl::flat_hash_set<Row> seen;
   std::size_t skipped = 0;
   std::size_t given = 0;
   bool go_on = true;
   Row projected(query_->variables.size(), kNoTerm);
   const auto project = [&](Row& row) {
+    // In the order of the recommendation: projection, DISTINCT, OFFSET, LIMIT.
     if (select.limit && given >= *select.limit) return false;
-    for (const Column& column : select.columns) {
+    for (const SelectColumn& column : select.columns) {
       Slot(&projected, column.variable) = Slot(&row, column.variable);
     }
     if (select.distinct) {
@@ -63,8 +64,8 @@ bool Evaluator::RunSelect(const Select& select, const ActiveGraph& g,
 }
 
 // https://www.w3.org/TR/sparql11-query/#modOrderBy
-std::vector<Evaluator::Sorted> Evaluator::SortedSolutions(
-    const Select& select, const ActiveGraph& g) {
+std::vector<PatternEvaluator::Sorted> PatternEvaluator::SortedSolutions(
+    const SelectQuery& select, const ActiveGraph& g) {
   std::vector<Sorted> all;
   Solutions(select, g, [&](Row& row) {
     Sorted sorted{{}, row};
@@ -90,7 +91,9 @@ std::vector<Evaluator::Sorted> Evaluator::SortedSolutions(
 }
 
 // Puts in place of each key its rank among all keys, 0 for an unbound one.
-void Evaluator::RankKeys(std::vector<Sorted>* all) {
+void PatternEvaluator::RankKeys(std::vector<Sorted>* all) {
+  // Compare each distinct term once: afterwards keys are ranks, integers that
+  // compare fast. 0 stays for unbound, which comes first.
   absl::flat_hash_map<TermId, std::size_t> places;
   std::vector<const Term*> terms;
   for (const Sorted& sorted : *all) {
@@ -101,7 +104,8 @@ void Evaluator::RankKeys(std::vector<Sorted>* all) {
     }
   }
   budget_->UseWorkingBytes(kBytesPerKey * terms.size());
-  const std::vector<int> ranks = RanksOf(terms, [this] { budget_->Step(); });
+  const std::vector<int> ranks =
+      ComputeRanks(terms, [this] { budget_->Step(); });
   for (Sorted& sorted : *all) {
     for (TermId& key : sorted.keys) {
       if (key == kNoTerm) continue;
@@ -111,8 +115,8 @@ void Evaluator::RankKeys(std::vector<Sorted>* all) {
 }
 
 // Solutions with the columns' expressions, before order and projection.
-bool Evaluator::Solutions(const Select& select, const ActiveGraph& g,
-                          Emit emit) {
+bool PatternEvaluator::Solutions(const SelectQuery& select,
+                                 const ActiveGraph& g, Emit emit) {
   const auto finish = [&](Row& row) {
     return FinishRow(select, g, &row, emit);
   };
@@ -122,11 +126,11 @@ bool Evaluator::Solutions(const Select& select, const ActiveGraph& g,
 }
 
 // HAVING, then the expressions of the columns.
-bool Evaluator::FinishRow(const Select& select, const ActiveGraph& g, Row* row,
-                          Emit emit) {
+bool PatternEvaluator::FinishRow(const SelectQuery& select,
+                                 const ActiveGraph& g, Row* row, Emit emit) {
   if (!HoldAll(select.having, g, row)) return true;
   bool extended = false;
-  for (const Column& column : select.columns) {
+  for (const SelectColumn& column : select.columns) {
     if (!column.expression) continue;
     if (!extended) expressions_.BeginRow();
     extended = true;
@@ -134,31 +138,33 @@ bool Evaluator::FinishRow(const Select& select, const ActiveGraph& g, Row* row,
         expressions_.Evaluate(*column.expression, {*row, g});
   }
   const bool go_on = emit(*row);
-  for (const Column& column : select.columns) {
+  for (const SelectColumn& column : select.columns) {
     if (column.expression) Slot(row, column.variable) = kNoTerm;
   }
   return go_on;
 }
 
-struct Evaluator::Group {
+struct PatternEvaluator::Group {
   Row key;
-  std::vector<Accumulator> values;
+  std::vector<AggregateAccumulator> values;
   std::vector<Quad> matched;  // If traced.
 };
 
-Evaluator::Group Evaluator::NewGroup(const Select& select, const Row& key) {
+PatternEvaluator::Group PatternEvaluator::NewGroup(const SelectQuery& select,
+                                                   const Row& key) {
   Group group{key, {}, {}};
-  for (const Aggregate& aggregate : select.aggregates) {
+  for (const AggregateCall& aggregate : select.aggregates) {
     group.values.emplace_back(&aggregate, terms_, budget_);
   }
-  budget_->UseWorkingBytes(sizeof(Group) +
-                           sizeof(Accumulator) * select.aggregates.size() +
-                           4 * sizeof(TermId) * (key.size() + 8));
+  budget_->UseWorkingBytes(
+      sizeof(Group) + sizeof(AggregateAccumulator) * select.aggregates.size() +
+      4 * sizeof(TermId) * (key.size() + 8));
   return group;
 }
 
 // https://www.w3.org/TR/sparql11-query/#aggregateAlgebra
-bool Evaluator::Grouped(const Select& select, const ActiveGraph& g, Emit emit) {
+bool PatternEvaluator::Grouped(const SelectQuery& select, const ActiveGraph& g,
+                               Emit emit) {
   std::vector<Group> groups;  // In order of appearance.
   absl::flat_hash_map<Row, std::size_t> numbers;
   const auto group_of = [&](const Row& key) -> Group& {
@@ -171,7 +177,7 @@ bool Evaluator::Grouped(const Select& select, const ActiveGraph& g, Emit emit) {
   Row start(query_->variables.size(), kNoTerm);
   Evaluate(select.where, g, &start, [&](Row& row) {
     Row key;
-    for (const Column& column : select.group_by) {
+    for (const SelectColumn& column : select.group_by) {
       key.push_back(column.expression
                         ? expressions_.Evaluate(*column.expression, {row, g})
                         : Slot(&row, column.variable));
@@ -183,7 +189,7 @@ bool Evaluator::Grouped(const Select& select, const ActiveGraph& g, Emit emit) {
       group.matched.insert(group.matched.end(), more.begin(), more.end());
     }
     for (std::size_t i = 0; i < select.aggregates.size(); ++i) {
-      const Aggregate& aggregate = select.aggregates[i];
+      const AggregateCall& aggregate = select.aggregates[i];
       if (aggregate.argument) {
         group.values[i].Add(
             expressions_.Evaluate(*aggregate.argument, {row, g}));

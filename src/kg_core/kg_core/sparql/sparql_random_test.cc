@@ -156,7 +156,7 @@ Bag MatchPath(const Triple& pattern, const Triples& graph) {
 
 using Truth = std::optional<bool>;  // Nothing: error.
 
-std::optional<Text> ValueOf(const Text& text, const Mapping& mapping) {
+std::optional<Text> GetValue(const Text& text, const Mapping& mapping) {
   if (!IsVariable(text)) return text;
   const auto found = mapping.find(text);
   if (found == mapping.end()) return std::nullopt;
@@ -191,8 +191,8 @@ Truth Holds(const Condition& c, const Mapping& mapping, const Triples& graph) {
     if (!a || !b) return std::nullopt;
     return !decisive;
   }
-  const std::optional<Text> left = ValueOf(c.left, mapping);
-  const std::optional<Text> right = ValueOf(c.right, mapping);
+  const std::optional<Text> left = GetValue(c.left, mapping);
+  const std::optional<Text> right = GetValue(c.right, mapping);
   if (!left || !right) return std::nullopt;
   return Compare(c.op, *left, *right);
 }
@@ -262,7 +262,7 @@ Bag Projected(const Element& e, const Bag& bag) {
 
 Bag Extended(Bag bag, const Element& e) {
   for (Mapping& mapping : bag) {
-    const std::optional<Text> value = ValueOf(e.value, mapping);
+    const std::optional<Text> value = GetValue(e.value, mapping);
     if (value) mapping[e.variable] = *value;
   }
   return bag;
@@ -312,7 +312,7 @@ Bag Evaluate(const Group& group, const World& world, const Triples& graph) {
 
 namespace {
 
-VectorView ViewOf(const World& world) {
+VectorView MakeView(const World& world) {
   VectorView view;
   for (const auto& [name, triples] : world.named) {
     for (const Triple& t : triples) {
@@ -323,7 +323,7 @@ VectorView ViewOf(const World& world) {
   return view;
 }
 
-std::string LineOf(const Mapping& mapping) {
+std::string FormatLine(const Mapping& mapping) {
   std::string line;
   for (const auto& [name, value] : mapping) line += name + "=" + value + " ";
   return line;
@@ -331,12 +331,12 @@ std::string LineOf(const Mapping& mapping) {
 
 std::vector<std::string> Lines(const Bag& bag) {
   std::vector<std::string> lines;
-  for (const Mapping& mapping : bag) lines.push_back(LineOf(mapping));
+  for (const Mapping& mapping : bag) lines.push_back(FormatLine(mapping));
   std::sort(lines.begin(), lines.end());
   return lines;
 }
 
-Bag BagOf(const QueryResult& result) {
+Bag MakeBag(const QueryResult& result) {
   Bag bag;
   for (const auto& row : result.rows) {
     Mapping mapping;
@@ -359,9 +359,10 @@ TEST(SparqlRandom, AnswersAsTheDefinitionsOfTheAlgebraDo) {
     const Bag expected = Evaluate(group, world, world.default_graph);
     if (expected.size() > 2000) continue;
     solutions += expected.size();
-    const VectorView view = ViewOf(world);
+    const VectorView view = MakeView(world);
     const std::string text = "SELECT *" + ToSparql(group);
-    ASSERT_EQ(Lines(BagOf(RunQuery(view, text, dataset, {}))), Lines(expected))
+    ASSERT_EQ(Lines(MakeBag(RunQuery(view, text, dataset, {}))),
+              Lines(expected))
         << "seed " << seed << "\n"
         << text;
     const std::string ask = "ASK" + ToSparql(group);

@@ -35,13 +35,14 @@ Answer StrLen(FunctionContext&, const Arguments& a) {
 // Positions are rounded numbers from 1; a NaN selects nothing.
 // https://www.w3.org/TR/xpath-functions/#func-substring
 Answer SubStr(FunctionContext&, const Arguments& a) {
-  const std::optional<Number> start = ToNumber(*a[1]);
+  const std::optional<XsdNumber> start = ToNumber(*a[1]);
   if (!IsStringLike(*a[0]) || !start) return std::nullopt;
   const auto size = static_cast<double>(Utf8Length(a[0]->text));
+  // Positions count from 1 and are rounded, as fn:substring does; NaN gives "".
   const double first = std::floor(start->ToDouble() + 0.5);
   double end = size + 1;
   if (a.size() == 3) {
-    const std::optional<Number> length = ToNumber(*a[2]);
+    const std::optional<XsdNumber> length = ToNumber(*a[2]);
     if (!length) return std::nullopt;
     end = first + std::floor(length->ToDouble() + 0.5);
   }
@@ -144,7 +145,7 @@ Answer LangMatches(FunctionContext&, const Arguments& a) {
   return BooleanLiteral(tag == range || tag.rfind(range + "-", 0) == 0);
 }
 
-std::string FlagsOf(const Arguments& a, std::size_t index) {
+std::string GetFlags(const Arguments& a, std::size_t index) {
   return a.size() > index ? a[index]->text : std::string();
 }
 
@@ -153,7 +154,7 @@ Answer RegexTest(FunctionContext& context, const Arguments& a) {
   if (!IsStringLike(*a[0]) || !IsString(*a[1])) return std::nullopt;
   if (a.size() == 3 && !IsString(*a[2])) return std::nullopt;
   const std::optional<bool> matches =
-      context.regexes.Matches(a[0]->text, a[1]->text, FlagsOf(a, 2));
+      context.regexes.Matches(a[0]->text, a[1]->text, GetFlags(a, 2));
   if (!matches) return std::nullopt;
   return BooleanLiteral(*matches);
 }
@@ -165,14 +166,14 @@ Answer ReplaceAll(FunctionContext& context, const Arguments& a) {
   }
   if (a.size() == 4 && !IsString(*a[3])) return std::nullopt;
   std::optional<std::string> text = context.regexes.Replace(
-      a[0]->text, a[1]->text, a[2]->text, FlagsOf(a, 3));
+      a[0]->text, a[1]->text, a[2]->text, GetFlags(a, 3));
   if (!text) return std::nullopt;
   return Like(*a[0], std::move(*text));
 }
 
 }  // namespace
 
-std::vector<Function> StringFunctions() {
+std::vector<SparqlFunction> StringFunctions() {
   return {{"STRLEN", 1, 1, StrLen},
           {"SUBSTR", 2, 3, SubStr},
           {"UCASE", 1, 1, UCase},

@@ -4,7 +4,7 @@ namespace kg_core::sparql {
 namespace {
 
 // Different terms have different keys.
-std::string KeyOf(const Term& term) {
+std::string MakeKey(const Term& term) {
   std::string key;
   key.reserve(term.text.size() + term.datatype.size() + 8);
   key.push_back(static_cast<char>('0' + static_cast<int>(term.kind)));
@@ -22,7 +22,7 @@ TermId TermTable::Intern(const Term& term) {
   const TermId known = view_->Find(term);
   if (known != kNoTerm) return known;
   const auto next = kLocalBit | static_cast<TermId>(terms_.size());
-  const auto [found, is_new] = ids_.emplace(KeyOf(term), next);
+  const auto [found, is_new] = ids_.emplace(MakeKey(term), next);
   if (is_new) {
     terms_.push_back(term);
     budget_->UseWorkingBytes(2 * found->first.size() + 128);

@@ -15,7 +15,7 @@ namespace kg_core::sparql {
 
 class TermTable {
  public:
-  TermTable(const GraphView* view, Budget* budget)
+  TermTable(const GraphView* view, QueryBudget* budget)
       : view_(view), budget_(budget) {}
 
   // Equal terms have equal ids.
@@ -29,7 +29,7 @@ class TermTable {
   static constexpr TermId kLocalBit = 0x80000000u;
 
   const GraphView* view_;
-  Budget* budget_;
+  QueryBudget* budget_;
   std::deque<Term> terms_;
   absl::flat_hash_map<std::string, TermId> ids_;
 };

@@ -8,7 +8,7 @@
 
 namespace kg_core::sparql {
 
-struct Position {
+struct QueryPosition {
   int line = 1;    // From 1.
   int column = 1;  // From 1, in characters.
 };
@@ -32,7 +32,7 @@ struct Token {
   Kind kind = Kind::kEnd;
   std::string text;
   std::string prefix;
-  Position position;
+  QueryPosition position;
 };
 
 }  // namespace kg_core::sparql

@@ -12,14 +12,14 @@
 
 namespace kg_core::sparql {
 
-// What CLEAR, DROP, CREATE, COPY, MOVE and ADD speak of.
+// The graphs that CLEAR, DROP, CREATE, COPY, MOVE and ADD refer to.
 struct GraphRef {
   enum class Kind { kDefault, kNamed, kAll, kIri };
   Kind kind = Kind::kDefault;
   std::string iri;
 };
 
-struct Operation {
+struct UpdateOperation {
   enum class Kind {
     kModify,  // INSERT DATA, DELETE DATA, DELETE WHERE, DELETE/INSERT WHERE
     kLoad,
@@ -31,7 +31,7 @@ struct Operation {
     kAdd,
   };
   Kind kind = Kind::kModify;
-  Position position;  // For errors.
+  QueryPosition position;  // For errors.
 
   // kModify: for every solution of query.select, removed and then added quads;
   // USING stands where FROM stands in a query.
@@ -46,8 +46,8 @@ struct Operation {
   GraphRef target;
 };
 
-struct Update {
-  std::vector<Operation> operations;
+struct UpdateRequest {
+  std::vector<UpdateOperation> operations;
 };
 
 }  // namespace kg_core::sparql

@@ -21,7 +21,7 @@ namespace kg_core {
 namespace {
 
 using sparql::GraphRef;
-using sparql::Operation;
+using sparql::UpdateOperation;
 using Statements = std::vector<Statement>;
 
 bool IsBefore(const Statement& a, const Statement& b) {
@@ -38,9 +38,9 @@ Statements Without(const Statements& a, const Statements& b) {
 }
 
 // Takes a transaction back to where it was when this was made.
-class Rollback {
+class TransactionRollback {
  public:
-  explicit Rollback(Transaction* change)
+  explicit TransactionRollback(Transaction* change)
       : change_(change), added_(change->added()), removed_(change->removed()) {}
 
   void Run() {
@@ -58,18 +58,19 @@ class Rollback {
   const Statements removed_;
 };
 
-[[noreturn]] void Refuse(const Operation& operation, const std::string& why) {
+[[noreturn]] void Refuse(const UpdateOperation& operation,
+                         const std::string& why) {
   throw InputError(std::to_string(operation.position.line) + ":" +
                    std::to_string(operation.position.column) + ": " + why);
 }
 
-class Updater {
+class UpdateRunner {
  public:
-  Updater(const UpdateGraphs& graphs, const QueryLimits& limits,
-          Transaction* change)
+  UpdateRunner(const UpdateGraphs& graphs, const QueryLimits& limits,
+               Transaction* change)
       : graphs_(graphs), limits_(limits), budget_(limits), change_(change) {}
 
-  void Run(const Operation& operation);
+  void Run(const UpdateOperation& operation);
 
  private:
   // The quads of one operation, by ids of its term table.
@@ -78,14 +79,14 @@ class Updater {
     std::vector<Quad> added;
   };
 
-  void Modify(const Operation& operation);
-  Quads Solve(const Operation& operation, sparql::TermTable* terms);
-  void Clear(const Operation& operation);
-  void Create(const Operation& operation);
-  void Transfer(const Operation& operation);
+  void Modify(const UpdateOperation& operation);
+  Quads Solve(const UpdateOperation& operation, sparql::TermTable* terms);
+  void Clear(const UpdateOperation& operation);
+  void Create(const UpdateOperation& operation);
+  void Transfer(const UpdateOperation& operation);
   void Replace(const std::string& target, const Statements& with);
 
-  std::string NameOf(const GraphRef& graph) const {
+  std::string GetName(const GraphRef& graph) const {
     return graph.kind == GraphRef::Kind::kIri ? graph.iri
                                               : graphs_.default_graph;
   }
@@ -94,40 +95,40 @@ class Updater {
            graph.iri == graphs_.default_graph ||
            sparql::HasGraph(change_->view(), graph.iri);
   }
-  std::set<std::string> GraphsOf(const GraphRef& graph);
-  Statements ContentOf(const std::string& graph);
-  void CheckWritable(const Operation& operation,
+  std::set<std::string> ListGraphs(const GraphRef& graph);
+  Statements GetContent(const std::string& graph);
+  void CheckWritable(const UpdateOperation& operation,
                      const std::string& graph) const;
   void Count(std::size_t quads) const;
 
   const UpdateGraphs& graphs_;
   const QueryLimits& limits_;
-  sparql::Budget budget_;
+  sparql::QueryBudget budget_;
   Transaction* change_;
 };
 
-void Updater::Run(const Operation& operation) {
+void UpdateRunner::Run(const UpdateOperation& operation) {
   switch (operation.kind) {
-    case Operation::Kind::kModify:
+    case UpdateOperation::Kind::kModify:
       return Modify(operation);
-    case Operation::Kind::kClear:
-    case Operation::Kind::kDrop:
+    case UpdateOperation::Kind::kClear:
+    case UpdateOperation::Kind::kDrop:
       return Clear(operation);
-    case Operation::Kind::kCreate:
+    case UpdateOperation::Kind::kCreate:
       return Create(operation);
-    case Operation::Kind::kCopy:
-    case Operation::Kind::kMove:
-    case Operation::Kind::kAdd:
+    case UpdateOperation::Kind::kCopy:
+    case UpdateOperation::Kind::kMove:
+    case UpdateOperation::Kind::kAdd:
       return Transfer(operation);
-    case Operation::Kind::kLoad:
+    case UpdateOperation::Kind::kLoad:
       if (operation.silent) return;
       Refuse(operation,
              "LOAD is not available: an update reads this store only");
   }
 }
 
-void Updater::CheckWritable(const Operation& operation,
-                            const std::string& graph) const {
+void UpdateRunner::CheckWritable(const UpdateOperation& operation,
+                                 const std::string& graph) const {
   if (!graphs_.writable) return;
   const std::vector<std::string>& writable = *graphs_.writable;
   if (std::find(writable.begin(), writable.end(), graph) != writable.end()) {
@@ -137,7 +138,7 @@ void Updater::CheckWritable(const Operation& operation,
          "graph " + AbbreviateIri(graph) + " may not be changed by an update");
 }
 
-void Updater::Count(std::size_t quads) const {
+void UpdateRunner::Count(std::size_t quads) const {
   if (quads <= limits_.rows) return;
   throw LimitError("the update changes more quads than the limit of " +
                    std::to_string(limits_.rows));
@@ -145,7 +146,7 @@ void Updater::Count(std::size_t quads) const {
 
 // https://www.w3.org/TR/sparql11-update/#deleteInsert: first all is matched,
 // then removed, then added.
-void Updater::Modify(const Operation& operation) {
+void UpdateRunner::Modify(const UpdateOperation& operation) {
   sparql::TermTable terms(&change_->view(), &budget_);
   const Quads quads = Solve(operation, &terms);
   const std::string& own =
@@ -161,14 +162,15 @@ void Updater::Modify(const Operation& operation) {
   for (const Quad& quad : quads.added) change_->Add(statement(quad));
 }
 
-Updater::Quads Updater::Solve(const Operation& operation,
-                              sparql::TermTable* terms) {
+UpdateRunner::Quads UpdateRunner::Solve(const UpdateOperation& operation,
+                                        sparql::TermTable* terms) {
   Dataset dataset = graphs_.read;
   if (operation.with) dataset.default_graphs = {*operation.with};
   const sparql::Query& query = operation.query;
-  sparql::Evaluator evaluator(&query, terms,
-                              sparql::Resolve(query, dataset, terms), &budget_);
-  sparql::Instantiator instantiator(&query, terms);
+  sparql::PatternEvaluator evaluator(
+      &query, terms, sparql::Resolve(query, dataset, terms), &budget_);
+  sparql::TemplateInstantiator instantiator(&query, terms);
+  // All solutions are found before anything changes.
   Quads quads;
   const auto into = [&](std::vector<Quad>* list) {
     return [this, &quads, list](const Quad& quad) {
@@ -186,10 +188,10 @@ Updater::Quads Updater::Solve(const Operation& operation,
 }
 
 // The names of the graphs meant, of those that have quads.
-std::set<std::string> Updater::GraphsOf(const GraphRef& graph) {
+std::set<std::string> UpdateRunner::ListGraphs(const GraphRef& graph) {
   const bool many = graph.kind == GraphRef::Kind::kNamed ||
                     graph.kind == GraphRef::Kind::kAll;
-  if (!many) return {NameOf(graph)};
+  if (!many) return {GetName(graph)};
   const GraphView& view = change_->view();
   std::set<TermId> ids;
   view.Match({}, [&](const Quad& quad) {
@@ -204,21 +206,21 @@ std::set<std::string> Updater::GraphsOf(const GraphRef& graph) {
 }
 
 // https://www.w3.org/TR/sparql11-update/#clear, #drop
-void Updater::Clear(const Operation& operation) {
-  for (const std::string& graph : GraphsOf(operation.target)) {
+void UpdateRunner::Clear(const UpdateOperation& operation) {
+  for (const std::string& graph : ListGraphs(operation.target)) {
     CheckWritable(operation, graph);
     Replace(graph, {});
   }
 }
 
 // https://www.w3.org/TR/sparql11-update/#create
-void Updater::Create(const Operation& operation) {
+void UpdateRunner::Create(const UpdateOperation& operation) {
   if (operation.silent || !Exists(operation.target)) return;
   Refuse(operation, "CREATE: there is a graph " +
                         AbbreviateIri(operation.target.iri) + " already");
 }
 
-Statements Updater::ContentOf(const std::string& graph) {
+Statements UpdateRunner::GetContent(const std::string& graph) {
   const GraphView& view = change_->view();
   Statements statements;
   const TermId id = view.Find(Iri(graph));
@@ -234,44 +236,45 @@ Statements Updater::ContentOf(const std::string& graph) {
   return statements;
 }
 
-void Updater::Replace(const std::string& target, const Statements& with) {
+void UpdateRunner::Replace(const std::string& target, const Statements& with) {
   change_->RemoveMatching(nullptr, nullptr, nullptr, Iri(target));
   for (const Statement& statement : with) change_->Add(statement);
 }
 
 // https://www.w3.org/TR/sparql11-update/#copy, #move, #add
-void Updater::Transfer(const Operation& operation) {
-  const std::string source = NameOf(operation.source);
-  const std::string target = NameOf(operation.target);
+void UpdateRunner::Transfer(const UpdateOperation& operation) {
+  const std::string source = GetName(operation.source);
+  const std::string target = GetName(operation.target);
   if (!Exists(operation.source)) {
     if (operation.silent) return;
     Refuse(operation, "the store has no graph " + AbbreviateIri(source));
   }
   if (source == target) return;
   CheckWritable(operation, target);
-  Statements content = ContentOf(source);
+  Statements content = GetContent(source);
   for (Statement& statement : content) {
     budget_.Step();
     statement.graph = Iri(target);
   }
-  if (operation.kind == Operation::Kind::kAdd) {
+  // ADD keeps what the target has, COPY and MOVE replace it.
+  if (operation.kind == UpdateOperation::Kind::kAdd) {
     for (const Statement& statement : content) change_->Add(statement);
     return;
   }
   Replace(target, content);
-  if (operation.kind != Operation::Kind::kMove) return;
+  if (operation.kind != UpdateOperation::Kind::kMove) return;
   CheckWritable(operation, source);
   Replace(source, {});
 }
 
 // What can be refused before anything is done.
-sparql::Update Parse(std::string_view text, const QueryLimits& limits) {
+sparql::UpdateRequest Parse(std::string_view text, const QueryLimits& limits) {
   if (text.size() > limits.text_bytes) {
     throw LimitError("the update is longer than the limit of " +
                      std::to_string(limits.text_bytes) + " bytes");
   }
-  sparql::Update update = sparql::ParseUpdate(text, limits.nesting);
-  for (Operation& operation : update.operations) {
+  sparql::UpdateRequest update = sparql::ParseUpdate(text, limits.nesting);
+  for (UpdateOperation& operation : update.operations) {
     const std::string& unknown = operation.query.unavailable;
     if (!unknown.empty()) throw InputError(unknown);
     sparql::Prepare(&operation.query.select);
@@ -283,11 +286,13 @@ sparql::Update Parse(std::string_view text, const QueryLimits& limits) {
 
 void RunUpdate(std::string_view text, const UpdateGraphs& graphs,
                const QueryLimits& limits, Transaction* change) {
-  const sparql::Update update = Parse(text, limits);
-  Updater updater(graphs, limits, change);
-  Rollback rollback(change);
+  const sparql::UpdateRequest update = Parse(text, limits);
+  UpdateRunner updater(graphs, limits, change);
+  TransactionRollback rollback(change);
   try {
-    for (const Operation& operation : update.operations) updater.Run(operation);
+    for (const UpdateOperation& operation : update.operations) {
+      updater.Run(operation);
+    }
   } catch (...) {
     rollback.Run();
     throw;

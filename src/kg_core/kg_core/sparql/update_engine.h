@@ -24,7 +24,8 @@
 
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/store.h"
-#include "kg_core/sparql/query_engine.h"
+#include "kg_core/sparql/limits.h"
+#include "kg_core/sparql/query_dataset.h"
 
 namespace kg_core {
 

@@ -26,7 +26,7 @@ constexpr char kPlan[] = "http://example.org/mission/graph/plan/1";
 
 using Statements = std::vector<Statement>;
 
-Statements ContentOf(const GraphView& view) {
+Statements GetContent(const GraphView& view) {
   Statements all;
   view.Match({}, [&](const Quad& q) {
     all.push_back({view.Get(q.subject), view.Get(q.predicate),
@@ -53,14 +53,14 @@ class World {
     change_.emplace_back(store_.Begin());
   }
   Transaction& change() { return change_[0]; }
-  Statements Content() { return ContentOf(change().view()); }
+  Statements Content() { return GetContent(change().view()); }
 
   void Update(const std::string& text, const UpdateGraphs& graphs = {},
               const QueryLimits& limits = {}) {
     RunUpdate(text, graphs, limits, &change());
   }
-  std::string ErrorOf(const std::string& text, const UpdateGraphs& graphs = {},
-                      const QueryLimits& limits = {}) {
+  std::string GetError(const std::string& text, const UpdateGraphs& graphs = {},
+                       const QueryLimits& limits = {}) {
     try {
       Update(text, graphs, limits);
     } catch (const InputError& error) {
@@ -221,7 +221,7 @@ TEST(UpdateEngine, SaysWhereTheMistakeIs) {
   };
   for (const auto& [update, error] : kCases) {
     World world;
-    EXPECT_EQ(world.ErrorOf(update), error) << update;
+    EXPECT_EQ(world.GetError(update), error) << update;
     EXPECT_TRUE(world.change().empty()) << update;
   }
 }
@@ -233,12 +233,12 @@ TEST(UpdateEngine, ChangesOnlyWhatMayBeChanged) {
   const std::string refusal =
       " graph <" + std::string(kPlan) + "> may not be changed by an update";
   const std::string plan = "<" + std::string(kPlan) + ">";
-  EXPECT_EQ(world.ErrorOf("CLEAR ALL", graphs), "1:1:" + refusal);
-  EXPECT_EQ(world.ErrorOf("MOVE " + plan + " TO DEFAULT", graphs),
+  EXPECT_EQ(world.GetError("CLEAR ALL", graphs), "1:1:" + refusal);
+  EXPECT_EQ(world.GetError("MOVE " + plan + " TO DEFAULT", graphs),
             "1:1:" + refusal);
-  EXPECT_EQ(world.ErrorOf("INSERT DATA { ex:a ex:b 1 } ; WITH " + plan +
-                              " DELETE { ?s ?p ?o } WHERE { ?s ?p ?o }",
-                          graphs),
+  EXPECT_EQ(world.GetError("INSERT DATA { ex:a ex:b 1 } ; WITH " + plan +
+                               " DELETE { ?s ?p ?o } WHERE { ?s ?p ?o }",
+                           graphs),
             "1:31:" + refusal);
   EXPECT_TRUE(world.change().empty());
   world.Update("COPY " + plan + " TO DEFAULT", graphs);
@@ -249,19 +249,20 @@ TEST(UpdateEngine, EndsWithinItsLimits) {
   World world;
   QueryLimits limits;
   limits.rows = 3;
-  EXPECT_EQ(world.ErrorOf("DELETE { ?s ?p ?o } WHERE { ?s ?p ?o }", {}, limits),
-            "the update changes more quads than the limit of 3");
-  EXPECT_EQ(world.ErrorOf("ADD DEFAULT TO ex:g", {}, limits),
+  EXPECT_EQ(
+      world.GetError("DELETE { ?s ?p ?o } WHERE { ?s ?p ?o }", {}, limits),
+      "the update changes more quads than the limit of 3");
+  EXPECT_EQ(world.GetError("ADD DEFAULT TO ex:g", {}, limits),
             "the update changes more quads than the limit of 3");
   limits = {};
   limits.seconds = 0.05;
-  EXPECT_EQ(world.ErrorOf(
+  EXPECT_EQ(world.GetError(
                 "INSERT { ?a ?b ?c } WHERE { ?a ?b ?c . ?d ?e ?f . ?g ?h ?i "
                 ". ?j ?k ?l . ?m ?n ?o . ?p ?q ?r . ?s ?t ?u . ?v ?w ?x . "
                 "?a1 ?a2 ?a3 . ?b1 ?b2 ?b3 FILTER(?a > ?b3) }",
                 {}, limits),
             "the query took longer than the limit of 0.05 s");
-  EXPECT_EQ(world.ErrorOf(std::string(65537, ' ')),
+  EXPECT_EQ(world.GetError(std::string(65537, ' ')),
             "the update is longer than the limit of 65536 bytes");
   EXPECT_TRUE(world.change().empty());
 }
@@ -317,9 +318,9 @@ struct RandomUpdate {
   }
 };
 
-std::set<std::string> TriplesOf(const GraphView& view, const char* graph) {
+std::set<std::string> CollectTriples(const GraphView& view, const char* graph) {
   std::set<std::string> triples;
-  for (const Statement& s : ContentOf(view)) {
+  for (const Statement& s : GetContent(view)) {
     if (s.graph.text != graph) continue;
     triples.insert(ToTurtle(s.subject) + " " + ToTurtle(s.predicate) + " " +
                    ToTurtle(s.object));
@@ -335,18 +336,18 @@ TEST(UpdateEngine, AgreesWithSetsAndTakesBackWhatFails) {
     RandomUpdate update;
     for (int i = 0; i < 12; ++i) update.Add(&random);
     world.Update(update.text);
-    EXPECT_EQ(TriplesOf(world.change().view(), kFactsGraph), update.facts)
+    EXPECT_EQ(CollectTriples(world.change().view(), kFactsGraph), update.facts)
         << update.text;
-    EXPECT_EQ(TriplesOf(world.change().view(), kPlan), update.plan)
+    EXPECT_EQ(CollectTriples(world.change().view(), kPlan), update.plan)
         << update.text;
     // More of the same, but the last operation fails.
     RandomUpdate more = update;
     more.text.clear();
     for (int i = 0; i < 6; ++i) more.Add(&random);
-    EXPECT_EQ(world.ErrorOf(more.text + "MOVE ex:none TO DEFAULT"),
+    EXPECT_EQ(world.GetError(more.text + "MOVE ex:none TO DEFAULT"),
               "7:1: the store has no graph ex:none");
-    EXPECT_EQ(TriplesOf(world.change().view(), kFactsGraph), update.facts);
-    EXPECT_EQ(TriplesOf(world.change().view(), kPlan), update.plan);
+    EXPECT_EQ(CollectTriples(world.change().view(), kFactsGraph), update.facts);
+    EXPECT_EQ(CollectTriples(world.change().view(), kPlan), update.plan);
   }
 }
 

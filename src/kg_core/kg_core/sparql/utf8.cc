@@ -6,7 +6,7 @@ namespace {
 bool IsContinuation(char c) { return (c & 0xC0) == 0x80; }
 
 // Length of the character a lead byte announces; 0 if it can lead none.
-std::size_t LengthOf(char lead) {
+std::size_t GetLength(char lead) {
   const auto byte = static_cast<unsigned char>(lead);
   if (byte < 0x80) return 1;
   if (byte >= 0xC2 && byte <= 0xDF) return 2;
@@ -86,7 +86,7 @@ void AppendUtf8(std::uint32_t code, std::string* out) {
 
 std::size_t FindInvalidUtf8(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = LengthOf(text[at]);
+    const std::size_t length = GetLength(text[at]);
     if (length == 0 || at + length > text.size()) return at;
     for (std::size_t i = 1; i < length; ++i) {
       if (!IsContinuation(text[at + i])) return at;
@@ -117,7 +117,7 @@ std::size_t Utf8Offset(std::string_view text, std::size_t index) {
 
 std::uint32_t TakeUtf8(std::string_view text, std::size_t* at) {
   const char lead = text[*at];
-  std::size_t length = LengthOf(lead);
+  std::size_t length = GetLength(lead);
   if (length == 0 || *at + length > text.size()) length = 1;
   constexpr std::uint32_t kLeadMask[] = {0, 0x7F, 0x1F, 0x0F, 0x07};
   std::uint32_t code = static_cast<unsigned char>(lead) & kLeadMask[length];

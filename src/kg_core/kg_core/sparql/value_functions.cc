@@ -9,9 +9,9 @@
 #include <string>
 
 #include "kg_core/rdf/namespaces.h"
-#include "kg_core/sparql/date_time.h"
 #include "kg_core/sparql/functions.h"
 #include "kg_core/sparql/values.h"
+#include "kg_core/sparql/xsd_date_time.h"
 
 namespace kg_core::sparql {
 namespace {
@@ -24,7 +24,7 @@ double RoundHalfUp(double value) { return std::floor(value + 0.5); }
 
 template <Decimal (*kExact)(const Decimal&), double (*kReal)(double)>
 Answer Apply(FunctionContext&, const Arguments& a) {
-  std::optional<Number> number = ToNumber(*a[0]);
+  std::optional<XsdNumber> number = ToNumber(*a[0]);
   if (!number) return std::nullopt;
   number->exact = kExact(number->exact);
   number->real = kReal(number->real);
@@ -38,7 +38,7 @@ Answer Rand(FunctionContext& context, const Arguments&) {
 
 Answer Now(FunctionContext& context, const Arguments&) { return context.now; }
 
-std::optional<DateTime> TimeOf(const Arguments& a) {
+std::optional<DateTime> GetTime(const Arguments& a) {
   const Term& term = *a[0];
   if (!term.is_literal()) return std::nullopt;
   if (term.datatype == std::string(kXsd) + "date") return ParseDate(term.text);
@@ -47,21 +47,21 @@ std::optional<DateTime> TimeOf(const Arguments& a) {
 }
 
 template <int DateTime::*kPart>
-Answer PartOf(FunctionContext&, const Arguments& a) {
-  const std::optional<DateTime> time = TimeOf(a);
+Answer GetPart(FunctionContext&, const Arguments& a) {
+  const std::optional<DateTime> time = GetTime(a);
   if (!time) return std::nullopt;
   return IntegerLiteral((*time).*kPart);
 }
 
 Answer Seconds(FunctionContext&, const Arguments& a) {
-  const std::optional<DateTime> time = TimeOf(a);
+  const std::optional<DateTime> time = GetTime(a);
   if (!time) return std::nullopt;
   return Literal(ToString(time->second), std::string(kXsd) + "decimal");
 }
 
 // https://www.w3.org/TR/sparql11-query/#func-timezone
 Answer TimeZone(FunctionContext&, const Arguments& a) {
-  const std::optional<DateTime> time = TimeOf(a);
+  const std::optional<DateTime> time = GetTime(a);
   if (!time || !time->zone_min) return std::nullopt;
   const int minutes = std::abs(*time->zone_min);
   std::string text = *time->zone_min < 0 ? "-PT" : "PT";
@@ -73,7 +73,7 @@ Answer TimeZone(FunctionContext&, const Arguments& a) {
 
 // https://www.w3.org/TR/sparql11-query/#func-tz: as it is written.
 Answer Tz(FunctionContext&, const Arguments& a) {
-  const std::optional<DateTime> time = TimeOf(a);
+  const std::optional<DateTime> time = GetTime(a);
   if (!time) return std::nullopt;
   if (!time->zone_min) return Literal("");
   const std::string& text = a[0]->text;
@@ -104,7 +104,7 @@ Answer Hash(FunctionContext&, const Arguments& a) {
 
 }  // namespace
 
-std::vector<Function> NumberFunctions() {
+std::vector<SparqlFunction> NumberFunctions() {
   return {{"ABS", 1, 1, Apply<Absolute, std::fabs>},
           {"ROUND", 1, 1, Apply<Round, RoundHalfUp>},
           {"CEIL", 1, 1, Apply<Ceil, std::ceil>},
@@ -112,19 +112,19 @@ std::vector<Function> NumberFunctions() {
           {"RAND", 0, 0, Rand}};
 }
 
-std::vector<Function> TimeFunctions() {
+std::vector<SparqlFunction> TimeFunctions() {
   return {{"NOW", 0, 0, Now},
-          {"YEAR", 1, 1, PartOf<&DateTime::year>},
-          {"MONTH", 1, 1, PartOf<&DateTime::month>},
-          {"DAY", 1, 1, PartOf<&DateTime::day>},
-          {"HOURS", 1, 1, PartOf<&DateTime::hour>},
-          {"MINUTES", 1, 1, PartOf<&DateTime::minute>},
+          {"YEAR", 1, 1, GetPart<&DateTime::year>},
+          {"MONTH", 1, 1, GetPart<&DateTime::month>},
+          {"DAY", 1, 1, GetPart<&DateTime::day>},
+          {"HOURS", 1, 1, GetPart<&DateTime::hour>},
+          {"MINUTES", 1, 1, GetPart<&DateTime::minute>},
           {"SECONDS", 1, 1, Seconds},
           {"TIMEZONE", 1, 1, TimeZone},
           {"TZ", 1, 1, Tz}};
 }
 
-std::vector<Function> HashFunctions() {
+std::vector<SparqlFunction> HashFunctions() {
   return {{"MD5", 1, 1, Hash<EVP_md5>},
           {"SHA1", 1, 1, Hash<EVP_sha1>},
           {"SHA256", 1, 1, Hash<EVP_sha256>},

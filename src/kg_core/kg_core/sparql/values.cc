@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "kg_core/rdf/namespaces.h"
-#include "kg_core/sparql/date_time.h"
+#include "kg_core/sparql/xsd_date_time.h"
 
 namespace kg_core::sparql {
 namespace {
@@ -40,14 +40,14 @@ constexpr std::string_view kIntegerTypes[] = {"integer",
                                               "unsignedByte",
                                               "positiveInteger"};
 
-std::optional<Number::Type> NumericType(const std::string& datatype) {
+std::optional<XsdNumber::Type> NumericType(const std::string& datatype) {
   const std::string_view name = XsdName(datatype);
   if (name.empty()) return std::nullopt;
-  if (name == "decimal") return Number::Type::kDecimal;
-  if (name == "double") return Number::Type::kDouble;
-  if (name == "float") return Number::Type::kFloat;
+  if (name == "decimal") return XsdNumber::Type::kDecimal;
+  if (name == "double") return XsdNumber::Type::kDouble;
+  if (name == "float") return XsdNumber::Type::kFloat;
   for (const std::string_view type : kIntegerTypes) {
-    if (name == type) return Number::Type::kInteger;
+    if (name == type) return XsdNumber::Type::kInteger;
   }
   return std::nullopt;
 }
@@ -84,7 +84,7 @@ ValueKind LiteralKind(const Term& term) {
   return ValueKind::kUnknown;
 }
 
-ValueKind KindOf(const Term& term) {
+ValueKind GetKind(const Term& term) {
   switch (term.kind) {
     case Term::Kind::kBlank:
       return ValueKind::kBlank;
@@ -103,8 +103,9 @@ Order FromSign(int sign) {
 int Sign(int value) { return value < 0 ? -1 : value > 0 ? 1 : 0; }
 
 // A term and what comparing it takes, read once.
-struct Value {
-  explicit Value(const Term& read) : term(&read), kind(KindOf(read)) {
+struct ComparableValue {
+  explicit ComparableValue(const Term& read)
+      : term(&read), kind(GetKind(read)) {
     if (kind == ValueKind::kNumber) number = *ToNumber(read);
     if (kind == ValueKind::kBoolean) truth = *ToBoolean(read);
     if (kind == ValueKind::kDateTime) time = *ParseDateTime(read.text);
@@ -114,11 +115,11 @@ struct Value {
   const Term* term;
   ValueKind kind;
   bool truth = false;
-  Number number;
+  XsdNumber number;
   DateTime time;
 };
 
-Order CompareNumbers(const Number& a, const Number& b) {
+Order CompareNumbers(const XsdNumber& a, const XsdNumber& b) {
   if (a.is_exact() && b.is_exact()) {
     return FromSign(Compare(a.exact, b.exact));
   }
@@ -130,7 +131,7 @@ Order CompareNumbers(const Number& a, const Number& b) {
 }
 
 // Order of two values of one comparable kind.
-Order CompareSameKind(const Value& a, const Value& b) {
+Order CompareSameKind(const ComparableValue& a, const ComparableValue& b) {
   switch (a.kind) {
     case ValueKind::kNumber:
       return CompareNumbers(a.number, b.number);
@@ -149,7 +150,7 @@ Order CompareSameKind(const Value& a, const Value& b) {
   return FromSign(a.term->text.compare(b.term->text));
 }
 
-int OrderSameKind(const Value& a, const Value& b) {
+int OrderSameKind(const ComparableValue& a, const ComparableValue& b) {
   switch (CompareSameKind(a, b)) {
     case Order::kLess:
       return -1;
@@ -170,13 +171,13 @@ int OrderSameKind(const Value& a, const Value& b) {
                           : Sign(a.term->datatype.compare(b.term->datatype));
 }
 
-int OrderOfValues(const Value& a, const Value& b) {
+int OrderOfValues(const ComparableValue& a, const ComparableValue& b) {
   if (a.kind != b.kind) return a.kind < b.kind ? -1 : 1;
   return OrderSameKind(a, b);
 }
 
-std::string FormatReal(double value, Number::Type type) {
-  if (type == Number::Type::kDouble) return DoubleLiteral(value).text;
+std::string FormatReal(double value, XsdNumber::Type type) {
+  if (type == XsdNumber::Type::kDouble) return DoubleLiteral(value).text;
   if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return value < 0 ? "-INF" : "INF";
   char text[64];
@@ -236,16 +237,17 @@ std::optional<double> ParseDouble(const std::string& text) {
   return value;
 }
 
-std::optional<Number> ToNumber(const Term& term) {
+std::optional<XsdNumber> ToNumber(const Term& term) {
   if (!term.is_literal()) return std::nullopt;
-  const std::optional<Number::Type> type = NumericType(term.datatype);
+  const std::optional<XsdNumber::Type> type = NumericType(term.datatype);
   if (!type) return std::nullopt;
-  Number number;
+  XsdNumber number;
   number.type = *type;
   if (number.is_exact()) {
     const std::optional<Decimal> value = ParseDecimal(term.text);
+    // An xsd:integer has no point.
     const bool whole = term.text.find('.') == std::string::npos;
-    if (!value || (*type == Number::Type::kInteger && !whole)) {
+    if (!value || (*type == XsdNumber::Type::kInteger && !whole)) {
       return std::nullopt;
     }
     number.exact = *value;
@@ -253,13 +255,13 @@ std::optional<Number> ToNumber(const Term& term) {
   }
   const std::optional<double> value = ParseDouble(term.text);
   if (!value) return std::nullopt;
-  number.real = *type == Number::Type::kFloat
+  number.real = *type == XsdNumber::Type::kFloat
                     ? static_cast<double>(static_cast<float>(*value))
                     : *value;
   return number;
 }
 
-Term ToTerm(const Number& number) {
+Term ToTerm(const XsdNumber& number) {
   constexpr const char* kNames[] = {"integer", "decimal", "float", "double"};
   const std::string datatype =
       std::string(kXsd) + kNames[static_cast<int>(number.type)];
@@ -268,13 +270,13 @@ Term ToTerm(const Number& number) {
                  datatype);
 }
 
-std::optional<Number> Calculate(Arithmetic operation, const Number& a,
-                                const Number& b) {
-  Number result;
+std::optional<XsdNumber> Calculate(Arithmetic operation, const XsdNumber& a,
+                                   const XsdNumber& b) {
+  XsdNumber result;
   result.type = std::max(a.type, b.type);
   if (result.is_exact()) {
     if (operation == Arithmetic::kDivide) {
-      result.type = Number::Type::kDecimal;
+      result.type = XsdNumber::Type::kDecimal;
     }
     const std::optional<Decimal> exact =
         CalculateExact(operation, a.exact, b.exact);
@@ -283,7 +285,7 @@ std::optional<Number> Calculate(Arithmetic operation, const Number& a,
     return result;
   }
   result.real = CalculateReal(operation, a.ToDouble(), b.ToDouble());
-  if (result.type == Number::Type::kFloat) {
+  if (result.type == XsdNumber::Type::kFloat) {
     result.real = static_cast<double>(static_cast<float>(result.real));
   }
   return result;
@@ -307,15 +309,15 @@ std::optional<bool> EffectiveBoolean(const Term& term) {
     return ToBoolean(term).value_or(false);
   }
   if (!IsNumericType(term.datatype)) return std::nullopt;
-  const std::optional<Number> number = ToNumber(term);
+  const std::optional<XsdNumber> number = ToNumber(term);
   if (!number) return false;
   const double value = number->ToDouble();
   return !(std::isnan(value) || value == 0.0);
 }
 
 std::optional<bool> Equal(const Term& a, const Term& b) {
-  const Value x(a);
-  const Value y(b);
+  const ComparableValue x(a);
+  const ComparableValue y(b);
   const bool literals = a.is_literal() && b.is_literal();
   if (x.kind == y.kind && x.kind != ValueKind::kUnknown && literals) {
     if (x.kind == ValueKind::kLanguageString) return a == b;
@@ -329,8 +331,8 @@ std::optional<bool> Equal(const Term& a, const Term& b) {
 }
 
 std::optional<Order> Compare(const Term& a, const Term& b) {
-  const Value x(a);
-  const Value y(b);
+  const ComparableValue x(a);
+  const ComparableValue y(b);
   if (x.kind != y.kind) return std::nullopt;
   switch (x.kind) {
     case ValueKind::kNumber:
@@ -348,16 +350,16 @@ std::optional<Order> Compare(const Term& a, const Term& b) {
   return std::nullopt;
 }
 
-int OrderOf(const Term* a, const Term* b) {
+int CompareTerms(const Term* a, const Term* b) {
   if (a == nullptr || b == nullptr) {
     return int{a != nullptr} - int{b != nullptr};
   }
-  return OrderOfValues(Value(*a), Value(*b));
+  return OrderOfValues(ComparableValue(*a), ComparableValue(*b));
 }
 
-std::vector<int> RanksOf(const std::vector<const Term*>& terms,
-                         absl::FunctionRef<void()> step) {
-  std::vector<Value> values;
+std::vector<int> ComputeRanks(const std::vector<const Term*>& terms,
+                              absl::FunctionRef<void()> step) {
+  std::vector<ComparableValue> values;
   values.reserve(terms.size());
   for (const Term* term : terms) {
     step();
@@ -371,6 +373,7 @@ std::vector<int> RanksOf(const std::vector<const Term*>& terms,
                      return OrderOfValues(values[a], values[b]) < 0;
                    });
   std::vector<int> ranks(terms.size());
+  // Terms that compare as equal share a rank.
   int rank = 0;
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     if (OrderOfValues(values[sorted[i - 1]], values[sorted[i]]) != 0) ++rank;

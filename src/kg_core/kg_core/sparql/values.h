@@ -18,7 +18,7 @@ namespace kg_core::sparql {
 
 // A numeric value; types in the order of promotion.
 // https://www.w3.org/TR/xpath20/#promotion
-struct Number {
+struct XsdNumber {
   enum class Type { kInteger, kDecimal, kFloat, kDouble };
   Type type = Type::kInteger;
   Decimal exact;    // Integers and decimals.
@@ -33,10 +33,10 @@ struct Number {
 enum class Arithmetic { kAdd, kSubtract, kMultiply, kDivide };
 
 bool IsNumericType(const std::string& datatype);
-std::optional<Number> ToNumber(const Term& term);
-Term ToTerm(const Number& number);
-std::optional<Number> Calculate(Arithmetic operation, const Number& a,
-                                const Number& b);
+std::optional<XsdNumber> ToNumber(const Term& term);
+Term ToTerm(const XsdNumber& number);
+std::optional<XsdNumber> Calculate(Arithmetic operation, const XsdNumber& a,
+                                   const XsdNumber& b);
 // Reads the lexical forms of xsd:double and xsd:float ("1e3", "INF", "NaN").
 std::optional<double> ParseDouble(const std::string& text);
 
@@ -58,13 +58,13 @@ std::optional<Order> Compare(const Term& a, const Term& b);
 // Order of ORDER BY, MIN and MAX: unbound (nullptr), blank nodes, IRIs,
 // literals by value; what '<' leaves open by type, then text. -1, 0, 1.
 // https://www.w3.org/TR/sparql11-query/#modOrderBy
-int OrderOf(const Term* a, const Term* b);
+int CompareTerms(const Term* a, const Term* b);
 
-// For each of `terms`, a number that orders it among them as OrderOf does:
+// For each of `terms`, a number that orders it among them as CompareTerms does:
 // sorting rows then reads each literal once, not once per comparison. Calls
 // `step` all the while, which may throw.
-std::vector<int> RanksOf(const std::vector<const Term*>& terms,
-                         absl::FunctionRef<void()> step);
+std::vector<int> ComputeRanks(const std::vector<const Term*>& terms,
+                              absl::FunctionRef<void()> step);
 
 }  // namespace kg_core::sparql
 

@@ -47,7 +47,7 @@ std::vector<Term> ManyTerms() {
           Literal("a", "http://a-type")};
 }
 
-int SignOf(int value) { return (value > 0) - (value < 0); }
+int GetSign(int value) { return (value > 0) - (value < 0); }
 
 TEST(Values, RankTermsAsOrderOfDoes) {
   std::mt19937 random(3);
@@ -56,27 +56,27 @@ TEST(Values, RankTermsAsOrderOfDoes) {
     std::vector<const Term*> terms;
     for (int i = 0; i < 12; ++i) terms.push_back(&all[random() % all.size()]);
     int steps = 0;
-    const std::vector<int> ranks = RanksOf(terms, [&steps] { ++steps; });
+    const std::vector<int> ranks = ComputeRanks(terms, [&steps] { ++steps; });
     EXPECT_GE(steps, 12);
     for (std::size_t i = 0; i < terms.size(); ++i) {
       for (std::size_t j = 0; j < terms.size(); ++j) {
-        EXPECT_EQ(SignOf(ranks[i] - ranks[j]),
-                  SignOf(OrderOf(terms[i], terms[j])))
+        EXPECT_EQ(GetSign(ranks[i] - ranks[j]),
+                  GetSign(CompareTerms(terms[i], terms[j])))
             << *terms[i] << " " << *terms[j];
       }
     }
   }
-  EXPECT_TRUE(RanksOf({}, [] {}).empty());
+  EXPECT_TRUE(ComputeRanks({}, [] {}).empty());
 }
 
 TEST(Values, OrderKindsAsOrderByAsks) {
   const Term blank = Blank("z");
   const Term iri = Iri("http://a");
   const Term literal = Literal("a");
-  EXPECT_EQ(OrderOf(nullptr, nullptr), 0);
-  EXPECT_EQ(OrderOf(nullptr, &blank), -1);
-  EXPECT_EQ(OrderOf(&blank, &iri), -1);
-  EXPECT_EQ(OrderOf(&literal, &iri), 1);
+  EXPECT_EQ(CompareTerms(nullptr, nullptr), 0);
+  EXPECT_EQ(CompareTerms(nullptr, &blank), -1);
+  EXPECT_EQ(CompareTerms(&blank, &iri), -1);
+  EXPECT_EQ(CompareTerms(&literal, &iri), 1);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace kg_core {
 namespace {
 
-constexpr std::size_t kLongestId = 64;
+constexpr std::size_t kMaxIdBytes = 64;
 
 bool IsIdChar(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
@@ -19,12 +19,12 @@ bool IsIdChar(char c) {
 }
 
 void CheckId(const std::string& id) {
-  if (!id.empty() && id.size() <= kLongestId &&
+  if (!id.empty() && id.size() <= kMaxIdBytes &&
       std::all_of(id.begin(), id.end(), IsIdChar)) {
     return;
   }
   throw InputError("watch '" + id + "': expected an id of 1 to " +
-                   std::to_string(kLongestId) +
+                   std::to_string(kMaxIdBytes) +
                    " letters, digits, '_' and '-'");
 }
 
@@ -80,6 +80,7 @@ WatchedAnswer WatchList::Watch(WatchDefinition definition,
   CheckId(definition.id);
   const auto known = states_.find(definition.id);
   const bool is_new = known == states_.end();
+  // The same watch again: its answer so far, no new one.
   if (!is_new && known->second.query == definition.query &&
       known->second.has_answer) {
     return Report(definition.id, known->second);
@@ -127,6 +128,7 @@ std::optional<WatchedAnswer> WatchList::Look(const std::string& id,
   const bool failed_before = !state.error.empty();
   state.world_version = view.world_version();
   state.error = error;
+  // A failure is reported once, until the query succeeds again.
   if (!error.empty()) {
     if (failed_before) return std::nullopt;
     return Report(id, state);

@@ -1,4 +1,4 @@
-// Queries whose answers somebody wants to be told of when they change.
+// Queries whose answers are reported whenever they change.
 //
 //   WatchList watches;
 //   watches.Watch({"agents", "SELECT ?a { ?a a ex:Agent }"}, *view, dataset);

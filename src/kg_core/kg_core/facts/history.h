@@ -1,0 +1,62 @@
+// Past states of the facts: the log (update_log.h) keeps what every update
+// removed and added, so any version of the facts can be restored by undoing the
+// later ones.
+//
+//   FactsAt(*store.Read(), 12)            the facts graph at world version 12
+//   FindDifferences(*store.Read(), 12, 15)   what came and went, by whom, when
+
+#ifndef KG_CORE_FACTS_HISTORY_H_
+#define KG_CORE_FACTS_HISTORY_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "kg_core/rdf/graph_view.h"
+#include "kg_core/rdf/store.h"
+
+namespace kg_core {
+
+// The values of one property of one subject that an update took and gave.
+struct FactChange {
+  Term subject;
+  Term property;
+  std::vector<Term> old_values;
+  std::vector<Term> new_values;
+};
+
+struct LoggedUpdate {
+  std::uint64_t world_version = 0;  // That it made.
+  std::string time;                 // xsd:dateTime, UTC.
+  std::string author;
+  std::string id;  // Chosen by the sender, may be empty.
+  std::vector<FactChange> changes;
+};
+
+// Every logged update, oldest first; changes by subject and property.
+std::vector<LoggedUpdate> ReadLog(const GraphView& view);
+
+// The facts graph as of a world version, sorted. Throws InputError for a
+// version that is yet to come.
+std::vector<Statement> FactsAt(const GraphView& view,
+                               std::uint64_t world_version);
+
+// A statement that the facts of only one of two versions have, and the last
+// update between them that changed its property of its subject.
+struct FactDifference {
+  Statement statement;
+  bool is_added = false;  // Else removed.
+  std::uint64_t world_version = 0;
+  std::string time;
+  std::string author;
+};
+
+// From `before` to `after`, which may be the older one; sorted. Throws
+// InputError like FactsAt.
+std::vector<FactDifference> FindDifferences(const GraphView& view,
+                                            std::uint64_t before,
+                                            std::uint64_t after);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_FACTS_HISTORY_H_
