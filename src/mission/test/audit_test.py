@@ -61,7 +61,7 @@ class AuditTest(SmallMissionTestCase):
         super().setUpClass()
         cls.folder = tempfile.mkdtemp(prefix='kg_export_')
         cls.service = rospy.ServiceProxy('kg/export', Export)
-        cls.world, cls.plan = cls.house.wait_for_plan()
+        cls.world, cls.plan = cls.mission.wait_for_plan()
         cls.agents = by_agent(cls.plan)
 
     @classmethod
@@ -73,7 +73,7 @@ class AuditTest(SmallMissionTestCase):
         self.service.wait_for_service(CHANGE_S)
         answer = self.service(**dict({'graphs': [], 'path': ''}, **request))
         self.assertTrue(answer.ok, answer.error)
-        self.assertEqual(self.house.world.last.world_version,
+        self.assertEqual(self.mission.world.last.world_version,
                          answer.world_version)
         return answer.data
 
@@ -107,12 +107,12 @@ class AuditTest(SmallMissionTestCase):
         for path in glob.glob(os.path.join(ROOT, 'config', 'queries', '*.rq')):
             name = os.path.splitext(os.path.basename(path))[0]
             with open(path) as file:
-                self.house.query.answer(file.read())
+                self.mission.query.answer(file.read())
             if not name.startswith('what_if'):
                 self.assertIn(name, documented)
 
     def test_2_assignments_lead_to_the_files_of_the_mission(self):
-        rows = self.house.select("""
+        rows = self.mission.select("""
             SELECT DISTINCT ?x ?path {
               ?x a ex:Assignment ; (prov:wasDerivedFrom|prov:wasGeneratedBy|
                                     prov:used|prov:wasInformedBy)+ ?f .
@@ -226,7 +226,7 @@ class AuditTest(SmallMissionTestCase):
     def test_3_rdf_is_read_by_rdflib(self):
         merged = rdflib.Graph()
         merged.parse(data=self.export(format='turtle'), format='turtle')
-        count = len(self.house.select(
+        count = len(self.mission.select(
             'SELECT ?s { GRAPH graph:facts { ?s ?p ?o } }'))
         self.assertEqual(count, len(merged))
         named = rdflib.ConjunctiveGraph()

@@ -29,13 +29,13 @@ class EdgesTest(MissionTestCase):
                  'once': 'true'}
 
     def test_1_one_fact_makes_paths_of_several_waypoints_a_window(self):
-        _, plan = self.house.wait_for_plan()
+        _, plan = self.mission.wait_for_plan()
         self.assertEqual([], stops_of(plan))
-        self.house.world.wait(lambda world: world.current_window >= 1)
-        report = self.house.update(set=[
+        self.mission.world.wait(lambda world: world.current_window >= 1)
+        report = self.mission.update(set=[
             ('ex:gulf', 'ex:movementMode', '"edges"')])
         self.assertTrue(report.accepted, report.reasons)
-        _, plan = self.house.wait_for_plan(report.world_version)
+        _, plan = self.mission.wait_for_plan(report.world_version)
         self.assertEqual([], list(plan.unassigned))
         self.assertGreater(len(stops_of(plan)), 0)
         self._assert_explained(plan)
@@ -67,8 +67,8 @@ class EdgesTest(MissionTestCase):
         self.assertEqual(([], []), (answer.errors, answer.differs), answer.text)
 
     def test_3_ends_without_a_violation(self):
-        self.house.wait_for_end(END_S)
-        verdict = self.house.verdict(lambda v: True)
+        self.mission.wait_for_end(END_S)
+        verdict = self.mission.verdict(lambda v: True)
         self.assert_no_violation(verdict)
         for agent in AGENTS:
             self.assertEqual(WINDOWS, verdict['agents'][agent]['waypoints'])
@@ -77,10 +77,10 @@ class EdgesTest(MissionTestCase):
 
     def test_zz_no_node_has_died(self):
         """But for the verdict, whose end ends the launch."""
-        self.house.stop()
-        others = [line for line in self.house.deaths()
+        self.mission.stop()
+        others = [line for line in self.mission.deaths()
                   if '[verdict' not in line]
-        self.assertEqual([], others, self.house.output()[-4000:])
+        self.assertEqual([], others, self.mission.output()[-4000:])
 
 
 if __name__ == '__main__':

@@ -70,7 +70,7 @@ class LayersTest(SmallMissionTestCase):
         return grid
 
     def test_1_every_layer_of_every_agent_is_there(self):
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         for agent in ('alpha', 'bravo'):
             shapes = set()
             for name in TENSOR_LAYERS + POSE_LAYERS:
@@ -105,7 +105,7 @@ class LayersTest(SmallMissionTestCase):
             raster(self.layer('ATTENUATION')))) - {-1})
 
     def test_3_reach_is_about_where_the_agent_is(self):
-        _, plan = self.house.wait_for_plan()
+        _, plan = self.mission.wait_for_plan()
         for agent, assignment in by_agent(plan).items():
             grid = self.layer('REACH', agent)
             reached = np.argwhere(raster(grid) == 100).mean(axis=0)
@@ -190,7 +190,7 @@ class LayersTest(SmallMissionTestCase):
         self.assertTrue((raster(self.layer('REACH')) != reach).any())
         feasible = Heard('kg/alpha/layer/FEASIBILITY', OccupancyGrid)
         open_before = (raster(feasible.wait()) == 100).sum()
-        report = self.house.update(turtle="""
+        report = self.mission.update(turtle="""
             ex:closed a ex:Constraint ; ex:kind "no_go" ; ex:name "closed" ;
                 geo:asWKT "POLYGON((-90.4 25.2, -90.1 25.2, -90.1 25.5, -90.4 25.5, -90.4 25.2))"^^geo:wktLiteral .
             """)

@@ -1,10 +1,10 @@
-"""What the tests of the running house share: starting it in a state folder of
+"""What the tests of the running mission share: starting it in a state folder of
 its own, waiting for conditions with a deadline, changing and asking facts.
 
     class AGulf(MissionTestCase):
         arguments = {'mission': 'gulf'}
         def test_plans(self):
-            self.house.wait_for_plan()
+            self.mission.wait_for_plan()
 """
 
 import json
@@ -94,7 +94,7 @@ class Heard:
             return found()
 
 
-class House:
+class RunningMission:
     """One running bringup.launch."""
 
     def __init__(self, **arguments):
@@ -187,14 +187,14 @@ class House:
 
 
 class MissionTestCase(unittest.TestCase):
-    """A house for all tests of the class; fails if any node dies in it."""
+    """A mission for all tests of the class; fails if any node dies in it."""
 
     arguments = {}
 
     @classmethod
     def setUpClass(cls):
         cls.prepare()
-        cls.house = House(**cls.arguments)
+        cls.mission = RunningMission(**cls.arguments)
 
     @classmethod
     def prepare(cls):
@@ -202,13 +202,13 @@ class MissionTestCase(unittest.TestCase):
 
     @classmethod
     def tearDownClass(cls):
-        cls.house.stop()
-        cls.house.remove()
+        cls.mission.stop()
+        cls.mission.remove()
 
     def test_zz_no_node_has_died(self):
         """rostest itself would not notice."""
-        self.house.stop()
-        self.assertEqual([], self.house.deaths(), self.house.output()[-4000:])
+        self.mission.stop()
+        self.assertEqual([], self.mission.deaths(), self.mission.output()[-4000:])
 
     def assert_no_violation(self, verdict):
         self.assertTrue(verdict['complete'], verdict)

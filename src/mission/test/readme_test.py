@@ -48,7 +48,7 @@ def launch_arguments():
 
 class ReadmeTest(SmallMissionTestCase):
     def test_1_commands_marked_to_be_run_do_what_they_say(self):
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         commands = [line for block in blocks('sh run')
                     for line in block.splitlines()]
         self.assertGreater(len(commands), 3)
@@ -59,10 +59,10 @@ class ReadmeTest(SmallMissionTestCase):
             self.assertEqual(0, done.returncode, command + '\n' + done.stdout)
             for refusal in ('accepted: False', 'ok: False'):
                 self.assertNotIn(refusal, done.stdout, command)
-        self.assertTrue(self.house.ask(
+        self.assertTrue(self.mission.ask(
             'ASK { ex:alpha ex:usesPolicy ex:safe }'))
-        self.assertTrue(self.house.ask('ASK { ex:closed ex:kind "no_go" }'))
-        self.house.wait_for_plan(self.house.world.last.world_version)
+        self.assertTrue(self.mission.ask('ASK { ex:closed ex:kind "no_go" }'))
+        self.mission.wait_for_plan(self.mission.world.last.world_version)
 
     def test_2_make_is_asked_for_targets_that_exist(self):
         targets = set(re.findall(r'^([a-z_]+):', read('Makefile'),

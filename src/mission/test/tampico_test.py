@@ -21,18 +21,18 @@ class TampicoTest(MissionTestCase):
         cls.arguments = {'mission': 'tampico', 'data': data, 'sim': 'false'}
 
     def test_1_plans_every_agent_for_every_window(self):
-        world, plan = self.house.wait_for_plan()
+        world, plan = self.mission.wait_for_plan()
         self.assertEqual([], list(plan.unassigned))
         self.assertEqual({agent.id for agent in world.agents},
                          {assignment.agent for assignment in plan.assignments})
-        verdict = self.house.verdict(
+        verdict = self.mission.verdict(
             lambda v: v['world_version'] == world.world_version)
         self.assert_no_violation(verdict)
         self.assertEqual(len(world.windows), verdict['windows'])
 
     def test_2_currents_come_from_the_file_of_the_data_argument(self):
-        self.house.wait_for_plan()
-        paths = {row['path'] for row in self.house.select(
+        self.mission.wait_for_plan()
+        paths = {row['path'] for row in self.mission.select(
             'SELECT ?path WHERE { ?field a ex:CurrentField ; '
             'prov:wasDerivedFrom ?f . ?f ex:path ?path }')}
         self.assertTrue(paths)
