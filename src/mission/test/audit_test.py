@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Audit and export of a running mission: the commands of docs/queries.md do what
-they say, every shipped query runs, and programs of others (json, shapely, an XML
-parser, netCDF4, rdflib) read from the exports what the plan says.
+"""Audit and export of a running mission: the commands of docs/queries.md
+succeed, every shipped query runs, and third-party readers (json, shapely, an
+XML parser, netCDF4, rdflib) find the plan in the exports.
 """
 
 import glob
@@ -61,7 +61,7 @@ class AuditTest(SmallMissionTestCase):
         super().setUpClass()
         cls.folder = tempfile.mkdtemp(prefix='kg_export_')
         cls.service = rospy.ServiceProxy('kg/export', Export)
-        cls.world, cls.plan = cls.house.wait_for_plan()
+        cls.world, cls.plan = cls.mission.wait_for_plan()
         cls.agents = by_agent(cls.plan)
 
     @classmethod
@@ -73,12 +73,12 @@ class AuditTest(SmallMissionTestCase):
         self.service.wait_for_service(CHANGE_S)
         answer = self.service(**dict({'graphs': [], 'path': ''}, **request))
         self.assertTrue(answer.ok, answer.error)
-        self.assertEqual(self.house.world.last.world_version,
+        self.assertEqual(self.mission.world.last.world_version,
                          answer.world_version)
         return answer.data
 
     def assert_is_the_plan(self, agent, times, lons, lats):
-        """The track is where the plan is, at all of its own times."""
+        """The track agrees with the plan at all times of the plan."""
         known = planned(self.agents[agent])
         self.assertTrue(numpy.all(numpy.diff(times) >= 0))
         self.assertAlmostEqual(known[0][0], times[0], delta=0.1)
@@ -107,12 +107,12 @@ class AuditTest(SmallMissionTestCase):
         for path in glob.glob(os.path.join(ROOT, 'config', 'queries', '*.rq')):
             name = os.path.splitext(os.path.basename(path))[0]
             with open(path) as file:
-                self.house.query.answer(file.read())
+                self.mission.query.answer(file.read())
             if not name.startswith('what_if'):
                 self.assertIn(name, documented)
 
     def test_2_assignments_lead_to_the_files_of_the_mission(self):
-        rows = self.house.select("""
+        rows = self.mission.select("""
             SELECT DISTINCT ?x ?path {
               ?x a ex:Assignment ; (prov:wasDerivedFrom|prov:wasGeneratedBy|
                                     prov:used|prov:wasInformedBy)+ ?f .
@@ -226,7 +226,7 @@ class AuditTest(SmallMissionTestCase):
     def test_3_rdf_is_read_by_rdflib(self):
         merged = rdflib.Graph()
         merged.parse(data=self.export(format='turtle'), format='turtle')
-        count = len(self.house.select(
+        count = len(self.mission.select(
             'SELECT ?s { GRAPH graph:facts { ?s ?p ?o } }'))
         self.assertEqual(count, len(merged))
         named = rdflib.ConjunctiveGraph()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What must not get in: each bad update or file is refused with one clear line,
-nothing has changed, and the mission that was running runs on.
+"""Invalid input: each invalid update or file is rejected with one clear line,
+nothing changes, and the running mission continues.
 """
 
 import os
@@ -69,9 +69,9 @@ def noise(path):
 
 class BadInputTest(SmallMissionTestCase):
     def _complaints(self, what, named, **lists):
-        """Sends it; what is wrong with the answer or the house after it."""
-        before = self.house.world.last.world_version
-        report = self.house.update(**lists)
+        """Sends an update; list of faults in the answer or the mission."""
+        before = self.mission.world.last.world_version
+        report = self.mission.update(**lists)
         said = ' | '.join(report.reasons)
         checks = {
             'it was accepted': not report.accepted,
@@ -80,22 +80,22 @@ class BadInputTest(SmallMissionTestCase):
             'the reason does not name %r: %r' % (named, said): named in said,
             'more than one line: %r' % said: '\n' not in said,
             'the plan is gone': self._world().plan_status == World.PLAN_OK,
-            'a fact is gone': self.house.ask(
+            'a fact is gone': self.mission.ask(
                 'ASK { ex:alpha ex:usesPolicy ex:fast }')}
         return ['%s: %s' % (what, complaint)
                 for complaint, fine in checks.items() if not fine]
 
     def _world(self):
-        return self.house.world.last
+        return self.mission.world.last
 
     def test_1_refuses_facts_that_cannot_be(self):
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         self.assertEqual([], [
             complaint for what, (lists, named) in BAD_UPDATES.items()
             for complaint in self._complaints(what, named, **lists)])
 
     def test_2_refuses_files_that_cannot_be_read(self):
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         small_mission.write_ocean(self.file('dry.nc'), all_land=True)
         small_mission.write_ocean(self.file('no_v.nc'), without=('water_v',))
         small_mission.write_ocean(self.file('short.nc'), days=2)
@@ -114,19 +114,19 @@ class BadInputTest(SmallMissionTestCase):
         self.assertEqual([], complaints)
 
     def test_3_a_refused_update_changes_nothing_of_its_good_part(self):
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         self.assertEqual([], self._complaints(
             'one good, one bad', 'ex:confidence', set=[
                 ('ex:front', 'ex:value', '9.0'),
                 ('ex:w1', 'ex:confidence', '7')]))
-        self.assertFalse(self.house.ask('ASK { ex:front ex:value 9.0 }'))
+        self.assertFalse(self.mission.ask('ASK { ex:front ex:value 9.0 }'))
 
     def test_4_a_good_update_is_taken_after_all_these(self):
-        self.house.wait_for_plan()
-        report = self.house.update(set=[('ex:front', 'ex:value', '4.0')])
+        self.mission.wait_for_plan()
+        report = self.mission.update(set=[('ex:front', 'ex:value', '4.0')])
         self.assertTrue(report.accepted, report.reasons)
-        self.house.wait_for_plan(report.world_version)
-        self.assert_no_violation(self.house.verdict(
+        self.mission.wait_for_plan(report.world_version)
+        self.assert_no_violation(self.mission.verdict(
             lambda v: v['world_version'] == report.world_version))
 
 

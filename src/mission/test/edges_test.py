@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""One fact, in the middle of the Gulf's mission: from then on agents visit
-several waypoints in a window, to the mission's end.
+"""One fact changed during the Gulf mission: from then on agents visit several
+waypoints per window, to the end of the mission.
 """
 
 import math
@@ -29,20 +29,20 @@ class EdgesTest(MissionTestCase):
                  'once': 'true'}
 
     def test_1_one_fact_makes_paths_of_several_waypoints_a_window(self):
-        _, plan = self.house.wait_for_plan()
+        _, plan = self.mission.wait_for_plan()
         self.assertEqual([], stops_of(plan))
-        self.house.world.wait(lambda world: world.current_window >= 1)
-        report = self.house.update(set=[
+        self.mission.world.wait(lambda world: world.current_window >= 1)
+        report = self.mission.update(set=[
             ('ex:gulf', 'ex:movementMode', '"edges"')])
         self.assertTrue(report.accepted, report.reasons)
-        _, plan = self.house.wait_for_plan(report.world_version)
+        _, plan = self.mission.wait_for_plan(report.world_version)
         self.assertEqual([], list(plan.unassigned))
         self.assertGreater(len(stops_of(plan)), 0)
         self._assert_explained(plan)
 
     def _assert_explained(self, plan):
-        """A window with stops: what it is worth is what was planned, and the
-        price of the walk what it costs. The world may move on meanwhile."""
+        """kg/why explains the value of a window with stops and the cost of its
+        walk. The world version may change in the meantime."""
         why = rospy.ServiceProxy('kg/why', Why)
         why.wait_for_service(CHANGE_S)
         agent, visit = stops_of(plan)[-1]
@@ -67,8 +67,8 @@ class EdgesTest(MissionTestCase):
         self.assertEqual(([], []), (answer.errors, answer.differs), answer.text)
 
     def test_3_ends_without_a_violation(self):
-        self.house.wait_for_end(END_S)
-        verdict = self.house.verdict(lambda v: True)
+        self.mission.wait_for_end(END_S)
+        verdict = self.mission.verdict(lambda v: True)
         self.assert_no_violation(verdict)
         for agent in AGENTS:
             self.assertEqual(WINDOWS, verdict['agents'][agent]['waypoints'])
@@ -76,11 +76,11 @@ class EdgesTest(MissionTestCase):
                 self.assertTrue(math.isfinite(lon) and math.isfinite(lat))
 
     def test_zz_no_node_has_died(self):
-        """But for the verdict, whose end ends the launch."""
-        self.house.stop()
-        others = [line for line in self.house.deaths()
+        """Except verdict, whose exit ends the launch."""
+        self.mission.stop()
+        others = [line for line in self.mission.deaths()
                   if '[verdict' not in line]
-        self.assertEqual([], others, self.house.output()[-4000:])
+        self.assertEqual([], others, self.mission.output()[-4000:])
 
 
 if __name__ == '__main__':

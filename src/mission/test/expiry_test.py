@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Facts with an end, on a mission that flies: a closed area opens by itself at
-its time, and what others refer to stays; kg/validate foresees both.
+"""Facts with an end of validity, in a running mission: a closed area opens at
+its time, and what other facts refer to stays; kg/validate predicts both.
 """
 
 import os
@@ -25,7 +25,7 @@ class ExpiryTest(SmallMissionTestCase):
     small_arguments = {'sim': 'true', 'rate': '2.0'}
 
     def test_1_validate_foresees_what_would_be_refused(self):
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         rospy.wait_for_service('kg/validate', 10.0)
         validate = rospy.ServiceProxy('kg/validate', Validate)
         bad = validate(FactUpdate(set=[Fact('ex:w1', 'ex:confidence', '1.2')]))
@@ -39,23 +39,23 @@ class ExpiryTest(SmallMissionTestCase):
         good = validate(FactUpdate(turtle=FIRING))
         self.assertTrue(good.conforms, good.violations)
         self.assertIn('sh:conforms true', good.report)
-        self.assertFalse(self.house.ask('ASK { ex:firing ?p ?o }'))
+        self.assertFalse(self.mission.ask('ASK { ex:firing ?p ?o }'))
 
     def test_2_a_closed_area_opens_at_its_time(self):
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         reports = Heard('kg/updates', UpdateReport)
         self.addCleanup(reports.close)
-        closed = self.house.update(turtle=FIRING)
+        closed = self.mission.update(turtle=FIRING)
         self.assertTrue(closed.accepted, closed.reasons)
         opened = reports.wait(lambda report: report.id == 'expiry', END_S)
         self.assertTrue(opened.accepted, opened.reasons)
         self.assertEqual('kg', opened.author)
         self.assertGreater(opened.world_version, closed.world_version)
-        self.assertFalse(self.house.ask('ASK { ex:firing ?p ?o }'))
-        self.assertTrue(self.house.ask(
+        self.assertFalse(self.mission.ask('ASK { ex:firing ?p ?o }'))
+        self.assertTrue(self.mission.ask(
             'ASK { GRAPH graph:log { ?c ex:ofSubject ex:firing ; '
             'ex:oldValue "no_go" ; ex:inUpdate ?u } ?u ex:author "kg" }'))
-        self.house.wait_for_plan(opened.world_version)
+        self.mission.wait_for_plan(opened.world_version)
 
 
 if __name__ == '__main__':

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The default mission, as a user meets it: interface, plan, one fact changed,
-an area forbidden, questions asked.
+"""The default mission from the user's point of view: interface, plan, a changed
+fact, a forbidden area, queries.
 """
 
 import hashlib
@@ -20,8 +20,8 @@ from diagnostic_msgs.msg import DiagnosticArray
 from kg_msgs.msg import (AgentState, FactUpdate, MissionTensor, UpdateReport,
                          World)
 from kg_msgs.srv import Check, Export, WhatIf, Why, WhyRequest
-from mission_test import (CHANGE_S, ROOT, Heard, MissionTestCase, by_agent, main,
-                          track_deg, wait_until)
+from mission_test import (CHANGE_S, ROOT, Heard, MissionTestCase, by_agent,
+                          main, track_deg, wait_until)
 from nav_msgs.msg import OccupancyGrid, Path
 from shapely.geometry import LineString, box
 from visualization_msgs.msg import MarkerArray
@@ -71,8 +71,8 @@ TO_SAFE = ('{author: operator, set: [{subject: "ex:alpha", '
            'property: "ex:usesPolicy", value: "ex:safe"}]}')
 
 J_PER_WH = 3600.0
-# What the paper's what-ifs answer on this mission before anything is changed.
-# Paths that a share of the energy budgets does not suffice for [Wh].
+# Answers of the paper's what-if questions on the unchanged mission: energy of
+# the paths that exceed this share of the energy budgets [Wh].
 TOO_MUCH_ENERGY_WH = {'0.7': {}, '0.45': {'alpha': 447.9, 'bravo': 347.3}}
 BUDGETS_WH = {'alpha': 900.0, 'bravo': 700.0, 'charlie': 550.0}
 TOO_COSTLY_EDGES = [6, 45, 28, 17, 45, 33, 45]  # By window.
@@ -92,7 +92,7 @@ class GulfTest(MissionTestCase):
     arguments = {'mission': 'gulf', 'sim': 'false'}
 
     def test_1_plans_three_agents_for_seven_windows(self):
-        world, plan = self.house.wait_for_plan()
+        world, plan = self.mission.wait_for_plan()
         self.assertEqual(WINDOWS, len(world.windows))
         self.assertEqual(list(AGENTS), sorted(a.id for a in world.agents))
         self.assertEqual([], list(plan.unassigned))
@@ -101,8 +101,8 @@ class GulfTest(MissionTestCase):
             self.assertEqual(list(range(WINDOWS)), [v.window for v in visits])
 
     def test_2_the_independent_check_finds_no_violation(self):
-        world, _ = self.house.wait_for_plan()
-        verdict = self.house.verdict(
+        world, _ = self.mission.wait_for_plan()
+        verdict = self.mission.verdict(
             lambda v: v['world_version'] == world.world_version)
         self.assert_no_violation(verdict)
         self.assertEqual(WINDOWS, verdict['windows'])
@@ -113,7 +113,7 @@ class GulfTest(MissionTestCase):
             self.assertGreater(verdict['stage_seconds'][stage], 0.0)
 
     def test_3_has_every_topic_and_service_of_the_interface(self):
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         wanted = {'/' + name: kind for name, kind in TOPICS.items()}
         for agent in AGENTS:
             for name, kind in AGENT_TOPICS.items():
@@ -126,7 +126,7 @@ class GulfTest(MissionTestCase):
             for name in SERVICES})
 
     def test_3_tells_how_it_is_on_diagnostics(self):
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         told = Heard('/diagnostics', DiagnosticArray)
         good = told.wait(lambda array: any(
             status.name.startswith('kg: mission') and status.level == 0
@@ -143,15 +143,15 @@ class GulfTest(MissionTestCase):
             self.assertIn(name, answer.error)
 
     def test_3_answers_construct_and_describe_in_turtle(self):
-        answer = self.house.query.answer(
+        answer = self.mission.query.answer(
             'CONSTRUCT { ?a ex:usesPolicy ?p } WHERE { ?a ex:usesPolicy ?p }')
         self.assertEqual(3, answer.rows)
         self.assertIn('ex:alpha ex:usesPolicy ex:fast', answer.result)
-        answer = self.house.query.answer('DESCRIBE ex:alpha')
+        answer = self.mission.query.answer('DESCRIBE ex:alpha')
         self.assertIn('ex:hasCapabilities', answer.result)
 
     def test_3_shows_heatmaps_paths_markers_and_frames(self):
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         heard = {agent: (Heard('kg/%s/heatmap' % agent, OccupancyGrid),
                          Heard('kg/%s/path' % agent, Path))
                  for agent in AGENTS}
@@ -204,21 +204,21 @@ class GulfTest(MissionTestCase):
         listener.unregister()
 
     def test_4_answers_select_and_ask_over_facts_and_assignments(self):
-        _, plan = self.house.wait_for_plan()
-        house = self.house
+        _, plan = self.mission.wait_for_plan()
+        mission = self.mission
         self.assertEqual(
-            set(AGENTS), {row['id'] for row in house.select(
+            set(AGENTS), {row['id'] for row in mission.select(
                 'SELECT ?id WHERE { ?a a ex:Agent ; ex:id ?id }')})
-        self.assertTrue(house.ask('ASK { ex:alpha ex:usesPolicy ?p }'))
-        self.assertFalse(house.ask('ASK { ex:nobody ex:usesPolicy ?p }'))
-        self.assertEqual(WINDOWS, len(house.select(
+        self.assertTrue(mission.ask('ASK { ex:alpha ex:usesPolicy ?p }'))
+        self.assertFalse(mission.ask('ASK { ex:nobody ex:usesPolicy ?p }'))
+        self.assertEqual(WINDOWS, len(mission.select(
             'SELECT ?w WHERE { ?w a ex:TimeWindow ; ex:confidence ?c '
             'FILTER(?c <= 1.0) }')))
         self._assert_assignments(plan)
 
     def _assert_assignments(self, plan):
-        """The facts say what the topic says."""
-        rows = self.house.select("""
+        """The facts agree with the topic."""
+        rows = self.mission.select("""
             SELECT ?id ?i ?wkt WHERE { ?x a ex:Assignment ; ex:forAgent ?a ;
               ex:forWindow ?w ; ex:waypointWKT ?wkt .
               ?a ex:id ?id . ?w ex:index ?i }""")
@@ -236,15 +236,15 @@ class GulfTest(MissionTestCase):
                                    places=9)
 
     def test_4_provenance_leads_from_assignments_to_runs_and_files(self):
-        world, _ = self.house.wait_for_plan()
-        runs = self.house.select("""
+        world, _ = self.mission.wait_for_plan()
+        runs = self.mission.select("""
             SELECT ?x ?run ?version WHERE { ?x a ex:Assignment .
               OPTIONAL { ?x prov:wasGeneratedBy ?run . ?run a ex:PlanRun ;
                          ex:worldVersion ?version } }""")
         self.assertEqual(len(AGENTS) * WINDOWS, len({r['x'] for r in runs}))
         self.assertEqual({str(world.plan_version)},
                          {row.get('version') for row in runs})
-        files = self.house.select("""
+        files = self.mission.select("""
             SELECT DISTINCT ?path ?sha WHERE {
               ?t a ex:HeatmapArtifact ; prov:wasDerivedFrom ?layer .
               ?layer prov:wasDerivedFrom ?file .
@@ -256,7 +256,7 @@ class GulfTest(MissionTestCase):
                                  row['sha'])
 
     def test_4_what_if_tells_which_paths_less_energy_makes_infeasible(self):
-        _, plan = self.house.wait_for_plan()
+        _, plan = self.mission.wait_for_plan()
         planned_wh = {agent: by_agent(plan)[agent].pathlet.energy_j / J_PER_WH
                       for agent in AGENTS}
         before = self._digest()
@@ -278,7 +278,7 @@ class GulfTest(MissionTestCase):
         self.assertEqual(before, self._digest(), 'the world is untouched')
 
     def test_4_what_if_tells_which_edges_become_too_costly(self):
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         before = self._digest()
         answer = self._what_if('what_if_too_costly')
         self.assertTrue(answer.ok, answer.text)
@@ -297,7 +297,7 @@ class GulfTest(MissionTestCase):
         self.assertEqual(before, self._digest(), 'the world is untouched')
 
     def test_4_what_if_is_asked_by_a_script(self):
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         for name, wanted in (('what_if_energy_budget', 0),
                              ('what_if_nothing', 1)):
             done = subprocess.run(
@@ -314,16 +314,16 @@ class GulfTest(MissionTestCase):
                 query=query.read())
 
     def _digest(self):
-        """Of all facts and plans that are there."""
+        """Hash of all facts and plan runs."""
         return hashlib.sha256(''.join(sorted(
-            ' '.join(row.values()) for row in self.house.select("""
+            ' '.join(row.values()) for row in self.mission.select("""
                 SELECT ?s ?p ?o WHERE { GRAPH graph:facts { ?s ?p ?o } }""") +
-            self.house.select("""
+            self.mission.select("""
                 SELECT ?g ?s WHERE { GRAPH ?g { ?s a ex:PlanRun } }"""))
         ).encode()).hexdigest()
 
     def _why(self, **request):
-        """The answer, whose contributions sum and whose facts are so."""
+        """The answer, after checking that contributions sum and facts hold."""
         rospy.wait_for_service('kg/why', CHANGE_S)
         answer = rospy.ServiceProxy('kg/why', Why)(**request)
         self.assertTrue(answer.ok, answer.error)
@@ -332,7 +332,7 @@ class GulfTest(MissionTestCase):
         self.assertEqual(len(answer.contributions), len(answer.facts))
         for facts in answer.facts:
             self.assertNotEqual('', facts, answer.text)
-            self.assertTrue(self.house.ask('ASK { %s }' % facts), facts)
+            self.assertTrue(self.mission.ask('ASK { %s }' % facts), facts)
         told = json.loads(answer.json)
         self.assertEqual(answer.value, told['value'])
         self.assertEqual(list(answer.contributions),
@@ -340,7 +340,7 @@ class GulfTest(MissionTestCase):
         return answer
 
     def test_4_why_explains_every_step_of_every_path(self):
-        world, plan = self.house.wait_for_plan()
+        world, plan = self.mission.wait_for_plan()
         for agent, assignment in by_agent(plan).items():
             pathlet = assignment.pathlet
             for visit in (pathlet.visits[0], pathlet.visits[4]):
@@ -382,7 +382,7 @@ class GulfTest(MissionTestCase):
         self.assertIn('ex:sanctuary ex:attenuation 0.4', sanctuary.text)
 
     def test_4_why_not_names_what_stands_in_the_way(self):
-        _, plan = self.house.wait_for_plan()
+        _, plan = self.mission.wait_for_plan()
         visit = by_agent(plan)['alpha'].pathlet.visits[2]
         answer = self._why(what=WhyRequest.WAYPOINT, agent='alpha', window=2,
                            to=visit.waypoint)
@@ -427,23 +427,23 @@ class GulfTest(MissionTestCase):
             self.assertNotEqual('', answer.error, request)
 
     def test_5_a_policy_changes_its_agents_tensors_and_path_only(self):
-        before, plan_before = self.house.wait_for_plan()
+        before, plan_before = self.mission.wait_for_plan()
         foreseen = self._what_if('what_if_too_costly')
-        reports = len(self.house.updates.messages)
+        reports = len(self.mission.updates.messages)
         subprocess.check_call(['rostopic', 'pub', '-1', '/kg/facts',
                                'kg_msgs/FactUpdate', TO_SAFE],
                               stdout=subprocess.DEVNULL)
-        report = self.house.updates.wait(
+        report = self.mission.updates.wait(
             lambda r: r.author == 'operator' and
             r.plan_status == UpdateReport.PLAN_OK, since=reports)
         self.assertTrue(report.accepted, report.reasons)
         self.assertEqual(before.world_version + 1, report.world_version)
-        world, plan = self.house.wait_for_plan(report.world_version)
+        world, plan = self.mission.wait_for_plan(report.world_version)
         self._assert_only_alpha(report, hashes(before), hashes(world))
         self._assert_foreseen(foreseen, report, plan)
         self.assertNotEqual(track_deg(by_agent(plan_before)['alpha']),
                             track_deg(by_agent(plan)['alpha']))
-        verdict = self.house.verdict(
+        verdict = self.mission.verdict(
             lambda v: v['world_version'] == report.world_version)
         self.assert_no_violation(verdict)
 
@@ -473,33 +473,33 @@ class GulfTest(MissionTestCase):
         self.assertLessEqual({'facts', 'compile', 'plan', 'select'}, stages)
 
     def test_6_a_no_go_area_dropped_on_a_path_moves_it(self):
-        _, plan = self.house.wait_for_plan()
+        _, plan = self.mission.wait_for_plan()
         visit = by_agent(plan)['bravo'].pathlet.visits[3]
         lon, lat = math.degrees(visit.lon_rad), math.degrees(visit.lat_rad)
         area = box(lon - 0.1, lat - 0.1, lon + 0.1, lat + 0.1)
         self.assertTrue(area.intersects(LineString(
             track_deg(by_agent(plan)['bravo']))))
-        report = self.house.update(add=[
+        report = self.mission.update(add=[
             ('ex:dropped', 'a', 'ex:Constraint'),
             ('ex:dropped', 'ex:kind', '"no_go"'),
             ('ex:dropped', 'geo:asWKT', '"%s"^^geo:wktLiteral' % area.wkt)])
         self.assertTrue(report.accepted, report.reasons)
-        _, plan = self.house.wait_for_plan(report.world_version)
+        _, plan = self.mission.wait_for_plan(report.world_version)
         for agent in AGENTS:
             self.assertFalse(area.intersects(LineString(
                 track_deg(by_agent(plan)[agent]))), agent)
-        self.assert_no_violation(self.house.verdict(
+        self.assert_no_violation(self.mission.verdict(
             lambda v: v['world_version'] == report.world_version))
 
     def test_6_what_it_holds_is_what_compiling_anew_gives(self):
-        """After a policy, an area and whatever else the tests changed."""
-        _, plan = self.house.wait_for_plan()
+        """After all changes that the tests made."""
+        _, plan = self.mission.wait_for_plan()
         rospy.wait_for_service('kg/check', CHANGE_S)
         answer = rospy.ServiceProxy('kg/check', Check)()
         self.assertEqual(([], []), (answer.errors, answer.differs), answer.text)
         self.assertTrue(answer.ok, answer.text)
         self.assertEqual(plan.world_version, answer.world_version)
-        # Fields, tensors, rules and the team's rules.
+        # Fields, tensors, seam rules and coordination rules.
         self.assertEqual(WINDOWS + len(AGENTS) * (WINDOWS + 1) + 1,
                          answer.compared)
 

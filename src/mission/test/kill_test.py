@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""SIGKILL of a planner, the selector and the KG node, one after the other: each
-comes back, the plan with it, no fact is lost, and world_version never falls.
+"""SIGKILL of a planner, the selector and the KG node in turn: each restarts, a
+plan follows, no fact is lost, and world_version never decreases.
 """
 
 import os
@@ -19,9 +19,10 @@ STALE_S = 10.0  # Longest time for a dead planner to show in kg/world.
 
 class KillTest(SmallMissionTestCase):
     def _kill(self, node):
-        """Kills it and waits until another process has its name."""
+        """Kills a node; its process id and the number of messages heard."""
         pid = wait_until(lambda: node_pid(node), CHANGE_S, node)
-        heard = len(self.house.world.messages), len(self.house.plans.messages)
+        heard = (len(self.mission.world.messages),
+                 len(self.mission.plans.messages))
         os.kill(pid, signal.SIGKILL)
         return pid, heard
 
@@ -30,33 +31,34 @@ class KillTest(SmallMissionTestCase):
                    node + ' again')
 
     def _assert_nothing_lost(self, version):
-        self.assertTrue(self.house.ask('ASK { %s %s %s }' % A_FACT))
-        versions = [world.world_version for world in self.house.world.messages]
+        self.assertTrue(self.mission.ask('ASK { %s %s %s }' % A_FACT))
+        versions = [world.world_version
+                    for world in self.mission.world.messages]
         self.assertEqual(sorted(versions), versions)
         self.assertEqual(version, versions[-1])
 
     def _planned_with_a_fact(self):
         """World version with a plan and A_FACT set."""
-        self.house.wait_for_plan()
-        report = self.house.update(set=[A_FACT])
+        self.mission.wait_for_plan()
+        report = self.mission.update(set=[A_FACT])
         self.assertTrue(report.accepted, report.reasons)
-        self.house.wait_for_plan(report.world_version)
+        self.mission.wait_for_plan(report.world_version)
         return report.world_version
 
     def _wait_for_plan_again(self, version, since):
-        world = self.house.world.wait(
+        world = self.mission.world.wait(
             lambda w: w.plan_status == World.PLAN_OK and
             w.plan_version == version, since=since)
-        plan = self.house.plans.wait(lambda p: p.world_version == version)
+        plan = self.mission.plans.wait(lambda p: p.world_version == version)
         self.assertEqual({'alpha', 'bravo'}, set(by_agent(plan)))
         self.assertEqual(version, world.world_version)
 
     def test_1_a_planner_comes_back_and_the_plan_is_stale_meanwhile(self):
         version = self._planned_with_a_fact()
         pid, (worlds, _) = self._kill('/planner_alpha')
-        self.house.world.wait(lambda w: w.plan_status == World.PLAN_STALE,
+        self.mission.world.wait(lambda w: w.plan_status == World.PLAN_STALE,
                               STALE_S, since=worlds)
-        worlds = len(self.house.world.messages)
+        worlds = len(self.mission.world.messages)
         self._wait_for_successor('/planner_alpha', pid)
         self._wait_for_plan_again(version, worlds)
         self._assert_nothing_lost(version)
@@ -65,10 +67,10 @@ class KillTest(SmallMissionTestCase):
         version = self._planned_with_a_fact()
         pid, (worlds, _) = self._kill('/selector')
         self._wait_for_successor('/selector', pid)
-        report = self.house.update(set=[('ex:front', 'ex:value', '2.5')])
+        report = self.mission.update(set=[('ex:front', 'ex:value', '2.5')])
         self.assertTrue(report.accepted, report.reasons)
         self._wait_for_plan_again(version + 1, worlds)
-        self.house.update(set=[A_FACT])
+        self.mission.update(set=[A_FACT])
         self._wait_for_plan_again(version + 2, worlds)
         self._assert_nothing_lost(version + 2)
 
@@ -78,16 +80,16 @@ class KillTest(SmallMissionTestCase):
         self._wait_for_successor('/kg', pid)
         self._wait_for_plan_again(version, worlds)
         self._assert_nothing_lost(version)
-        verdict = self.house.verdict(lambda v: v['world_version'] == version)
+        verdict = self.mission.verdict(lambda v: v['world_version'] == version)
         self.assert_no_violation(verdict)
 
     def test_zz_no_node_has_died(self):
-        """Only those killed: this is what the other tests watch for."""
-        self.house.stop()
-        killed = [line for line in self.house.deaths()
+        """Except the three killed: proves that deaths are detected."""
+        self.mission.stop()
+        killed = [line for line in self.mission.deaths()
                   if 'exit code -9' in line]
-        self.assertEqual(3, len(killed), self.house.output()[-4000:])
-        self.assertEqual(killed, self.house.deaths())
+        self.assertEqual(3, len(killed), self.mission.output()[-4000:])
+        self.assertEqual(killed, self.mission.deaths())
 
 
 if __name__ == '__main__':

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What rviz is shown of a running mission: every layer of each agent on its own
-topic, made when somebody listens, WORK in colour from where the agent is and
-from a place that the operator clicks.
+"""Display topics of a running mission: every layer of each agent on its own
+topic, computed on demand, and WORK in colour from the agent's position and from
+a clicked point.
 """
 
 import os
@@ -48,7 +48,7 @@ def area_km2(points):
 
 
 def easy(colours):
-    """More green than red: the first 42 % of the time."""
+    """More green than red: up to 42 % of the available time."""
     return (colours[:, 1] > colours[:, 0]) & (colours[:, 2] == 0.0)
 
 
@@ -58,9 +58,10 @@ def middle(points):
 
 class LayersTest(SmallMissionTestCase):
     def clicker(self):
-        """A publisher of clicks that kg listens to."""
+        """A publisher of clicked points that kg has subscribed to."""
         click = rospy.Publisher('/clicked_point', PointStamped, queue_size=10)
-        wait_until(click.get_num_connections, CHANGE_S, 'kg takes no clicks')
+        wait_until(click.get_num_connections, CHANGE_S,
+                   'a subscriber to clicked_point')
         return click
 
     def layer(self, name, agent='alpha'):
@@ -70,7 +71,7 @@ class LayersTest(SmallMissionTestCase):
         return grid
 
     def test_1_every_layer_of_every_agent_is_there(self):
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         for agent in ('alpha', 'bravo'):
             shapes = set()
             for name in TENSOR_LAYERS + POSE_LAYERS:
@@ -105,7 +106,7 @@ class LayersTest(SmallMissionTestCase):
             raster(self.layer('ATTENUATION')))) - {-1})
 
     def test_3_reach_is_about_where_the_agent_is(self):
-        _, plan = self.house.wait_for_plan()
+        _, plan = self.mission.wait_for_plan()
         for agent, assignment in by_agent(plan).items():
             grid = self.layer('REACH', agent)
             reached = np.argwhere(raster(grid) == 100).mean(axis=0)
@@ -138,7 +139,7 @@ class LayersTest(SmallMissionTestCase):
         own = Heard('kg/alpha/work', Marker)
         clicked = Heard('kg/alpha/work_clicked', Marker)
         other = Heard('kg/bravo/work_clicked', Marker)
-        self.assertIsNone(clicked.last)  # Nobody has clicked.
+        self.assertIsNone(clicked.last)  # No click yet.
         click = self.clicker()
         middles = []
         for place in ((40e3, 30e3), (-20e3, -40e3)):
@@ -190,7 +191,7 @@ class LayersTest(SmallMissionTestCase):
         self.assertTrue((raster(self.layer('REACH')) != reach).any())
         feasible = Heard('kg/alpha/layer/FEASIBILITY', OccupancyGrid)
         open_before = (raster(feasible.wait()) == 100).sum()
-        report = self.house.update(turtle="""
+        report = self.mission.update(turtle="""
             ex:closed a ex:Constraint ; ex:kind "no_go" ; ex:name "closed" ;
                 geo:asWKT "POLYGON((-90.4 25.2, -90.1 25.2, -90.1 25.5, -90.4 25.5, -90.4 25.2))"^^geo:wktLiteral .
             """)

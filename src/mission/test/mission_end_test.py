@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A mission flown to its end with once:=true: the launch ends by itself, with a
-verdict on what was really flown, and without a node dying on the way.
+"""A mission run to its end with once:=true: the launch ends by itself, with a
+verdict on the executed tracks, and no node dies.
 """
 
 import os
@@ -20,12 +20,12 @@ class MissionEndTest(SmallMissionTestCase):
                        'record': 'true'}
 
     def test_1_ends_by_itself_with_a_verdict_on_what_was_flown(self):
-        self.house.world.wait(lambda world: world.current_window == 1)
-        report = self.house.update(set=[
-            ('ex:alpha', 'ex:usesPolicy', 'ex:safe')])  # On the way.
+        self.mission.world.wait(lambda world: world.current_window == 1)
+        report = self.mission.update(set=[
+            ('ex:alpha', 'ex:usesPolicy', 'ex:safe')])  # During the mission.
         self.assertTrue(report.accepted, report.reasons)
-        self.house.wait_for_end(END_S)
-        verdict = self.house.verdict(lambda v: True)
+        self.mission.wait_for_end(END_S)
+        verdict = self.mission.verdict(lambda v: True)
         self.assert_no_violation(verdict)
         self.assertEqual(report.world_version, verdict['world_version'])
         for agent in ('alpha', 'bravo'):
@@ -33,17 +33,17 @@ class MissionEndTest(SmallMissionTestCase):
         self.assertGreater(verdict['checked_states'], 50)
 
     def test_2_recorded_the_mission(self):
-        self.house.wait_for_end(END_S)
-        bags = [name for name in os.listdir(self.house.state)
+        self.mission.wait_for_end(END_S)
+        bags = [name for name in os.listdir(self.mission.state)
                 if name.startswith('mission') and '.bag' in name]
-        self.assertEqual(1, len(bags), os.listdir(self.house.state))
+        self.assertEqual(1, len(bags), os.listdir(self.mission.state))
 
     def test_zz_no_node_has_died(self):
-        """But for the verdict, whose end ends the launch."""
-        self.house.stop()
-        others = [line for line in self.house.deaths()
+        """Except verdict, whose exit ends the launch."""
+        self.mission.stop()
+        others = [line for line in self.mission.deaths()
                   if '[verdict' not in line]
-        self.assertEqual([], others, self.house.output()[-4000:])
+        self.assertEqual([], others, self.mission.output()[-4000:])
 
 
 if __name__ == '__main__':

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""README.md tells the truth: commands marked to be run are run as they stand,
-in a running mission; the others name targets, arguments and files that exist;
-its tables are those of the code.
+"""README.md is correct: commands marked to be run succeed verbatim in a running
+mission; the others name targets, arguments and files that exist; its tables
+agree with the code.
 """
 
 import os
@@ -25,13 +25,13 @@ def read(*path):
 
 
 def blocks(info):
-    """Fenced blocks of the README whose info string is `info`."""
+    """Fenced blocks of the README with the info string `info`."""
     return re.findall(r'^```%s\n(.*?)^```$' % re.escape(info),
                       read('README.md'), re.MULTILINE | re.DOTALL)
 
 
 def table(header):
-    """Rows of the README's table whose first column is called `header`."""
+    """Rows of the README's table whose first column is headed `header`."""
     match = re.search(r'^\| %s \|.*\n\|[-| ]*\n((?:\|.*\n)+)' % header,
                       read('README.md'), re.MULTILINE)
     return [[cell.strip() for cell in line.strip('|').split('|')]
@@ -39,7 +39,7 @@ def table(header):
 
 
 def launch_arguments():
-    """Name to default of bringup.launch's arguments that can be passed."""
+    """Arguments of bringup.launch that can be passed: name to default."""
     tree = xml.etree.ElementTree.parse(
         os.path.join(ROOT, 'launch', 'bringup.launch'))
     return {arg.get('name'): arg.get('default') for arg in tree.iter('arg')
@@ -48,7 +48,7 @@ def launch_arguments():
 
 class ReadmeTest(SmallMissionTestCase):
     def test_1_commands_marked_to_be_run_do_what_they_say(self):
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         commands = [line for block in blocks('sh run')
                     for line in block.splitlines()]
         self.assertGreater(len(commands), 3)
@@ -59,10 +59,10 @@ class ReadmeTest(SmallMissionTestCase):
             self.assertEqual(0, done.returncode, command + '\n' + done.stdout)
             for refusal in ('accepted: False', 'ok: False'):
                 self.assertNotIn(refusal, done.stdout, command)
-        self.assertTrue(self.house.ask(
+        self.assertTrue(self.mission.ask(
             'ASK { ex:alpha ex:usesPolicy ex:safe }'))
-        self.assertTrue(self.house.ask('ASK { ex:closed ex:kind "no_go" }'))
-        self.house.wait_for_plan(self.house.world.last.world_version)
+        self.assertTrue(self.mission.ask('ASK { ex:closed ex:kind "no_go" }'))
+        self.mission.wait_for_plan(self.mission.world.last.world_version)
 
     def test_2_make_is_asked_for_targets_that_exist(self):
         targets = set(re.findall(r'^([a-z_]+):', read('Makefile'),

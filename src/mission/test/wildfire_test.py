@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Drones about a fire, in the wind: the same nodes, nothing of the sea, several
-waypoints in a window. The command of the README, to its end.
+"""Drones around a fire, in the wind: the same nodes with a wind field, several
+waypoints per window. Runs the README's command to its end.
 """
 
 import os
@@ -9,8 +9,8 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
-from mission_test import (CHANGE_S, ROOT, House, MissionTestCase, by_agent,
-                          main, track_deg, wait_until)
+from mission_test import (CHANGE_S, ROOT, MissionTestCase, RunningMission,
+                          by_agent, main, track_deg, wait_until)
 
 AGENTS = {'osprey', 'kestrel', 'harrier'}
 WINDOWS = 6
@@ -18,7 +18,7 @@ END_S = 200.0
 
 
 def readme_arguments():
-    """Of the README's command that starts this mission."""
+    """Launch arguments of the README's command for this mission."""
     with open(os.path.join(ROOT, 'README.md')) as file:
         line = re.search(r'^roslaunch mission bringup.launch '
                          r'(.*mission:=wildfire.*)$', file.read(), re.MULTILINE)
@@ -32,7 +32,7 @@ class WildfireTest(MissionTestCase):
                          'sim': 'false'}
 
     def test_1_plans_several_waypoints_in_a_window(self):
-        world, plan = self.house.wait_for_plan()
+        world, plan = self.mission.wait_for_plan()
         self.assertEqual([], list(plan.unassigned))
         self.assertEqual(AGENTS, set(by_agent(plan)))
         self.assertEqual(WINDOWS, len(world.windows))
@@ -50,12 +50,13 @@ class WildfireTest(MissionTestCase):
         self.assertGreater(stops, WINDOWS)
 
     def test_2_the_work_field_is_the_wind(self):
-        self.assertTrue(self.house.ask(
-            'ASK { ?f a ex:WorkField ; sosa:observedProperty ex:windVelocity }'))
-        self.assertFalse(self.house.ask('ASK { ?f a ex:CurrentField }'))
+        self.assertTrue(self.mission.ask(
+            'ASK { ?f a ex:WorkField ; '
+            'sosa:observedProperty ex:windVelocity }'))
+        self.assertFalse(self.mission.ask('ASK { ?f a ex:CurrentField }'))
 
     def test_3_stops_are_facts_in_their_order(self):
-        walks = wait_until(lambda: self.house.select(
+        walks = wait_until(lambda: self.mission.select(
             'SELECT ?edge ?order (COUNT(?stop) AS ?stops) WHERE { '
             '?edge ex:via ?stop ; ex:stopOrder ?order . '
             '?stop a ex:Waypoint ; ex:inGraph ?graph . '
@@ -65,18 +66,18 @@ class WildfireTest(MissionTestCase):
             name = row['edge'].rsplit('/', 1)[1]
             self.assertEqual(row['order'].split(), name.split('-')[1:-1])
             self.assertEqual(int(row['stops']), len(row['order'].split()))
-        self.assertTrue(self.house.ask(
+        self.assertTrue(self.mission.ask(
             'ASK { ?x a ex:Assignment ; ex:stopsWKT ?wkt }'))
 
     def test_4_the_readmes_command_ends_without_a_violation(self):
-        self.house.stop()  # One master, one house.
+        self.mission.stop()  # Only one mission per ROS master.
         arguments = readme_arguments()
         self.assertEqual('true', arguments['once'])
-        house = House(**arguments)
-        self.addCleanup(house.remove)
-        self.addCleanup(house.stop)
-        house.wait_for_end(END_S)
-        verdict = house.verdict(lambda v: True)
+        mission = RunningMission(**arguments)
+        self.addCleanup(mission.remove)
+        self.addCleanup(mission.stop)
+        mission.wait_for_end(END_S)
+        verdict = mission.verdict(lambda v: True)
         self.assert_no_violation(verdict)
         self.assertEqual(AGENTS, set(verdict['agents']))
         for agent in verdict['agents'].values():

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The doors of the facts: SPARQL over HTTP with real clients (curl, rdflib),
-watched queries, and hostile queries that hold up nobody else.
+"""Access to the facts: SPARQL over HTTP with real clients (curl, rdflib),
+watched queries, and expensive queries that must not block other clients.
 """
 
 import concurrent.futures
@@ -50,7 +50,7 @@ def ids(result):
     return [row['id']['value'] for row in result['results']['bindings']]
 
 
-class DoorTest(SmallMissionTestCase):
+class EndpointTest(SmallMissionTestCase):
     @classmethod
     def prepare(cls):
         super().prepare()
@@ -97,7 +97,7 @@ class DoorTest(SmallMissionTestCase):
     # HTTP.
 
     def test_1_curl_does_what_the_readme_says(self):
-        commands = [line for block in blocks('sh door')
+        commands = [line for block in blocks('sh http')
                     for line in block.splitlines()]
         self.assertGreater(len(commands), 2)
         for command in commands:
@@ -109,7 +109,8 @@ class DoorTest(SmallMissionTestCase):
             self.assertEqual(0, done.returncode, command + '\n' + done.stdout)
             self.assertIn('world version' if 'update=' in command else 'alpha',
                           done.stdout, command)
-        self.assertTrue(self.house.ask('ASK { ex:alpha ex:usesPolicy ex:safe }'))
+        self.assertTrue(self.mission.ask(
+            'ASK { ex:alpha ex:usesPolicy ex:safe }'))
 
     def test_1_is_closed_without_its_token(self):
         for headers in ({}, {'Authorization': 'Bearer wrong'}):
@@ -120,7 +121,7 @@ class DoorTest(SmallMissionTestCase):
 
     def test_2_rdflib_queries(self):
         known = ids(self.query(AGENTS))
-        self.assertEqual([row['id'] for row in self.house.select(AGENTS)],
+        self.assertEqual([row['id'] for row in self.mission.select(AGENTS)],
                          known)
         for method in ('GET', 'POST', 'POST_FORM'):
             for form in ('xml', 'json'):
@@ -150,23 +151,23 @@ class DoorTest(SmallMissionTestCase):
                                   headers=dict(self.headers,
                                                From='rdflib@ship'))
         graph = rdflib.Graph(store, FACTS)
-        self.house.wait_for_plan()
+        self.mission.wait_for_plan()
         graph.add((EX.alpha, rdflib.RDFS.label, rdflib.Literal('Älpha "1"')))
         self.assertEqual(rdflib.Literal('Älpha "1"'),
                          graph.value(EX.alpha, rdflib.RDFS.label))
-        report = self.house.updates.wait(
+        report = self.mission.updates.wait(
             lambda report: report.author == 'rdflib@ship')
         self.assertTrue(report.accepted)
-        self.assertTrue(self.house.ask(
+        self.assertTrue(self.mission.ask(
             'ASK { GRAPH graph:prov { ?s ex:author "rdflib@ship" } }'))
         store.update('DELETE { ?a ex:usesPolicy ?p } '
                      'INSERT { ?a ex:usesPolicy ex:fast } '
                      'WHERE { ?a ex:id "alpha" ; ex:usesPolicy ?p }',
                      initNs={'ex': EX})
-        version = self.house.updates.last.world_version
-        self.house.wait_for_plan(version)
+        version = self.mission.updates.last.world_version
+        self.mission.wait_for_plan(version)
         graph.remove((EX.alpha, rdflib.RDFS.label, None))
-        self.assertFalse(self.house.ask('ASK { ex:alpha rdfs:label ?l }'))
+        self.assertFalse(self.mission.ask('ASK { ex:alpha rdfs:label ?l }'))
 
     def test_3_a_refused_update_says_why_and_changes_nothing(self):
         before = self.fetch('/graphs/facts')
@@ -174,7 +175,7 @@ class DoorTest(SmallMissionTestCase):
             'INSERT DATA { ex:w1 ex:confidence 1.2 }', From='careless')
         self.assertEqual(422, status)
         self.assertIn('ex:confidence', why)
-        report = self.house.updates.wait(
+        report = self.mission.updates.wait(
             lambda report: report.author == 'careless')
         self.assertFalse(report.accepted)
         self.assertEqual(why.splitlines(), report.reasons)
@@ -188,7 +189,7 @@ class DoorTest(SmallMissionTestCase):
     def test_3_what_was_read_can_be_put_back(self):
         status, facts = self.fetch('/graphs/facts')
         self.assertEqual(200, status)
-        version = self.house.world.last.world_version
+        version = self.mission.world.last.world_version
         status, said = self.fetch('/graphs/facts', facts.encode(), 'PUT',
                                   Content_Type='text/turtle')
         self.assertEqual(200, status, said)
@@ -209,9 +210,9 @@ class DoorTest(SmallMissionTestCase):
             self.assertEqual([['1']] * 200,
                              [ids(answer.result()) for answer in answers])
 
-    # Hostile queries.
+    # Expensive queries.
 
-    def test_5_hostile_queries_end_and_hold_up_nobody(self):
+    def test_5_hostile_queries_end_and_block_no_other(self):
         hostile = [rospy.ServiceProxy('kg/query', Query) for _ in HOSTILE]
         ended = threading.Event()
         answers = []
@@ -225,10 +226,10 @@ class DoorTest(SmallMissionTestCase):
             thread.start()
         probes = updates = 0
         while not ended.is_set():
-            self.house.select(AGENTS)
+            self.mission.select(AGENTS)
             probes += not ended.is_set()
             if probes == 5:
-                report = self.house.update(
+                report = self.mission.update(
                     set=[('ex:alpha', 'rdfs:label', '"while they ran"')])
                 self.assertTrue(report.accepted, report.reasons)
                 updates += not ended.is_set()
@@ -253,11 +254,12 @@ class DoorTest(SmallMissionTestCase):
     def test_6_a_watch_tells_of_every_change_at_last(self):
         told = Heard('kg/watched', WatchedAnswer)
         self.addCleanup(told.close)
-        begun = self.watch(id='labels', query='SELECT ?id { ?a rdfs:label ?id }')
+        begun = self.watch(id='labels',
+                           query='SELECT ?id { ?a rdfs:label ?id }')
         self.assertTrue(begun.ok, begun.error)
         held = ids(json.loads(begun.result))
         for number in range(30):
-            self.house.update(set=[('ex:bravo', 'rdfs:label',
+            self.mission.update(set=[('ex:bravo', 'rdfs:label',
                                     '"bravo %d"' % number)])
         last = told.wait(lambda message: message.id == 'labels' and
                          'bravo 29' in ids(json.loads(message.result)))
@@ -270,7 +272,7 @@ class DoorTest(SmallMissionTestCase):
             self.assertEqual(sorted(ids(json.loads(message.result))),
                              sorted(held))
         self.assertEqual(last.world_version,
-                         self.house.world.last.world_version)
+                         self.mission.world.last.world_version)
 
     def test_6_what_cannot_be_watched_is_refused(self):
         for query, why in (('ASK { ?a ?b ?c }', 'SELECT'),
@@ -287,11 +289,11 @@ class DoorTest(SmallMissionTestCase):
         self.addCleanup(told.close)
         self.assertTrue(self.watch(
             id='run', query='SELECT ?id { ex:state ex:cycle ?id }').ok)
-        self.house.update(set=[('ex:alpha', 'ex:usesPolicy', 'ex:fast')])
+        self.mission.update(set=[('ex:alpha', 'ex:usesPolicy', 'ex:fast')])
         told.wait(lambda message: message.id == 'run' and not message.error)
         self.assertTrue(self.watch(id='run', cancel=True).ok)
 
-    def test_8_a_restart_keeps_watches_and_opens_the_door_again(self):
+    def test_8_a_restart_keeps_watches_and_reopens_the_endpoint(self):
         self.watch(id='agents', query=AGENTS)
         told = Heard('kg/watched', WatchedAnswer)
         self.addCleanup(told.close)
@@ -308,4 +310,4 @@ class DoorTest(SmallMissionTestCase):
 
 
 if __name__ == '__main__':
-    main('door', DoorTest)
+    main('endpoint', EndpointTest)
