@@ -58,8 +58,15 @@ def named_paths(text):
             yield span.removeprefix("./")
 
 
-def is_postponed(path):
-    """Does it lie in a package that is not in the tree yet?"""
+def has_all_packages():
+    return all((SOURCES / package).is_dir() for package in PACKAGES)
+
+
+def is_postponed(document, path):
+    """Not checked yet: files of packages that are not in the tree, and, until
+    all packages are, those of the examples."""
+    if document == "docs/extending.md" and not has_all_packages():
+        return True
     parts = pathlib.PurePosixPath(path).parts
     package = parts[1] if parts[0] == "src" and len(parts) > 1 else parts[0]
     return package in PACKAGES and not (SOURCES / package).is_dir()
@@ -106,8 +113,9 @@ class TheDocuments(unittest.TestCase):
                  for path in named_paths(text)}
         self.assertGreater(len(named), 100)
         missing = [f"{name}: {path}" for name, path in sorted(named)
-                   if not is_postponed(path) and is_missing(path, self.files)
-                   and f"`{path}` (new)" not in self.texts[name]]
+                   if not is_postponed(name, path) and
+                   is_missing(path, self.files) and
+                   f"`{path}` (new)" not in self.texts[name]]
         self.assertEqual([], missing)
 
     def test_use_plain_words(self):
@@ -158,7 +166,7 @@ class Architecture(unittest.TestCase):
             self.assertTrue(self.folders_of(package), package)
 
     def test_lists_every_folder_once_all_packages_exist(self):
-        if not all((SOURCES / package).is_dir() for package in PACKAGES):
+        if not has_all_packages():
             self.skipTest("not all packages are in the tree yet")
         for package in PACKAGES:
             code = SOURCES / package / package
