@@ -34,14 +34,14 @@ BAD_UPDATES = {
     'a policy that does not exist': (
         dict(set=[('ex:alpha', 'ex:usesPolicy', 'ex:nonsense')]),
         'ex:usesPolicy'),
-    'a property that nobody knows': (
+    'an unknown property': (
         dict(set=[('ex:alpha', 'ex:usesPolicies', 'ex:safe')]),
         'ex:usesPolicies'),
     'a confidence of 1.2': (
         dict(set=[('ex:w1', 'ex:confidence', '1.2')]), 'ex:confidence'),
     'two policies': (
         dict(add=[('ex:alpha', 'ex:usesPolicy', 'ex:safe')]), 'ex:usesPolicy'),
-    'a prefix that nobody knows': (
+    'an unknown prefix': (
         dict(set=[('nix:alpha', 'ex:usesPolicy', 'ex:safe')]), 'nix:alpha'),
     'a term that does not end': (
         dict(set=[('ex:w1', 'ex:confidence', '"0.5')]), '"0.5'),

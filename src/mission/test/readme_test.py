@@ -109,7 +109,9 @@ class ReadmeTest(SmallMissionTestCase):
                 for name in os.listdir(os.path.join(ROOT, 'docs'))
                 if name.endswith('.md')]:
             folder = os.path.dirname(document)
-            for link in re.findall(r'\]\(([^)#]+)[^)]*\)', read(document)):
+            text = re.sub(r'^```.*?^```$', '', read(document),
+                          flags=re.MULTILINE | re.DOTALL)  # Not in code.
+            for link in re.findall(r'\]\(([^)#]+)[^)]*\)', text):
                 self.assertTrue(os.path.isfile(os.path.join(
                     ROOT, folder, link)), '%s: %s' % (document, link))
 
