@@ -2,7 +2,7 @@
 # Takes the picture of rviz with rviz/mission.rviz, without a screen (Xvfb, software
 # OpenGL), of the default mission once it is planned.
 #     scripts/take_screenshot.sh [PICTURE.png] [launch arguments...]
-# PICTURE defaults to docs/images/mission.png. HOUSE=none takes it without any
+# PICTURE defaults to docs/images/mission.png. NODES=none takes it without any
 # node running: what rviz shows of nothing, for comparison. CONFIG=FILE.rviz takes
 # it with displays of your own (saved from rviz).
 set -euo pipefail
@@ -42,7 +42,7 @@ start() {
 ROS_MASTER_URI=$("$repository/scripts/free_master.py" "$ROS_MASTER_URI")
 export ROS_MASTER_URI
 port=${ROS_MASTER_URI##*:}
-if [ "${HOUSE:-}" = none ]; then
+if [ "${NODES:-}" = none ]; then
   start roscore -p "${port%/}"
 else
   start roslaunch -p "${port%/}" mission bringup.launch rviz:=false sim:=false \
@@ -68,7 +68,7 @@ colours() {
     convert "$scratch/look.png" -crop "$west" +repage -format '%k' info:
 }
 deadline=$((SECONDS + drawing_s))
-if [ "${HOUSE:-}" = none ]; then deadline=$((SECONDS + 8)); fi
+if [ "${NODES:-}" = none ]; then deadline=$((SECONDS + 8)); fi
 until [ "$(colours)" -gt "$drawn_colours" ] || [ $SECONDS -gt $deadline ]; do
   sleep 1
 done

@@ -1,5 +1,5 @@
-# What if every agent's energy budget were reduced by 30 %?
-# To be asked with what_if_energy_budget.rq.
+# Hypothesis: every agent's energy budget is reduced by 30 %.
+# Use with what_if_energy_budget.rq.
 PREFIX ex: <http://example.org/mission/>
 DELETE { ?can ex:energyBudget ?budget_wh }
 INSERT { ?can ex:energyBudget ?less_wh }

@@ -1,5 +1,5 @@
-# What if agent alpha switched to the policy named "safe"?
-# To be asked with what_if_too_costly.rq.
+# Hypothesis: agent alpha switches to the policy named "safe".
+# Use with what_if_too_costly.rq.
 PREFIX ex: <http://example.org/mission/>
 DELETE { ?agent ex:usesPolicy ?now }
 INSERT { ?agent ex:usesPolicy ?safe }

@@ -1,5 +1,5 @@
-"""The stops that were made before this check began, from the plan's facts: a
-mission that was interrupted goes on, and its verdict is that of the whole.
+"""Visits executed before this check started, read from the plan's facts, so
+that the verdict of a resumed mission covers the whole mission.
 """
 
 from mission_facts import geometry

@@ -1,5 +1,5 @@
-"""Are the published currents those of the files that the facts name? Read again
-with netCDF4, without the project's own reader.
+"""Compares the published work fields with the files that the facts name, read
+with netCDF4 instead of the project's own reader.
 """
 
 import netCDF4
@@ -7,7 +7,7 @@ import numpy as np
 
 VALUE_TOLERANCE_MPS = 1e-3
 TIME_TOLERANCE_S = 60.0
-CELL_TOLERANCE = 0.02  # Of the spacing: file coordinates carry float noise.
+CELL_TOLERANCE = 0.02  # Of the spacing: file coordinates have rounding noise.
 
 FIELDS = """
     SELECT ?window ?u ?v ?path WHERE {
@@ -18,7 +18,7 @@ FIELDS = """
 
 
 def difference(row, field):
-    """What differs between a plan_check.Field and its file; None if nothing.
+    """The first difference between a plan_check.Field and its file, or None.
 
     `row` is a solution of FIELDS.
     """
@@ -39,9 +39,9 @@ def _component(file, variable, field, values):
     lon, lon_order = _axis(file, variable, ('degrees_east', 'degree_east'))
     for ours, theirs in ((field.lat_deg, lat), (field.lon_deg, lon)):
         if len(ours) != len(theirs):
-            return 'the grid has another size'
+            return 'the grid size differs'
         if np.abs(ours - theirs).max() > CELL_TOLERANCE * np.diff(theirs).min():
-            return 'the grid lies elsewhere'
+            return 'the grid coordinates differ'
     times = _times(file, variable)
     for time_s, ours in zip(field.time_s, values):
         index = int(np.abs(times - time_s).argmin())
@@ -50,14 +50,14 @@ def _component(file, variable, field, values):
         theirs = _slice(variable, index)[np.ix_(lat_order, lon_order)]
         if not np.all(np.abs(np.nan_to_num(theirs) - ours) <=
                       VALUE_TOLERANCE_MPS):
-            return 'other values at time step %d' % index
+            return 'values differ at time step %d' % index
         if not field.land[np.isnan(theirs)].all():
-            return 'currents where the file has none'
+            return 'values where the file has no data'
     return None
 
 
 def _axis(file, variable, units):
-    """Ascending coordinates in [-180, 180) and the order that makes them so."""
+    """Ascending coordinates in [-180, 180) and the sort order."""
     for name in variable.dimensions:
         axis = file.variables.get(name)
         if axis is not None and getattr(axis, 'units', '') in units:
@@ -99,11 +99,11 @@ def _slice(variable, time_index):
 
 
 class FieldCheck:
-    """Compares every field once."""
+    """Compares each field once and caches the finding."""
 
     def __init__(self, select):
         self._select = select
-        self._found = {}  # By path, window and hash: (counts, line).
+        self._found = {}  # (path, window, hash) -> (is violation, line).
 
     def findings(self, fields, hashes):
         """[(counts as a violation?, line)] of the fields by window."""

@@ -2,8 +2,8 @@
 
 T. Vincenty, "Direct and inverse solutions of geodesics on the ellipsoid with
 application of nested equations", Survey Review 23 (176), 1975, pp. 88-93.
-Accurate to less than a millimetre but for nearly antipodal points, which no
-mission of ours compares.
+Accurate to less than a millimetre except for nearly antipodal points, which no
+mission here compares.
 """
 
 import numpy as np

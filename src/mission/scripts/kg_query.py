@@ -4,8 +4,8 @@
     rows = KgQuery().select('SELECT ?id WHERE { ?a a ex:Agent ; ex:id ?id }')
     rows.world_version, rows[0]['id']
 
-or as a table, from a file or one of the queries in config/queries by its name,
-with values for its parameters (terms in Turtle's syntax):
+or as a table, from a file or from a query of config/queries by name, with
+values for its parameters (terms in Turtle syntax):
 
     rosrun mission kg_query.py who_said subject=ex:alpha
 """
@@ -28,11 +28,11 @@ PREFIX time: <http://www.w3.org/2006/time#>
 
 
 class QueryError(RuntimeError):
-    """The service refused the query; says why in one line."""
+    """The service rejected the query; the reason in one line."""
 
 
 class Rows(list):
-    """Solutions, one dict each (an unbound variable is missing in it)."""
+    """Solutions, one dict each; unbound variables are absent."""
 
     def __init__(self, world_version, solutions):
         super().__init__(solutions)
@@ -49,7 +49,7 @@ class KgQuery:
         self._service.wait_for_service(timeout_s)
 
     def answer(self, query):
-        """The service's own answer; raises QueryError if it is not ok."""
+        """The service response; raises QueryError if it is not ok."""
         answer = self._service(query=PREFIXES + query, format='json')
         if not answer.ok:
             raise QueryError(answer.error)
@@ -67,7 +67,7 @@ class KgQuery:
 
 
 def query_text(name):
-    """The text of a file, or of the shipped query of that name."""
+    """The text of a file, or of the shipped query with that name."""
     shipped = os.path.join(rospkg.RosPack().get_path('mission'), 'config',
                            'queries', name + '.rq')
     path = shipped if os.path.isfile(shipped) else name
@@ -76,7 +76,7 @@ def query_text(name):
 
 
 def values_clause(parameters):
-    """'name=term' each: a variable of the answer, and what it must be."""
+    """A VALUES clause from 'name=term' pairs: variable and required value."""
     if not parameters:
         return ''
     pairs = [parameter.split('=', 1) for parameter in parameters]

@@ -1,4 +1,4 @@
-"""The mission's facts as a checker needs them, read by SPARQL SELECT.
+"""The mission facts that the checker needs, read by SPARQL SELECT.
 
 SI and degrees: seconds (unix), metres, metres per second, WGS84 lon/lat [deg].
 """
@@ -17,7 +17,7 @@ class WorldChanged(RuntimeError):
     """The facts changed while they were being read."""
 
     def __str__(self):
-        return 'they change'
+        return 'the world version changed while reading'
 
 
 @dataclasses.dataclass
@@ -100,7 +100,7 @@ def is_true(text):
 
 
 class FactsReader:
-    """Reads one consistent Facts; raises WorldChanged if there is none."""
+    """Reads Facts of one world version; raises WorldChanged if that changes."""
 
     def __init__(self, select):
         self._select = select
@@ -205,7 +205,7 @@ class FactsReader:
 
 
 def _end_s(row, begin_s, begins):
-    """End of a window: stated, by its length, or when the next one begins."""
+    """End of a window: stated, by its length, or the begin of the next one."""
     if 'end' in row:
         return unix_seconds(row['end'])
     if 'hours' in row:
@@ -215,8 +215,8 @@ def _end_s(row, begin_s, begins):
 
 
 def _active(named, every, expires):
-    """Windows an event is active in: those named or, with an expiry, all from
-    the first named one on that begin before it."""
+    """Windows in which an event is active: those named or, with an expiry, all
+    from the first named one on that begin before the expiry."""
     if expires is None or not named:
         return named
     first_s = min(window.begin_s for window in named)

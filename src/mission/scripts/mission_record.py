@@ -1,8 +1,8 @@
-"""What a mission has become so far: every plan's tracks and visits joined in
-time, the states the agents reported, and what a check of all that found.
+"""The history of a mission: tracks and visits of all plans joined in time, the
+states that agents reported, and the findings of the checks.
 
-A new plan takes over at the beginning of its tracks; what was flown before
-keeps the verdict of the facts that were true then.
+A new plan replaces the previous one from the begin of its tracks on; what was
+flown earlier keeps the findings under the facts of its time.
 """
 
 import collections
@@ -14,7 +14,7 @@ from geodesic import distance_m
 from plan_check import KINDS, PlanCheck, Track
 
 OFF_TRACK_M = 500.0  # A reported state this far from its track is a finding.
-MAX_LINES = 20       # Findings told in words.
+MAX_LINES = 20       # Findings listed as notes.
 
 
 @dataclasses.dataclass
@@ -26,7 +26,7 @@ class Visit:
     seam_cost: float
     energy_j: float
     via: list = dataclasses.field(default_factory=list)  # (lon, lat) of stops.
-    left_early: bool = False  # A newer plan led on before it was reached.
+    left_early: bool = False  # A newer plan left before the window's end.
 
 
 @dataclasses.dataclass
@@ -52,11 +52,11 @@ class MissionRecord:
         self._points = 0
         self._states_seen = 0
         self._first_window = 0
-        self._past = {}  # Visits made before this check began.
+        self._past = {}  # Visits made before this check started.
 
     def take_state(self, agent_id, time_s, lon_deg, lat_deg):
-        """A state of an earlier time takes back those after it: a new plan is
-        followed from its begin, which may lie a moment ago."""
+        """A state removes recorded states of later times: a new plan is
+        followed from its begin, which may be slightly in the past."""
         states = self._states[agent_id]
         while states and states[-1][0] >= time_s:
             states.pop()
@@ -64,12 +64,12 @@ class MissionRecord:
         self._states_seen += 1
 
     def take_past(self, visits):
-        """Visits made before this check began: they count, but how they were
-        flown cannot be judged any more."""
+        """Visits made before this check started: they are counted, but their
+        tracks cannot be checked."""
         self._past.update(visits)
 
     def take_plan(self, plan, facts, fields, now_s):
-        """`plan` answers for `facts`; mission time is `now_s`."""
+        """`plan` was computed from `facts`; mission time is `now_s`."""
         if self.plan is None:
             self._first_window = min((w for _, w in plan.visits), default=0)
         else:
@@ -122,7 +122,7 @@ class MissionRecord:
         return check
 
     def _states_off_track(self):
-        """States far from where the plan has the agent at that time."""
+        """Number of states far from the planned position at their time."""
         count = 0
         for agent_id, states in self._states.items():
             track = self._tracks.get(agent_id)
@@ -135,7 +135,7 @@ class MissionRecord:
         return count
 
     def complete(self):
-        """A visit of every agent in every window?"""
+        """Does every agent have a visit in every window?"""
         return self.plan is not None and not self.missing()
 
     def missing(self):
@@ -147,7 +147,7 @@ class MissionRecord:
                 (agent_id, window) not in self._past]
 
     def verdict(self):
-        """Everything found, settled or ahead, as verdict.json states it."""
+        """All findings, past and ahead, as written to verdict.json."""
         check = self._checked(self._settled_s, np.inf)
         made = {key: visit for key, visit in self._visits.items()
                 if not visit.left_early}

@@ -1,20 +1,20 @@
-"""Does a plan keep the rules? Judged from tracks and facts alone, by means that
-the planner does not use: shapely for areas, Vincenty's geodesics, numpy.
+"""Checks a plan against the rules from tracks and facts alone, with libraries
+that the planner does not use: shapely for areas, Vincenty's geodesics, numpy.
 
-A track is where an agent is when: arrays of unix seconds and WGS84 lon/lat
-[deg], straight and steady between its points. Every leg is sampled so that
+A track is an agent's position over time: arrays of unix seconds and WGS84
+lon/lat [deg], linear between its points. Every leg is sampled so that
 neighbouring samples are at most a tenth of a cell apart.
 
     separation  two agents nearer than ex:minimumSeparationKm at the same time
-    no_go       entries into a no_go area of that window and agent, touching
-                its edge included
-    land        entries into cells without currents or within the land buffer
-    capacity    agents rewarded by an event beyond ex:capacity, and visits that
-                are none (no stop of the window is within the radius, or it is
-                none of the event's windows)
-    speed       legs that need more speed through the water than the agent has
-    visits      waypoints that the track does not come to in their window, and
-                stops that it does not come by in their order
+    no_go       entries into a no_go area of that window and agent, including
+                contact with its edge
+    land        entries into cells without field data or into the land buffer
+    capacity    agents rewarded by an event beyond ex:capacity, and invalid
+                visits (no stop of the window within the radius, or the event
+                is not active in that window)
+    speed       legs that need more speed through the medium than the agent has
+    visits      waypoints that the track does not reach in their window, and
+                stops that it does not pass in order
 """
 
 import dataclasses
@@ -27,12 +27,12 @@ from geodesic import distance_m
 
 KINDS = ('no_go', 'land', 'capacity', 'separation', 'speed', 'visits')
 SAMPLES_PER_CELL = 10
-SPEED_TOLERANCE = 0.02     # Of the speed through water.
-SEPARATION_STEP_S = 60.0   # Between looks at a pair; refined at the minimum.
-SEPARATION_STEP_M = 200.0  # Nor do they come so much farther between looks.
+SPEED_TOLERANCE = 0.02     # Relative, of the speed through the medium.
+SEPARATION_STEP_S = 60.0   # Sampling of a pair; refined at the minimum.
+SEPARATION_STEP_M = 200.0  # Greatest motion between two samples.
 DISTANCE_TOLERANCE_M = 1.0  # Of separation; rounding of positions.
 VISIT_TOLERANCE_M = 50.0   # Between a waypoint and the track at that time.
-STOP_STEP_S = 20.0         # Between looks for a stop, beside turning points.
+STOP_STEP_S = 20.0         # Sampling for stops, besides the track's points.
 
 
 @dataclasses.dataclass
@@ -70,7 +70,7 @@ class Track:
         return Track(times, *self.at(times))
 
     def followed_by(self, other):
-        """This one until the other begins, then the other."""
+        """This track until the other begins, then the other."""
         if not len(other):
             return self
         if not len(self):
@@ -82,7 +82,7 @@ class Track:
                            (self.lat_deg, other.lat_deg))))
 
     def densified(self, step_deg):
-        """With points added until no two are farther apart than step_deg."""
+        """Resampled so that neighbouring points are at most step_deg apart."""
         if len(self) < 2:
             return self
         jump = np.maximum(np.abs(np.diff(self.lon_deg)) / step_deg[0],
@@ -98,7 +98,7 @@ class Track:
 
 
 class Field:
-    """One window's currents on a lon/lat grid, in time slices.
+    """The work field of one window on a lon/lat grid, in time slices.
 
     Bilinear between cell centres, linear in time; a missing corner counts as
     no flow, and a position in a cell without data has none (NaN).
@@ -114,7 +114,7 @@ class Field:
         self._flow_mps = np.nan_to_num(velocity_mps)
 
     def components(self):
-        """East and north, each time x row x column; 0 where there is none."""
+        """East and north, each time x row x column; 0 where no data."""
         return self._flow_mps
 
     def step_deg(self):
@@ -122,7 +122,7 @@ class Field:
                 np.diff(self.lat_deg).min() / SAMPLES_PER_CELL)
 
     def cells(self, lon_deg, lat_deg):
-        """Row, column and whether it is on the grid at all."""
+        """Row, column, and whether the position is on the grid."""
         col, in_cols = _nearest(self.lon_deg, lon_deg)
         row, in_rows = _nearest(self.lat_deg, lat_deg)
         return row, col, in_rows & in_cols
@@ -162,7 +162,7 @@ def _nearest(centres, values):
 
 
 def _interval(centres, values):
-    """Index of the interval between centres and the place in it, 0 to 1."""
+    """Index of the interval between centres and the fraction in it, 0 to 1."""
     index = np.clip(np.searchsorted(centres, values) - 1, 0, len(centres) - 2)
     share = (values - centres[index]) / (centres[index + 1] - centres[index])
     return index, np.clip(share, 0.0, 1.0)
@@ -186,7 +186,7 @@ def grown(mask, cells):
 
 
 def entries(inside):
-    """How often a sequence of booleans becomes true."""
+    """Number of false-to-true transitions of a sequence of booleans."""
     inside = np.asarray(inside, bool)
     return int(inside[0]) + int((inside[1:] & ~inside[:-1]).sum()) if len(
         inside) else 0
@@ -212,7 +212,7 @@ def land_entries(track, field, forbidden):
 
 
 def closest(a, b, begin_s, end_s):
-    """Least distance of two tracks in [begin, end] [m] and when, or None."""
+    """Minimum distance of two tracks in [begin, end] [m], its time; or None."""
     begin_s = max(begin_s, a.time_s[0], b.time_s[0])
     end_s = min(end_s, a.time_s[-1], b.time_s[-1])
     if end_s < begin_s:
@@ -261,7 +261,7 @@ def _ground_velocity(track):
 
 
 def too_fast(track, field, agent):
-    """Legs that the agent cannot make: cruising, or holding station."""
+    """Number of legs infeasible for the agent, under way or holding station."""
     if len(track) < 2:
         return 0
     speed, ground = needed_speed_mps(track, field, agent.boost_gain)
@@ -270,14 +270,14 @@ def too_fast(track, field, agent):
 
 
 class PlanCheck:
-    """Judges tracks and visits of a team against one state of the facts."""
+    """Checks tracks and visits of a team against one version of the facts."""
 
     def __init__(self, facts, fields):
         self._facts = facts
         self._fields = fields  # By window index.
         self.violations = dict.fromkeys(KINDS, 0)
-        self.lines = []        # One a finding, for a person.
-        self.points = 0        # Samples looked at.
+        self.lines = []        # One human-readable line per finding.
+        self.points = 0        # Samples checked.
 
     def _found(self, kind, count, line):
         self.violations[kind] += count
@@ -285,7 +285,7 @@ class PlanCheck:
             self.lines.append('%s: %s' % (kind, line))
 
     def check_tracks(self, tracks, begin_s, end_s):
-        """`tracks` by agent id, judged inside [begin, end]."""
+        """`tracks` by agent id, checked inside [begin, end]."""
         for agent_id, track in sorted(tracks.items()):
             for window in self._facts.windows:
                 part = track.between(max(begin_s, window.begin_s),
@@ -333,7 +333,7 @@ class PlanCheck:
                 near = closest(tracks[one], tracks[other], begin_s, end_s)
                 if near and not near[0] >= limit_m - DISTANCE_TOLERANCE_M:
                     self._found('separation', 1,
-                                '%s and %s come to %.0f m of %.0f m' %
+                                '%s and %s are %.0f m apart, minimum %.0f m' %
                                 (one, other, near[0], limit_m))
 
     def check_visits(self, visits, tracks, past=None):
@@ -352,7 +352,7 @@ class PlanCheck:
         self._check_capacity({**(past or {}), **visits})
 
     def _check_stops(self, agent_id, window, track, via):
-        """The track comes by each stop after the one before."""
+        """Does the track pass the stops in order?"""
         when = self._facts.windows[window]
         part = track.between(when.begin_s, when.end_s)
         begin_s = when.begin_s
@@ -363,7 +363,7 @@ class PlanCheck:
             near = times[distance_m(lon, lat, *part.at(times)) <=
                          VISIT_TOLERANCE_M] if len(times) else times
             self._found('visits', int(not len(near)),
-                        '%s does not come by stop %d of window %d' %
+                        '%s does not pass stop %d of window %d' %
                         (agent_id, number, window))
             begin_s = near[0] if len(near) else begin_s
 
@@ -386,5 +386,5 @@ class PlanCheck:
                             (agent_id, iri, window))
         for iri, agents in sorted(guests.items()):
             over = len(agents) - self._facts.events[iri].capacity
-            self._found('capacity', max(0, over), '%s has %d visitors too many'
+            self._found('capacity', max(0, over), '%s has %d visits too many'
                         % (iri, over))

@@ -4,17 +4,17 @@
     subscribes  kg/assignments, kg/world, kg/work_fields, kg/agent_states,
                 kg/candidates, kg/updates
     calls       kg/query (SPARQL SELECT: windows, agents, constraints, events)
-    writes      <state>/verdict.json, replaced whole after every plan and at
-                the end of the mission
+    writes      <state>/verdict.json, replaced atomically after every plan and
+                at the end of the mission
     parameters  ~state_folder
                 ~once       exit when done: with ~sim at the mission's end,
-                            else as soon as a plan of all windows stands
+                            else as soon as all windows are planned
                 ~sim        do agents move?
                 ~give_up_s  with ~once: the longest wait without a new plan or
-                            window [s, wall clock]; then the verdict says what
-                            was missing
+                            window [s, wall clock]; then the verdict states
+                            what was missing
 
-Every rule is looked at with other means than the planner's: plan_check.py.
+Each rule is checked independently of the planner's code: plan_check.py.
 """
 
 import json
@@ -41,13 +41,13 @@ from mission_facts import FactsReader, WorldChanged
 from mission_record import MissionRecord, Plan, Visit
 from plan_check import KINDS, Field, Track
 
-FIELD_BUFFER_BYTES = 1 << 26  # Of a subscriber to fields of some megabytes.
+FIELD_BUFFER_BYTES = 1 << 26  # Subscriber buffer: fields have several MB.
 STEP_S = 0.1
-# The facts change while they are read, or the KG node is away: asked again.
+# The facts change while being read, or the KG node is absent: retried later.
 NOT_NOW = (WorldChanged, QueryError, rospy.ServiceException,
            rospy.ROSException, rospy.exceptions.ROSInternalException, OSError)
-FAILED_S = 30.0  # A plan that failed is not waited for any longer.
-HOPELESS_S = 15.0  # Nor a mission that cannot be opened.
+FAILED_S = 30.0  # Longest wait for a new plan after planning failed.
+UNOPENABLE_S = 15.0  # Longest wait for a mission that cannot be opened.
 
 
 def to_plan(message):
@@ -79,7 +79,7 @@ def to_field(message):
 
 
 def write_whole(path, value):
-    """Replaces a file: a reader sees the old or the new one."""
+    """Replaces a file atomically: readers see the old or the new content."""
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path + '.new', 'w') as file:
         json.dump(value, file, indent=2, allow_nan=False, default=str)
@@ -90,14 +90,14 @@ def write_whole(path, value):
 
 
 class Heard:
-    """What has come from the nodes so far."""
+    """Messages received from the nodes so far."""
 
     def __init__(self):
         self.world = None
         self.fields = {}      # By window.
-        self.hashes = {}      # Of the fields, by window.
+        self.hashes = {}      # Field hashes, by window.
         self.planners = {}    # World version of the last candidates, by id.
-        self.plan = None      # Newest Assignments, not judged yet.
+        self.plan = None      # Newest Assignments that are not checked yet.
         self.plans = 0
         self.stage_seconds = {}
         self.fatal = None     # Why kg cannot open the mission.
@@ -134,7 +134,7 @@ class Heard:
             self.stage_seconds[stage.stage] = stage.seconds
 
     def missing(self):
-        """The first stage that nothing was heard of, in words."""
+        """The first stage without output, in words."""
         if self.world is None:
             return 'kg: %s' % (self.fatal or 'no kg/world')
         windows = len(self.world.windows)
@@ -156,7 +156,7 @@ class Heard:
 
 
 class Verdict:
-    """Judges what is heard, one step at a time."""
+    """Checks received plans, one step at a time."""
 
     def __init__(self, path, once, sim):
         self._path = path
@@ -169,7 +169,7 @@ class Verdict:
         self._field_findings = []
         self._facts = None
         self._began_s = time.monotonic()
-        self.progress_s = self._began_s  # When something last went on.
+        self.progress_s = self._began_s  # Time of the last progress.
         self._window = None
         self.last = None
 
@@ -187,7 +187,7 @@ class Verdict:
             self.progress_s = time.monotonic()
 
     def step(self):
-        """Judges a plan that is due. True when there is nothing left to do."""
+        """Checks a pending plan. True when the task is finished."""
         if self._heard.plan is not None:
             self._judge(self._heard.plan)
         if not (self._once and self._done()):
@@ -196,20 +196,20 @@ class Verdict:
         return True
 
     def _judge(self, message):
-        """Judges it, drops it if newer facts are there, or lets it wait."""
+        """Checks the plan, drops it if the facts are newer, or defers it."""
         world = self._heard.world
         if world is None or not self._fields_are_here(message):
             return
         first = self._record.plan is None
         if first and world.plan_run < message.plan_run:
-            return  # Not among the facts yet.
+            return  # Not yet in the knowledge graph.
         try:
             facts = self._facts_of(message.world_version)
             findings = self._field_check.findings(self._heard.fields,
                                                   self._heard.hashes)
             past = executed_visits(self._query.select) if first else {}
         except NOT_NOW as error:
-            rospy.logwarn_throttle(10.0, '[verdict] waits for the facts: %s' %
+            rospy.logwarn_throttle(10.0, '[verdict] waiting for facts: %s' %
                                    error)
             return
         if facts is None:
@@ -231,7 +231,7 @@ class Verdict:
                    for visit in assignment.pathlet.visits)
 
     def _facts_of(self, world_version):
-        """None if the facts are others by now."""
+        """None if the world version is a different one by now."""
         if self._facts is None or self._facts.world_version != world_version:
             self._facts = FactsReader(self._query.select).read()
         return (self._facts if self._facts.world_version == world_version
@@ -248,9 +248,9 @@ class Verdict:
                 world.plan_version == self._record.plan.world_version)
 
     def patience_s(self, give_up_s):
-        """How long to wait for something to go on."""
+        """Longest wait without progress [s]."""
         if self._heard.fatal:
-            return min(give_up_s, HOPELESS_S)
+            return min(give_up_s, UNOPENABLE_S)
         world = self._heard.world
         failed = world is not None and world.plan_status == World.PLAN_FAILED
         return min(give_up_s, FAILED_S) if failed else give_up_s
@@ -279,12 +279,12 @@ class Verdict:
                           if item[1])
         waypoints = sum(agent['waypoints']
                         for agent in verdict['agents'].values())
-        say = rospy.logerr if found else rospy.loginfo
-        say('[verdict] plan %d of world version %d: %d waypoints, %d points '
+        log = rospy.logerr if found else rospy.loginfo
+        log('[verdict] plan %d of world version %d: %d waypoints, %d points '
             'and %d states checked, %s', verdict['plan_run'],
             verdict['world_version'], waypoints, verdict['checked_points'],
             verdict['checked_states'],
-            'VIOLATIONS: ' + found if found else 'no violation')
+            'VIOLATIONS: ' + found if found else 'no violations')
 
     def give_up(self):
         why = 'gave up after %.0f s without progress; missing: %s' % (
@@ -294,7 +294,7 @@ class Verdict:
 
 
 def subscribe(inbox):
-    """Everything goes into one queue; one thread judges."""
+    """All messages go into one queue; one thread checks."""
     take = inbox.put
     rospy.Subscriber('kg/world', World, take)
     rospy.Subscriber('kg/work_fields', numpy_msg(WorkField), take,

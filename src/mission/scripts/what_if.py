@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Asks a running mission what would change under hypothetical facts; the world
-stays untouched.
+is not modified.
 
     rosrun mission what_if.py what_if_energy_budget
     rosrun mission what_if.py --update FACTS.ru --query QUESTION.rq
 
-NAME stands for NAME.ru and NAME.rq of config/queries. FACTS.ru is SPARQL 1.1
-Update on the facts, QUESTION.rq a SPARQL query on the hypothetical world (the
-graphs it finds there: docs/interface.md). Ends with 1 if it is refused.
+NAME selects NAME.ru and NAME.rq of config/queries. FACTS.ru is a SPARQL 1.1
+Update on the facts, QUESTION.rq a SPARQL query on the hypothetical world (its
+graphs: docs/interface.md). Exit status 1 if the update is rejected.
 """
 
 import argparse
@@ -31,7 +31,7 @@ def read(path):
 def parse(arguments):
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument('name', nargs='?', help='of a shipped question')
+    parser.add_argument('name', nargs='?', help='name of a shipped question')
     parser.add_argument('--update', help='file of a SPARQL 1.1 Update')
     parser.add_argument('--query', help='file of a SPARQL query')
     parser.add_argument('--time-limit', type=float, default=0.0,

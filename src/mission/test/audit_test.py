@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Audit and export of a running mission: the commands of docs/queries.md do what
-they say, every shipped query runs, and programs of others (json, shapely, an XML
-parser, netCDF4, rdflib) read from the exports what the plan says.
+"""Audit and export of a running mission: the commands of docs/queries.md
+succeed, every shipped query runs, and third-party readers (json, shapely, an
+XML parser, netCDF4, rdflib) find the plan in the exports.
 """
 
 import glob
@@ -78,7 +78,7 @@ class AuditTest(SmallMissionTestCase):
         return answer.data
 
     def assert_is_the_plan(self, agent, times, lons, lats):
-        """The track is where the plan is, at all of its own times."""
+        """The track agrees with the plan at all times of the plan."""
         known = planned(self.agents[agent])
         self.assertTrue(numpy.all(numpy.diff(times) >= 0))
         self.assertAlmostEqual(known[0][0], times[0], delta=0.1)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What must not get in: each bad update or file is refused with one clear line,
-nothing has changed, and the mission that was running runs on.
+"""Invalid input: each invalid update or file is rejected with one clear line,
+nothing changes, and the running mission continues.
 """
 
 import os
@@ -34,14 +34,14 @@ BAD_UPDATES = {
     'a policy that does not exist': (
         dict(set=[('ex:alpha', 'ex:usesPolicy', 'ex:nonsense')]),
         'ex:usesPolicy'),
-    'a property that nobody knows': (
+    'an unknown property': (
         dict(set=[('ex:alpha', 'ex:usesPolicies', 'ex:safe')]),
         'ex:usesPolicies'),
     'a confidence of 1.2': (
         dict(set=[('ex:w1', 'ex:confidence', '1.2')]), 'ex:confidence'),
     'two policies': (
         dict(add=[('ex:alpha', 'ex:usesPolicy', 'ex:safe')]), 'ex:usesPolicy'),
-    'a prefix that nobody knows': (
+    'an unknown prefix': (
         dict(set=[('nix:alpha', 'ex:usesPolicy', 'ex:safe')]), 'nix:alpha'),
     'a term that does not end': (
         dict(set=[('ex:w1', 'ex:confidence', '"0.5')]), '"0.5'),
@@ -69,7 +69,7 @@ def noise(path):
 
 class BadInputTest(SmallMissionTestCase):
     def _complaints(self, what, named, **lists):
-        """Sends it; what is wrong with the answer or the mission after it."""
+        """Sends an update; list of faults in the answer or the mission."""
         before = self.mission.world.last.world_version
         report = self.mission.update(**lists)
         said = ' | '.join(report.reasons)

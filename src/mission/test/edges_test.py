@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""One fact, in the middle of the Gulf's mission: from then on agents visit
-several waypoints in a window, to the mission's end.
+"""One fact changed during the Gulf mission: from then on agents visit several
+waypoints per window, to the end of the mission.
 """
 
 import math
@@ -41,8 +41,8 @@ class EdgesTest(MissionTestCase):
         self._assert_explained(plan)
 
     def _assert_explained(self, plan):
-        """A window with stops: what it is worth is what was planned, and the
-        price of the walk what it costs. The world may move on meanwhile."""
+        """kg/why explains the value of a window with stops and the cost of its
+        walk. The world version may change in the meantime."""
         why = rospy.ServiceProxy('kg/why', Why)
         why.wait_for_service(CHANGE_S)
         agent, visit = stops_of(plan)[-1]
@@ -76,7 +76,7 @@ class EdgesTest(MissionTestCase):
                 self.assertTrue(math.isfinite(lon) and math.isfinite(lat))
 
     def test_zz_no_node_has_died(self):
-        """But for the verdict, whose end ends the launch."""
+        """Except verdict, whose exit ends the launch."""
         self.mission.stop()
         others = [line for line in self.mission.deaths()
                   if '[verdict' not in line]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The doors of the facts: SPARQL over HTTP with real clients (curl, rdflib),
-watched queries, and hostile queries that hold up nobody else.
+"""Access to the facts: SPARQL over HTTP with real clients (curl, rdflib),
+watched queries, and expensive queries that must not block other clients.
 """
 
 import concurrent.futures
@@ -109,7 +109,8 @@ class EndpointTest(SmallMissionTestCase):
             self.assertEqual(0, done.returncode, command + '\n' + done.stdout)
             self.assertIn('world version' if 'update=' in command else 'alpha',
                           done.stdout, command)
-        self.assertTrue(self.mission.ask('ASK { ex:alpha ex:usesPolicy ex:safe }'))
+        self.assertTrue(self.mission.ask(
+            'ASK { ex:alpha ex:usesPolicy ex:safe }'))
 
     def test_1_is_closed_without_its_token(self):
         for headers in ({}, {'Authorization': 'Bearer wrong'}):
@@ -209,9 +210,9 @@ class EndpointTest(SmallMissionTestCase):
             self.assertEqual([['1']] * 200,
                              [ids(answer.result()) for answer in answers])
 
-    # Hostile queries.
+    # Expensive queries.
 
-    def test_5_hostile_queries_end_and_hold_up_nobody(self):
+    def test_5_hostile_queries_end_and_block_no_other(self):
         hostile = [rospy.ServiceProxy('kg/query', Query) for _ in HOSTILE]
         ended = threading.Event()
         answers = []
@@ -253,7 +254,8 @@ class EndpointTest(SmallMissionTestCase):
     def test_6_a_watch_tells_of_every_change_at_last(self):
         told = Heard('kg/watched', WatchedAnswer)
         self.addCleanup(told.close)
-        begun = self.watch(id='labels', query='SELECT ?id { ?a rdfs:label ?id }')
+        begun = self.watch(id='labels',
+                           query='SELECT ?id { ?a rdfs:label ?id }')
         self.assertTrue(begun.ok, begun.error)
         held = ids(json.loads(begun.result))
         for number in range(30):

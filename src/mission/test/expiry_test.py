@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Facts with an end, on a mission that flies: a closed area opens by itself at
-its time, and what others refer to stays; kg/validate foresees both.
+"""Facts with an end of validity, in a running mission: a closed area opens at
+its time, and what other facts refer to stays; kg/validate predicts both.
 """
 
 import os

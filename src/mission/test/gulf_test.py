@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The default mission, as a user meets it: interface, plan, one fact changed,
-an area forbidden, questions asked.
+"""The default mission from the user's point of view: interface, plan, a changed
+fact, a forbidden area, queries.
 """
 
 import hashlib
@@ -20,8 +20,8 @@ from diagnostic_msgs.msg import DiagnosticArray
 from kg_msgs.msg import (AgentState, FactUpdate, MissionTensor, UpdateReport,
                          World)
 from kg_msgs.srv import Check, Export, WhatIf, Why, WhyRequest
-from mission_test import (CHANGE_S, ROOT, Heard, MissionTestCase, by_agent, main,
-                          track_deg, wait_until)
+from mission_test import (CHANGE_S, ROOT, Heard, MissionTestCase, by_agent,
+                          main, track_deg, wait_until)
 from nav_msgs.msg import OccupancyGrid, Path
 from shapely.geometry import LineString, box
 from visualization_msgs.msg import MarkerArray
@@ -71,8 +71,8 @@ TO_SAFE = ('{author: operator, set: [{subject: "ex:alpha", '
            'property: "ex:usesPolicy", value: "ex:safe"}]}')
 
 J_PER_WH = 3600.0
-# What the paper's what-ifs answer on this mission before anything is changed.
-# Paths that a share of the energy budgets does not suffice for [Wh].
+# Answers of the paper's what-if questions on the unchanged mission: energy of
+# the paths that exceed this share of the energy budgets [Wh].
 TOO_MUCH_ENERGY_WH = {'0.7': {}, '0.45': {'alpha': 447.9, 'bravo': 347.3}}
 BUDGETS_WH = {'alpha': 900.0, 'bravo': 700.0, 'charlie': 550.0}
 TOO_COSTLY_EDGES = [6, 45, 28, 17, 45, 33, 45]  # By window.
@@ -217,7 +217,7 @@ class GulfTest(MissionTestCase):
         self._assert_assignments(plan)
 
     def _assert_assignments(self, plan):
-        """The facts say what the topic says."""
+        """The facts agree with the topic."""
         rows = self.mission.select("""
             SELECT ?id ?i ?wkt WHERE { ?x a ex:Assignment ; ex:forAgent ?a ;
               ex:forWindow ?w ; ex:waypointWKT ?wkt .
@@ -314,7 +314,7 @@ class GulfTest(MissionTestCase):
                 query=query.read())
 
     def _digest(self):
-        """Of all facts and plans that are there."""
+        """Hash of all facts and plan runs."""
         return hashlib.sha256(''.join(sorted(
             ' '.join(row.values()) for row in self.mission.select("""
                 SELECT ?s ?p ?o WHERE { GRAPH graph:facts { ?s ?p ?o } }""") +
@@ -323,7 +323,7 @@ class GulfTest(MissionTestCase):
         ).encode()).hexdigest()
 
     def _why(self, **request):
-        """The answer, whose contributions sum and whose facts are so."""
+        """The answer, after checking that contributions sum and facts hold."""
         rospy.wait_for_service('kg/why', CHANGE_S)
         answer = rospy.ServiceProxy('kg/why', Why)(**request)
         self.assertTrue(answer.ok, answer.error)
@@ -492,14 +492,14 @@ class GulfTest(MissionTestCase):
             lambda v: v['world_version'] == report.world_version))
 
     def test_6_what_it_holds_is_what_compiling_anew_gives(self):
-        """After a policy, an area and whatever else the tests changed."""
+        """After all changes that the tests made."""
         _, plan = self.mission.wait_for_plan()
         rospy.wait_for_service('kg/check', CHANGE_S)
         answer = rospy.ServiceProxy('kg/check', Check)()
         self.assertEqual(([], []), (answer.errors, answer.differs), answer.text)
         self.assertTrue(answer.ok, answer.text)
         self.assertEqual(plan.world_version, answer.world_version)
-        # Fields, tensors, rules and the team's rules.
+        # Fields, tensors, seam rules and coordination rules.
         self.assertEqual(WINDOWS + len(AGENTS) * (WINDOWS + 1) + 1,
                          answer.compared)
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""SIGKILL of the KG node at random moments while facts pour in, again and again
-on one store: whatever it acknowledged is there afterwards, no transaction is
-there by half, world_version never goes back. As many rounds as parameter
-`rounds` says.
+"""SIGKILL of the KG node at random times during a stream of updates, repeatedly
+on one store: every acknowledged update is present afterwards, no transaction is
+present in part, world_version never decreases. Parameter `rounds`: number of
+kills.
 """
 
 import os
@@ -25,7 +25,7 @@ from kg_query import KgQuery
 import small_mission
 import unittest
 
-# Always get the same value together.
+# Both are always set to the same value.
 PAIR = (('ex:front', 'ex:value'), ('ex:mission', 'ex:separationWeight'))
 LATEST_KILL_S = 0.6                # After the first fact of a round.
 CLIENTS = 2
@@ -46,8 +46,8 @@ class Client(threading.Thread):
         super().__init__(daemon=True)
         self._numbers = numbers
         self.acknowledged = []        # (world_version, value)
-        self.asked = []               # Values whose fate is unknown or known.
-        self.refused = []             # Why, if one was.
+        self.asked = []               # All values sent.
+        self.refused = []             # Reasons of rejection.
         self.first = threading.Event()
 
     def run(self):
@@ -65,11 +65,11 @@ class Client(threading.Thread):
                 self.acknowledged.append((report.world_version, value))
                 self.first.set()
         except (rospy.ServiceException, rospy.ROSException):
-            pass                      # It is dead.
+            pass                      # The node was killed.
 
 
 class Numbers:
-    """Counts, for several threads."""
+    """A counter shared by several threads."""
 
     def __init__(self):
         self._lock = threading.Lock()
@@ -120,7 +120,7 @@ class KillRoundsTest(unittest.TestCase):
         return rows.world_version, float(rows[0]['a']), float(rows[0]['b'])
 
     def check(self, clients):
-        """What is there now is what was acknowledged, or asked for last."""
+        """The stored value is the last acknowledged or the last requested."""
         version, one, other = self.values()
         self.assertEqual(one, other, 'half a transaction')
         sure = max((pair for client in clients
@@ -151,7 +151,7 @@ class KillRoundsTest(unittest.TestCase):
             wait_until(lambda: any(client.first.is_set() or client.refused
                                    for client in clients), CHANGE_S, 'a fact')
             delay_s = self.random.uniform(0.0, LATEST_KILL_S)
-            threading.Event().wait(delay_s)   # The moment is drawn, not hoped.
+            threading.Event().wait(delay_s)   # Drawn at random.
             self.node.send_signal(signal.SIGKILL)
             self.node.wait()
             for client in clients:

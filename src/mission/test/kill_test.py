@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""SIGKILL of a planner, the selector and the KG node, one after the other: each
-comes back, the plan with it, no fact is lost, and world_version never falls.
+"""SIGKILL of a planner, the selector and the KG node in turn: each restarts, a
+plan follows, no fact is lost, and world_version never decreases.
 """
 
 import os
@@ -19,9 +19,10 @@ STALE_S = 10.0  # Longest time for a dead planner to show in kg/world.
 
 class KillTest(SmallMissionTestCase):
     def _kill(self, node):
-        """Kills it and waits until another process has its name."""
+        """Kills a node; its process id and the number of messages heard."""
         pid = wait_until(lambda: node_pid(node), CHANGE_S, node)
-        heard = len(self.mission.world.messages), len(self.mission.plans.messages)
+        heard = (len(self.mission.world.messages),
+                 len(self.mission.plans.messages))
         os.kill(pid, signal.SIGKILL)
         return pid, heard
 
@@ -31,7 +32,8 @@ class KillTest(SmallMissionTestCase):
 
     def _assert_nothing_lost(self, version):
         self.assertTrue(self.mission.ask('ASK { %s %s %s }' % A_FACT))
-        versions = [world.world_version for world in self.mission.world.messages]
+        versions = [world.world_version
+                    for world in self.mission.world.messages]
         self.assertEqual(sorted(versions), versions)
         self.assertEqual(version, versions[-1])
 
@@ -82,7 +84,7 @@ class KillTest(SmallMissionTestCase):
         self.assert_no_violation(verdict)
 
     def test_zz_no_node_has_died(self):
-        """Only those killed: this is what the other tests watch for."""
+        """Except the three killed: proves that deaths are detected."""
         self.mission.stop()
         killed = [line for line in self.mission.deaths()
                   if 'exit code -9' in line]

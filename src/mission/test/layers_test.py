@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What rviz is shown of a running mission: every layer of each agent on its own
-topic, made when somebody listens, WORK in colour from where the agent is and
-from a place that the operator clicks.
+"""Display topics of a running mission: every layer of each agent on its own
+topic, computed on demand, and WORK in colour from the agent's position and from
+a clicked point.
 """
 
 import os
@@ -11,7 +11,8 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
 import numpy as np
 import rospy
-from geometry_msgs.msg import PointStamped
+import tf2_ros
+from geometry_msgs.msg import PointStamped, TransformStamped
 from mission_test import (CHANGE_S, Heard, by_agent, main, track_deg,
                           wait_until)
 from nav_msgs.msg import OccupancyGrid
@@ -48,7 +49,7 @@ def area_km2(points):
 
 
 def easy(colours):
-    """More green than red: the first 42 % of the time."""
+    """More green than red: up to 42 % of the available time."""
     return (colours[:, 1] > colours[:, 0]) & (colours[:, 2] == 0.0)
 
 
@@ -58,10 +59,24 @@ def middle(points):
 
 class LayersTest(SmallMissionTestCase):
     def clicker(self):
-        """A publisher of clicks that kg listens to."""
+        """A publisher of clicked points that kg has subscribed to."""
         click = rospy.Publisher('/clicked_point', PointStamped, queue_size=10)
-        wait_until(click.get_num_connections, CHANGE_S, 'kg takes no clicks')
+        wait_until(click.get_num_connections, CHANGE_S,
+                   'a subscriber to clicked_point')
         return click
+
+    def attach(self, frame, x_m, y_m):
+        """A static frame on the map, its x axis north, its y axis west."""
+        transform = TransformStamped()
+        transform.header.frame_id = 'map'
+        transform.header.stamp = rospy.Time.now()
+        transform.child_frame_id = frame
+        transform.transform.translation.x = x_m
+        transform.transform.translation.y = y_m
+        transform.transform.rotation.z = np.sqrt(0.5)
+        transform.transform.rotation.w = np.sqrt(0.5)
+        self.broadcaster = tf2_ros.StaticTransformBroadcaster()
+        self.broadcaster.sendTransform(transform)
 
     def layer(self, name, agent='alpha'):
         heard = Heard('kg/%s/layer/%s' % (agent, name), OccupancyGrid)
@@ -138,7 +153,7 @@ class LayersTest(SmallMissionTestCase):
         own = Heard('kg/alpha/work', Marker)
         clicked = Heard('kg/alpha/work_clicked', Marker)
         other = Heard('kg/bravo/work_clicked', Marker)
-        self.assertIsNone(clicked.last)  # Nobody has clicked.
+        self.assertIsNone(clicked.last)  # No click yet.
         click = self.clicker()
         middles = []
         for place in ((40e3, 30e3), (-20e3, -40e3)):
@@ -178,6 +193,43 @@ class LayersTest(SmallMissionTestCase):
         np.testing.assert_allclose(middle(points[easy(colours)]),
                                    (10e3, 10e3), atol=20e3)
         clicked.close()
+
+    def test_6_a_click_in_another_frame_is_transformed(self):
+        self.attach('test_ship', 35e3, 20e3)
+        clicked = Heard('kg/alpha/work_clicked', Marker)
+        clicked.wait()
+        click = self.clicker()
+        shown = {}
+        for frame, x_m, y_m in (('test_ship', 10e3, -5e3),
+                                ('map', -30e3, -30e3), ('map', 40e3, 30e3)):
+            before = len(clicked.messages)
+            point = PointStamped()
+            point.header.frame_id = frame
+            point.point.x, point.point.y = x_m, y_m
+
+            def answer():
+                click.publish(point)  # kg may not know the frame yet.
+                return len(clicked.messages) > before or rospy.sleep(0.2)
+            wait_until(answer, CHANGE_S, 'an answer to a click in ' + frame)
+            shown[frame, x_m] = triangles(clicked.last)
+        ours, same = shown['test_ship', 10e3], shown['map', 40e3]
+        self.assertEqual(ours[0].shape, same[0].shape)
+        np.testing.assert_allclose(ours[0], same[0], atol=1.0)
+        np.testing.assert_allclose(ours[1], same[1], atol=0.01)
+        clicked.close()
+
+    def test_6_a_click_in_an_unknown_frame_is_reported_once(self):
+        click = self.clicker()
+        point = PointStamped()
+        point.header.frame_id = 'nowhere'
+        click.publish(point)
+        wait_until(lambda: "'nowhere'" in self.mission.output(), CHANGE_S,
+                   'a warning that names the frame')
+        lines = [line for line in self.mission.output().splitlines()
+                 if 'nowhere' in line]
+        self.assertEqual(1, len(lines), lines)
+        self.assertIn('clicked point ignored: no transform', lines[0])
+        self.assertIn('expected one of these or a frame', lines[0])
 
     def test_7_layers_follow_the_window_looked_at_and_the_facts(self):
         heard = Heard('kg/alpha/layer/UNCERTAINTY', OccupancyGrid)

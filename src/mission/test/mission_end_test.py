@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A mission flown to its end with once:=true: the launch ends by itself, with a
-verdict on what was really flown, and without a node dying on the way.
+"""A mission run to its end with once:=true: the launch ends by itself, with a
+verdict on the executed tracks, and no node dies.
 """
 
 import os
@@ -22,7 +22,7 @@ class MissionEndTest(SmallMissionTestCase):
     def test_1_ends_by_itself_with_a_verdict_on_what_was_flown(self):
         self.mission.world.wait(lambda world: world.current_window == 1)
         report = self.mission.update(set=[
-            ('ex:alpha', 'ex:usesPolicy', 'ex:safe')])  # On the way.
+            ('ex:alpha', 'ex:usesPolicy', 'ex:safe')])  # During the mission.
         self.assertTrue(report.accepted, report.reasons)
         self.mission.wait_for_end(END_S)
         verdict = self.mission.verdict(lambda v: True)
@@ -39,7 +39,7 @@ class MissionEndTest(SmallMissionTestCase):
         self.assertEqual(1, len(bags), os.listdir(self.mission.state))
 
     def test_zz_no_node_has_died(self):
-        """But for the verdict, whose end ends the launch."""
+        """Except verdict, whose exit ends the launch."""
         self.mission.stop()
         others = [line for line in self.mission.deaths()
                   if '[verdict' not in line]

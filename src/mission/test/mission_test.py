@@ -1,5 +1,5 @@
-"""What the tests of the running mission share: starting it in a state folder of
-its own, waiting for conditions with a deadline, changing and asking facts.
+"""Shared by the tests of a running mission: launch in a temporary state folder,
+wait for conditions with a deadline, update and query facts.
 
     class AGulf(MissionTestCase):
         arguments = {'mission': 'gulf'}
@@ -34,12 +34,12 @@ sys.path.insert(0, os.path.join(MISSION, 'scripts'))
 from kg_query import KgQuery  # noqa: E402
 
 PLAN_S = 120.0     # Longest wait for a plan.
-CHANGE_S = 60.0    # Longest wait for something smaller.
-STOP_S = 20.0      # Longest wait for nodes to end.
+CHANGE_S = 60.0    # Longest wait for any smaller change.
+STOP_S = 20.0      # Longest wait for nodes to exit.
 
 
 def shared_data(folder):
-    """A folder of the shared data, or None where it is not."""
+    """A folder of the shared data, or None if it does not exist."""
     base = os.environ.get('KG_SHARED_DATA',
                           os.path.join(os.path.dirname(ROOT), 'shared', 'data'))
     path = os.path.join(base, folder)
@@ -47,7 +47,7 @@ def shared_data(folder):
 
 
 def wait_until(condition, timeout_s, what):
-    """The first true value of condition(), or an AssertionError naming it."""
+    """The first true value of condition(); AssertionError after timeout_s."""
     deadline = time.monotonic() + timeout_s
     while True:
         value = condition()
@@ -59,7 +59,7 @@ def wait_until(condition, timeout_s, what):
 
 
 class Heard:
-    """Every message of a topic since this was made."""
+    """All messages of a topic since construction."""
 
     def __init__(self, topic, message_type):
         self._changed = threading.Condition()
@@ -80,7 +80,7 @@ class Heard:
         return self.messages[-1] if self.messages else None
 
     def wait(self, accepts=lambda message: True, timeout_s=CHANGE_S, since=0):
-        """The newest message that is accepted, none before number `since`."""
+        """The newest accepted message, ignoring those before number `since`."""
         with self._changed:
             def found():
                 return next((message for message in
@@ -89,7 +89,7 @@ class Heard:
             if not self._changed.wait_for(lambda: found() is not None,
                                           timeout_s):
                 raise AssertionError('%s: no such message within %.0f s; last '
-                                     'was:\n%s' % (self.topic, timeout_s,
+                                     'message:\n%s' % (self.topic, timeout_s,
                                                    str(self.last)[:2000]))
             return found()
 
@@ -117,18 +117,18 @@ class RunningMission:
         return self._process.poll() is None
 
     def output(self):
-        """What roslaunch and the nodes have printed so far."""
+        """Output of roslaunch and the nodes so far."""
         with open(self._log.name) as log:
             return log.read()
 
     def deaths(self):
-        """Lines that tell of a node that ended other than it should."""
+        """Log lines that report an abnormal exit of a node."""
         return [line for line in self.output().splitlines()
                 if re.search(r'has died|exit code -|Traceback|REQUIRED process '
                              r'.* has died', line)]
 
     def stop(self):
-        """Ends it and waits for that; does nothing the second time."""
+        """Ends the launch and waits for its exit; idempotent."""
         for heard in (self.world, self.plans, self.updates):
             heard.close()
         if self.running():
@@ -166,7 +166,7 @@ class RunningMission:
     # Plans.
 
     def wait_for_plan(self, world_version=1, timeout_s=PLAN_S):
-        """World and Assignments once a plan answers for world_version."""
+        """World and Assignments once world_version or later is planned."""
         world = self.world.wait(
             lambda world: world.plan_status == World.PLAN_OK and
             world.plan_version >= world_version, timeout_s)
@@ -174,7 +174,7 @@ class RunningMission:
             lambda plan: plan.world_version == world.plan_version)
 
     def verdict(self, accepts, timeout_s=CHANGE_S):
-        """verdict.json as soon as it is as wanted."""
+        """verdict.json as soon as accepts(verdict) is true."""
         path = os.path.join(self.state, 'verdict.json')
 
         def read():
@@ -187,7 +187,7 @@ class RunningMission:
 
 
 class MissionTestCase(unittest.TestCase):
-    """A mission for all tests of the class; fails if any node dies in it."""
+    """One mission for all tests of a class; fails if one of its nodes dies."""
 
     arguments = {}
 
@@ -198,7 +198,7 @@ class MissionTestCase(unittest.TestCase):
 
     @classmethod
     def prepare(cls):
-        """Makes what the launch needs; may set cls.arguments."""
+        """Prepares the launch; may set cls.arguments."""
 
     @classmethod
     def tearDownClass(cls):
@@ -206,9 +206,10 @@ class MissionTestCase(unittest.TestCase):
         cls.mission.remove()
 
     def test_zz_no_node_has_died(self):
-        """rostest itself would not notice."""
+        """rostest itself does not detect this."""
         self.mission.stop()
-        self.assertEqual([], self.mission.deaths(), self.mission.output()[-4000:])
+        self.assertEqual([], self.mission.deaths(),
+                         self.mission.output()[-4000:])
 
     def assert_no_violation(self, verdict):
         self.assertTrue(verdict['complete'], verdict)
@@ -229,7 +230,7 @@ def by_agent(plan):
 
 
 def node_pid(name):
-    """Process id of a node, asked of the node itself; None if it is gone."""
+    """Process id of a node, from the node itself; None if it is gone."""
     master = rosgraph.Master('/mission_test')
     try:
         uri = master.lookupNode(name)

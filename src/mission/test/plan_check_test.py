@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The independent checker itself: it must find what is wrong, count it rightly,
-and accuse nobody who kept the rules.
+"""The independent checker itself: it must find and count violations, and report
+none where the rules are kept.
 """
 
 import os
@@ -79,7 +79,7 @@ class GeodesicTest(unittest.TestCase):
 
 
 class PlanCheckTest(unittest.TestCase):
-    def test_accuses_nobody_who_kept_the_rules(self):
+    def test_reports_nothing_where_the_rules_are_kept(self):
         zone = no_go(box(0.6, 1.01, 0.7, 1.05))
         found = judged(EASTWARD, facts(constraints=[zone], separation_m=5e3),
                        other=Track.of([(0.0, 0.5, 1.1), (DAY_S, 0.8, 1.1)]))
@@ -204,15 +204,15 @@ class MissionRecordTest(unittest.TestCase):
         self.assertEqual(1, record.verdict()['violations']['visits'])
 
     def _with_stops(self, hours, events=()):
-        """EASTWARD's first window with stops where it is after these hours."""
+        """EASTWARD's first window with stops at its positions at `hours`."""
         plan = self._plan(EASTWARD, [], agents=('a',))
         plan.visits['a', 0].via = [tuple(map(float, EASTWARD.at(HOUR_S * h)))
                                    for h in hours]
         plan.visits['a', 0].events = list(events)
         return plan
 
-    def test_those_who_fly_fast_do_not_pass_between_two_looks(self):
-        """Ten m/s towards each other: 1200 m in the minute between looks."""
+    def test_fast_agents_do_not_pass_between_two_samples(self):
+        """Ten m/s towards each other: 1200 m in the minute between samples."""
         metre = 1.0 / 111e3
         for begin_s in np.arange(0.0, 60.0, 7.0):
             one = Track.of([(begin_s, 0.5, 1.0),

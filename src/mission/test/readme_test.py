@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""README.md tells the truth: commands marked to be run are run as they stand,
-in a running mission; the others name targets, arguments and files that exist;
-its tables are those of the code.
+"""README.md is correct: commands marked to be run succeed verbatim in a running
+mission; the others name targets, arguments and files that exist; its tables
+agree with the code.
 """
 
 import os
@@ -25,13 +25,13 @@ def read(*path):
 
 
 def blocks(info):
-    """Fenced blocks of the README whose info string is `info`."""
+    """Fenced blocks of the README with the info string `info`."""
     return re.findall(r'^```%s\n(.*?)^```$' % re.escape(info),
                       read('README.md'), re.MULTILINE | re.DOTALL)
 
 
 def table(header):
-    """Rows of the README's table whose first column is called `header`."""
+    """Rows of the README's table whose first column is headed `header`."""
     match = re.search(r'^\| %s \|.*\n\|[-| ]*\n((?:\|.*\n)+)' % header,
                       read('README.md'), re.MULTILINE)
     return [[cell.strip() for cell in line.strip('|').split('|')]
@@ -39,7 +39,7 @@ def table(header):
 
 
 def launch_arguments():
-    """Name to default of bringup.launch's arguments that can be passed."""
+    """Arguments of bringup.launch that can be passed: name to default."""
     tree = xml.etree.ElementTree.parse(
         os.path.join(ROOT, 'launch', 'bringup.launch'))
     return {arg.get('name'): arg.get('default') for arg in tree.iter('arg')
@@ -109,7 +109,9 @@ class ReadmeTest(SmallMissionTestCase):
                 for name in os.listdir(os.path.join(ROOT, 'docs'))
                 if name.endswith('.md')]:
             folder = os.path.dirname(document)
-            for link in re.findall(r'\]\(([^)#]+)[^)]*\)', read(document)):
+            text = re.sub(r'^```.*?^```$', '', read(document),
+                          flags=re.MULTILINE | re.DOTALL)  # Not in code.
+            for link in re.findall(r'\]\(([^)#]+)[^)]*\)', text):
                 self.assertTrue(os.path.isfile(os.path.join(
                     ROOT, folder, link)), '%s: %s' % (document, link))
 

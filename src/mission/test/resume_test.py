@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A mission that is interrupted goes on where it was: same facts, same windows
-behind it, and one verdict on the whole.
+"""An interrupted mission resumes where it was: same facts, same executed
+windows, and one verdict on the whole mission.
 """
 
 import os
@@ -25,7 +25,8 @@ class ResumeTest(SmallMissionTestCase):
         self.assertTrue(report.accepted, report.reasons)
         self.mission.world.wait(lambda world: world.current_window == 2)
         self.mission.stop()
-        self.assertEqual([], self.mission.deaths(), self.mission.output()[-4000:])
+        self.assertEqual([], self.mission.deaths(),
+                         self.mission.output()[-4000:])
         again = RunningMission(**dict(self.arguments, state=self.mission.state,
                              once='true'))
         self.addCleanup(again.remove)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""rviz/mission.rviz draws what it should: proved by the pixels of a picture of
-the planned default mission, beside one of rviz without any node.
+"""rviz/mission.rviz displays the mission: checked by the pixels of a screenshot
+of the planned default mission and of one of rviz without any node.
 """
 
 import os
@@ -20,7 +20,7 @@ PICTURE_S = 240.0
 
 
 def picture(folder, name, **environment):
-    """Takes a picture; its pixels as rows x columns x RGB, of the map only."""
+    """Takes a screenshot; pixels of the map view, rows x columns x RGB."""
     path = os.path.join(folder, name)
     subprocess.run([SCRIPT, path], check=True, timeout=PICTURE_S,
                    stdout=subprocess.DEVNULL,
@@ -51,7 +51,7 @@ class RvizTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         with tempfile.TemporaryDirectory(prefix='kg_rviz_') as folder:
-            cls.empty = picture(folder, 'empty.png', HOUSE='none')
+            cls.empty = picture(folder, 'empty.png', NODES='none')
             cls.gulf = picture(folder, 'gulf.png')
 
     def test_the_heatmap_covers_the_gulf_with_more_than_one_value(self):
@@ -65,7 +65,7 @@ class RvizTest(unittest.TestCase):
         self.assertEqual(0.0, is_near(self.empty, LAND).mean())
 
     def test_every_agents_path_is_there(self):
-        # Bands of the committed paths, and a line of its own colour for each.
+        # Bands of the committed paths, and a line of each agent's colour.
         green = is_near(self.gulf, PATHS['alpha'], 60)
         self.assertGreater(green.sum(), 100)
         for agent, colour in PATHS.items():

@@ -1,6 +1,6 @@
-"""A small mission for tests that do not need a whole gulf: two agents, three
-daily windows, 60 x 50 cells, an eddy beside a coast, made anew from a seedless
-formula. Files are in HYCOM's packing.
+"""A small mission for tests: two agents, three daily windows, 60 x 50 cells, an
+eddy beside a coast, generated from closed formulas. The file is packed as
+HYCOM's are.
 """
 
 import os
@@ -84,7 +84,7 @@ PLANNERS = """\
 
 
 def write_mission(folder):
-    """mission.ttl, planners.launch and ocean.nc, in a folder that exists."""
+    """Writes mission.ttl, planners.launch and ocean.nc into a folder."""
     windows = ''.join(WINDOW % {'i': i, 'w': np.exp(-0.12 * i), 'day': 2 + i,
                                 'next': 3 + i} for i in range(WINDOWS))
     with open(os.path.join(folder, 'mission.ttl'), 'w') as file:
@@ -96,7 +96,7 @@ def write_mission(folder):
 
 
 def write_ocean(path, days=DAYS, all_land=False, without=()):
-    """The ocean file, or a damaged one of it; `days` from 1 June, 12:00."""
+    """Writes the ocean file or a faulty variant; `days` from 1 June, 12:00."""
     with netCDF4.Dataset(path, 'w', format='NETCDF3_CLASSIC') as file:
         _write_axes(file, days)
         time, y, x = np.meshgrid(np.arange(days), np.linspace(-1, 1, ROWS),

@@ -1,4 +1,4 @@
-"""A test case on the small mission, whose files stand in a folder of its own."""
+"""A test case on the small mission, whose files are in a temporary folder."""
 
 import os
 import shutil

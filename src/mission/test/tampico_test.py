@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Real currents off Tampico (borrowed temperature): ends with a plan, too."""
+"""Real currents off Tampico (temperature from elsewhere): results in a plan."""
 
 import os
 import sys
@@ -16,7 +16,7 @@ class TampicoTest(MissionTestCase):
         data = shared_data('gom_2020')
         if data is None:
             reason = 'no shared data folder gom_2020'
-            print('SKIPPED: ' + reason)  # rosunit's result forgets skips.
+            print('SKIPPED: ' + reason)  # rosunit's result omits skips.
             raise unittest.SkipTest(reason)
         cls.arguments = {'mission': 'tampico', 'data': data, 'sim': 'false'}
 

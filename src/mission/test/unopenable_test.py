@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A mission that cannot be opened: one clear line, a verdict that names it, and
-the mission starts as soon as its file is there.
+"""A mission that cannot be opened: one clear line, a verdict with the reason,
+and a start as soon as the missing file exists.
 """
 
 import os
@@ -39,7 +39,7 @@ class UnopenableTest(SmallMissionTestCase):
         mission.wait_for_plan()
 
     def test_zz_no_node_has_died(self):
-        """But for the verdict, whose end ends the launch."""
+        """Except verdict, whose exit ends the launch."""
         self.mission.stop()
         others = [line for line in self.mission.deaths()
                   if '[verdict' not in line]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Drones about a fire, in the wind: the same nodes, nothing of the sea, several
-waypoints in a window. The command of the README, to its end.
+"""Drones around a fire, in the wind: the same nodes with a wind field, several
+waypoints per window. Runs the README's command to its end.
 """
 
 import os
@@ -9,8 +9,8 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
-from mission_test import (CHANGE_S, ROOT, RunningMission, MissionTestCase, by_agent,
-                          main, track_deg, wait_until)
+from mission_test import (CHANGE_S, ROOT, MissionTestCase, RunningMission,
+                          by_agent, main, track_deg, wait_until)
 
 AGENTS = {'osprey', 'kestrel', 'harrier'}
 WINDOWS = 6
@@ -18,7 +18,7 @@ END_S = 200.0
 
 
 def readme_arguments():
-    """Of the README's command that starts this mission."""
+    """Launch arguments of the README's command for this mission."""
     with open(os.path.join(ROOT, 'README.md')) as file:
         line = re.search(r'^roslaunch mission bringup.launch '
                          r'(.*mission:=wildfire.*)$', file.read(), re.MULTILINE)
@@ -51,7 +51,8 @@ class WildfireTest(MissionTestCase):
 
     def test_2_the_work_field_is_the_wind(self):
         self.assertTrue(self.mission.ask(
-            'ASK { ?f a ex:WorkField ; sosa:observedProperty ex:windVelocity }'))
+            'ASK { ?f a ex:WorkField ; '
+            'sosa:observedProperty ex:windVelocity }'))
         self.assertFalse(self.mission.ask('ASK { ?f a ex:CurrentField }'))
 
     def test_3_stops_are_facts_in_their_order(self):
@@ -69,7 +70,7 @@ class WildfireTest(MissionTestCase):
             'ASK { ?x a ex:Assignment ; ex:stopsWKT ?wkt }'))
 
     def test_4_the_readmes_command_ends_without_a_violation(self):
-        self.mission.stop()  # One master, one mission.
+        self.mission.stop()  # Only one mission per ROS master.
         arguments = readme_arguments()
         self.assertEqual('true', arguments['once'])
         mission = RunningMission(**arguments)

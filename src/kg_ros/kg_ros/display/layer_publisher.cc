@@ -5,8 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "kg_core/base/input_error.h"
 #include "kg_engine/display/layers.h"
 #include "kg_ros/base/names.h"
+#include "kg_ros/display/clicked_point.h"
 #include "kg_ros/display/raster_map.h"
 #include "kg_ros/display/work_marker.h"
 #include "ros/console.h"
@@ -121,14 +123,19 @@ void LayerPublisher::ShowClick(const std::string& agent_id,
 
 void LayerPublisher::HandleClick(const geometry_msgs::PointStamped& message) {
   if (scene_.compilation == nullptr) return;
-  const kg_core::LonLat place =
-      map_.Inverse({message.point.x, message.point.y});
+  kg_core::LonLat place;
+  try {
+    place = ToPosition(message, frames_, map_);
+  } catch (const kg_core::InputError& error) {
+    ROS_WARN("[display] clicked point ignored: %s", error.what());
+    return;
+  }
   const kg_core::Grid& grid = scene_.compilation->tensors.front()->grid;
-  if (message.header.frame_id != kMapFrame || !grid.CellAt(place)) {
+  if (!grid.CellAt(place)) {
     ROS_WARN(
-        "[display] clicked point refused: expected one on the grid, in the "
-        "frame %s, not (%g, %g) in '%s'",
-        kMapFrame, message.point.x, message.point.y,
+        "[display] clicked point ignored: (%g, %g, %g) in frame '%s' is "
+        "outside the mission's grid",
+        message.point.x, message.point.y, message.point.z,
         message.header.frame_id.c_str());
     return;
   }

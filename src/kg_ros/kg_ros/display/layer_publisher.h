@@ -17,6 +17,8 @@
 #include "nav_msgs/OccupancyGrid.h"
 #include "ros/node_handle.h"
 #include "ros/subscriber.h"
+#include "tf2_ros/buffer.h"
+#include "tf2_ros/transform_listener.h"
 #include "visualization_msgs/Marker.h"
 
 namespace kg_ros {
@@ -43,6 +45,8 @@ class LayerPublisher {
   void ShowClick(const std::string& agent_id, const kg_engine::AgentView& view);
 
   ros::NodeHandle node_;
+  tf2_ros::Buffer frames_;
+  tf2_ros::TransformListener frame_listener_{frames_};
   ros::Subscriber clicks_;
   kg_engine::Scene scene_;
   kg_core::MapProjection map_{kg_core::LonLat{}};
