@@ -55,7 +55,7 @@ void Describe(const NavGraphOrigin& origin, const kg_core::Mission& mission,
 }
 
 // The node that an edge into the window leaves from.
-Term BeginOf(const TraverseEdge& edge, const NavGraphPlace& place) {
+Term EdgeBegin(const TraverseEdge& edge, const NavGraphPlace& place) {
   if (place.previous_hash.empty()) return Iri(place.start_iri);
   return WaypointOf(NavGraphNode(place.previous_hash), edge.from);
 }
@@ -175,7 +175,7 @@ std::vector<kg_core::Statement> NavGraphStatements(
   }
   for (const TraverseEdge& edge : graph.edges) {
     WriteEdge(edge, EdgeNode(graph.hash, edge.from, kg_compiler::StopsOf(edge)),
-              BeginOf(edge, place), graph, &write);
+              EdgeBegin(edge, place), graph, &write);
   }
   for (const TraverseEdge& edge : graph.inner_edges) {
     WriteEdge(edge, InnerEdgeNode(graph.hash, edge.from, edge.to),

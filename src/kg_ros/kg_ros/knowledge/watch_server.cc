@@ -136,7 +136,7 @@ void WatchServer::LookAt(const std::string& id) {
   if (!answer->error.empty()) {
     ROS_WARN_STREAM("[watch] " << id << ": " << answer->error);
   }
-  kg_msgs::WatchedAnswer message = ToMessage(*answer);
+  kg_msgs::WatchedAnswer message = AnswerMessage(*answer);
   message.header.stamp = ros::Time::now();
   watched_.publish(message);
 }
