@@ -51,7 +51,7 @@ class RvizTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         with tempfile.TemporaryDirectory(prefix='kg_rviz_') as folder:
-            cls.empty = picture(folder, 'empty.png', HOUSE='none')
+            cls.empty = picture(folder, 'empty.png', NODES='none')
             cls.gulf = picture(folder, 'gulf.png')
 
     def test_the_heatmap_covers_the_gulf_with_more_than_one_value(self):
