@@ -8,7 +8,8 @@ namespace kg_compiler {
 namespace {
 
 template <typename T>
-std::vector<T> Cut(const std::vector<T>& cells, int cols, const CellBox& box) {
+std::vector<T> CutPatch(const std::vector<T>& cells, int cols,
+                        const CellBox& box) {
   std::vector<T> cut;
   for (int row = box.row; row < box.row_end; ++row) {
     const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(row) * cols;
@@ -48,8 +49,8 @@ SeaSurface SurfaceOf(const MissionTensor& tensor) {
 
 SurfacePatch::SurfacePatch(const SeaSurface& surface, const CellBox& box)
     : box_(box),
-      open_(Cut(surface.open, surface.cols, box)),
-      attenuation_(Cut(surface.attenuation, surface.cols, box)) {}
+      open_(CutPatch(surface.open, surface.cols, box)),
+      attenuation_(CutPatch(surface.attenuation, surface.cols, box)) {}
 
 bool SurfacePatch::SameOpen(const SeaSurface& other, const CellBox& box) const {
   return Same(open_, box_, other.open, other.cols, box);

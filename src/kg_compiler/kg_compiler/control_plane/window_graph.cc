@@ -257,7 +257,7 @@ void HashRules(const SeamRules& rules, kg_core::Hasher* hash) {
   hash->Add(Name(rules.movement_mode));
 }
 
-void HashWindow(const WindowRules& window, kg_core::Hasher* hash) {
+void HashGraphWindow(const WindowRules& window, kg_core::Hasher* hash) {
   for (const double value :
        {static_cast<double>(window.window), window.begin_s, window.end_s,
         window.confidence, window.base_travel_m,
@@ -279,7 +279,7 @@ void HashWindow(const WindowRules& window, kg_core::Hasher* hash) {
 std::string WindowGraphHash(const WindowInputs& inputs) {
   kg_core::Hasher hash;
   HashRules(*inputs.rules, &hash);
-  HashWindow(*inputs.window, &hash);
+  HashGraphWindow(*inputs.window, &hash);
   hash.Add(inputs.world.tensor->hash);
   hash.Add(inputs.window->field_hash.empty() ? inputs.world.field->Hash()
                                              : inputs.window->field_hash);

@@ -9,7 +9,7 @@
 namespace kg_compiler {
 namespace {
 
-constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoFront = std::numeric_limits<float>::quiet_NaN();
 
 // Kilometres from each row to the next, and per degree of longitude in a row.
 struct Scales {
@@ -65,7 +65,7 @@ class Gradient {
         reach_(op == kg_core::FrontOperator::kSobel ? 1 : 0) {}
 
   float At(int r, int c) const {
-    if (!std::isfinite(Value(r, c))) return kNoData;
+    if (!std::isfinite(Value(r, c))) return kNoFront;
     double east = 0.0, north = 0.0, east_weight = 0.0, north_weight = 0.0;
     for (int k = -reach_; k <= reach_; ++k) {
       const double weight = k == 0 ? 2.0 : 1.0;
@@ -86,7 +86,7 @@ class Gradient {
 
  private:
   double Value(int r, int c) const {
-    return grid_.Contains({r, c}) ? values_[grid_.Index({r, c})] : kNoData;
+    return grid_.Contains({r, c}) ? values_[grid_.Index({r, c})] : kNoFront;
   }
   bool Eastward(int r, int c, double* slope) const {
     if (r < 0 || r >= grid_.rows()) return false;

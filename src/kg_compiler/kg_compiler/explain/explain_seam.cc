@@ -9,7 +9,7 @@
 namespace kg_compiler {
 namespace {
 
-std::string Hours(double seconds) {
+std::string HoursText(double seconds) {
   return Short(seconds / kg_core::kSecondsPerHour) + " h";
 }
 std::string WattHours(double joules) {
@@ -49,7 +49,8 @@ class SeamExplainer {
 
   void AddTime() {
     Add(in_.rules->weights.time_per_s * flight_.travel_s, "lambda_time * t",
-        "time: ex:lambda_time for " + Hours(flight_.travel_s) + " under way",
+        "time: ex:lambda_time for " + HoursText(flight_.travel_s) +
+            " under way",
         facts_.Policy(*in_.agent, {"ex:lambda_time"}) +
             MotionFacts(in_, facts_));
   }
@@ -73,7 +74,7 @@ class SeamExplainer {
         "energy on station: ex:lambda_energy for " + WattHours(held_j), swims);
     Add(weight * hotel_j, "lambda_energy * hotel_load",
         "hotel load: ex:lambda_energy for " + WattHours(hotel_j) + " in " +
-            Hours(whole_s),
+            HoursText(whole_s),
         policy + facts_.Capabilities(*in_.agent, {"ex:hotelLoadW"}) +
             WindowFacts());
   }
@@ -89,7 +90,7 @@ class SeamExplainer {
       facts = std::move(facts) + facts_.Constraint(*in_.agent, constraint);
     }
     Add(value, "lambda_risk * H",
-        "risk: ex:lambda_risk for " + Hours(flight_.hazard_s) +
+        "risk: ex:lambda_risk for " + HoursText(flight_.hazard_s) +
             " at hazard 1, near what is forbidden or in soft zones",
         std::move(facts));
   }
@@ -100,7 +101,7 @@ class SeamExplainer {
     const double share = edge_.isolation_s / flight_.travel_s;
     const double others = in_.rules->weights.isolation / share - 1.0;
     Add(value, "lambda_risk * I",
-        "isolation: ex:lambda_risk for " + Hours(flight_.travel_s) +
+        "isolation: ex:lambda_risk for " + HoursText(flight_.travel_s) +
             " at ex:isolationWeight " + Short(in_.rules->weights.isolation) +
             " / (1 + " + Short(others) +
             "), the other waypoints within half of the base travel",

@@ -4,10 +4,11 @@
 #include <limits>
 #include <utility>
 
+#include "kg_planner/k_best/no_value.h"
+
 namespace kg_planner {
 namespace {
 
-constexpr double kNone = -std::numeric_limits<double>::infinity();
 constexpr std::size_t kKeptNodes = 12;  // A stage.
 
 // Those of the largest max-marginals that a path leads through, ascending.

@@ -6,6 +6,7 @@
 
 #include "kg_planner/k_best/k_best_memory.h"
 #include "kg_planner/k_best/limited_search.h"
+#include "kg_planner/k_best/no_value.h"
 #include "kg_planner/k_best/path_enumerator.h"
 #include "kg_planner/k_best/path_value.h"
 #include "kg_planner/k_best/resource_prices.h"
@@ -15,8 +16,6 @@
 namespace kg_planner {
 namespace {
 
-constexpr double kNone = -std::numeric_limits<double>::infinity();
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 // Looked at before the resources get prices.
 constexpr std::size_t kUnpricedPaths = 500;
 

@@ -4,13 +4,9 @@
 #include <limits>
 #include <utility>
 
+#include "kg_planner/k_best/no_value.h"
+
 namespace kg_planner {
-namespace {
-
-constexpr double kNone = -std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 MaxMarginals::MaxMarginals(const SearchTrellis& search, const ScoreGrid& grid,
                            const Prices& prices,
                            const std::vector<ViterbiLevel>& levels)

@@ -4,13 +4,9 @@
 #include <limits>
 #include <utility>
 
+#include "kg_planner/k_best/no_value.h"
+
 namespace kg_planner {
-namespace {
-
-constexpr double kNone = -std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 PathEnumerator::PathEnumerator(const SearchTrellis& search,
                                const ScoreGrid& grid, Prices prices,
                                Tables tables)

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "kg_planner/k_best/no_value.h"
 #include "kg_planner/k_best/row_kernel.h"
 #include "kg_planner/trellis/score_grid.h"
 #include "kg_planner/trellis/survey.h"
@@ -13,8 +14,6 @@
 namespace kg_planner {
 namespace {
 
-constexpr double kNone = -std::numeric_limits<double>::infinity();
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 // Seams of a stage that its largest cost is guessed from.
 constexpr std::size_t kSample = 512;
 

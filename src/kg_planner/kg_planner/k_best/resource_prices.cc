@@ -5,10 +5,11 @@
 #include <limits>
 #include <optional>
 
+#include "kg_planner/k_best/no_value.h"
+
 namespace kg_planner {
 namespace {
 
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr int kSecants = 30;
 constexpr int kDoublings = 60;
 constexpr int kSteps = 120;

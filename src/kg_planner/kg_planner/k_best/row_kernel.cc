@@ -17,6 +17,8 @@
 
 #define KG_INLINE inline __attribute__((always_inline))
 
+#include "kg_planner/k_best/no_value.h"
+
 namespace kg_planner {
 namespace {
 
@@ -36,7 +38,6 @@ using LooseReals = double __attribute__((vector_size(32), aligned(8)));
 using LooseWords =
     std::uint64_t __attribute__((vector_size(32), aligned(8), may_alias));
 
-constexpr double kNone = -std::numeric_limits<double>::infinity();
 constexpr std::uint64_t kNextTo = std::uint64_t{1} << 32;
 // Added to what is not finite, this reaches the sign bit; never to a sound e.
 constexpr std::uint64_t kExponentOne = std::uint64_t{1} << 52;

@@ -48,7 +48,7 @@ bool IsMetric(const Orienteering& problem) {
   return true;
 }
 
-struct Label {
+struct TourLabel {
   PointSet closed;  // Visited, or out of reach from here.
   double reward = 0.0;
   double length = 0.0;
@@ -58,9 +58,10 @@ struct Label {
   bool dominated = false;
 };
 
-class Labels {
+class TourLabels {
  public:
-  Labels(const Orienteering& problem, std::size_t max_labels, const Tour& known)
+  TourLabels(const Orienteering& problem, std::size_t max_labels,
+             const Tour& known)
       : problem_(problem), max_labels_(max_labels) {
     const int last = problem.size() - 1;
     for (int p = 1; p < last; ++p) {
@@ -77,7 +78,7 @@ class Labels {
     best_.bound = 0.0;
     for (double reward : problem_.rewards) best_.bound += std::max(0.0, reward);
     if (points_.size() > 64 * kWords || !IsMetric(problem_)) return best_;
-    Label start;
+    TourLabel start;
     Bound(&start);
     labels_.push_back(start);
     open_.push({0.0, 0});
@@ -95,7 +96,7 @@ class Labels {
   int PointOf(int end) const { return end < 0 ? 0 : points_[end]; }
 
   // Closes what is out of reach, and adds up what is not.
-  void Bound(Label* label) const {
+  void Bound(TourLabel* label) const {
     const int last = problem_.size() - 1;
     label->bound = label->reward;
     for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
@@ -116,9 +117,9 @@ class Labels {
       return true;
     }
     for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
-      const Label from = labels_[at];
+      const TourLabel from = labels_[at];
       if (from.closed.Has(i)) continue;
-      Label to = from;
+      TourLabel to = from;
       to.length += problem_.length(PointOf(from.end), points_[i]);
       to.reward += problem_.rewards[points_[i]];
       to.end = i;
@@ -134,7 +135,7 @@ class Labels {
   }
 
   // False if there are too many.
-  bool Add(const Label& label) {
+  bool Add(const TourLabel& label) {
     for (int other : at_end_[label.end]) {
       if (Dominates(labels_[other], label)) return true;
     }
@@ -154,7 +155,7 @@ class Labels {
     return true;
   }
 
-  static bool Dominates(const Label& a, const Label& b) {
+  static bool Dominates(const TourLabel& a, const TourLabel& b) {
     return a.length <= b.length && a.reward >= b.reward &&
            a.closed.IsWithin(b.closed);
   }
@@ -171,7 +172,7 @@ class Labels {
   const Orienteering& problem_;
   const std::size_t max_labels_;
   std::vector<int> points_;
-  std::vector<Label> labels_;
+  std::vector<TourLabel> labels_;
   std::vector<std::vector<int>> at_end_;  // By point, labels not dominated.
   using Item = std::pair<double, int>;    // The shortest first.
   std::priority_queue<Item, std::vector<Item>, std::greater<>> open_;
@@ -185,7 +186,7 @@ std::optional<ExactTour> FindExactTour(const Orienteering& problem,
                                        const Tour& known) {
   Check(problem);
   if (!IsPossible(problem)) return std::nullopt;
-  return Labels(problem, max_labels, known).Search();
+  return TourLabels(problem, max_labels, known).Search();
 }
 
 }  // namespace kg_planner

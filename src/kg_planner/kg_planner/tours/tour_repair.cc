@@ -10,7 +10,7 @@ namespace kg_planner {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kGrain = 1e-9;  // Of lengths, relative to the limit.
+constexpr double kRepairGrain = 1e-9;  // Of lengths, relative to the limit.
 constexpr double kBeyond = 0.4;  // Of the limit, at most, before points leave.
 constexpr double kFavoured = 0.6;  // Steps that favour a neighbourhood.
 constexpr double kFavour = 3.0;    // What is added to its weight, at most.
@@ -57,7 +57,7 @@ void TourSearch::Favour() {
 // Of a tour beyond the limit, takes out what weighs least for the length saved.
 void TourSearch::Drop(int tour) {
   const std::vector<int>& p = now_.tours[tour];
-  const double grain = kGrain * problem_.limit + 1e-300;
+  const double grain = kRepairGrain * problem_.limit + 1e-300;
   while (now_.lengths[tour] > problem_.limit && p.size() > 2) {
     double best_weight = kInfinity;  // The least rate, as a fraction.
     double best_saved = 1.0;
@@ -129,7 +129,7 @@ void TourSearch::Insert(int point, int tour) {
 
 // Inserts what weighs most for its detour, while anything fits.
 void TourSearch::Fill(double limit) {
-  const double grain = kGrain * problem_.limit + 1e-300;
+  const double grain = kRepairGrain * problem_.limit + 1e-300;
   for (int t = 0; t < problem_.tours; ++t) {
     Measure(t);
     for (int p : open_) places_[t][p] = BestPlace(p, t);

@@ -9,7 +9,7 @@
 namespace kg_ros::command {
 namespace {
 
-int Run(const Arguments& arguments) {
+int RunCheck(const Arguments& arguments) {
   arguments.ExpectWords(1, 1, "STORE");
   const Target target = OpenStore(arguments.words[0]);
   kg_core::FileCache files(target.mission_folder,
@@ -37,6 +37,6 @@ const Subcommand kCheck = {
     "bit.\n\n"
     "  --data FOLDER  where the mission's files are looked up first\n",
     {{"--data", true}},
-    Run};
+    RunCheck};
 
 }  // namespace kg_ros::command

@@ -40,7 +40,7 @@ void WriteTable(const std::string& file,
   if (!out) throw kg_core::InputError(file + ": cannot be written");
 }
 
-int Run(const Arguments& arguments) {
+int RunConformance(const Arguments& arguments) {
   arguments.ExpectWords(1, 1000, "at least one FOLDER");
   std::vector<ConformanceTest> tests;
   for (const std::string& folder : arguments.words) {
@@ -68,6 +68,6 @@ const Subcommand kConformance = {
     "none passed.\n\n"
     "  --table FILE  also write the outcomes as a table in Markdown\n",
     {{"--table", true}},
-    Run};
+    RunConformance};
 
 }  // namespace kg_ros::command

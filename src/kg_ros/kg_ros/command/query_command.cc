@@ -17,7 +17,7 @@ namespace {
 
 using kg_core::QueryResult;
 
-constexpr std::size_t kMostBytes = 1u << 20;
+constexpr std::size_t kMaxQueryBytes = 1u << 20;
 
 // -e TEXT, a file, or standard input.
 std::string QueryText(const Arguments& arguments) {
@@ -27,7 +27,7 @@ std::string QueryText(const Arguments& arguments) {
   }
   if (text) return *text;
   if (arguments.words.size() > 1) {
-    return kg_core::ReadFile(arguments.words[1], kMostBytes);
+    return kg_core::ReadFile(arguments.words[1], kMaxQueryBytes);
   }
   return {std::istreambuf_iterator<char>(std::cin), {}};
 }
@@ -51,7 +51,7 @@ std::string Written(const QueryResult& result, const std::string& format) {
                    "; expected text, json, xml, csv, tsv or turtle");
 }
 
-int Run(const Arguments& arguments) {
+int RunQuery(const Arguments& arguments) {
   arguments.ExpectWords(1, 2, "TARGET and at most one file");
   const std::string format = arguments.One("--format").value_or("text");
   const std::string text = QueryText(arguments);
@@ -80,6 +80,6 @@ const Subcommand kQuery = {
     "                   CONSTRUCT and DESCRIBE\n"
     "  --data FOLDER    where a mission's files are looked up first\n",
     {{"-e", true}, {"--format", true}, {"--data", true}},
-    Run};
+    RunQuery};
 
 }  // namespace kg_ros::command

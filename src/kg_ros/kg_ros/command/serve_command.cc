@@ -56,7 +56,7 @@ sigset_t BlockEndSignals() {
   return signals;
 }
 
-int Run(const Arguments& arguments) {
+int RunServe(const Arguments& arguments) {
   arguments.ExpectWords(1, 1, "TARGET");
   HttpDoorOptions options;
   options.port = ReadPort(arguments);
@@ -101,6 +101,6 @@ const Subcommand kServe = {
      {"--token-file", true},
      {"--writable"},
      {"--data", true}},
-    Run};
+    RunServe};
 
 }  // namespace kg_ros::command

@@ -15,7 +15,7 @@ namespace {
 using kg_core::Fact;
 using kg_core::FactUpdate;
 
-constexpr std::size_t kMostBytes = 64u << 20;
+constexpr std::size_t kMaxUpdateBytes = 64u << 20;
 
 // "set", "add" and "remove" with their facts, word by word.
 void ReadFact(const std::vector<std::string>& words, FactUpdate* update) {
@@ -37,7 +37,7 @@ void ReadFact(const std::vector<std::string>& words, FactUpdate* update) {
 }
 
 void ReadUpdateFile(const std::string& file, FactUpdate* update) {
-  const std::string text = kg_core::ReadFile(file, kMostBytes);
+  const std::string text = kg_core::ReadFile(file, kMaxUpdateBytes);
   const auto* syntax = kg_core::SyntaxOfPath(file);
   const bool is_turtle =
       syntax != nullptr && syntax->syntax == kg_core::RdfSyntax::kTurtle;
@@ -68,7 +68,7 @@ FactUpdate ReadUpdate(const Arguments& arguments) {
   return update;
 }
 
-int Run(const Arguments& arguments) {
+int RunUpdate(const Arguments& arguments) {
   arguments.ExpectWords(1, 5, "TARGET and an update");
   const FactUpdate update = ReadUpdate(arguments);
   const std::string data = arguments.One("--data").value_or("");
@@ -103,6 +103,6 @@ const Subcommand kUpdate = {
     "  --check        only say whether it would be accepted\n"
     "  --data FOLDER  where a mission's files are looked up first\n",
     {{"--author", true}, {"--check"}, {"-e", true}, {"--data", true}},
-    Run};
+    RunUpdate};
 
 }  // namespace kg_ros::command

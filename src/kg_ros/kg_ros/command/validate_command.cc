@@ -46,7 +46,7 @@ int ValidateFile(const std::string& file, bool as_report) {
   return reasons.empty() ? kDone : kRefused;
 }
 
-int Run(const Arguments& arguments) {
+int RunValidate(const Arguments& arguments) {
   arguments.ExpectWords(1, 1, "one TARGET or file");
   const std::string& path = arguments.words[0];
   const bool as_report = arguments.Has("--report");
@@ -71,6 +71,6 @@ const Subcommand kValidate = {
     "refuse it is said: shapes, ontology, and whether it makes a mission.\n\n"
     "  --report  a W3C SHACL validation report in Turtle\n",
     {{"--report"}},
-    Run};
+    RunValidate};
 
 }  // namespace kg_ros::command

@@ -125,7 +125,7 @@ PlannedWorld Plan(const Target& target, const std::string& data_folder) {
   return world;
 }
 
-int Run(const Arguments& arguments) {
+int RunWhy(const Arguments& arguments) {
   arguments.ExpectWords(1, 1, "TARGET");
   const Question question = ReadQuestion(arguments);
   const std::string data = arguments.One("--data").value_or("");
@@ -170,6 +170,6 @@ const Subcommand kWhy = {
      {"--rejection", true},
      {"--json"},
      {"--data", true}},
-    Run};
+    RunWhy};
 
 }  // namespace kg_ros::command

@@ -52,8 +52,8 @@ void Describe(const NavGraphOrigin& origin, const kg_core::Mission& mission,
       .Text("hash", origin.stamp.hash);
 }
 
-Term BeginOf(const kg_msgs::TraverseEdge& edge, const Term& graph,
-             const NavGraphPlace& place) {
+Term EdgeBegin(const kg_msgs::TraverseEdge& edge, const Term& graph,
+               const NavGraphPlace& place) {
   if (edge.within_window) return WaypointOf(graph, edge.from);
   if (place.previous_hash.empty()) return Iri(place.start_iri);
   return WaypointOf(NavGraphNode(place.previous_hash), edge.from);
@@ -166,7 +166,7 @@ std::vector<kg_core::Statement> NavGraphStatements(
   }
   for (const kg_msgs::TraverseEdge& edge : graph.edges) {
     const Term edge_node = NodeOf(edge, graph.hash);
-    const Term from = BeginOf(edge, node, place);
+    const Term from = EdgeBegin(edge, node, place);
     write.About(edge_node, "TraverseEdge")
         .Link("inGraph", node)
         .Link("from", from)

@@ -34,7 +34,7 @@ std::string RowsJson(const std::vector<std::string>& variables,
   return kg_core::ToJson(result);
 }
 
-kg_msgs::WatchedAnswer ToMessage(const kg_core::WatchedAnswer& answer) {
+kg_msgs::WatchedAnswer AnswerMessage(const kg_core::WatchedAnswer& answer) {
   const std::vector<std::string>& variables = answer.answer.variables;
   kg_msgs::WatchedAnswer message;
   message.header.stamp = ros::Time::now();
@@ -156,7 +156,7 @@ void WatchServer::LookAt(const std::string& id) {
   if (!answer->error.empty()) {
     ROS_WARN_STREAM("[watch] " << id << ": " << answer->error);
   }
-  watched_.publish(ToMessage(*answer));
+  watched_.publish(AnswerMessage(*answer));
 }
 
 bool WatchServer::RestFor(double seconds) {

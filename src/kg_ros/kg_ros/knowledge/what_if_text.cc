@@ -15,7 +15,7 @@ std::string Print(const char* format, Values... values) {
   return text;
 }
 
-double Wh(double energy_j) { return energy_j / kg_core::kJoulesPerWh; }
+double ToWh(double energy_j) { return energy_j / kg_core::kJoulesPerWh; }
 
 std::string DirtyLine(const kg_msgs::WhatIfResponse& answer) {
   if (answer.dirty.empty()) return "nothing to compile anew\n";
@@ -68,15 +68,15 @@ std::string PathLine(const kg_msgs::PathChange& change) {
     return change.agent +
            Print(": gets a path; reward %.2f, seam cost %.2f, energy %.1f Wh\n",
                  change.after.reward, change.after.seam_cost,
-                 Wh(change.after.energy_j));
+                 ToWh(change.after.energy_j));
   }
   if (!change.changed) return change.agent + ": the same path\n";
   return change.agent + ": " + OtherStops(change) +
          Print("; reward %.2f -> %.2f, seam cost %.2f -> %.2f, ",
                change.before.reward, change.after.reward,
                change.before.seam_cost, change.after.seam_cost) +
-         Print("energy %.1f -> %.1f Wh\n", Wh(change.before.energy_j),
-               Wh(change.after.energy_j));
+         Print("energy %.1f -> %.1f Wh\n", ToWh(change.before.energy_j),
+               ToWh(change.after.energy_j));
 }
 
 std::string Changes(const kg_msgs::WhatIfResponse& answer) {
@@ -90,7 +90,7 @@ std::string Changes(const kg_msgs::WhatIfResponse& answer) {
             "\n";
   }
   return text + Print("team: reward %+.2f, energy %+.1f Wh\n",
-                      answer.reward_change, Wh(answer.energy_change_j));
+                      answer.reward_change, ToWh(answer.energy_change_j));
 }
 
 }  // namespace

@@ -17,7 +17,6 @@ namespace {
 using kg_compiler::Explanation;
 using kg_core::InputError;
 using kg_selector::ConflictKind;
-using kg_selector::PlannedWorld;
 using kg_selector::Question;
 using kg_selector::TeamMember;
 using kg_selector::Why;
@@ -51,7 +50,7 @@ kg_selector::Rejection ToRejection(const kg_msgs::Rejection& message) {
   return rejection;
 }
 
-void AddPlan(const PlanRecord& record, PlannedWorld* world) {
+void AddPlan(const PlanRecord& record, kg_selector::PlannedWorld* world) {
   const kg_msgs::Assignments& plan = record.assignments;
   world->has_plan = true;
   world->run_iri = PlanRunNode(plan.plan_run).text;
@@ -143,7 +142,7 @@ void PlanArchive::Commit(const PlanRecord& record,
 }
 
 PlanArchive::World PlanArchive::Convert(const Cycle& cycle) {
-  auto world = std::make_shared<PlannedWorld>();
+  auto world = std::make_shared<kg_selector::PlannedWorld>();
   world->view = cycle.view;
   world->compilation = cycle.compilation;
   world->rules = kg_selector::ToTeamRules(*cycle.compilation);

@@ -17,7 +17,7 @@ using kg_compiler::Difference;
 using kg_compiler::MissionCompiler;
 using CompilationPtr = std::shared_ptr<const Compilation>;
 
-class Stopwatch {
+class CheckTimer {
  public:
   double seconds() const {
     return std::chrono::duration<double>(Clock::now() - begin_).count();
@@ -65,12 +65,12 @@ template <typename Compare>
 kg_msgs::CheckResponse Check(const kg_core::GraphView& view,
                              const StartState& start, kg_core::FileCache* files,
                              const Compare& compare) {
-  const Stopwatch watch;
+  const CheckTimer watch;
   kg_msgs::CheckResponse answer;
   answer.world_version = view.world_version();
   try {
     const Task task = TaskOf(view, start);
-    const Stopwatch compiling;
+    const CheckTimer compiling;
     MissionCompiler fresh(files);
     const CompilationPtr anew = task.By(&fresh);
     answer.compile_s = compiling.seconds();

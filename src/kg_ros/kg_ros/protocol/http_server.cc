@@ -107,10 +107,12 @@ class DeadlineStream : public httplib::Stream {
   size_t filled_ = 0;
 };
 
-// Lets so many in at once, others wait.
-class Turnstile {
+}  // namespace
+
+// At most so many callers inside at once; the others wait.
+class AnswerSlots {
  public:
-  explicit Turnstile(int places) : places_(places) {}
+  explicit AnswerSlots(int places) : places_(places) {}
 
   bool Enter(double patience_s) {
     std::unique_lock<std::mutex> lock(mutex_);
@@ -134,6 +136,8 @@ class Turnstile {
   std::condition_variable freed_;
   int places_;
 };
+
+namespace {
 
 HttpRequest FromHttplib(const httplib::Request& request, std::string body) {
   HttpRequest out;
@@ -180,7 +184,7 @@ class HttpServer::Listener : public httplib::Server {
   Listener(const HttpServerOptions& options, HttpServer::Handler handler)
       : options_(options),
         handler_(std::move(handler)),
-        turnstile_(options.answers) {
+        slots_(options.answers) {
     set_payload_max_length(options.body_bytes);
     set_socket_options(SetSocketOptions);
     new_task_queue = [this] {
@@ -265,11 +269,11 @@ class HttpServer::Listener : public httplib::Server {
   }
 
   HttpResponse Answer(const HttpRequest& request) {
-    if (!turnstile_.Enter(options_.request_s)) {
+    if (!slots_.Enter(options_.request_s)) {
       return Refusal(kg_core::kUnavailable, "too many requests at once");
     }
     HttpResponse response = handler_(request);  // Does not throw.
-    turnstile_.Leave();
+    slots_.Leave();
     return response;
   }
 
@@ -286,7 +290,7 @@ class HttpServer::Listener : public httplib::Server {
 
   const HttpServerOptions options_;
   const HttpServer::Handler handler_;
-  Turnstile turnstile_;
+  AnswerSlots slots_;
   std::atomic<bool> stopping_{false};
   int port_ = -1;
   std::thread thread_;

@@ -16,7 +16,7 @@ using kg_compiler::Short;
 using kg_core::Agent;
 using kg_core::InputError;
 
-std::string WindowName(int window) {
+std::string PlanWindowName(int window) {
   return "window " + std::to_string(window);
 }
 
@@ -49,7 +49,7 @@ const kg_compiler::TraverseEdge& EdgeAsked(const TeamMember& member,
   throw InputError(
       "no edge leads from waypoint " + std::to_string(question.from) + " to " +
       std::to_string(question.to) + ByWay(question.via) + " in " +
-      WindowName(question.window) + " of " + member.rules.agent_id +
+      PlanWindowName(question.window) + " of " + member.rules.agent_id +
       ": it has " + std::to_string(graph.waypoints.size()) + " waypoints and " +
       std::to_string(graph.edges.size()) + " edges");
 }
@@ -66,7 +66,7 @@ Explanation ExplainEdge(const PlannedWorld& world, const Agent& agent,
   explanation.text =
       "The way of " + agent.id + " from waypoint " + std::to_string(edge.from) +
       " to " + std::to_string(edge.to) + ByWay(edge.via) + " in " +
-      WindowName(question.window) + " costs " + Short(explanation.value) +
+      PlanWindowName(question.window) + " costs " + Short(explanation.value) +
       ": " + Short(edge.flight.travel_s / 3600.0) + " h, " +
       Short(edge.flight.energy_j / 3600.0) + " Wh.";
   return explanation;

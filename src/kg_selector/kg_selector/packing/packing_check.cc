@@ -13,13 +13,13 @@ namespace {
   throw std::invalid_argument(what + " " + std::to_string(index) + ": " + why);
 }
 
-bool IsIndex(int index, std::size_t size) {
+bool IsIndexOf(int index, std::size_t size) {
   return index >= 0 && index < static_cast<int>(size);
 }
 
 void CheckColumn(const Packing& packing, std::size_t index) {
   const Column& column = packing.columns[index];
-  if (!IsIndex(column.agent, packing.agent_counts.size())) {
+  if (!IsIndexOf(column.agent, packing.agent_counts.size())) {
     Refuse("column", index, "no such agent");
   }
   if (!std::isfinite(column.score) || !std::isfinite(column.load)) {
@@ -27,7 +27,7 @@ void CheckColumn(const Packing& packing, std::size_t index) {
   }
   std::set<int> rows;
   for (int row : column.rows) {
-    if (!IsIndex(row, packing.row_capacities.size())) {
+    if (!IsIndexOf(row, packing.row_capacities.size())) {
       Refuse("column", index, "no such row");
     }
     if (!rows.insert(row).second) Refuse("column", index, "a row twice");
@@ -62,8 +62,8 @@ void Check(const Packing& packing) {
   }
   for (std::size_t i = 0; i < packing.conflicts.size(); ++i) {
     const auto [a, b] = packing.conflicts[i];
-    if (!IsIndex(a, packing.columns.size()) ||
-        !IsIndex(b, packing.columns.size()) || a == b) {
+    if (!IsIndexOf(a, packing.columns.size()) ||
+        !IsIndexOf(b, packing.columns.size()) || a == b) {
       Refuse("conflict", i, "not between two columns");
     }
   }

@@ -87,7 +87,7 @@ std::vector<Graphs> CompileAll(const Compilation& compilation,
   return made;
 }
 
-double SecondsSince(std::chrono::steady_clock::time_point begin) {
+double ElapsedSeconds(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
       .count();
 }
@@ -153,7 +153,7 @@ PlannedMission PlanMission(const Compilation& compilation,
   PlannedMission planned;
   const auto begin = std::chrono::steady_clock::now();
   std::vector<Graphs> graphs = CompileAll(compilation, previous);
-  planned.stage_seconds["graphs"] = SecondsSince(begin);
+  planned.stage_seconds["graphs"] = ElapsedSeconds(begin);
   planned.rules = ToTeamRules(compilation);
   for (const SeamRules& rules : compilation.rules) {
     Graphs& made = graphs[planned.members.size()];
@@ -164,7 +164,7 @@ PlannedMission PlanMission(const Compilation& compilation,
   }
   const auto graphs_made = std::chrono::steady_clock::now();
   planned.plan = PlanTeam(planned.rules, planned.members);
-  planned.stage_seconds["team"] = SecondsSince(graphs_made);
+  planned.stage_seconds["team"] = ElapsedSeconds(graphs_made);
   TellWhy(planned.unplannable, &planned.plan);
   return planned;
 }

@@ -10,7 +10,7 @@ namespace {
 // Of the rounds, how many may go into prices.
 constexpr double kPriceShare = 0.5;
 // Columns of an agent that are tried: every round, and at the end of a phase.
-constexpr int kFewColumns = 15;
+constexpr int kKeptColumns = 15;
 constexpr int kManyColumns = 100;
 // Groups may lead so far below the best plan, at first: of the plan's score,
 // over the square of the number of agents. In large teams better moves abound.
@@ -50,7 +50,7 @@ ColumnAsks PricedSearch::AfterPrices(const TeamColumns& pool,
   prices_.Learn(pool.capacities(), AnswersOf(pool, answers));
   partial_.assign(pool.agents(), kNobody);
   Fit(pool, answers);
-  Keep(pool, partial_, kFewColumns);
+  Keep(pool, partial_, kKeptColumns);
   if (IsCloseEnough(pool)) return AskUnserved();
   if (rounds_ < kPriceShare * options_.max_rounds && !prices_.settled())
     return AskAtPrices(pool);
