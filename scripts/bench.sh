@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Builds and runs every benchmark program (devel/lib/*/*_bench).
 #     scripts/bench.sh [--only=NAME] [ARGUMENT OF EVERY PROGRAM...]
-# NAME is part of a program's name: --only=store runs store_bench alone;
-# --triples=100000,1000000,3000000 gives it those sizes. It measures rdflib
-# beside, and Oxigraph if npm can fetch it. --quick is the short form: small
-# sizes and few rounds, to see that the programs work.
+# NAME is part of a program's name: --only=store runs store_bench only;
+# --triples=100000,1000000,3000000 sets its sizes. store_bench also measures rdflib,
+# and Oxigraph if npm can fetch it. --quick is a short check that the programs run:
+# small sizes, few rounds.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 source "$repository/scripts/stage.sh"
@@ -19,13 +19,13 @@ for argument in "$@"; do
 done
 
 "$repository/scripts/install_packages.sh" base
-"$repository/scripts/build.sh"
+"$repository/scripts/build.sh" all benches
 use_workspace
 shopt -s nullglob
 export KG_SHARED_DATA=${KG_SHARED_DATA:-$repository/../shared/data}
 programs=("$repository"/devel/lib/*/*"$only"*_bench)
 
-# find_peers: sets KG_STORE_BENCH_PEERS; says which store is not compared.
+# find_peers: sets KG_STORE_BENCH_PEERS; prints which stores are not compared.
 find_peers() {
   local peers
   local rdflib="$repository/scripts/bench_store_rdflib.py"
@@ -44,7 +44,7 @@ find_peers() {
   export KG_STORE_BENCH_PEERS=${KG_STORE_BENCH_PEERS#;}
 }
 
-# find_numpy: sets KG_TENSOR_BENCH_NUMPY, if numpy is there.
+# find_numpy: sets KG_TENSOR_BENCH_NUMPY if numpy is installed.
 find_numpy() {
   if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
     KG_TENSOR_BENCH_NUMPY="/usr/bin/python3 '$repository/scripts/bench_tensor_numpy.py'"

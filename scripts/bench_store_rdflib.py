@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""rdflib's side of store_bench: bench_store_rdflib.py GRAPH.nt QUERIES
+"""rdflib in store_bench: bench_store_rdflib.py GRAPH.nt QUERIES
 
 Prints "name<TAB>milliseconds<TAB>rows" (see
 src/kg_core/kg_core/rdf/store_bench_main.cc). rdflib keeps its graph in memory,
@@ -53,7 +53,7 @@ def main():
 
 
 if __name__ == "__main__":
-    # rdflib walks a path by recursion, a call or more for each of its steps.
+    # rdflib evaluates a path by recursion, at least one call per step.
     sys.setrecursionlimit(1000000)
     threading.stack_size(1 << 29)
     thread = threading.Thread(target=main)

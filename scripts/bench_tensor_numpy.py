@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""numpy's side of tensor_bench: bench_tensor_numpy.py FOLDER ROWS COLS COUNT
+"""numpy in tensor_bench: bench_tensor_numpy.py FOLDER ROWS COLS COUNT
 
 Eq. 1 with whole arrays, as one writes it down, COUNT times; fails if U is not
 the one the C++ side left in FOLDER (to 1e-6).

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Installs, builds, and runs a mission: roslaunch mission bringup.launch ARGS.
 #     scripts/bringup.sh mission:=gulf once:=true rviz:=false
-# With once:=true the exit status is the verdict's: 0 only for a plan of every
-# agent without a violation. roslaunch itself says 0 whatever happened.
+# With once:=true the exit status is that of the verdict: 0 only if every agent has
+# a plan without violations. The exit status of roslaunch is always 0.
 set -euo pipefail
 given_master=${ROS_MASTER_URI:-}
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 source "$repository/scripts/stage.sh"
 
-# argument NAME DEFAULT ARGS...: the value of NAME:=value, the last one counts.
+# argument NAME DEFAULT ARGS...: the last value given as NAME:=value.
 argument() {
   local name=$1 value=$2
   for given in "${@:3}"; do
@@ -39,7 +39,7 @@ echo "         export ROS_MASTER_URI=$ROS_MASTER_URI" \
      "&& . scripts/environment.sh && . devel/setup.bash"
 echo "state:   $state"
 
-# In a process group of its own, so that an interrupt reaches roslaunch once.
+# In its own process group, so that an interrupt reaches roslaunch only once.
 began=$(date +%s.%N)
 set -m
 roslaunch mission bringup.launch "$@" "state:=$state" </dev/null &

@@ -17,7 +17,7 @@ REQUIRED = ("no_go", "capacity", "separation")
 
 
 def complaint(path, since_s):
-    """What is wrong with the verdict; None if nothing is."""
+    """The first defect of the verdict; None if there is none."""
     try:
         if not os.stat(path).st_mtime >= since_s:
             return "it is of an earlier run"

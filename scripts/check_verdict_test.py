@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The verdict decides the exit status: only a fresh, whole, clean plan is 0."""
+"""Exit status of a verdict: 0 only for a new, complete plan without violations."""
 
 import copy
 import json

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Removes everything that the commands here have made, the facts in state/ too.
+# Removes everything that these commands have written, including the facts in state/.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The commands of the Makefile: what they list, choose and refuse."""
+"""The commands of the Makefile: help, choice of master, environment, errors."""
 
 import pathlib
 import re

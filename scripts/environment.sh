@@ -1,9 +1,9 @@
-# Where ROS comes from, for every script here; to be sourced, also by hand:
+# ROS environment of all scripts; to be sourced, also by hand:
 #
 #     . scripts/environment.sh && . devel/setup.bash
 #
-# Debian's ROS stands in /usr and has no setup file of its own. Its Python must
-# be found first, and everything stays on the loopback interface.
+# Debian's ROS is installed in /usr without a setup file. Debian's Python must come
+# first in PATH. All ROS traffic stays on the loopback interface.
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Fetches Oxigraph from the npm registry into build/peers, once, and prints the
-# folder that require() starts from. Where npm is not there or finds nothing it
-# says so in one line and ends with 1.
+# folder that require() starts from. Without npm or
+# a connection it prints one line and exits with 1.
 set -euo pipefail
 folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/build/peers
 if [ ! -e "$folder/node_modules/oxigraph" ]; then

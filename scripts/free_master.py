@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints a master address on the loopback interface that nobody listens on:
+"""Prints a master address on the loopback interface that is not in use:
 the wanted one, else the same with the next free port.
 
     free_master.py http://127.0.0.1:11311
@@ -28,13 +28,13 @@ def is_free(host, port):
 def free_master(uri):
     address = urllib.parse.urlsplit(uri)
     if address.port is None:
-        raise SystemExit(f"ROS_MASTER_URI: {uri} names no port")
+        raise SystemExit(f"ROS_MASTER_URI: {uri} has no port")
     if address.hostname not in ("localhost", "127.0.0.1"):
         return uri
     for port in range(address.port, address.port + TRIES):
         if is_free(address.hostname, port):
             return f"http://{address.hostname}:{port}"
-    raise SystemExit(f"no free port from {address.port} on")
+    raise SystemExit(f"no free port at or above {address.port}")
 
 
 if __name__ == "__main__":

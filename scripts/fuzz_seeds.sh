@@ -1,4 +1,4 @@
-# Where each fuzzer begins: texts of the tree, one a file. To be sourced.
+# Seed inputs of each fuzzer, one per file. To be sourced.
 #     seeds_of_<fuzzer> FOLDER
 
 seeds_of_turtle() {

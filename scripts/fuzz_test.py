@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A short run of every fuzzer (long form: `make fuzz`); built before."""
+"""A short run of every fuzzer (long form: `make fuzz`); needs their build."""
 
 import os
 import pathlib

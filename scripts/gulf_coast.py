@@ -1,4 +1,4 @@
-"""The coast of the Gulf of Mexico as a hundred or so places a sailor knows.
+"""The coast of the Gulf of Mexico as about a hundred named places.
 
 Each place is (name, longitude_deg, latitude_deg, shelf_km) in WGS84, from
 general geographic knowledge, good to a few kilometres; between two places the

@@ -1,4 +1,4 @@
-"""The made flow of the Gulf: one stream function psi(lon, lat, day), m^2/s.
+"""The synthetic flow of the Gulf: one stream function psi(lon, lat, day), m^2/s.
 
     u = -(1/R) dpsi/dlat,   v = 1/(R cos lat) dpsi/dlon        (m/s)
 
@@ -93,7 +93,7 @@ def _small_eddies(rng, lon, lat):
 
 
 class Flow:
-    """psi of any day; what does not change with the day is made once."""
+    """psi of any day; constant parts are computed once."""
 
     def __init__(self, lon, lat, rng):
         self.lon, self.lat = lon, lat

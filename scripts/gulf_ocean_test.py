@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The made Gulf: packed like HYCOM's, free of divergence, and recognisable."""
+"""The synthetic Gulf: packed like HYCOM files, free of divergence, with the known
+currents."""
 
 import pathlib
 import tempfile
@@ -115,7 +116,7 @@ class TheMadeGulf(unittest.TestCase):
         self.assertIn("not for navigation", self.file.source)
 
     def divergence_beyond_rounding(self, u, v):
-        """Largest divergence over the most that packing alone can make."""
+        """Largest divergence, relative to the bound of the packing error."""
         inner = (slice(None), slice(1, -1), slice(1, -1))
         found = divergence_1ps(u[inner], v[inner], self.lon[1:-1],
                                self.lat[1:-1])
@@ -190,8 +191,8 @@ class TheMadeGulf(unittest.TestCase):
         self.assertGreater(south.mean() - north.mean(), 1.5)
 
     def carried(self, day):
-        """Where the water of day + 1 stood a day earlier, by RK4 in the
-        file's own fields, and how warm it was there: an independent oracle."""
+        """Temperature at the position a day earlier, traced back by RK4 in the
+        fields of the file: an independent reference for advection."""
         axes = (np.array([0.0, 1.0]), self.lat, self.lon)
         interpolate = {
             name: RegularGridInterpolator(

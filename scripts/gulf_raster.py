@@ -1,4 +1,4 @@
-"""Outlines to cells: which cell is land, whose land, how far off the coast.
+"""Outlines to cells: land, the coast it belongs to, distance from the coast.
 
 Grids are lon/lat by cell centre, WGS84 taken as a sphere of radius RADIUS_M
 (the ocean is made, so 0.3 % of length does not matter; consistency does).

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing of apt-packages.txt.
-#     scripts/install_packages.sh [base] [gui]      (base alone if none is named)
+# Installs the missing packages of apt-packages.txt.
+#     scripts/install_packages.sh [SECTION...]      base if none is named
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 source "$repository/scripts/stage.sh"
@@ -12,7 +12,7 @@ listed() {
       "$repository/apt-packages.txt"
 }
 
-# Runs a command as root, or fails with the command to run by hand.
+# Runs a command as root; without root or sudo, fails with the command to run.
 as_root() {
   if [ "$(id -u)" = 0 ]; then
     "$@"
@@ -20,13 +20,13 @@ as_root() {
   then
     sudo "$@"
   else
-    fail install "${#missing[@]} packages are missing and this is neither root" \
-         "nor has it sudo; as root: apt-get install --no-install-recommends" \
+    fail install "${#missing[@]} packages are missing and there is neither root nor" \
+         "sudo; run as root: apt-get install --no-install-recommends" \
          "${missing[@]}"
   fi
 }
 
-command -v dpkg-query >/dev/null || fail install "needs Debian 12 (no dpkg here)"
+command -v dpkg-query >/dev/null || fail install "requires Debian 12 (dpkg not found)"
 # No process substitution here: a bare chroot may have no /dev/fd.
 wanted=()
 for section in "${@:-base}"; do
@@ -44,17 +44,17 @@ done
 if [ ${#missing[@]} -gt 0 ]; then
   apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=600)
   log=$(mktemp)
-  echo "install: ${#missing[@]} of ${#wanted[@]} packages are missing ..."
+  echo "install: ${#missing[@]} of ${#wanted[@]} packages missing"
   as_root true
   as_root "${apt[@]}" update </dev/null >"$log" 2>&1 &&
     as_root "${apt[@]}" install -y --no-install-recommends "${missing[@]}" \
       </dev/null >>"$log" 2>&1 ||
-    { tail -n 20 "$log" >&2; fail install "apt-get; everything it said: $log"; }
+    { tail -n 20 "$log" >&2; fail install "apt-get, log: $log"; }
   rm -f "$log"
 fi
-# ROS asks for localhost by name; a bare chroot has no /etc/hosts.
+# ROS resolves localhost by name; a bare chroot has no /etc/hosts.
 if ! getent hosts localhost >/dev/null; then
   echo "install: localhost does not resolve; adding it to /etc/hosts"
   as_root sh -c 'echo "127.0.0.1 localhost" >>/etc/hosts'
 fi
-stage install "${#wanted[@]} packages, ${#missing[@]} of them new"
+stage install "${#wanted[@]} packages, ${#missing[@]} newly installed"

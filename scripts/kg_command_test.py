@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The program kg, run as a user would: on a mission folder, on a store that it
-makes, on W3C manifests, and with wrong command lines. No master runs here."""
+"""The program kg as a user runs it: on a mission folder, on a new store, on W3C
+manifests, and with invalid command lines. Needs no ROS master."""
 
 import json
 import os
@@ -43,7 +43,7 @@ MANIFEST = """\
 
 
 def kg(*words, **options):
-    """Runs the program in a shell that knows nothing of ROS."""
+    """Runs the program in a shell without the ROS environment."""
     environment = {"PATH": "/usr/bin:/bin", "USER": "tester"}
     return subprocess.run(
         [str(PROGRAM)] + [str(word) for word in words], capture_output=True,
@@ -59,7 +59,7 @@ class KgTestCase(unittest.TestCase):
         self.store = self.folder / "world.db"
 
     def kg(self, *words, **options):
-        """The output of a command that must do."""
+        """The output of a command that must succeed."""
         done = kg(*words, **options)
         self.assertEqual(0, done.returncode, f"{words}: {done.stderr}")
         self.assertEqual("", done.stderr, words)

@@ -13,5 +13,5 @@ use_workspace
 log=build/kill_rounds.log
 KILL_ROUNDS=$rounds KILL_LIMIT_S=$((120 + 20 * rounds)) \
   rostest --text mission kill_rounds.test >"$log" 2>&1 || true
-grep -q ' \* RESULT: SUCCESS' "$log" || fail kill "see $log"
+grep -q ' \* RESULT: SUCCESS' "$log" || fail kill "log: $log"
 stage kill "$(grep -oE '[0-9]+ rounds, .*' "$log")"

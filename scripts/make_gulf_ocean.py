@@ -62,8 +62,8 @@ def texture(rng):
 
 
 class Advection:
-    """Semi-Lagrangian: each cell takes the value from where it came, found
-    by the midpoint rule; cubic in space, never beyond the bounds it had."""
+    """Semi-Lagrangian: each cell takes the value at its departure point (midpoint
+    rule), cubic in space, limited to the previous bounds."""
 
     def __init__(self, water):
         self._nearest_wet = tuple(ndimage.distance_transform_edt(
@@ -172,7 +172,7 @@ def create(path, seed, days):
 
 
 def make(path, seed, days):
-    """Writes the file whole or not at all."""
+    """Writes the file completely or not at all."""
     started = time.monotonic()
     rng = np.random.default_rng(seed)
     flow = Flow(LON, LAT, rng)

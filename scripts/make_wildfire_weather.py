@@ -50,7 +50,7 @@ def metres():
 
 def breeze(time_s):
     """East and north [m/s]: from west-south-west to north-west in five hours,
-    from 5 to 7 m/s. Blew as at the beginning before."""
+    from 5 to 7 m/s; constant before the beginning."""
     share = np.clip(time_s / (STEP_S * (STEPS - 1)), 0.0, 1.0)
     towards = np.radians(20.0 - 60.0 * share)  # Counter-clockwise from east.
     speed_mps = 5.0 + 2.0 * share
@@ -129,8 +129,8 @@ class Fire:
         return age
 
     def heat_k(self, time_s):
-        """What the ground is warmer for the fire: glowing behind the edge,
-        dried ahead of it."""
+        """Temperature rise of the ground: burning behind the edge, dried ahead
+        of it."""
         age = self.age_s(time_s)
         ahead_m = self._distance_m - self.radius_m(time_s)
         return FLAMES_K * np.where(age >= 0.0, np.exp(-age / COOLS_IN_S),
@@ -210,7 +210,7 @@ def create(path, seed):
 
 
 def make(path, seed):
-    """Writes the file whole or not at all."""
+    """Writes the file completely or not at all."""
     started = time.monotonic()
     part = pathlib.Path(f"{path}.part")
     with create(part, seed) as file:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Ontology and shapes as another parser reads them."""
+"""Ontology and shapes, read by a second parser (rdflib)."""
 
 import pathlib
 import re

@@ -13,7 +13,7 @@ import xml.etree.ElementTree as xml
 
 
 class Result(unittest.TextTestResult):
-    """Remembers every case with what became of it."""
+    """Records every case with its outcome and duration."""
 
     def __init__(self, *arguments):
         super().__init__(*arguments)
@@ -53,7 +53,7 @@ class Result(unittest.TextTestResult):
 
     def addUnexpectedSuccess(self, test):
         super().addUnexpectedSuccess(test)
-        self._note(test, "failure", "passed, though expected to fail")
+        self._note(test, "failure", "unexpected success")
 
 
 def load(path):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""docs/schema.md is what the ontology and the shapes say, and says it all."""
+"""docs/schema.md is up to date with the ontology and the shapes, and complete."""
 
 import re
 import unittest

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Asks another SPARQL engine what random_cases asked ours, and compares bags.
+"""Runs the queries of random_cases in another SPARQL engine and compares bags.
 
     random_cases 1000 | scripts/second_opinion.py rdflib
     random_cases 1000 | scripts/second_opinion.py oxigraph NODE_MODULES_FOLDER
@@ -24,7 +24,7 @@ ORACLE = pathlib.Path(__file__).parent / "second_opinion_oxigraph.mjs"
 
 
 def canonical(term):
-    """A term as something that equal values share."""
+    """A key of the term that equal values share."""
     if term is None or isinstance(term, (rdflib.URIRef, rdflib.BNode)):
         return term if term is None else str(term)
     if term.datatype in NUMERIC:
@@ -56,7 +56,7 @@ def ask_rdflib(case):
 
 
 class Oxigraph:
-    """A Node.js process that answers a line with a line."""
+    """A Node.js process: one answer line per input line."""
 
     def __init__(self, modules):
         self._process = subprocess.Popen(

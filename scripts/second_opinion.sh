@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Random small graphs and queries, answered by our engine and by others: rdflib,
-# and Oxigraph where npm can fetch it. They must give the same bags.
+# Random small graphs and queries, answered by our engine, by rdflib and, where npm
+# can fetch it, by Oxigraph. All must give the same bags of solutions.
 #     scripts/second_opinion.sh CASES
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Our SPARQL engine and rdflib answer random queries alike (short form of
-`make second_opinion`)."""
+"""Our SPARQL engine and rdflib give the same answers to random queries (short form
+of `make second_opinion`)."""
 
 import json
 import pathlib

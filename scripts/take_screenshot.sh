@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Takes the picture of rviz with rviz/mission.rviz, without a screen (Xvfb, software
-# OpenGL), of the default mission once it is planned.
+# OpenGL), of the default mission after its first plan.
 #     scripts/take_screenshot.sh [PICTURE.png] [launch arguments...]
 # PICTURE defaults to docs/images/mission.png. NODES=none takes it without any
-# node running: what rviz shows of nothing, for comparison. CONFIG=FILE.rviz takes
-# it with displays of your own (saved from rviz).
+# node running, for comparison. CONFIG=FILE.rviz uses another configuration (saved
+# from rviz).
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 if ! python3 -c "import kg_msgs" 2>/dev/null; then
@@ -30,8 +30,8 @@ finish() {
 }
 trap finish EXIT
 
-# start COMMAND...: in the background, ended with this script. In a group of its
-# own: a shell's background job would not hear of an interrupt otherwise.
+# start COMMAND...: runs it in the background until this script ends, in its own
+# process group: background jobs of a shell ignore interrupts.
 start() {
   set -m
   "$@" >>"$scratch/log" 2>&1 </dev/null &

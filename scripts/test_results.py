@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Counts what the tests of a build have written, and what they have not.
+"""Counts the results of a test run, including those that are missing.
 
     test_results.py [REPOSITORY] [RESULTS]
 
-catkin and rostest both exit with 0 when tests fail, count some cases twice and
-forget a test that wrote nothing. So: every case counts once; a file that cannot
-be read, holds no case, or is missing though its test exists, is a failure. The
-last line is "N passed, N failed"; the exit status is true to it.
+catkin and rostest exit with 0 when tests fail, count some cases twice and ignore a
+test without a result. Here every case counts once; a result file that is
+unreadable, has no case, or is missing although its test exists, is a failure. The
+last line is "N passed, N failed"; the exit status is 0 only if none failed.
 """
 
 import dataclasses
@@ -45,8 +45,8 @@ def rostest_names(path):
 
 
 def unrun_python_tests(root):
-    """Files beside rostests that hold cases, but that no .test file names and
-    no other test imports."""
+    """Python files with cases that no .test file runs and no other test
+    imports."""
     paths = sorted(root.glob("src/*/*/*_test.py"))
     named = {test.get("type") for path in root.glob("src/*/test/*.test")
              for test in xml.parse(path).iter("test")}
@@ -68,13 +68,13 @@ def add_file(count, name, path):
     if not cases:
         add_empty(count, name, suite)
     for case in cases:
-        # rostest's own file says only that a test node ran: its failures count.
+        # rostest's own file only reports that a test node ran: count failures.
         add_case(count, name, case,
                  only_failures=path.name.startswith("rostest-"))
 
 
 def add_empty(count, name, suite):
-    """A result without a case is a failure, unless the test printed why."""
+    """A result without a case is a failure, unless the test printed SKIPPED."""
     printed = "\n".join("".join(output.itertext())
                         for output in suite.iter("system-out"))
     reason = re.search(r"^SKIPPED: (.+)$", printed, re.MULTILINE)
@@ -108,7 +108,7 @@ def count_results(root, results):
         add_file(count, name, path)
     for name, source in expected_results(root).items():
         if name not in found:
-            count.failed[name] = f"{source} wrote no result: it died or hung"
+            count.failed[name] = f"{source} wrote no result: it crashed or timed out"
     for path in unrun_python_tests(root):
         count.failed[str(path)] = "no .test file runs it"
     count.passed -= set(count.failed)

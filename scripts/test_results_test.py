@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The count of the tests: nothing twice, nothing forgotten, nothing forgiven."""
+"""Counting of results: no case twice, no test ignored, no failure hidden."""
 
 import contextlib
 import io
@@ -21,10 +21,10 @@ GTEST = """<testsuites tests="4"><testsuite name="Axis" tests="4">
 <testcase name="NeedsData" status="run" classname="Axis">
   <skipped message="no data folder"/></testcase>
 </testsuite></testsuites>"""
-ROSUNIT = """<testsuite tests="1"><testcase classname="__main__.House"
+ROSUNIT = """<testsuite tests="1"><testcase classname="__main__.Mission"
  name="test_plans"/><system-out>fine</system-out></testsuite>"""
 ROSTEST = """<testsuite tests="1"><testcase classname="rostest.runner.RosTest"
- name="testhouse"/></testsuite>"""
+ name="testmission"/></testsuite>"""
 
 
 class TestResults(unittest.TestCase):
@@ -35,13 +35,13 @@ class TestResults(unittest.TestCase):
         self.root = pathlib.Path(folder.name)
         self.results = self.root / "build/test_results"
         self.put("src/kg_core/kg_core/raster/axis_test.cc", "")
-        self.put("src/mission/test/house.test",
-                 '<launch><test test-name="house" pkg="mission" '
-                 'type="house_test.py"/></launch>')
-        self.put("src/mission/test/house_test.py", "  def test_plans(self): 1")
+        self.put("src/mission/test/mission.test",
+                 '<launch><test test-name="mission" pkg="mission" '
+                 'type="mission_test.py"/></launch>')
+        self.put("src/mission/test/mission_test.py", "  def test_plans(self): 1")
         self.result("kg_core/gtest-kg_core_axis_test.xml", GTEST)
-        self.result("mission/rosunit-house.xml", ROSUNIT)
-        self.result("mission/rostest-test_house.xml", ROSTEST)
+        self.result("mission/rosunit-mission.xml", ROSUNIT)
+        self.result("mission/rostest-test_mission.xml", ROSTEST)
 
     def put(self, path, text):
         file = self.root / path
@@ -68,8 +68,8 @@ class TestResults(unittest.TestCase):
                          list(self.count().failed))
 
     def test_fails_for_a_ros_test_that_wrote_nothing(self):
-        (self.results / "mission/rosunit-house.xml").unlink()
-        self.assertIn("mission/rosunit-house.xml", self.count().failed)
+        (self.results / "mission/rosunit-mission.xml").unlink()
+        self.assertIn("mission/rosunit-mission.xml", self.count().failed)
 
     def test_fails_for_a_result_that_is_cut_off(self):
         for text in ("", GTEST[:100]):
@@ -79,22 +79,22 @@ class TestResults(unittest.TestCase):
                              list(failed))
 
     def test_fails_for_a_result_without_a_case(self):
-        self.result("mission/rosunit-house.xml", '<testsuite tests="0"/>')
-        self.assertIn("mission/rosunit-house.xml", self.count().failed)
+        self.result("mission/rosunit-mission.xml", '<testsuite tests="0"/>')
+        self.assertIn("mission/rosunit-mission.xml", self.count().failed)
 
     def test_takes_a_printed_reason_for_a_result_without_a_case(self):
-        self.result("mission/rosunit-house.xml", "<testsuite><system-out>a\n"
+        self.result("mission/rosunit-mission.xml", "<testsuite><system-out>a\n"
                     "SKIPPED: no shared data\n</system-out></testsuite>")
         count = self.count()
         self.assertEqual("no shared data",
-                         count.skipped["mission/rosunit-house.xml"])
-        self.assertNotIn("mission/rosunit-house.xml", count.failed)
+                         count.skipped["mission/rosunit-mission.xml"])
+        self.assertNotIn("mission/rosunit-mission.xml", count.failed)
 
     def test_fails_for_a_failure_that_only_rostest_saw(self):
-        self.result("mission/rostest-test_house.xml", ROSTEST.replace(
+        self.result("mission/rostest-test_mission.xml", ROSTEST.replace(
             '"/>', '"><failure>time is up</failure></testcase>'))
-        self.assertIn("mission/rostest-test_house.xml: "
-                      "rostest.runner.RosTest.testhouse", self.count().failed)
+        self.assertIn("mission/rostest-test_mission.xml: "
+                      "rostest.runner.RosTest.testmission", self.count().failed)
 
     def test_fails_for_a_python_test_that_no_launch_file_names(self):
         self.put("src/mission/test/lost_test.py", "  def test_it(self): 1")
@@ -102,7 +102,7 @@ class TestResults(unittest.TestCase):
 
     def test_takes_what_other_tests_import_for_a_library(self):
         self.put("src/mission/test/base_test.py", "  def test_it(self): 1")
-        self.put("src/mission/test/house_test.py",
+        self.put("src/mission/test/mission_test.py",
                  "from base_test import Base\n  def test_plans(self): 1")
         self.assertNotIn("src/mission/test/base_test.py", self.count().failed)
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The made fire: by CF's names of the air and the ground, with winds that
-drones fly in, an edge that spreads with the wind, and the same for a seed."""
+"""The synthetic fire: CF names, winds that drones can fly in, an edge that spreads
+with the wind, the same result for the same seed."""
 
 import pathlib
 import tempfile

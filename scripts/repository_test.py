@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The house as a whole: packages, licences, layout, defaults, package list."""
+"""The repository as a whole: packages, licences, format, build defaults, list of
+Debian packages."""
 
 import json
 import os
@@ -12,11 +13,11 @@ import xml.etree.ElementTree as xml
 
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent
 PACKAGES = sorted(REPOSITORY.glob("src/*/package.xml"))
-ARCHITECTURE = {"kg_core", "kg_compiler", "kg_planner", "kg_selector",
-                "kg_engine", "kg_msgs", "kg_ros", "mission"}
+ARCHITECTURE = {"kg_base", "kg_core", "kg_mission", "kg_compiler", "kg_planner",
+                "kg_selector", "kg_engine", "kg_msgs", "kg_ros", "mission"}
 DEPENDS = ("depend", "build_depend", "exec_depend", "buildtool_depend",
            "build_export_depend", "test_depend")
-# ROS packages that Debian names otherwise than lib<name>-dev and the like.
+# ROS packages whose Debian name is not lib<name>-dev or similar.
 DEBIAN_NAME = {"tf2": "libtf2-ros-dev", "roslib": "libroslib-dev",
                "rosgraph_msgs": "python3-rosgraph-msgs"}
 
@@ -32,7 +33,7 @@ def apt_list():
 
 
 def debian_packages(name):
-    """Each inner tuple must have one member in the list."""
+    """Tuples of alternatives: the list must have one member of each."""
     dashed = name.replace("_", "-")
     if name in DEBIAN_NAME:
         return ((DEBIAN_NAME[name],),)
@@ -56,7 +57,7 @@ class ThePackages(unittest.TestCase):
                 self.assertEqual(["BSD"], text_of(package, "license"))
         self.assertIn("BSD 3-Clause", (REPOSITORY / "LICENSE").read_text())
 
-    def test_have_nothing_that_catkin_lint_complains_of(self):
+    def test_pass_catkin_lint(self):
         run = subprocess.run(
             ["catkin_lint", "-W2", "--strict", "--offline", "src"],
             cwd=REPOSITORY, capture_output=True, text=True, check=False)
@@ -76,7 +77,7 @@ class ThePackages(unittest.TestCase):
 
 class ThePackageList(unittest.TestCase):
 
-    def test_names_every_package_once_and_says_why(self):
+    def test_names_every_package_once(self):
         names = [line.split()[0] for line in apt_list()]
         self.assertEqual(len(names), len(set(names)))
         for line in apt_list():
@@ -85,7 +86,7 @@ class ThePackageList(unittest.TestCase):
 
 class TheCode(unittest.TestCase):
 
-    def test_is_laid_out_by_clang_format(self):
+    def test_is_formatted_by_clang_format(self):
         files = [str(path) for suffix in ("h", "cc")
                  for path in sorted(REPOSITORY.glob(f"src/kg_*/**/*.{suffix}"))]
         self.assertGreater(len(files), 50)
@@ -95,7 +96,7 @@ class TheCode(unittest.TestCase):
         self.assertEqual(0, run.returncode, run.stderr[:4000])
 
 
-class AConfigureWithoutABuildType(unittest.TestCase):
+class DefaultConfiguration(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
@@ -123,11 +124,12 @@ class AConfigureWithoutABuildType(unittest.TestCase):
         cache = (self.folder / "build/CMakeCache.txt").read_text()
         self.assertIn("\nCMAKE_BUILD_TYPE:STRING=Release\n", cache)
 
-    def test_compiles_all_our_code_as_strict_optimised_cpp17(self):
+    def test_compiles_the_code_as_strict_optimised_cpp17(self):
         commands = json.loads(
             (self.folder / "build/compile_commands.json").read_text())
+        # The batches of sources lie in the build folder, generated code in devel.
         ours = [entry["command"] for entry in commands
-                if "/kg_" in entry["file"] and "/build/" not in entry["file"]]
+                if "/kg_" in entry["file"] and "/devel/" not in entry["file"]]
         self.assertGreater(len(ours), 20)
         for flag in ("-std=c++17", "-O3", "-DNDEBUG", "-Wall", "-Wextra",
                      "-Werror"):

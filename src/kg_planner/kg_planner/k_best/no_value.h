@@ -1,0 +1,16 @@
+// Values that stand for none: the value of a path that does not exist, and the
+// limit of a resource that has no limit.
+
+#ifndef KG_PLANNER_K_BEST_NO_VALUE_H_
+#define KG_PLANNER_K_BEST_NO_VALUE_H_
+
+#include <limits>
+
+namespace kg_planner {
+
+inline constexpr double kNone = -std::numeric_limits<double>::infinity();
+inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+}  // namespace kg_planner
+
+#endif  // KG_PLANNER_K_BEST_NO_VALUE_H_
