@@ -29,13 +29,13 @@
 #include "kg_engine/facts/nav_graph_facts.h"
 #include "kg_engine/state/executed_stops.h"
 #include "kg_selector/team/committed_plan.h"
-#include "kg_selector/team/plan_request.h"
+#include "kg_selector/team/round_request.h"
 
 namespace kg_engine {
 
 struct PlanRecord {
   kg_selector::CommittedPlan plan;
-  std::vector<kg_selector::RejectedPath> rejections;
+  std::vector<kg_selector::RecordedRejection> rejections;
   // Of all rounds, each pair once.
   std::vector<kg_selector::CoolingConstraint> cooling;
   std::vector<kg_selector::VisitPrice> prices;  // Of the last round.

@@ -173,7 +173,7 @@ PlannerAnswer AgentPlanner::Plan() {
 }
 
 std::optional<PlannerAnswer> AgentPlanner::PlanAgain(
-    const kg_selector::PlanRequest& request) {
+    const kg_selector::RoundRequest& request) {
   if (request.cycle != cycle_ || request.round == 0 || due_) {
     return std::nullopt;
   }

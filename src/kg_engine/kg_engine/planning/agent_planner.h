@@ -20,7 +20,7 @@
 #include "kg_planner/k_best/k_best_memory.h"
 #include "kg_selector/paths/walks.h"
 #include "kg_selector/team/agent_candidates.h"
-#include "kg_selector/team/plan_request.h"
+#include "kg_selector/team/round_request.h"
 
 namespace kg_engine {
 
@@ -58,7 +58,7 @@ class AgentPlanner {
   // its prices. Nothing if it does not ask, or is of another cycle. Throws
   // kg_core::InputError for prices that make no sense.
   std::optional<PlannerAnswer> PlanAgain(
-      const kg_selector::PlanRequest& request);
+      const kg_selector::RoundRequest& request);
 
   std::uint64_t cycle() const { return cycle_; }
 

@@ -14,8 +14,8 @@ using kg_core::Now_s;
 using kg_selector::AgentCandidates;
 using kg_selector::CommittedPlan;
 using kg_selector::Pathlet;
-using kg_selector::PlanRequest;
 using kg_selector::Rejection;
+using kg_selector::RoundRequest;
 using kg_selector::RunEnd;
 
 }  // namespace
@@ -128,8 +128,8 @@ SelectorAnswer TeamSelector::Step() {
 }
 
 // Everybody who is waited for, and what for.
-PlanRequest TeamSelector::Ask() {
-  PlanRequest request = Header<PlanRequest>();
+RoundRequest TeamSelector::Ask() {
+  RoundRequest request = Header<RoundRequest>();
   request.round = ++round_;
   waiting_since_s_ = Now_s();
   for (const std::string& agent : team_->waiting_for()) {

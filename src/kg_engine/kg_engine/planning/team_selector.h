@@ -16,7 +16,7 @@
 #include "kg_selector/team/agent_candidates.h"
 #include "kg_selector/team/committed_plan.h"
 #include "kg_selector/team/coordinator.h"
-#include "kg_selector/team/plan_request.h"
+#include "kg_selector/team/round_request.h"
 
 namespace kg_engine {
 
@@ -33,7 +33,7 @@ TeamTask ToTeamTask(const kg_compiler::Compilation& compilation,
 // What is to be said after a step: who is to plan again, or the plan and the
 // end of its run.
 struct SelectorAnswer {
-  std::optional<kg_selector::PlanRequest> request;
+  std::optional<kg_selector::RoundRequest> request;
   std::optional<kg_selector::RunEnd> end;
   std::optional<kg_selector::CommittedPlan> plan;
 };
@@ -64,7 +64,7 @@ class TeamSelector {
   void Begin(std::unique_ptr<kg_selector::Coordinator> team);
   void Offer(const kg_selector::AgentCandidates& candidates);
   SelectorAnswer Step();
-  kg_selector::PlanRequest Ask();
+  kg_selector::RoundRequest Ask();
   kg_selector::RunEnd End() const;
   kg_selector::CommittedPlan Plan();
   template <typename Value>

@@ -23,7 +23,8 @@ TeamMember ToMember(const kg_compiler::SeamRules& rules, const Graphs& graphs) {
 }
 
 // What is told of a pathlet that lost: its score, without visits and track.
-kg_selector::Rejection ToArchived(const kg_selector::RejectedPath& rejected) {
+kg_selector::Rejection ToArchived(
+    const kg_selector::RecordedRejection& rejected) {
   kg_selector::Rejection rejection = rejected.rejection;
   kg_selector::Pathlet told;
   told.agent = rejected.agent_iri;
@@ -42,7 +43,7 @@ void AddPlan(const PlanRecord& record, PlannedWorld* world) {
     world->plan.committed.push_back(assignment.pathlet);
     world->plan.committed.back().agent = assignment.agent_iri;
   }
-  for (const kg_selector::RejectedPath& rejected : record.rejections) {
+  for (const kg_selector::RecordedRejection& rejected : record.rejections) {
     world->plan.rejections.push_back(ToArchived(rejected));
   }
   world->plan.unassigned = plan.unassigned;

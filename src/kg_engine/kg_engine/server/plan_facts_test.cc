@@ -167,7 +167,7 @@ TEST_F(PlanFactsTest, ThePricesOfTheLastRoundCount) {
   PlanProgress progress;
   progress.Begin(1);
   const auto told = [&](unsigned round, double price) {
-    kg_selector::PlanRequest request;
+    kg_selector::RoundRequest request;
     request.cycle = 1;
     request.run = 3;
     request.round = round;

@@ -4,7 +4,7 @@ namespace kg_engine {
 
 using kg_selector::CommittedPlan;
 using kg_selector::CoolingConstraint;
-using kg_selector::PlanRequest;
+using kg_selector::RoundRequest;
 using kg_selector::RunEnd;
 
 void PlanProgress::Begin(const std::uint64_t cycle) {
@@ -42,7 +42,7 @@ bool PlanProgress::Take(const CommittedPlan& plan) {
   return true;
 }
 
-bool PlanProgress::Take(const PlanRequest& request) {
+bool PlanProgress::Take(const RoundRequest& request) {
   if (!IsCurrent(request)) return false;
   NoteRun(request.run);
   if (request.round > priced_round_) {

@@ -14,7 +14,7 @@
 #include "kg_engine/facts/plan_facts.h"
 #include "kg_engine/planning/agent_graph.h"
 #include "kg_selector/team/committed_plan.h"
-#include "kg_selector/team/plan_request.h"
+#include "kg_selector/team/round_request.h"
 
 namespace kg_engine {
 
@@ -27,7 +27,7 @@ class PlanProgress {
 
   // False if the value answers for another cycle.
   bool Take(const kg_selector::CommittedPlan& plan);
-  bool Take(const kg_selector::PlanRequest& request);
+  bool Take(const kg_selector::RoundRequest& request);
   bool Take(const kg_selector::RunEnd& end);
   bool Take(const AgentGraph& graph);
 
@@ -37,7 +37,7 @@ class PlanProgress {
   // beside it. Times and executed stops are the caller's.
   PlanRecord MakeRecord(const kg_selector::CommittedPlan& plan) const;
 
-  const std::vector<kg_selector::RejectedPath>& rejections() const {
+  const std::vector<kg_selector::RecordedRejection>& rejections() const {
     return end_.rejections;
   }
   // What agents were asked to plan around: of each pair of agents the last.

@@ -8,7 +8,7 @@ namespace kg_engine {
 namespace {
 
 using kg_selector::CommittedPlan;
-using kg_selector::PlanRequest;
+using kg_selector::RoundRequest;
 using kg_selector::RunEnd;
 
 template <typename Value>
@@ -34,7 +34,7 @@ TEST(PlanProgressTest, APlanNeedsAssignmentsAndTheEndOfItsRejections) {
   progress.Begin(4);
   EXPECT_TRUE(progress.Take(Answer<CommittedPlan>(4, 9)));
   EXPECT_FALSE(progress.TakeFinishedPlan());
-  auto asking = Answer<PlanRequest>(4, 9);
+  auto asking = Answer<RoundRequest>(4, 9);
   asking.round = 1;
   EXPECT_TRUE(progress.Take(asking));
   EXPECT_FALSE(progress.TakeFinishedPlan());

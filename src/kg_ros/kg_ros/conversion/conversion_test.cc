@@ -281,7 +281,7 @@ TEST(ConversionTest, ARequestComesBackAsItWas) {
   ask.event_prices = {{"ex:g", 2.5}};
   kg_selector::TeamRules rules;
   rules.separation_m = 3000.0;
-  kg_selector::PlanRequest request;
+  kg_selector::RoundRequest request;
   request.time_s = 1.75e9;
   request.world_version = 5;
   request.cycle = 6;
@@ -291,7 +291,7 @@ TEST(ConversionTest, ARequestComesBackAsItWas) {
   kg_selector::AddAsk("charlie", {}, rules, &request);
   const kg_msgs::Rejections message = ToMessage(request);
   ASSERT_FALSE(IsEndOfRun(message));
-  const kg_selector::PlanRequest same = RequestFromMessage(message);
+  const kg_selector::RoundRequest same = RequestFromMessage(message);
   EXPECT_EQ(same.time_s, 1.75e9);
   EXPECT_EQ(same.world_version, 5u);
   EXPECT_EQ(same.cycle, 6u);

@@ -156,7 +156,7 @@ kg_selector::VisitPrice FromMessage(const kg_msgs::Price& message) {
           message.event, message.price};
 }
 
-kg_msgs::Rejection ToMessage(const kg_selector::RejectedPath& rejected) {
+kg_msgs::Rejection ToMessage(const kg_selector::RecordedRejection& rejected) {
   const kg_selector::Rejection& rejection = rejected.rejection;
   kg_msgs::Rejection message;
   message.agent = rejection.pathlet.agent;
@@ -174,8 +174,8 @@ kg_msgs::Rejection ToMessage(const kg_selector::RejectedPath& rejected) {
 }
 
 // Of the pathlet only agent, rank and score come by message.
-kg_selector::RejectedPath FromMessage(const kg_msgs::Rejection& message) {
-  kg_selector::RejectedPath rejected;
+kg_selector::RecordedRejection FromMessage(const kg_msgs::Rejection& message) {
+  kg_selector::RecordedRejection rejected;
   rejected.agent_iri = message.agent_iri;
   kg_selector::Rejection& rejection = rejected.rejection;
   rejection.pathlet.agent = message.agent;
@@ -424,7 +424,7 @@ kg_selector::AgentCandidates FromMessage(const kg_msgs::Candidates& message) {
   return candidates;
 }
 
-kg_msgs::Rejections ToMessage(const kg_selector::PlanRequest& request) {
+kg_msgs::Rejections ToMessage(const kg_selector::RoundRequest& request) {
   kg_msgs::Rejections message;
   SetHeader(request, &message);
   message.round = request.round;
@@ -448,9 +448,9 @@ kg_msgs::Rejections ToMessage(const kg_selector::RunEnd& end) {
   return message;
 }
 
-kg_selector::PlanRequest RequestFromMessage(
+kg_selector::RoundRequest RequestFromMessage(
     const kg_msgs::Rejections& message) {
-  auto request = FromHeader<kg_selector::PlanRequest>(message);
+  auto request = FromHeader<kg_selector::RoundRequest>(message);
   request.round = message.round;
   request.asked = message.asked;
   for (const kg_msgs::Cooling& one : message.cooling) {

@@ -22,7 +22,7 @@
 #include "kg_selector/paths/pathlet.h"
 #include "kg_selector/team/agent_candidates.h"
 #include "kg_selector/team/committed_plan.h"
-#include "kg_selector/team/plan_request.h"
+#include "kg_selector/team/round_request.h"
 
 namespace kg_ros {
 
@@ -56,9 +56,10 @@ kg_selector::AgentCandidates FromMessage(const kg_msgs::Candidates& message);
 inline bool IsEndOfRun(const kg_msgs::Rejections& message) {
   return message.round == 0;
 }
-kg_msgs::Rejections ToMessage(const kg_selector::PlanRequest& request);
+kg_msgs::Rejections ToMessage(const kg_selector::RoundRequest& request);
 kg_msgs::Rejections ToMessage(const kg_selector::RunEnd& end);
-kg_selector::PlanRequest RequestFromMessage(const kg_msgs::Rejections& message);
+kg_selector::RoundRequest RequestFromMessage(
+    const kg_msgs::Rejections& message);
 kg_selector::RunEnd EndFromMessage(const kg_msgs::Rejections& message);
 
 kg_msgs::Assignments ToMessage(const kg_selector::CommittedPlan& plan);

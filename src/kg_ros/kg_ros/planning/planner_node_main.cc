@@ -123,7 +123,7 @@ class PlannerNode {
 
   void HandleRejections(const kg_msgs::Rejections& message) {
     Guarded([&] {
-      asked_ = IsEndOfRun(message) ? kg_selector::PlanRequest()
+      asked_ = IsEndOfRun(message) ? kg_selector::RoundRequest()
                                    : RequestFromMessage(message);
     });
     PlanAgain();
@@ -146,8 +146,8 @@ class PlannerNode {
   ros::Subscriber rules_;
   ros::Subscriber rejections_;
   ros::WallTimer patience_;
-  kg_selector::PlanRequest asked_;  // Last.
-  kg_msgs::Candidates last_;        // Of round 0.
+  kg_selector::RoundRequest asked_;  // Last.
+  kg_msgs::Candidates last_;         // Of round 0.
   bool has_planned_ = false;
   bool was_waiting_ = false;
 };

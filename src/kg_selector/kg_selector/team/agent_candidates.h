@@ -18,8 +18,8 @@ struct AgentCandidates {
   std::uint64_t cycle = 0;
   std::string agent;  // ex:id.
   std::string agent_iri;
-  std::uint32_t round = 0;  // 0: unmasked; later ones answer a PlanRequest.
-  Candidates found;
+  std::uint32_t round = 0;  // 0: unmasked; later ones answer a RoundRequest.
+  AgentOffer found;
   std::vector<StageTime> stages;  // "nav_graphs", "stitch".
 };
 

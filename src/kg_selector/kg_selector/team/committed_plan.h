@@ -54,9 +54,9 @@ struct CommittedPlan {
 std::vector<std::string> UnassignedLines(const CommittedPlan& plan);
 
 // A pathlet that lost.
-struct RejectedPath {
+struct RecordedRejection {
   std::string agent_iri;
-  Rejection rejection;
+  RejectedPath rejection;
 };
 
 // The plan as the selector node commits it, but for time, versions, run and

@@ -1,6 +1,6 @@
 // What planners are asked: whoever is named, under exactly that.
 
-#include "kg_selector/team/plan_request.h"
+#include "kg_selector/team/round_request.h"
 
 #include <cmath>
 
@@ -10,18 +10,18 @@
 namespace kg_selector {
 namespace {
 
-TEST(PlanRequest, AnAskComesBackAsItWas) {
+TEST(RoundRequest, AnAskComesBackAsItWas) {
   Pathlet committed;
   committed.agent = "alpha";
   committed.track = {{{-90.0, 25.0}, 1.8e9}, {{-89.0, 24.0}, 1.8e9 + 9.0}};
-  Ask ask;
+  PlanRequest ask;
   ask.around = {committed};
   ask.full_events = {"ex:e", "ex:f"};
   ask.waypoint_prices = {{2, 7, 0.1}, {3, 0, 1e-3}};
   ask.event_prices = {{"ex:g", 2.5}};
   TeamRules rules;
   rules.separation_m = 3000.0;
-  PlanRequest request;
+  RoundRequest request;
   request.time_s = 1.7e9;
   AddAsk("bravo", ask, rules, &request);
   AddAsk("charlie", {}, rules, &request);
@@ -45,10 +45,10 @@ TEST(PlanRequest, AnAskComesBackAsItWas) {
   EXPECT_FALSE(AskOf(request, "alpha"));
 }
 
-TEST(PlanRequest, AnEventMayBeFullWithoutATrackInTheWay) {
-  Ask ask;
+TEST(RoundRequest, AnEventMayBeFullWithoutATrackInTheWay) {
+  PlanRequest ask;
   ask.full_events = {"ex:e"};
-  PlanRequest request;
+  RoundRequest request;
   AddAsk("bravo", ask, {}, &request);
   const auto back = AskOf(request, "bravo");
   ASSERT_TRUE(back);
@@ -56,8 +56,8 @@ TEST(PlanRequest, AnEventMayBeFullWithoutATrackInTheWay) {
   EXPECT_EQ(back->ask.full_events, ask.full_events);
 }
 
-TEST(PlanRequest, APriceWithoutAnAgentIsForAllWhoAreAsked) {
-  PlanRequest request;
+TEST(RoundRequest, APriceWithoutAnAgentIsForAllWhoAreAsked) {
+  RoundRequest request;
   request.asked = {"alpha", "bravo"};
   request.prices.resize(2);
   request.prices[0].event = "ex:e";

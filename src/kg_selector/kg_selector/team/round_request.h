@@ -2,8 +2,8 @@
 // the run has ended. Planners may be anywhere: these values are all that goes
 // to them, and candidates (agent_candidates.h) all that comes back.
 
-#ifndef KG_SELECTOR_TEAM_PLAN_REQUEST_H_
-#define KG_SELECTOR_TEAM_PLAN_REQUEST_H_
+#ifndef KG_SELECTOR_TEAM_ROUND_REQUEST_H_
+#define KG_SELECTOR_TEAM_ROUND_REQUEST_H_
 
 #include <cstdint>
 #include <optional>
@@ -40,7 +40,7 @@ struct VisitPrice {
 
 // Those asked plan again, around what cools them and at these prices alone
 // (earlier rounds are forgotten).
-struct PlanRequest {
+struct RoundRequest {
   double time_s = 0.0;  // Unix seconds.
   std::uint64_t world_version = 0;
   std::uint64_t cycle = 0;
@@ -57,23 +57,23 @@ struct RunEnd {
   std::uint64_t world_version = 0;
   std::uint64_t cycle = 0;
   std::uint64_t run = 0;
-  std::vector<RejectedPath> rejections;
+  std::vector<RecordedRejection> rejections;
 };
 
 // Adds who is asked, and what for, to a request whose time is set.
-void AddAsk(const std::string& agent, const Ask& ask, const TeamRules& rules,
-            PlanRequest* request);
+void AddAsk(const std::string& agent, const PlanRequest& ask,
+            const TeamRules& rules, RoundRequest* request);
 
 struct AskedOf {
-  Ask ask;
+  PlanRequest ask;
   double separation_m = 0.0;  // From those committed.
 };
 // What the request asks of an agent; nothing if it does not. Prices without an
 // agent are for all. Throws kg_core::InputError if a price is not a finite
 // number >= 0.
-std::optional<AskedOf> AskOf(const PlanRequest& request,
+std::optional<AskedOf> AskOf(const RoundRequest& request,
                              const std::string& agent);
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_TEAM_PLAN_REQUEST_H_
+#endif  // KG_SELECTOR_TEAM_ROUND_REQUEST_H_

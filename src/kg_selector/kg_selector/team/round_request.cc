@@ -1,4 +1,4 @@
-#include "kg_selector/team/plan_request.h"
+#include "kg_selector/team/round_request.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,8 @@
 namespace kg_selector {
 namespace {
 
-void AddPrices(const std::string& agent, const Ask& ask, PlanRequest* request) {
+void AddPrices(const std::string& agent, const PlanRequest& ask,
+               RoundRequest* request) {
   for (const WaypointPrice& price : ask.waypoint_prices) {
     request->prices.push_back(
         {agent, price.window, price.waypoint, "", price.price});
@@ -42,8 +43,8 @@ void TakeCooling(const CoolingConstraint& cooling, AskedOf* asked) {
 
 }  // namespace
 
-void AddAsk(const std::string& agent, const Ask& ask, const TeamRules& rules,
-            PlanRequest* request) {
+void AddAsk(const std::string& agent, const PlanRequest& ask,
+            const TeamRules& rules, RoundRequest* request) {
   request->asked.push_back(agent);
   CoolingConstraint cooling;
   cooling.agent = agent;
@@ -62,7 +63,7 @@ void AddAsk(const std::string& agent, const Ask& ask, const TeamRules& rules,
   AddPrices(agent, ask, request);
 }
 
-std::optional<AskedOf> AskOf(const PlanRequest& request,
+std::optional<AskedOf> AskOf(const RoundRequest& request,
                              const std::string& agent) {
   if (std::count(request.asked.begin(), request.asked.end(), agent) == 0) {
     return std::nullopt;
