@@ -291,7 +291,7 @@ class PlanWriter {
   }
 
   void WriteRejection(std::size_t number) {
-    const kg_selector::Rejection& rejection =
+    const kg_selector::RejectedPath& rejection =
         record_.rejections[number].rejection;
     const kg_selector::Conflict& conflict = rejection.conflict;
     const kg_selector::Pathlet& pathlet = rejection.pathlet;
@@ -318,7 +318,7 @@ class PlanWriter {
     LinkCooling(rejection);
   }
 
-  void LinkCooling(const kg_selector::Rejection& rejection) {
+  void LinkCooling(const kg_selector::RejectedPath& rejection) {
     for (std::size_t i = 0; i < record_.cooling.size(); ++i) {
       const kg_selector::CoolingConstraint& cooling = record_.cooling[i];
       if (cooling.agent != rejection.pathlet.agent ||

@@ -120,7 +120,7 @@ AgentCandidates AgentPlanner::Stitch(const kg_selector::AskedOf& asked,
   const auto begin = std::chrono::steady_clock::now();
   AgentCandidates candidates = Header(round);
   candidates.found =
-      kg_selector::PlanUnder(team, {rules_, graphs_, memory_}, asked.ask);
+      kg_selector::PlanPriced(team, {rules_, graphs_, memory_}, asked.ask);
   if (candidates.found.pathlets.empty() && candidates.found.proven) {
     // Proven that there is no path: no plan of this agent is worth anything.
     candidates.found.bound = -std::numeric_limits<double>::infinity();

@@ -6,6 +6,7 @@
 #include "kg_core/base/clock.h"
 #include "kg_selector/team/plan_mission.h"
 #include "kg_selector/team/stability.h"
+#include "kg_selector/team/team_modes.h"
 
 namespace kg_engine {
 namespace {
@@ -14,7 +15,7 @@ using kg_core::Now_s;
 using kg_selector::AgentCandidates;
 using kg_selector::CommittedPlan;
 using kg_selector::Pathlet;
-using kg_selector::Rejection;
+using kg_selector::RejectedPath;
 using kg_selector::RoundRequest;
 using kg_selector::RunEnd;
 
@@ -133,14 +134,15 @@ RoundRequest TeamSelector::Ask() {
   request.round = ++round_;
   waiting_since_s_ = Now_s();
   for (const std::string& agent : team_->waiting_for()) {
-    kg_selector::AddAsk(agent, team_->AskOf(agent), task_->rules, &request);
+    kg_selector::AddAsk(agent, team_->RequestFor(agent), task_->rules,
+                        &request);
   }
   return request;
 }
 
 RunEnd TeamSelector::End() const {
   RunEnd end = Header<RunEnd>();
-  for (const Rejection& rejection : team_->outcome().rejections) {
+  for (const RejectedPath& rejection : team_->outcome().rejections) {
     const auto offered = offered_.find(rejection.pathlet.agent);
     end.rejections.push_back(
         {offered == offered_.end() ? "" : offered->second.agent_iri,
@@ -154,8 +156,8 @@ CommittedPlan TeamSelector::Plan() {
   plan.rounds = static_cast<int>(round_);
   plan.mode = task_->rules.mode;
   plan.bound = team_->outcome().bound;
-  const kg_selector::Stability stability =
-      kg_selector::StabilityOf(last_plan_, team_->outcome().committed);
+  const kg_selector::PlanStability stability =
+      kg_selector::ComputeStability(last_plan_, team_->outcome().committed);
   plan.stability = stability.share;
   plan.displacement_m = stability.displacement_m;
   last_plan_ = team_->outcome().committed;

@@ -23,9 +23,9 @@ TeamMember ToMember(const kg_compiler::SeamRules& rules, const Graphs& graphs) {
 }
 
 // What is told of a pathlet that lost: its score, without visits and track.
-kg_selector::Rejection ToArchived(
+kg_selector::RejectedPath ToArchived(
     const kg_selector::RecordedRejection& rejected) {
-  kg_selector::Rejection rejection = rejected.rejection;
+  kg_selector::RejectedPath rejection = rejected.rejection;
   kg_selector::Pathlet told;
   told.agent = rejected.agent_iri;
   told.rank = rejection.pathlet.rank;

@@ -120,17 +120,19 @@ kg_msgs::Export::Response ToMessage(const kg_engine::ExportAnswer& answer) {
   return message;
 }
 
-kg_selector::Question FromMessage(const kg_msgs::Why::Request& request) {
-  using kg_selector::Why;
-  constexpr Why kKinds[] = {Why::kAssignment, Why::kTensorCell, Why::kEdge,
-                            Why::kRejection,  Why::kWaypoint,   Why::kEvent,
-                            Why::kPlace};
+kg_selector::PlanQuestion FromMessage(const kg_msgs::Why::Request& request) {
+  using kg_selector::QuestionKind;
+  constexpr QuestionKind kKinds[] = {
+      QuestionKind::kAssignment, QuestionKind::kTensorCell,
+      QuestionKind::kEdge,       QuestionKind::kRejection,
+      QuestionKind::kWaypoint,   QuestionKind::kEvent,
+      QuestionKind::kPlace};
   if (request.what >= std::size(kKinds)) {
     throw kg_core::InputError("Why.what: expected 0 to " +
                               std::to_string(std::size(kKinds) - 1) + ", not " +
                               std::to_string(request.what));
   }
-  kg_selector::Question question;
+  kg_selector::PlanQuestion question;
   question.what = kKinds[request.what];
   question.agent = request.agent;
   question.window = request.window;

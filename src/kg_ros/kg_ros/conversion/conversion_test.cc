@@ -274,7 +274,7 @@ TEST(ConversionTest, ARequestComesBackAsItWas) {
   kg_selector::Pathlet committed;
   committed.agent = "alpha";
   committed.track = {{{-90.0, 25.0}, 1.8e9}, {{-89.0, 24.0}, 1.8e9 + 9.0}};
-  kg_selector::Ask ask;
+  kg_selector::PlanRequest ask;
   ask.around = {committed};
   ask.full_events = {"ex:e", "ex:f"};
   ask.waypoint_prices = {{2, 7, 0.1}, {3, 0, 1e-3}};
@@ -324,7 +324,7 @@ TEST(ConversionTest, TheEndOfARunComesBackWithItsRejections) {
   end.run = 7;
   end.rejections.resize(1);
   end.rejections[0].agent_iri = "ex:bravo";
-  kg_selector::Rejection& lost = end.rejections[0].rejection;
+  kg_selector::RejectedPath& lost = end.rejections[0].rejection;
   lost.pathlet.agent = "bravo";
   lost.pathlet.rank = 2;
   lost.pathlet.reward = 4.5;
@@ -343,7 +343,7 @@ TEST(ConversionTest, TheEndOfARunComesBackWithItsRejections) {
   EXPECT_EQ(back.run, 7u);
   ASSERT_EQ(back.rejections.size(), 1u);
   EXPECT_EQ(back.rejections[0].agent_iri, "ex:bravo");
-  const kg_selector::Rejection& same = back.rejections[0].rejection;
+  const kg_selector::RejectedPath& same = back.rejections[0].rejection;
   EXPECT_EQ(same.pathlet.agent, "bravo");
   EXPECT_EQ(same.pathlet.rank, 2);
   EXPECT_EQ(same.pathlet.score(), 4.0);

@@ -157,7 +157,7 @@ kg_selector::VisitPrice FromMessage(const kg_msgs::Price& message) {
 }
 
 kg_msgs::Rejection ToMessage(const kg_selector::RecordedRejection& rejected) {
-  const kg_selector::Rejection& rejection = rejected.rejection;
+  const kg_selector::RejectedPath& rejection = rejected.rejection;
   kg_msgs::Rejection message;
   message.agent = rejection.pathlet.agent;
   message.agent_iri = rejected.agent_iri;
@@ -177,14 +177,14 @@ kg_msgs::Rejection ToMessage(const kg_selector::RecordedRejection& rejected) {
 kg_selector::RecordedRejection FromMessage(const kg_msgs::Rejection& message) {
   kg_selector::RecordedRejection rejected;
   rejected.agent_iri = message.agent_iri;
-  kg_selector::Rejection& rejection = rejected.rejection;
+  kg_selector::RejectedPath& rejection = rejected.rejection;
   rejection.pathlet.agent = message.agent;
   rejection.pathlet.rank = static_cast<int>(message.rank);
   rejection.pathlet.reward = message.score;
   rejection.round = static_cast<int>(message.round);
   rejection.reason = message.reason;
   rejection.conflict.kind =
-      kg_selector::ConflictKindOf(message.kind)
+      kg_selector::ParseConflictKind(message.kind)
           .value_or(kg_selector::ConflictKind::kMalformed);
   rejection.conflict.with_agent = message.to_agent;
   rejection.conflict.window = message.window;
@@ -410,7 +410,7 @@ kg_selector::AgentCandidates FromMessage(const kg_msgs::Candidates& message) {
   candidates.agent = message.agent;
   candidates.agent_iri = message.agent_iri;
   candidates.round = message.round;
-  kg_selector::Candidates& found = candidates.found;
+  kg_selector::AgentOffer& found = candidates.found;
   for (const kg_msgs::Pathlet& pathlet : message.pathlets) {
     found.pathlets.push_back(FromMessage(pathlet, message.agent));
   }

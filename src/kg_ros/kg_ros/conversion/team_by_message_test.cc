@@ -23,6 +23,7 @@
 #include "kg_ros/conversion/tensor_conversion.h"
 #include "kg_selector/team/coordinator.h"
 #include "kg_selector/team/plan_mission.h"
+#include "kg_selector/team/team_modes.h"
 #include "ros/serialization.h"
 
 namespace kg_ros {

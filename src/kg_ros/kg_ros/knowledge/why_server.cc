@@ -26,8 +26,8 @@ WhyServer::~WhyServer() { spinner_.stop(); }
 bool WhyServer::Handle(kg_msgs::Why::Request& request,
                        kg_msgs::Why::Response& response) {
   try {
-    const kg_selector::Question question = FromMessage(request);
-    const auto world = question.what == kg_selector::Why::kTensorCell
+    const kg_selector::PlanQuestion question = FromMessage(request);
+    const auto world = question.what == kg_selector::QuestionKind::kTensorCell
                            ? archive_.Newest()
                            : archive_.Planned();
     if (!world) throw InputError("there is no plan yet");
