@@ -9,7 +9,7 @@
 #include "gtest/gtest.h"
 #include "kg_planner/k_best/limited_search.h"
 #include "kg_planner/k_best/max_marginals.h"
-#include "kg_planner/k_best/random_trellis.h"
+#include "kg_planner/testing/random_trellis.h"
 
 namespace kg_planner {
 namespace {

@@ -10,7 +10,7 @@
 #include "kg_planner/k_best/path_value.h"
 #include "kg_planner/k_best/resource_prices.h"
 #include "kg_planner/trellis/score_grid.h"
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
@@ -73,7 +73,7 @@ class Search {
     const auto left = EnumerateUnpriced(unpriced);
     if (!left) return shortlist_.Result(true, kNone);
     if (unpriced == enumeration_limit) return shortlist_.Result(false, *left);
-    const PricedSearch priced = FindPrices(limited_);
+    const ResourcePrices priced = FindPrices(limited_);
     if (priced.none_allowed) return shortlist_.Result(true, kNone);
     for (const std::vector<int>& seams : priced.tried) Look(seams);
     const auto rest =

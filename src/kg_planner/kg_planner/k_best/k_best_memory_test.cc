@@ -6,7 +6,7 @@
 
 #include "gtest/gtest.h"
 #include "kg_planner/k_best/k_best.h"
-#include "kg_planner/k_best/random_trellis.h"
+#include "kg_planner/testing/random_trellis.h"
 
 namespace kg_planner {
 namespace {

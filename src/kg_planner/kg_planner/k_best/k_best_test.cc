@@ -6,9 +6,9 @@
 
 #include "gtest/gtest.h"
 #include "kg_planner/k_best/path_enumerator.h"
-#include "kg_planner/k_best/random_trellis.h"
 #include "kg_planner/k_best/search_trellis.h"
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/testing/random_trellis.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
@@ -424,7 +424,7 @@ TEST(PathEnumeratorTest, YieldsEveryPathOnceInOrderOfItsBound) {
     const Trellis trellis = random.Make();
     const ScoreGrid grid(1000.0);
     const SearchTrellis search =
-        ToSearch(trellis, CheckAndSurvey(trellis).sorted, {}, grid);
+        ToSearch(trellis, CheckTrellis(trellis).sorted, {}, grid);
     PathEnumerator enumerator(search, grid, {0.5, 0.25});
     std::vector<std::vector<int>> found;
     double last = kInfinity;

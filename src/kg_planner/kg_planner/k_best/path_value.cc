@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {

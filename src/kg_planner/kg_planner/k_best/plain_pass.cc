@@ -8,7 +8,7 @@
 
 #include "kg_planner/k_best/row_kernel.h"
 #include "kg_planner/trellis/score_grid.h"
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
@@ -74,7 +74,7 @@ class Passer {
   }
 
  private:
-  // In the order of the survey, to the bit.
+  // Summed in the order of CheckTrellis(): the same bits.
   double Total() const {
     double total = 0.0;
     for (std::size_t s = 0; s < costs_.size(); ++s)

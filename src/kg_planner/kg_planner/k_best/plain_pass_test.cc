@@ -8,7 +8,7 @@
 
 #include "gtest/gtest.h"
 #include "kg_planner/trellis/score_grid.h"
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
@@ -51,7 +51,7 @@ std::vector<double> BestBefore(const Stage& stage, const ScoreGrid& grid,
 }
 
 void ExpectRight(const Trellis& trellis, const PlainPass& pass) {
-  EXPECT_EQ(pass.largest_total, CheckAndSurvey(trellis).largest_total);
+  EXPECT_EQ(pass.largest_total, CheckTrellis(trellis).largest_total);
   const ScoreGrid grid(pass.largest_total);
   ASSERT_EQ(pass.levels.size(), trellis.stages.size() + 1);
   std::vector<double> best(trellis.stages.back().nodes.size(), 0.0);

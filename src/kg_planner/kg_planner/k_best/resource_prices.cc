@@ -28,7 +28,7 @@ class PriceFinder {
       if (search.limits[r] < kNoLimit) limited_.push_back(r);
   }
 
-  PricedSearch Find() {
+  ResourcePrices Find() {
     const auto free = BestUnder(Prices(search_.limits.size(), 0.0));
     if (!free || limited_.empty() || IsAllowed(*free)) return std::move(found_);
     if (limited_.size() == 1)
@@ -133,7 +133,7 @@ class PriceFinder {
 
   const LimitedSearch& search_;
   std::vector<std::size_t> limited_;
-  PricedSearch found_;
+  ResourcePrices found_;
 };
 
 bool HasPrice(const Prices& prices) {
@@ -169,7 +169,7 @@ double BoundOffset(const LimitedSearch& search, const ScoreGrid& grid,
   return worth + 4.0 * (stages + 1.0) * grid.step() + 4e-16 * stages * worth;
 }
 
-PricedSearch FindPrices(const LimitedSearch& search) {
+ResourcePrices FindPrices(const LimitedSearch& search) {
   return PriceFinder(search).Find();
 }
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "kg_planner/k_best/k_best.h"
+#include "kg_planner/k_best/path.h"
 #include "kg_planner/trellis/score_grid.h"
 #include "kg_planner/trellis/trellis.h"
 

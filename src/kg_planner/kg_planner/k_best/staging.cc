@@ -8,7 +8,7 @@
 
 #include "kg_planner/k_best/search_trellis.h"
 #include "kg_planner/trellis/score_grid.h"
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
@@ -66,10 +66,10 @@ class Earnings {
 
 std::vector<bool> FindStaging(const Trellis& trellis, const Masks& masks,
                               const Path& path) {
-  const Survey survey = CheckAndSurvey(trellis);
+  const TrellisSummary summary = CheckTrellis(trellis);
   CheckPath(trellis, path);
-  const ScoreGrid grid(survey.largest_total);
-  const SearchTrellis allowed = ToSearch(trellis, survey.sorted, masks, grid);
+  const ScoreGrid grid(summary.largest_total);
+  const SearchTrellis allowed = ToSearch(trellis, summary.sorted, masks, grid);
   Earnings earnings(grid);
   std::vector<bool> staging;
   int at = 0;

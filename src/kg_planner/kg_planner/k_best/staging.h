@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "kg_planner/k_best/k_best.h"
+#include "kg_planner/k_best/path.h"
 #include "kg_planner/trellis/trellis.h"
 
 namespace kg_planner {

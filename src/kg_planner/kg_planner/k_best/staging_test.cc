@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gtest/gtest.h"
-#include "kg_planner/k_best/random_trellis.h"
+#include "kg_planner/testing/random_trellis.h"
 
 namespace kg_planner {
 namespace {

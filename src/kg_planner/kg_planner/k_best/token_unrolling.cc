@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {

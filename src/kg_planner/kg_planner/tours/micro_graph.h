@@ -1,5 +1,5 @@
-// A stage as micro_paths' searches read it: checked, legs in order and found by
-// their pair.
+// A stage as the searches of micro_paths.h read it: checked, its legs sorted by
+// (from, to) and found by that pair.
 
 #ifndef KG_PLANNER_TOURS_MICRO_GRAPH_H_
 #define KG_PLANNER_TOURS_MICRO_GRAPH_H_
@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "kg_planner/tours/micro_paths.h"
+#include "kg_planner/tours/micro_problem.h"
 
 namespace kg_planner {
 

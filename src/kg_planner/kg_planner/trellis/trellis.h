@@ -52,12 +52,6 @@ struct Trellis {
   std::vector<double> more_limits = {};  // Of the resources after the first.
 };
 
-// Throws std::invalid_argument naming stage and seam if indices are out of
-// range, a number is not finite, a cost is negative, a seam occurs twice, a
-// seam visits a node twice, or `via`, `more_resources` and `more_limits` are of
-// different lengths.
-void Check(const Trellis& trellis);
-
 }  // namespace kg_planner
 
 #endif  // KG_PLANNER_TRELLIS_TRELLIS_H_

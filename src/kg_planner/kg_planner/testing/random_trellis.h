@@ -1,8 +1,8 @@
 // Small random trellises, and all their paths by exhaustion: what the tests of
 // this package compare with.
 
-#ifndef KG_PLANNER_K_BEST_RANDOM_TRELLIS_H_
-#define KG_PLANNER_K_BEST_RANDOM_TRELLIS_H_
+#ifndef KG_PLANNER_TESTING_RANDOM_TRELLIS_H_
+#define KG_PLANNER_TESTING_RANDOM_TRELLIS_H_
 
 #include <algorithm>
 #include <limits>
@@ -233,4 +233,4 @@ class Exhaustion {
 
 }  // namespace kg_planner
 
-#endif  // KG_PLANNER_K_BEST_RANDOM_TRELLIS_H_
+#endif  // KG_PLANNER_TESTING_RANDOM_TRELLIS_H_

@@ -5,8 +5,8 @@
 // [1] N. Seshadri and C.-E. W. Sundberg, "List Viterbi Decoding Algorithms with
 //     Applications", IEEE Trans. Communications 42 (1994), 313-323.
 
-#ifndef KG_PLANNER_K_BEST_LIST_VITERBI_H_
-#define KG_PLANNER_K_BEST_LIST_VITERBI_H_
+#ifndef KG_PLANNER_TESTING_LIST_VITERBI_H_
+#define KG_PLANNER_TESTING_LIST_VITERBI_H_
 
 #include <algorithm>
 #include <cstddef>
@@ -101,4 +101,4 @@ class ListViterbi {
 
 }  // namespace kg_planner
 
-#endif  // KG_PLANNER_K_BEST_LIST_VITERBI_H_
+#endif  // KG_PLANNER_TESTING_LIST_VITERBI_H_

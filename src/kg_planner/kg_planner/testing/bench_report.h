@@ -1,8 +1,8 @@
 // Lines of `make bench`: one for each target, with what was wanted and what was
 // measured. Of this package, which may include nothing of others.
 
-#ifndef KG_PLANNER_TRELLIS_BENCH_REPORT_H_
-#define KG_PLANNER_TRELLIS_BENCH_REPORT_H_
+#ifndef KG_PLANNER_TESTING_BENCH_REPORT_H_
+#define KG_PLANNER_TESTING_BENCH_REPORT_H_
 
 #include <algorithm>
 #include <chrono>
@@ -51,4 +51,4 @@ double Milliseconds(const Work& work) {
 
 }  // namespace kg_planner
 
-#endif  // KG_PLANNER_TRELLIS_BENCH_REPORT_H_
+#endif  // KG_PLANNER_TESTING_BENCH_REPORT_H_

@@ -21,8 +21,8 @@
 
 #include "kg_planner/k_best/diverse_paths.h"
 #include "kg_planner/k_best/k_best.h"
-#include "kg_planner/k_best/list_viterbi.h"
-#include "kg_planner/trellis/bench_report.h"
+#include "kg_planner/testing/bench_report.h"
+#include "kg_planner/testing/list_viterbi.h"
 #include "kg_planner/trellis/trellis.h"
 
 namespace kg_planner {

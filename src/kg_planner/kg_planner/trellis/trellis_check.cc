@@ -1,9 +1,10 @@
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -158,12 +159,12 @@ SeamMaxima Maxima(const std::vector<Seam>& seams) {
   return maxima;
 }
 
-struct SeamSurvey {
+struct SeamSummary {
   bool sorted = true;
   double largest_cost = 0.0;
 };
 
-SeamSurvey SurveySeams(const Trellis& trellis, std::size_t s) {
+SeamSummary SummarizeSeams(const Trellis& trellis, std::size_t s) {
   const std::vector<Seam>& seams = trellis.stages[s].seams;
   const int before = NodesBefore(trellis, s);
   const int nodes = static_cast<int>(trellis.stages[s].nodes.size());
@@ -172,15 +173,15 @@ SeamSurvey SurveySeams(const Trellis& trellis, std::size_t s) {
                      maxima.to < static_cast<std::uint32_t>(nodes) &&
                      maxima.cost <= Bits(kLargest) &&
                      maxima.resource <= Bits(kLargest);
-  SeamSurvey survey{maxima.sorted, 0.0};
-  std::memcpy(&survey.largest_cost, &maxima.cost, sizeof maxima.cost);
-  if (!sound) survey.largest_cost = 0.0;
+  SeamSummary summary{maxima.sorted, 0.0};
+  std::memcpy(&summary.largest_cost, &maxima.cost, sizeof maxima.cost);
+  if (!sound) summary.largest_cost = 0.0;
   for (std::size_t i = 0; !sound && i < seams.size(); ++i) {  // Or a -0.
     if (!SeamIsSound(seams[i], before, nodes))
       ExplainSeam(s, i, seams[i], before);
-    survey.largest_cost = std::max(survey.largest_cost, seams[i].cost);
+    summary.largest_cost = std::max(summary.largest_cost, seams[i].cost);
   }
-  return survey;
+  return summary;
 }
 
 bool Ascend(const Stage& stage) {
@@ -232,22 +233,22 @@ int NodesBefore(const Trellis& trellis, std::size_t stage) {
                     : static_cast<int>(trellis.stages[stage - 1].nodes.size());
 }
 
-Survey CheckAndSurvey(const Trellis& trellis) {
+TrellisSummary CheckTrellis(const Trellis& trellis) {
   CheckLimits(trellis);
-  Survey survey;
+  TrellisSummary summary;
   for (std::size_t s = 0; s < trellis.stages.size(); ++s) {
     const Stage& stage = trellis.stages[s];
-    const SeamSurvey seams = SurveySeams(trellis, s);
+    const SeamSummary seams = SummarizeSeams(trellis, s);
     CheckVia(s, stage);
     CheckMoreResources(s, stage, trellis.more_limits.size());
     const bool sorted = seams.sorted || Ascend(stage);
     if (!sorted) CheckSeamsDiffer(s, stage);
-    survey.sorted.push_back(sorted);
-    survey.largest_total += LargestReward(s, stage) + seams.largest_cost;
+    summary.sorted.push_back(sorted);
+    summary.largest_total += LargestReward(s, stage) + seams.largest_cost;
   }
-  if (!std::isfinite(survey.largest_total))
+  if (!std::isfinite(summary.largest_total))
     throw std::invalid_argument("the sum of all stages is not finite");
-  return survey;
+  return summary;
 }
 
 }  // namespace kg_planner
