@@ -8,7 +8,7 @@
 
 #include "kg_msgs/Rejections.h"
 #include "kg_selector/paths/conflict.h"
-#include "kg_selector/team/coordinator.h"
+#include "kg_selector/team/team_plan.h"
 
 namespace kg_ros {
 

@@ -17,8 +17,8 @@
 #include "kg_msgs/Rejection.h"
 #include "kg_msgs/TimedPoint.h"
 #include "kg_selector/paths/pathlet.h"
-#include "kg_selector/team/coordinator.h"
 #include "kg_selector/team/plan_mission.h"
+#include "kg_selector/team/team_plan.h"
 
 namespace kg_ros {
 

@@ -11,6 +11,7 @@
 #include "kg_ros/conversion/rules_conversion.h"
 #include "kg_ros/knowledge/pending_reports.h"
 #include "kg_selector/team/stability.h"
+#include "kg_selector/team/team_modes.h"
 #include "ros/time.h"
 
 namespace kg_ros {

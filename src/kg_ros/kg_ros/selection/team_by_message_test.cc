@@ -23,6 +23,7 @@
 #include "kg_ros/selection/selector_server.h"
 #include "kg_selector/team/coordinator.h"
 #include "kg_selector/team/plan_mission.h"
+#include "kg_selector/team/team_modes.h"
 #include "ros/serialization.h"
 
 namespace kg_ros {

@@ -11,8 +11,8 @@
 #include "gtest/gtest.h"
 #include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/base/input_error.h"
-#include "kg_selector/explain/planned_test_world.h"
 #include "kg_selector/paths/masking.h"
+#include "kg_selector/testing/planned_test_world.h"
 
 namespace kg_selector {
 namespace {

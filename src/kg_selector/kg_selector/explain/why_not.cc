@@ -6,7 +6,7 @@
 
 #include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/base/input_error.h"
-#include "kg_selector/explain/way_round.h"
+#include "kg_selector/explain/explain_via.h"
 #include "kg_selector/explain/why_not_place.h"
 
 namespace kg_selector {

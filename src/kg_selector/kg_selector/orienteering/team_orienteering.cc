@@ -23,37 +23,6 @@ double ThreadNow_s() {
   return static_cast<double>(now.tv_sec) + 1e-9 * now.tv_nsec;
 }
 
-TeamTours PlanToursGreedily(const Orienteering& problem,
-                            const TeamTourOptions& options) {
-  const TimeBudget budget(options.seconds);
-  TeamTours team;
-  std::vector<double> rewards = problem.rewards;
-  for (int agent = 0; agent < problem.tours; ++agent) {
-    const Orienteering alone = AloneWith(problem, rewards);
-    TourSearch search(alone, options.seed);
-    Cooling cooling;
-    cooling.until_s = budget.seconds() * (agent + 1) / problem.tours;
-    RunCooled(budget, cooling, AllRewards(alone), &search);
-    team.tours.push_back(search.best()[0]);
-    for (int point : team.tours.back().points) rewards[point] = 0.0;
-  }
-  return team;
-}
-
-TeamTours Plan(const Orienteering& problem, const TeamTourOptions& options) {
-  switch (options.mode) {
-    case TeamMode::kGreedy:
-      return PlanToursGreedily(problem, options);
-    case TeamMode::kAuction:
-      return PlanToursByAuction(problem, options);
-    case TeamMode::kPriced:
-      return PlanToursByPrices(problem, options);
-    case TeamMode::kExact:
-      return PlanToursExactly(problem, options);
-  }
-  throw std::logic_error("a team mode without a plan");
-}
-
 double ValueOf(const Orienteering& problem, const std::vector<Tour>& tours) {
   double value = 0.0;
   for (const Tour& tour : tours) {
@@ -63,14 +32,6 @@ double ValueOf(const Orienteering& problem, const std::vector<Tour>& tours) {
 }
 
 }  // namespace
-
-std::optional<TeamMode> TeamModeOf(const std::string& name) {
-  if (name == "greedy") return TeamMode::kGreedy;
-  if (name == "auction") return TeamMode::kAuction;
-  if (name == "priced") return TeamMode::kPriced;
-  if (name == "exact") return TeamMode::kExact;
-  return std::nullopt;
-}
 
 TimeBudget::TimeBudget(double seconds)
     : seconds_(seconds), begin_s_(ThreadNow_s()) {}
@@ -123,6 +84,23 @@ double BoundAt(const Orienteering& problem, const std::vector<double>& prices,
   return problem.tours * best->tour.reward + sum;
 }
 
+TeamTours PlanToursGreedily(const Orienteering& problem,
+                            const TeamTourOptions& options) {
+  const TimeBudget budget(options.seconds);
+  TeamTours team;
+  std::vector<double> rewards = problem.rewards;
+  for (int agent = 0; agent < problem.tours; ++agent) {
+    const Orienteering alone = AloneWith(problem, rewards);
+    TourSearch search(alone, options.seed);
+    Cooling cooling;
+    cooling.until_s = budget.seconds() * (agent + 1) / problem.tours;
+    RunCooled(budget, cooling, AllRewards(alone), &search);
+    team.tours.push_back(search.best()[0]);
+    for (int point : team.tours.back().points) rewards[point] = 0.0;
+  }
+  return team;
+}
+
 TeamTours PlanTours(const Orienteering& problem,
                     const TeamTourOptions& options) {
   kg_planner::Check(problem);
@@ -130,7 +108,7 @@ TeamTours PlanTours(const Orienteering& problem,
     throw std::invalid_argument("seconds: not finite and >= 0");
   }
   if (!kg_planner::IsPossible(problem)) return {{}, 0.0, 0.0};
-  TeamTours team = Plan(problem, options);
+  TeamTours team = options.planner(problem, options);
   team.value = ValueOf(problem, team.tours);
   // Rounding aside, nothing is above its bound.
   const double bound = std::min(team.bound, AllRewards(problem));

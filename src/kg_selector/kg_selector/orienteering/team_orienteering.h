@@ -2,14 +2,14 @@
 // all with the same start, end and limit, each point an event of capacity 1.
 // The planner (kg_planner) makes tours, here they are coordinated.
 //
-//   kGreedy   the best tour alone, its points masked, the next agent
-//   kAuction  who is outbid plans again; to take a point from another raises
+//   greedy    the best tour alone, its points masked, the next agent
+//   auction   who is outbid plans again; to take a point from another raises
 //             its price by epsilon, until nobody wants to change [1]; then what
 //             nobody holds is free again, as long as that pays; last, each
 //             plans around the others without prices
-//   kPriced   prices are broadcast, all plan under them, and they rise where
+//   priced    prices are broadcast, all plan under them, and they rise where
 //             more than one agent goes and fall where none does [2]
-//   kExact    a pool of tours from a search over all tours together and from
+//   exact     a pool of tours from a search over all tours together and from
 //             planning under the prices of the pool's rows; of the pool the
 //             best choice by packing.h; the search goes on from it
 //
@@ -27,7 +27,6 @@
 #define KG_SELECTOR_ORIENTEERING_TEAM_ORIENTEERING_H_
 
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,11 +35,23 @@
 
 namespace kg_selector {
 
-enum class TeamMode { kGreedy, kAuction, kPriced, kExact };
-std::optional<TeamMode> TeamModeOf(const std::string& name);
+struct TeamTourOptions;
+struct TeamTours;
+// Makes the tours of one team mode (team_modes.h).
+using TourPlanner = TeamTours (*)(const kg_planner::Orienteering& problem,
+                                  const TeamTourOptions& options);
+
+TeamTours PlanToursGreedily(const kg_planner::Orienteering& problem,
+                            const TeamTourOptions& options);
+TeamTours PlanToursByAuction(const kg_planner::Orienteering& problem,
+                             const TeamTourOptions& options);
+TeamTours PlanToursByPrices(const kg_planner::Orienteering& problem,
+                            const TeamTourOptions& options);
+TeamTours PlanToursExactly(const kg_planner::Orienteering& problem,
+                           const TeamTourOptions& options);
 
 struct TeamTourOptions {
-  TeamMode mode = TeamMode::kExact;
+  TourPlanner planner = PlanToursExactly;
   // Of this thread's processor, CBC's part included.
   double seconds = 0.5;
   unsigned seed = 1;
@@ -99,13 +110,6 @@ kg_planner::Orienteering AloneWith(const kg_planner::Orienteering& problem,
 double BoundAt(const kg_planner::Orienteering& problem,
                const std::vector<double>& prices,
                const kg_planner::Tour& known);
-
-TeamTours PlanToursByAuction(const kg_planner::Orienteering& problem,
-                             const TeamTourOptions& options);
-TeamTours PlanToursByPrices(const kg_planner::Orienteering& problem,
-                            const TeamTourOptions& options);
-TeamTours PlanToursExactly(const kg_planner::Orienteering& problem,
-                           const TeamTourOptions& options);
 
 }  // namespace kg_selector
 

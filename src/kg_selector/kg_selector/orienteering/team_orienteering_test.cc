@@ -17,14 +17,12 @@
 #include "kg_core/base/temporary_folder.h"
 #include "kg_selector/orienteering/top_instance.h"
 #include "kg_selector/orienteering/top_report.h"
+#include "kg_selector/team/team_modes.h"
 
 namespace kg_selector {
 namespace {
 
 using kg_planner::Orienteering;
-
-constexpr TeamMode kModes[] = {TeamMode::kGreedy, TeamMode::kAuction,
-                               TeamMode::kPriced, TeamMode::kExact};
 
 TopInstance RandomInstance(int points, int paths, unsigned seed) {
   std::mt19937 prng(seed);
@@ -86,18 +84,19 @@ TEST(TeamOrienteering, IsWithinOptimumAndBoundInEveryMode) {
     const double best = kg_planner::IsPossible(problem)
                             ? Exhaustion(problem).Best(problem.tours)
                             : 0.0;
-    for (TeamMode mode : kModes) {
+    for (const TeamMode& mode : TeamModes()) {
       TeamTourOptions options;
-      options.mode = mode;
+      options.planner = mode.plan_tours;
       options.seconds = 0.04;
       const TeamTours team = PlanTours(problem, options);
       EXPECT_EQ(FaultOf(problem, team), "") << "seed " << seed;
       EXPECT_LE(team.value, best) << "seed " << seed;
       EXPECT_GE(team.bound, best - 1e-9) << "seed " << seed;
-      if (mode == TeamMode::kExact) {
+      if (mode.plan_tours == PlanToursExactly) {
         EXPECT_EQ(team.value, best) << "seed " << seed;
       }
-      if (mode == TeamMode::kGreedy && team.value < best) ++greedy_misses;
+      if (mode.plan_tours == PlanToursGreedily && team.value < best)
+        ++greedy_misses;
       if (std::isfinite(team.bound)) ++bounds;
     }
   }
@@ -108,9 +107,9 @@ TEST(TeamOrienteering, IsWithinOptimumAndBoundInEveryMode) {
 TEST(TeamOrienteering, NeedsNoTimeForWhatHasOneAnswer) {
   TopInstance far = RandomInstance(6, 2, 1);
   far.limit = 0.0;
-  for (TeamMode mode : kModes) {
+  for (const TeamMode& mode : TeamModes()) {
     TeamTourOptions options;
-    options.mode = mode;
+    options.planner = mode.plan_tours;
     options.seconds = 1000.0;
     const TeamTours none = PlanTours(ToOrienteering(far), options);
     EXPECT_EQ(none.value, 0.0);
@@ -262,8 +261,8 @@ TEST(TeamOrienteering, ReachesPublishedValuesOfSmallInstances) {
     const TeamTours exact = PlanTours(problem, options);
     EXPECT_EQ(FaultOf(problem, exact), "");
     EXPECT_EQ(exact.value, references.at(name)) << name;
-    for (TeamMode mode : kModes) {
-      options.mode = mode;
+    for (const TeamMode& mode : TeamModes()) {
+      options.planner = mode.plan_tours;
       const TeamTours team = PlanTours(problem, options);
       EXPECT_EQ(FaultOf(problem, team), "") << name;
       EXPECT_LE(team.value, exact.value) << name;

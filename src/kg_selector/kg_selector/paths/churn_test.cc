@@ -8,8 +8,8 @@
 #include "kg_planner/k_best/k_best.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/team/plan_team.h"
-#include "kg_selector/team/random_team.h"
 #include "kg_selector/team/stability.h"
+#include "kg_selector/testing/random_team.h"
 
 namespace kg_selector {
 namespace {

@@ -38,7 +38,7 @@ struct TeamRules {
   // Soft: reward lost per metre that the closest approach to each committed
   // agent lies below separation_m.
   double separation_weight_per_m = 0.0;
-  std::string mode = "greedy";  // "greedy", "auction", "priced", "exact".
+  std::string mode = "greedy";  // A name of the table in team_modes.h.
   int max_rounds = 8;           // Of planning, the first included.
   // Modes with prices stop when the plan is this close to its bound (a share).
   double gap_goal = 0.01;

@@ -7,7 +7,7 @@
 
 #include "gtest/gtest.h"
 #include "kg_selector/team/plan_team.h"
-#include "kg_selector/team/random_team.h"
+#include "kg_selector/testing/random_team.h"
 
 namespace kg_selector {
 namespace {

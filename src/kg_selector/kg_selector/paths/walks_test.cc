@@ -9,9 +9,9 @@
 #include "gtest/gtest.h"
 #include "kg_compiler/compile/same_compilation.h"
 #include "kg_compiler/traversal/test_sea.h"
-#include "kg_selector/explain/planned_test_world.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/team/plan_mission.h"
+#include "kg_selector/testing/planned_test_world.h"
 
 namespace kg_selector {
 namespace {

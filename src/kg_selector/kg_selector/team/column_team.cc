@@ -5,9 +5,6 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
-#include "kg_selector/team/auction_search.h"
-#include "kg_selector/team/exact_search.h"
-#include "kg_selector/team/priced_search.h"
 #include "kg_selector/team/screening.h"
 
 namespace kg_selector {
@@ -33,15 +30,6 @@ Fairness FairnessOf(const TeamRules& rules) {
 }
 
 }  // namespace
-
-std::unique_ptr<TeamSearch> MakeSearch(const TeamRules& rules) {
-  const SearchOptions options{rules.max_rounds, rules.gap_goal,
-                              rules.auction_epsilon, rules.time_limit_s};
-  if (rules.mode == "auction") return std::make_unique<AuctionSearch>(options);
-  if (rules.mode == "priced") return std::make_unique<PricedSearch>(options);
-  if (rules.mode == "exact") return std::make_unique<ExactSearch>(options);
-  return nullptr;
-}
 
 ColumnTeam::ColumnTeam(TeamRules rules, const std::vector<std::string>& agents,
                        std::unique_ptr<TeamSearch> search)

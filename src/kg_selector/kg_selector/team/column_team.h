@@ -66,9 +66,6 @@ class ColumnTeam : public Coordinator {
   bool finished_ = false;
 };
 
-// By rules.mode "auction", "priced" or "exact".
-std::unique_ptr<TeamSearch> MakeSearch(const TeamRules& rules);
-
 }  // namespace kg_selector
 
 #endif  // KG_SELECTOR_TEAM_COLUMN_TEAM_H_

@@ -1,6 +1,10 @@
 #include "kg_selector/team/plan_team.h"
 
+#include <memory>
 #include <set>
+
+#include "kg_selector/team/coordinator.h"
+#include "kg_selector/team/team_modes.h"
 
 namespace kg_selector {
 

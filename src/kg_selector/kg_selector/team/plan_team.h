@@ -12,8 +12,8 @@
 #include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_selector/paths/conflict.h"
 #include "kg_selector/paths/pathlet.h"
-#include "kg_selector/team/coordinator.h"
-#include "kg_selector/team/plan_under.h"
+#include "kg_selector/team/priced_replanning.h"
+#include "kg_selector/team/team_plan.h"
 
 namespace kg_selector {
 

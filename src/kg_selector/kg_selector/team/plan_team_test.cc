@@ -9,8 +9,8 @@
 #include "gtest/gtest.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/team/greedy_team.h"
-#include "kg_selector/team/random_team.h"
-#include "kg_selector/team/sampled_distance.h"
+#include "kg_selector/testing/random_team.h"
+#include "kg_selector/testing/sampled_distance.h"
 
 namespace kg_selector {
 namespace {

@@ -1,12 +1,11 @@
-#include "kg_selector/team/plan_under.h"
-
 #include <cmath>
 #include <limits>
 
 #include "gtest/gtest.h"
 #include "kg_core/base/input_error.h"
-#include "kg_selector/team/every_path.h"
-#include "kg_selector/team/random_team.h"
+#include "kg_selector/team/priced_replanning.h"
+#include "kg_selector/testing/every_path.h"
+#include "kg_selector/testing/random_team.h"
 
 namespace kg_selector {
 namespace {

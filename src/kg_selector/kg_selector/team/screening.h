@@ -10,7 +10,7 @@
 
 #include "kg_selector/paths/conflict.h"
 #include "kg_selector/paths/pathlet.h"
-#include "kg_selector/team/coordinator.h"
+#include "kg_selector/team/team_plan.h"
 
 namespace kg_selector {
 

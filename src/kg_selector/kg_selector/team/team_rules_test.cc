@@ -5,15 +5,14 @@
 #include <cmath>
 
 #include "gtest/gtest.h"
-#include "kg_selector/team/every_path.h"
 #include "kg_selector/team/plan_team.h"
-#include "kg_selector/team/random_team.h"
-#include "kg_selector/team/sampled_distance.h"
+#include "kg_selector/team/team_modes.h"
+#include "kg_selector/testing/every_path.h"
+#include "kg_selector/testing/random_team.h"
+#include "kg_selector/testing/sampled_distance.h"
 
 namespace kg_selector {
 namespace {
-
-const char* const kModes[] = {"greedy", "auction", "priced", "exact"};
 
 // --- The checker: looks at plan and members only, every two minutes, with
 // geodesics. ---
@@ -119,7 +118,7 @@ Scene MakeScene(unsigned seed) {
   return scene;
 }
 
-class RulesOfMode : public testing::TestWithParam<const char*> {};
+class RulesOfMode : public testing::TestWithParam<std::string> {};
 
 TEST_P(RulesOfMode, AreKeptInTwoHundredRandomMissions) {
   int would_violate = 0;
@@ -290,7 +289,8 @@ TEST_P(RulesOfMode, NonsenseIsTurnedAwayWithAReason) {
     EXPECT_EQ(team->outcome().rejections[i].reason.rfind("malformed: ", 0), 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllModes, RulesOfMode, testing::ValuesIn(kModes));
+INSTANTIATE_TEST_SUITE_P(AllModes, RulesOfMode,
+                         testing::ValuesIn(TeamModeNames()));
 
 }  // namespace
 }  // namespace kg_selector

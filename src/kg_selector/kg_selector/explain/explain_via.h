@@ -2,8 +2,8 @@
 // path from being flown: energy, those committed before, or that no way leads
 // on.
 
-#ifndef KG_SELECTOR_EXPLAIN_WAY_ROUND_H_
-#define KG_SELECTOR_EXPLAIN_WAY_ROUND_H_
+#ifndef KG_SELECTOR_EXPLAIN_EXPLAIN_VIA_H_
+#define KG_SELECTOR_EXPLAIN_EXPLAIN_VIA_H_
 
 #include <cstddef>
 #include <set>
@@ -34,4 +34,4 @@ kg_compiler::Explanation ExplainTaken(const PlannedWorld& world,
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_EXPLAIN_WAY_ROUND_H_
+#endif  // KG_SELECTOR_EXPLAIN_EXPLAIN_VIA_H_

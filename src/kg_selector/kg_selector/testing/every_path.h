@@ -1,8 +1,8 @@
 // Every path of a member of a small team, by walking its graphs: what the tests
 // compare planners and teams with. Knows nothing of trellises and prices.
 
-#ifndef KG_SELECTOR_TEAM_EVERY_PATH_H_
-#define KG_SELECTOR_TEAM_EVERY_PATH_H_
+#ifndef KG_SELECTOR_TESTING_EVERY_PATH_H_
+#define KG_SELECTOR_TESTING_EVERY_PATH_H_
 
 #include <algorithm>
 #include <map>
@@ -55,4 +55,4 @@ inline std::vector<EveryPath> EveryPathOf(const TeamMember& member) {
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_TEAM_EVERY_PATH_H_
+#endif  // KG_SELECTOR_TESTING_EVERY_PATH_H_

@@ -16,6 +16,7 @@
 
 #include "kg_compiler/bench_report.h"
 #include "kg_selector/orienteering/top_report.h"
+#include "kg_selector/team/team_modes.h"
 
 namespace kg_selector {
 namespace {
@@ -44,11 +45,12 @@ double ShareOf(const Data& data, const TeamTourOptions& options,
 }
 
 void CompareModes(const Data& data, double seconds, std::size_t step) {
-  for (const char* name : {"greedy", "auction", "priced"}) {
+  for (const TeamMode& mode : TeamModes()) {
+    if (mode.plan_tours == PlanToursExactly) continue;
     TeamTourOptions options;
-    options.mode = *TeamModeOf(name);
+    options.planner = mode.plan_tours;
     options.seconds = seconds;
-    std::printf("%s: %.2f %% of the published values at %g s\n", name,
+    std::printf("%s: %.2f %% of the published values at %g s\n", mode.name,
                 ShareOf(data, options, step), seconds);
     std::fflush(stdout);
   }

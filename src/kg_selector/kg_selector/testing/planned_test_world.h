@@ -1,8 +1,8 @@
 // For tests: random missions of three agents and three windows on a small grid
 // with a current, compiled and planned in process.
 
-#ifndef KG_SELECTOR_EXPLAIN_PLANNED_TEST_WORLD_H_
-#define KG_SELECTOR_EXPLAIN_PLANNED_TEST_WORLD_H_
+#ifndef KG_SELECTOR_TESTING_PLANNED_TEST_WORLD_H_
+#define KG_SELECTOR_TESTING_PLANNED_TEST_WORLD_H_
 
 #include <memory>
 #include <random>
@@ -151,4 +151,4 @@ class PlannedTestWorld {
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_EXPLAIN_PLANNED_TEST_WORLD_H_
+#endif  // KG_SELECTOR_TESTING_PLANNED_TEST_WORLD_H_

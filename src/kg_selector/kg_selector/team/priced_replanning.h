@@ -9,8 +9,8 @@
 // that earns it. An event that costs as much as it rewards in a window is not
 // earned there: it is not in Visit::events.
 
-#ifndef KG_SELECTOR_TEAM_PLAN_UNDER_H_
-#define KG_SELECTOR_TEAM_PLAN_UNDER_H_
+#ifndef KG_SELECTOR_TEAM_PRICED_REPLANNING_H_
+#define KG_SELECTOR_TEAM_PRICED_REPLANNING_H_
 
 #include <memory>
 #include <string>
@@ -20,7 +20,7 @@
 #include "kg_planner/k_best/k_best.h"
 #include "kg_planner/k_best/k_best_memory.h"
 #include "kg_planner/trellis/trellis.h"
-#include "kg_selector/team/coordinator.h"
+#include "kg_selector/team/team_plan.h"
 
 namespace kg_selector {
 
@@ -63,4 +63,4 @@ Candidates PlanUnder(const TeamRules& team, const TeamMember& member,
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_TEAM_PLAN_UNDER_H_
+#endif  // KG_SELECTOR_TEAM_PRICED_REPLANNING_H_

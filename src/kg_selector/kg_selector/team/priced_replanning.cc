@@ -1,4 +1,4 @@
-#include "kg_selector/team/plan_under.h"
+#include "kg_selector/team/priced_replanning.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 // Seam costs are one table a stage, times the agent's weight; rewards are the
 // agent's own blend of three layers.
 
-#ifndef KG_SELECTOR_TEAM_TRELLIS_TEAM_H_
-#define KG_SELECTOR_TEAM_TRELLIS_TEAM_H_
+#ifndef KG_SELECTOR_TESTING_TRELLIS_TEAM_H_
+#define KG_SELECTOR_TESTING_TRELLIS_TEAM_H_
 
 #include <algorithm>
 #include <cstddef>
@@ -181,4 +181,4 @@ inline void RunSearch(const TrellisTeam& team, TeamSearch* search,
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_TEAM_TRELLIS_TEAM_H_
+#endif  // KG_SELECTOR_TESTING_TRELLIS_TEAM_H_

@@ -1,8 +1,8 @@
 // Small random teams with flights between shared places: what the tests of this
 // package run on.
 
-#ifndef KG_SELECTOR_TEAM_RANDOM_TEAM_H_
-#define KG_SELECTOR_TEAM_RANDOM_TEAM_H_
+#ifndef KG_SELECTOR_TESTING_RANDOM_TEAM_H_
+#define KG_SELECTOR_TESTING_RANDOM_TEAM_H_
 
 #include <algorithm>
 #include <random>
@@ -182,4 +182,4 @@ class RandomTeam {
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_TEAM_RANDOM_TEAM_H_
+#endif  // KG_SELECTOR_TESTING_RANDOM_TEAM_H_

@@ -10,11 +10,12 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_selector/orienteering/top_report.h"
+#include "kg_selector/team/team_modes.h"
 
 namespace kg_selector {
 namespace {
 
-constexpr char kHelp[] =
+constexpr char kHelpBegin[] =
     R"(usage: team_orienteering FOLDER REFERENCE_FILE [--mode MODE] [--seconds S]
 
 Plans every Team Orienteering instance of FOLDER (n, m, tmax, then x y score
@@ -22,7 +23,9 @@ lines; first point start, last end; each of m paths at most tmax, within 1e-9
 for rounding; each score once) and compares with the values of REFERENCE_FILE
 (lines of a file name and a value).
 
-  --mode greedy|auction|priced|exact   how the team comes about (exact)
+  --mode )";
+
+constexpr char kHelpEnd[] = R"(   how the team comes about (exact)
   --seconds S   processor time of the search for each instance, one thread,
                 CBC's part included (0.5); not time on the wall
 
@@ -52,14 +55,22 @@ double SecondsOf(const std::string& text) {
   return seconds;
 }
 
-TeamMode ModeOf(const std::string& text) {
-  const auto mode = TeamModeOf(text);
-  if (!mode) {
-    throw kg_core::InputError(
-        "--mode: expected greedy, auction, priced or exact, got '" + text +
-        "'");
+TourPlanner PlannerOf(const std::string& text) {
+  const TeamMode* mode = FindTeamMode(text);
+  if (mode == nullptr) {
+    throw kg_core::InputError("--mode: expected " + TeamModeChoices() +
+                              ", got '" + text + "'");
   }
-  return *mode;
+  return mode->plan_tours;
+}
+
+// The names of all modes, parted by '|'.
+std::string ModeNames() {
+  std::string names;
+  for (const std::string& name : TeamModeNames()) {
+    names += (names.empty() ? "" : "|") + name;
+  }
+  return names;
 }
 
 Arguments Parse(const std::vector<std::string>& words) {
@@ -78,7 +89,7 @@ Arguments Parse(const std::vector<std::string>& words) {
       throw kg_core::InputError(words[i] + ": expected a value after it");
     }
     if (words[i] == "--mode") {
-      arguments.options.mode = ModeOf(words[i + 1]);
+      arguments.options.planner = PlannerOf(words[i + 1]);
     } else {
       arguments.options.seconds = SecondsOf(words[i + 1]);
     }
@@ -114,7 +125,8 @@ int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   for (const std::string& word : words) {
     if (word == "--help" || word == "-h") {
-      std::cout << kg_selector::kHelp;
+      std::cout << kg_selector::kHelpBegin << kg_selector::ModeNames()
+                << kg_selector::kHelpEnd;
       return 0;
     }
   }

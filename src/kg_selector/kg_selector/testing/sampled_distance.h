@@ -1,8 +1,8 @@
 // For tests: how close two tracks come, by looking at them every so often with
 // geodesics. Shares no code with the closed form (pathlet.h).
 
-#ifndef KG_SELECTOR_TEAM_SAMPLED_DISTANCE_H_
-#define KG_SELECTOR_TEAM_SAMPLED_DISTANCE_H_
+#ifndef KG_SELECTOR_TESTING_SAMPLED_DISTANCE_H_
+#define KG_SELECTOR_TESTING_SAMPLED_DISTANCE_H_
 
 #include <algorithm>
 #include <cstddef>
@@ -43,4 +43,4 @@ inline double LeastDistance_m(const Pathlet& a, const Pathlet& b,
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_TEAM_SAMPLED_DISTANCE_H_
+#endif  // KG_SELECTOR_TESTING_SAMPLED_DISTANCE_H_

@@ -1,4 +1,4 @@
-#include "kg_selector/explain/way_round.h"
+#include "kg_selector/explain/explain_via.h"
 
 #include <limits>
 #include <optional>
