@@ -11,6 +11,9 @@
 #include "gtest/gtest.h"
 #include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/base/input_error.h"
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/rdf/store.h"
+#include "kg_selector/explain/path_terms.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/testing/planned_test_world.h"
 
@@ -208,6 +211,52 @@ TEST(ExplainPlan, AssignmentsSumToTheStepsAndStepsToThePath) {
   });
   EXPECT_GT(steps, 30);
   EXPECT_GT(with_stops, 5);
+}
+
+// Events whose IRIs begin with one another's, abbreviated and in full.
+TEST(ExplainPlan, AnEventsTermCitesTheEventsEarnedAndNoOthers) {
+  const std::string ex = kg_core::kEx;
+  const std::vector<std::string> iris = {ex + "ember_10", ex + "ember_1",
+                                         "http://sites.org/spot/north",
+                                         "http://sites.org/spot"};
+  kg_core::Store store("");
+  kg_core::Transaction change = store.Begin();
+  for (const std::string& iri : iris) {
+    change.Add({kg_core::Iri(iri), kg_core::Iri(ex + "capacity"),
+                kg_core::IntegerLiteral(1),
+                kg_core::Iri(kg_core::kFactsGraph)});
+  }
+  change.Commit(kg_core::WorldChange::kYes);
+  std::map<std::string, int> earned;
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    PlannedTestWorld random(seed);
+    for (std::size_t i = 0; i < iris.size(); ++i) {
+      random.mission.events[i].iri = iris[i];
+    }
+    PlannedWorld world = random.Plan();
+    world.view = store.Read();
+    for (const Pathlet& path : world.plan.committed) {
+      const kg_core::Agent& agent = FindAgent(world, path.agent);
+      for (const PathTerm& term :
+           TermsOf(world, FindMember(world, agent), path)) {
+        if (term.kind != TermKind::kEvents) continue;
+        std::set<std::string> expected;
+        for (const Visit& visit : path.visits) {
+          if (visit.window != term.window) continue;
+          for (const std::string& iri : visit.events) {
+            ++earned[iri];
+            for (const std::string& fact : world.facts().Event(iri)) {
+              expected.insert(fact);
+            }
+          }
+        }
+        const auto facts = TermFacts(world, agent, term);
+        EXPECT_EQ(expected, std::set<std::string>(facts.begin(), facts.end()));
+      }
+    }
+  }
+  EXPECT_GT(earned[iris[0]], 0);
+  EXPECT_GT(earned[iris[2]], 0);
 }
 
 TEST(ExplainPlan, EdgesSumToTheirSeamCosts) {

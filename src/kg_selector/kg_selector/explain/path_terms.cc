@@ -69,7 +69,7 @@ const std::vector<const char*>& PolicyProperties(TermKind kind) {
 Facts EventFacts(const PlannedWorld& world, const PathTerm& term) {
   Facts facts;
   for (const kg_core::Event& event : world.compilation->mission.events)
-    if (term.where.find(kg_core::AbbreviateIri(event.iri)) != std::string::npos)
+    if (std::count(term.events.begin(), term.events.end(), event.iri) > 0)
       facts = std::move(facts) + world.facts().Event(event.iri);
   return facts;
 }
@@ -117,7 +117,7 @@ std::vector<PathTerm> TermsOf(const PlannedWorld& world,
       score += member.graphs[s].waypoints.at(stop).score;
     terms.push_back({visit.window, TermKind::kValue, score, StopNames(stops)});
     terms.push_back({visit.window, TermKind::kEvents, visit.reward - score,
-                     EventNames(visit)});
+                     EventNames(visit), visit.events});
     AddSeam(member, s, EdgeTaken(member, pathlet, s), &terms);
     terms.push_back({visit.window, TermKind::kChurn,
                      -ChurnCost(member.rules, visit.window, visit.position),

@@ -34,7 +34,8 @@ struct PathTerm {
   int window = -1;
   TermKind kind = TermKind::kValue;
   double value = 0.0;  // Costs are negative.
-  std::string where;   // The waypoints, or the events' names.
+  std::string where;   // For a person: the waypoints, or the events' names.
+  std::vector<std::string> events = {};  // kEvents: the IRIs of those earned.
 };
 
 // In order of windows and kinds, all kinds of each window.
