@@ -16,15 +16,15 @@
 
 namespace kg_planner {
 
-class Detours {
+class DetourSearch {
  public:
   // `marginals`: of the same trellis, grid and prices. `search` must outlive
   // this.
-  Detours(const SearchTrellis& search, const ScoreGrid& grid,
-          const Prices& prices, const MaxMarginals& marginals);
+  DetourSearch(const SearchTrellis& search, const ScoreGrid& grid,
+               const Prices& prices, const MaxMarginals& marginals);
 
   // A path that was taken: nodes of the caller's trellis.
-  void Take(const std::vector<int>& nodes);
+  void CountPath(const std::vector<int>& nodes);
 
   // The seams of the best path; of equal ones the first of the search.
   std::vector<int> Best(double penalty) const;
@@ -40,7 +40,7 @@ class Detours {
   struct KeptStage {
     std::vector<int> nodes;  // Of the search, ascending.
     std::vector<KeptSeam> seams;
-    std::vector<int> taken;  // By kept node.
+    std::vector<int> times_taken;  // By kept node.
   };
 
   void AddSeams(const ScoreGrid& grid, const Prices& prices, std::size_t s);

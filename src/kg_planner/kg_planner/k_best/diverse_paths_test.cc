@@ -65,19 +65,19 @@ void ExpectSame(const std::vector<Path>& a, const std::vector<Path>& b) {
   }
 }
 
-struct Seen {
+struct PathCounts {
   int several = 0;   // Paths.
   int rejected = 0;  // For being too near.
 };
 
-Seen CompareWithExhaustion(const RandomOptions& random_options, unsigned seed,
-                           int cases) {
+PathCounts CompareWithExhaustion(const RandomOptions& random_options,
+                                 unsigned seed, int cases) {
   RandomTrellis random(random_options, seed);
-  Seen seen;
+  PathCounts seen;
   for (int i = 0; i < cases; ++i) {
     const Trellis trellis = random.Make();
-    const Masks masks = random.MakeMasks(trellis);
-    const Exhaustion exhaustion(trellis, masks);
+    const PathMasks masks = random.MakeMasks(trellis);
+    const ExhaustiveSearch exhaustion(trellis, masks);
     DiverseOptions options{random.Whole(1, 12), random.Whole(1, 4)};
     options.detours = false;
     const KBest found = FindDiverse(trellis, masks, options);
@@ -102,7 +102,7 @@ Seen CompareWithExhaustion(const RandomOptions& random_options, unsigned seed,
 }
 
 TEST(DiversePathsTest, AreTheBestThroughEveryNodeThatDifferEnough) {
-  const Seen seen = CompareWithExhaustion({}, 42, 1000);
+  const PathCounts seen = CompareWithExhaustion({}, 42, 1000);
   EXPECT_GT(seen.several, 300);
   EXPECT_GT(seen.rejected, 300);
 }
@@ -138,7 +138,7 @@ TEST(DiversePathsTest, KeepTheLimitsAndSayWhatIsProven) {
   int unproven = 0;
   for (int i = 0; i < 1000; ++i) {
     const Trellis trellis = random.Make();
-    const Exhaustion exhaustion(trellis, {});
+    const ExhaustiveSearch exhaustion(trellis, {});
     const std::vector<Path>& all = exhaustion.paths();
     DiverseOptions options{random.Whole(1, 8), random.Whole(1, 3)};
     options.detours = i % 2 == 0;
@@ -153,8 +153,8 @@ TEST(DiversePathsTest, KeepTheLimitsAndSayWhatIsProven) {
       const std::vector<Path> before(found.paths.begin(),
                                      found.paths.begin() + k);
       EXPECT_TRUE(DiffersFromAll(before, path, options.minimum_difference));
-      const double most = k == 0 ? found.bound : before.back().score();
-      EXPECT_LE(path.score(), most + kTolerance);
+      const double max_value = k == 0 ? found.bound : before.back().score();
+      EXPECT_LE(path.score(), max_value + kTolerance);
     }
     if (found.proven && !options.detours)
       ExpectSame(found.paths, DiverseByExhaustion(trellis, all, options));
@@ -236,7 +236,7 @@ TEST(MaxMarginalsTest, AreTheBestScoresThroughEveryNode) {
     const Trellis trellis = random.Make();
     const LimitedSearch limited = MakeSearch(trellis, {});
     const MaxMarginals marginals(limited.search, limited.grid, {});
-    const Exhaustion exhaustion(trellis, {});
+    const ExhaustiveSearch exhaustion(trellis, {});
     for (std::size_t s = 0; s < trellis.stages.size(); ++s) {
       std::vector<double> best(trellis.stages[s].nodes.size(), -1e300);
       std::vector<double> found = best;
@@ -245,7 +245,7 @@ TEST(MaxMarginalsTest, AreTheBestScoresThroughEveryNode) {
       const SearchStage& stage = limited.search.stages[s];
       for (int v = 0; v < stage.nodes; ++v) {
         double& value = found[stage.OriginNode(v)];
-        value = std::max(value, marginals.Of(s, v));
+        value = std::max(value, marginals.Score(s, v));
       }
       for (std::size_t v = 0; v < best.size(); ++v) {
         EXPECT_NEAR(found[v], best[v], kTolerance);

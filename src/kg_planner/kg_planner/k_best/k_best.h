@@ -46,13 +46,13 @@ struct KBest {
 
 // Empty if no path crosses all stages, or there are none. Throws as
 // CheckTrellis() does, and if a mask names a node that is not there.
-KBest FindKBest(const Trellis& trellis, const Masks& masks,
+KBest FindKBest(const Trellis& trellis, const PathMasks& masks,
                 const KBestOptions& options);
 
 // The same, to the bit, with what `memory` keeps of the last such call
 // (k_best_memory.h): for a trellis whose end did not change since.
 class KBestMemory;
-KBest FindKBest(const Trellis& trellis, const Masks& masks,
+KBest FindKBest(const Trellis& trellis, const PathMasks& masks,
                 const KBestOptions& options, KBestMemory* memory);
 
 }  // namespace kg_planner

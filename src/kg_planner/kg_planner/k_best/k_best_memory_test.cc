@@ -44,18 +44,18 @@ std::size_t Change(RandomTrellis* random, Trellis* trellis) {
   return s;
 }
 
-struct Reused {
+struct ReuseCounts {
   int stages = 0;
   int of = 0;
 };
 
-Reused CompareSequences(const RandomOptions& options, unsigned seed,
-                        int sequences) {
+ReuseCounts CompareSequences(const RandomOptions& options, unsigned seed,
+                             int sequences) {
   RandomTrellis random(options, seed);
-  Reused reused;
+  ReuseCounts reused;
   for (int i = 0; i < sequences; ++i) {
     Trellis trellis = random.Make();
-    const Masks masks = random.MakeMasks(trellis);
+    const PathMasks masks = random.MakeMasks(trellis);
     KBestMemory memory;
     for (int change = 0; change < 8; ++change) {
       const KBestOptions k_best{random.Whole(1, 30), 100000};
@@ -83,7 +83,7 @@ TEST(KBestMemoryTest, NeverChangesTheResult) {
     options.stops = choice & 16;
     options.more_resources = choice & 4 ? 1 : 0;
     SCOPED_TRACE(choice);
-    const Reused reused = CompareSequences(options, 200 + choice, 40);
+    const ReuseCounts reused = CompareSequences(options, 200 + choice, 40);
     if (HasFailure()) return;
     EXPECT_GT(reused.stages, reused.of / 10);
   }

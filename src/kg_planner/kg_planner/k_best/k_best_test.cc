@@ -31,7 +31,8 @@ void ExpectSame(const std::vector<Path>& found, const std::vector<Path>& all,
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // By how much the thriftiest path that keeps the other limits is above a limit.
-std::vector<double> AboveLimits(const Trellis& trellis, const Masks& masks) {
+std::vector<double> AboveLimits(const Trellis& trellis,
+                                const PathMasks& masks) {
   std::vector<double> above;
   bool any = false;
   for (std::size_t r = 0; r <= trellis.more_limits.size(); ++r) {
@@ -41,7 +42,7 @@ std::vector<double> AboveLimits(const Trellis& trellis, const Masks& masks) {
     limit = kInfinity;
     above.push_back(kInfinity);
     if (!(lifted < kInfinity)) continue;
-    const Exhaustion exhaustion(open, masks);
+    const ExhaustiveSearch exhaustion(open, masks);
     for (const Path& path : exhaustion.paths()) {
       const double use = r == 0 ? path.resource : path.more_resources[r - 1];
       above.back() = std::min(above.back(), use - lifted);
@@ -63,7 +64,7 @@ void ExpectSameAbove(const std::vector<double>& a,
 }
 
 // How often each case of interest was met, lest a test check nothing.
-struct Seen {
+struct CaseCounts {
   int none = 0;
   int ties = 0;
   int fewer = 0;
@@ -73,7 +74,7 @@ struct Seen {
 };
 
 void Count(const Trellis& trellis, const std::vector<Path>& all, int asked,
-           Seen* seen) {
+           CaseCounts* seen) {
   seen->none += all.empty();
   seen->fewer += all.size() < static_cast<std::size_t>(asked);
   if (!all.empty()) {
@@ -103,14 +104,14 @@ void Count(const Trellis& trellis, const std::vector<Path>& all, int asked,
   }
 }
 
-Seen CompareWithExhaustion(const RandomOptions& options, unsigned seed,
-                           int cases) {
+CaseCounts CompareWithExhaustion(const RandomOptions& options, unsigned seed,
+                                 int cases) {
   RandomTrellis random(options, seed);
-  Seen seen;
+  CaseCounts seen;
   for (int i = 0; i < cases; ++i) {
     const Trellis trellis = random.Make();
-    const Masks masks = random.MakeMasks(trellis);
-    const Exhaustion exhaustion(trellis, masks);
+    const PathMasks masks = random.MakeMasks(trellis);
+    const ExhaustiveSearch exhaustion(trellis, masks);
     const int asked = random.Whole(1, 40);
     const KBest found = FindKBest(trellis, masks, {asked, 100000});
     EXPECT_TRUE(found.proven);
@@ -137,7 +138,7 @@ Seen CompareWithExhaustion(const RandomOptions& options, unsigned seed,
 }
 
 TEST(KBestTest, EqualsExhaustionOnRandomTrellises) {
-  const Seen seen = CompareWithExhaustion({}, 42, 1000);
+  const CaseCounts seen = CompareWithExhaustion({}, 42, 1000);
   EXPECT_GT(seen.none, 20);
   EXPECT_GT(seen.fewer, 100);
 }
@@ -175,7 +176,7 @@ TEST(KBestTest, EqualsExhaustionWithEverythingAtOnce) {
 // Every combination of tokens, limits, masks, stops and further resources, real
 // numbers and whole ones.
 TEST(KBestTest, EqualsExhaustionWhateverIsCombined) {
-  Seen seen;
+  CaseCounts seen;
   for (int choice = 0; choice < 64; ++choice) {
     RandomOptions options;
     options.whole_numbers = choice & 1;
@@ -187,7 +188,7 @@ TEST(KBestTest, EqualsExhaustionWhateverIsCombined) {
     options.max_stages = 4;
     options.max_nodes = 4;
     SCOPED_TRACE(choice);
-    const Seen more = CompareWithExhaustion(options, 100 + choice, 60);
+    const CaseCounts more = CompareWithExhaustion(options, 100 + choice, 60);
     if (HasFailure()) return;
     seen.none += more.none;
     seen.ties += more.ties;
@@ -212,7 +213,7 @@ TEST(KBestTest, KeepsSeveralLimits) {
   RandomOptions options;
   options.limited = true;
   options.more_resources = 3;
-  const Seen seen = CompareWithExhaustion(options, 55, 1000);
+  const CaseCounts seen = CompareWithExhaustion(options, 55, 1000);
   EXPECT_GT(seen.none, 100);
   EXPECT_GT(seen.above_limit, 100);
 }
@@ -234,7 +235,7 @@ TEST(KBestTest, EqualsExhaustionWhenTheLimitIsTight) {
     trellis.resource_limit = 1.5 * static_cast<double>(trellis.stages.size());
     for (Stage& stage : trellis.stages)
       for (Seam& seam : stage.seams) seam.cost = 6.0 - seam.resource;
-    const Exhaustion exhaustion(trellis, {});
+    const ExhaustiveSearch exhaustion(trellis, {});
     ExpectSame(FindKBest(trellis, {}, {20, 100000}).paths, exhaustion.paths(),
                20);
     priced += !FindKBest(trellis, {}, {20, 500}).proven;
@@ -286,7 +287,7 @@ TEST(KBestTest, SaysWhenTheEnumerationLimitWasHit) {
     Trellis trellis = random.Make();
     trellis.resource_limit = 1.5 * static_cast<double>(trellis.stages.size());
     const KBest found = FindKBest(trellis, {}, {5, 3});
-    const std::vector<Path> all = Exhaustion(trellis, {}).paths();
+    const std::vector<Path> all = ExhaustiveSearch(trellis, {}).paths();
     if (found.proven) ExpectSame(found.paths, all, 5);
     hit += !found.proven;
     for (const Path& path : found.paths)
@@ -314,7 +315,7 @@ TEST(KBestTest, BoundsEveryAllowedPathHoweverFewItLooksAt) {
             6.0 - (stage.seams[s].resource + stage.more_resources[0][s] +
                    stage.more_resources[1][s]) /
                       3.0;
-    const std::vector<Path> all = Exhaustion(trellis, {}).paths();
+    const std::vector<Path> all = ExhaustiveSearch(trellis, {}).paths();
     const KBest found = FindKBest(trellis, {}, {20, 510});
     unproven += !found.proven;
     found_one += !found.proven && !found.paths.empty();
@@ -436,7 +437,7 @@ TEST(PathEnumeratorTest, YieldsEveryPathOnceInOrderOfItsBound) {
     EXPECT_FALSE(enumerator.Next());
     std::sort(found.begin(), found.end());
     EXPECT_EQ(std::unique(found.begin(), found.end()), found.end());
-    EXPECT_EQ(found.size(), Exhaustion(trellis, {}).paths().size());
+    EXPECT_EQ(found.size(), ExhaustiveSearch(trellis, {}).paths().size());
   }
 }
 

@@ -35,7 +35,7 @@ LimitedSearch MakePlain(const Trellis& trellis, PlainPass pass) {
   return {ToSearch(trellis, sorted, {}, grid),
           grid,
           pass.largest_total,
-          LimitsOf(trellis),
+          ResourceLimits(trellis),
           true,
           std::move(pass.levels)};
 }
@@ -48,14 +48,14 @@ bool LimitedSearch::IsLimited() const {
   });
 }
 
-LimitedSearch MakeSearch(const Trellis& trellis, const Masks& masks) {
+LimitedSearch MakeSearch(const Trellis& trellis, const PathMasks& masks) {
   if (masks.nodes.empty() && masks.seams.empty())
     if (auto pass = PassPlain(trellis))
       return MakePlain(trellis, std::move(*pass));
   const TrellisSummary summary = CheckTrellis(trellis);
   const ScoreGrid grid(summary.largest_total);
   LimitedSearch limited{ToSearch(trellis, summary.sorted, masks, grid), grid,
-                        summary.largest_total, LimitsOf(trellis), true};
+                        summary.largest_total, ResourceLimits(trellis), true};
   DropUnaffordable(limited.limits, &limited.search);
   Unroll(&limited);
   return limited;

@@ -30,7 +30,7 @@ struct LimitedSearch {
 
 // Throws as CheckTrellis() does, and if a mask names what is not there.
 // `trellis` must outlive the result.
-LimitedSearch MakeSearch(const Trellis& trellis, const Masks& masks);
+LimitedSearch MakeSearch(const Trellis& trellis, const PathMasks& masks);
 
 }  // namespace kg_planner
 

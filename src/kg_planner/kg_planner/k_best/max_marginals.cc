@@ -56,15 +56,15 @@ void MaxMarginals::RelaxBackward(const std::vector<double>& weights,
   int i = 0;
   for (int u = 0; u < nodes; ++u) {
     first_seam_[s].push_back(i);
-    double most = kNone;
+    double max_value = kNone;
     int best = -1;
     for (; i < stage.seam_count && stage.seams[i].from == u; ++i) {
       const double score = behind[stage.seams[i].to] + weights[i];
-      if (!(score > most)) continue;
-      most = score;
+      if (!(score > max_value)) continue;
+      max_value = score;
       best = i;
     }
-    level.behind[u] = most;
+    level.behind[u] = max_value;
     level.seam_on[u] = best;
     if (best >= 0) level.node_behind[u] = stage.seams[best].to;
   }
@@ -125,7 +125,7 @@ std::vector<int> MaxMarginals::OrderOfTies(
   return order;
 }
 
-double MaxMarginals::Of(std::size_t stage, int node) const {
+double MaxMarginals::Score(std::size_t stage, int node) const {
   const Level& level = levels_[stage + 1];
   return level.before[node] + level.behind[node];
 }

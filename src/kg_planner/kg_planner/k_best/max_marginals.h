@@ -26,7 +26,7 @@ class MaxMarginals {
                const std::vector<ViterbiLevel>& levels = {});
 
   // -infinity if no path leads through the node.
-  double Of(std::size_t stage, int node) const;
+  double Score(std::size_t stage, int node) const;
 
   // The seams of the best path through the node.
   std::vector<int> Seams(std::size_t stage, int node) const;

@@ -30,7 +30,7 @@ struct SeamMask {
   int to = 0;
   std::vector<int> via = {};
 };
-struct Masks {
+struct PathMasks {
   std::vector<NodeMask> nodes;
   std::vector<SeamMask> seams;
 };

@@ -39,10 +39,10 @@ void PathEnumerator::RelaxStage(std::size_t s) {
   int i = 0;
   for (int u = 0; u < nodes; ++u) {
     level.first_seam[u] = i;
-    double most = kNone;
+    double max_value = kNone;
     for (; i < stage.seam_count && stage.seams[i].from == u; ++i)
-      most = std::max(most, Onward(s, i));
-    level.best[u] = most;
+      max_value = std::max(max_value, ScoreOver(s, i));
+    level.best[u] = max_value;
   }
   level.first_seam[nodes] = i;
 }
@@ -66,7 +66,7 @@ PathEnumerator::NodeRests* PathEnumerator::Rests(std::size_t s, int node) {
   rests.best.push_back({best, -1, 0});
   if (s == search_.stages.size()) return &rests;
   int seam = level.first_seam[node];
-  while (Onward(s, seam) != best) ++seam;
+  while (ScoreOver(s, seam) != best) ++seam;
   rests.best.front().seam = seam;
   return &rests;
 }
@@ -93,7 +93,7 @@ void PathEnumerator::Expand(std::size_t s, int node, NodeRests* rests) {
   const int begin = tables_.levels[s].first_seam[node];
   rests->heap.reserve(end - begin);
   for (int i = begin; i < end; ++i) {
-    const double score = Onward(s, i);
+    const double score = ScoreOver(s, i);
     if (i != taken && score > kNone) rests->heap.push_back({score, i, 0});
   }
   std::make_heap(rests->heap.begin(), rests->heap.end(), Worse);

@@ -67,7 +67,7 @@ class PathEnumerator {
   double Weight(const SearchStage& stage, int seam) const {
     return stage.Gain(seam) - PricedCost(stage, seam, grid_, prices_);
   }
-  double Onward(std::size_t s, int seam) const {
+  double ScoreOver(std::size_t s, int seam) const {
     const SearchStage& stage = search_.stages[s];
     return tables_.levels[s + 1].best[stage.seams[seam].to] +
            Weight(stage, seam);

@@ -8,9 +8,9 @@
 namespace kg_planner {
 namespace {
 
-class Valuation {
+class PathValuation {
  public:
-  Valuation(const Trellis& trellis, const ScoreGrid& grid)
+  PathValuation(const Trellis& trellis, const ScoreGrid& grid)
       : trellis_(trellis), grid_(grid) {
     value_.path.more_resources.assign(trellis.more_limits.size(), 0.0);
     value_.path.nodes.reserve(trellis.stages.size());
@@ -21,7 +21,7 @@ class Valuation {
   void AddSeam(std::size_t s, int index, int place) {
     const Stage& stage = trellis_.stages[s];
     const Seam& seam = stage.seams[index];
-    for (const int node : ViaOf(stage, index)) AddNode(stage.nodes[node]);
+    for (const int node : NodesVia(stage, index)) AddNode(stage.nodes[node]);
     AddNode(stage.nodes[seam.to]);
     value_.path.nodes.push_back(seam.to);
     value_.path.seams.push_back(index);
@@ -64,7 +64,7 @@ bool IsBetter(const ValuedPath& a, const ValuedPath& b) {
 ValuedPath Evaluate(const Trellis& trellis, const ScoreGrid& grid,
                     const SearchTrellis& search,
                     const std::vector<int>& seams) {
-  Valuation valuation(trellis, grid);
+  PathValuation valuation(trellis, grid);
   for (std::size_t s = 0; s < seams.size(); ++s) {
     const SearchStage& stage = search.stages[s];
     valuation.AddSeam(s, stage.Origin(seams[s]), stage.Place(seams[s]));

@@ -46,9 +46,9 @@ double GuessCost(const Stage& stage) {
   return largest;
 }
 
-class Passer {
+class PlainPasser {
  public:
-  explicit Passer(const Trellis& trellis)
+  explicit PlainPasser(const Trellis& trellis)
       : trellis_(trellis), costs_(trellis.stages.size(), 0.0) {}
 
   std::optional<PlainPass> Pass() {
@@ -96,8 +96,8 @@ class Passer {
     std::vector<double> onward = levels_[s + 1].best;
     for (std::size_t v = 0; v < onward.size(); ++v)
       onward[v] += grid.Round(stage.nodes[v].reward);
-    const Onward rest{onward.data(), static_cast<int>(onward.size()),
-                      grid.shift()};
+    const OnwardScores rest{onward.data(), static_cast<int>(onward.size()),
+                            grid.shift()};
     const int nodes = NodesBefore(trellis_, s);
     ViterbiLevel& level = levels_[s];
     level.best.assign(nodes, kNone);
@@ -146,7 +146,7 @@ class Passer {
 
 std::optional<PlainPass> PassPlain(const Trellis& trellis) {
   if (!IsPlain(trellis)) return std::nullopt;
-  return Passer(trellis).Pass();
+  return PlainPasser(trellis).Pass();
 }
 
 }  // namespace kg_planner

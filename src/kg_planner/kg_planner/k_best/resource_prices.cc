@@ -9,9 +9,9 @@ namespace kg_planner {
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-constexpr int kSecants = 30;
-constexpr int kDoublings = 60;
-constexpr int kSteps = 120;
+constexpr int kMaxSecants = 30;
+constexpr int kMaxDoublings = 60;
+constexpr int kMaxSteps = 120;
 
 // The best path under prices: what it is worth without them, what it uses, and
 // the bound that the prices give.
@@ -32,9 +32,9 @@ class PriceFinder {
     const auto free = BestUnder(Prices(search_.limits.size(), 0.0));
     if (!free || limited_.empty() || IsAllowed(*free)) return std::move(found_);
     if (limited_.size() == 1)
-      Secants(limited_.front(), *free);
+      SearchBySecants(limited_.front(), *free);
     else
-      Steps(*free);
+      SearchBySubgradient(*free);
     return std::move(found_);
   }
 
@@ -70,19 +70,21 @@ class PriceFinder {
     return *BestUnder(prices);
   }
 
-  void Secants(std::size_t r, PricedPath dear) {
+  void SearchBySecants(std::size_t r, PricedPath over_limit) {
     const double limit = search_.limits[r];
-    double price = search_.largest_total / dear.use[r];
-    PricedPath cheap = BestAt(r, price);
-    for (int i = 0; i < kDoublings && !IsAllowed(cheap); ++i)
-      cheap = BestAt(r, price *= 2.0);
-    for (int i = 0; i < kSecants && cheap.use[r] < dear.use[r]; ++i) {
-      price = (dear.value - cheap.value) / (dear.use[r] - cheap.use[r]);
+    double price = search_.largest_total / over_limit.use[r];
+    PricedPath within_limit = BestAt(r, price);
+    for (int i = 0; i < kMaxDoublings && !IsAllowed(within_limit); ++i)
+      within_limit = BestAt(r, price *= 2.0);
+    for (int i = 0; i < kMaxSecants && within_limit.use[r] < over_limit.use[r];
+         ++i) {
+      price = (over_limit.value - within_limit.value) /
+              (over_limit.use[r] - within_limit.use[r]);
       const PricedPath best = BestAt(r, price);
-      const double gain =
-          best.value - cheap.value - price * (best.use[r] - cheap.use[r]);
+      const double gain = best.value - within_limit.value -
+                          price * (best.use[r] - within_limit.use[r]);
       if (!(gain > 1e-9 * search_.largest_total)) break;
-      (best.use[r] <= limit ? cheap : dear) = best;
+      (best.use[r] <= limit ? within_limit : over_limit) = best;
     }
     found_.prices.assign(search_.limits.size(), 0.0);
     found_.prices[r] = std::max(price, 0.0);
@@ -109,20 +111,20 @@ class PriceFinder {
     return next;
   }
 
-  void Steps(PricedPath at) {
+  void SearchBySubgradient(PricedPath at) {
     Prices prices(search_.limits.size(), 0.0);
     found_.prices = prices;
-    double least = at.bound;
+    double min_value = at.bound;
     double reach = 0.25 * search_.largest_total;  // Of the level, below least.
     int idle = 0;
-    for (int i = 0; i < kSteps && !found_.none_allowed; ++i) {
-      const Prices next = Step(prices, at, least - reach);
+    for (int i = 0; i < kMaxSteps && !found_.none_allowed; ++i) {
+      const Prices next = Step(prices, at, min_value - reach);
       if (next == prices) break;
       prices = next;
       at = *BestUnder(prices);
-      idle = at.bound < least ? 0 : idle + 1;
-      if (at.bound < least) {
-        least = at.bound;
+      idle = at.bound < min_value ? 0 : idle + 1;
+      if (at.bound < min_value) {
+        min_value = at.bound;
         found_.prices = prices;
       }
       if (idle < 3) continue;
@@ -142,10 +144,10 @@ bool HasPrice(const Prices& prices) {
 }
 
 double LargestUse(const SearchStage& stage, std::size_t r) {
-  double most = 0.0;
+  double max_value = 0.0;
   for (int i = 0; i < stage.seam_count; ++i)
-    most = std::max(most, stage.Resource(i, r));
-  return most;
+    max_value = std::max(max_value, stage.Resource(i, r));
+  return max_value;
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ void CheckIndex(const char* what, int index, std::size_t size) {
                               std::to_string(size));
 }
 
-void CheckMasks(const Trellis& trellis, const Masks& masks) {
+void CheckMasks(const Trellis& trellis, const PathMasks& masks) {
   const auto& stages = trellis.stages;
   for (const NodeMask& mask : masks.nodes) {
     CheckIndex("stage", mask.stage, stages.size());
@@ -40,7 +40,8 @@ struct StageMasks {
   std::vector<SeamName> seams;  // Ascending.
 };
 
-std::vector<StageMasks> ByStage(const Trellis& trellis, const Masks& masks) {
+std::vector<StageMasks> ByStage(const Trellis& trellis,
+                                const PathMasks& masks) {
   std::vector<StageMasks> by_stage(trellis.stages.size());
   for (const NodeMask& mask : masks.nodes) {
     by_stage[mask.stage].nodes.resize(trellis.stages[mask.stage].nodes.size());
@@ -59,12 +60,12 @@ bool IsForbidden(const Stage& stage, std::size_t i, const StageMasks* before,
   if (before && !before->nodes.empty() && before->nodes[seam.from]) return true;
   if (!here.nodes.empty()) {
     if (here.nodes[seam.to]) return true;
-    for (const int node : ViaOf(stage, i))
+    for (const int node : NodesVia(stage, i))
       if (here.nodes[node]) return true;
   }
   return !here.seams.empty() &&
          std::binary_search(here.seams.begin(), here.seams.end(),
-                            SeamName(seam.from, seam.to, ViaOf(stage, i)));
+                            SeamName(seam.from, seam.to, NodesVia(stage, i)));
 }
 
 // All seams in the order of ties.
@@ -85,7 +86,7 @@ double Gain(const ScoreGrid& grid, const std::vector<TokenReward>& tokens) {
 
 double SeamGain(const ScoreGrid& grid, const Stage& stage, int seam) {
   double gain = grid.Round(stage.nodes[stage.seams[seam].to].reward);
-  for (const int node : ViaOf(stage, seam))
+  for (const int node : NodesVia(stage, seam))
     gain += grid.Round(stage.nodes[node].reward);
   return gain + Gain(grid, TokensMet(stage, seam));
 }
@@ -130,7 +131,7 @@ void Weigh(const SearchStage& stage, const ScoreGrid& grid,
     weight[i] = gain[seams[i].to] - grid.Round(seams[i].cost);
 }
 
-std::vector<double> LimitsOf(const Trellis& trellis) {
+std::vector<double> ResourceLimits(const Trellis& trellis) {
   std::vector<double> limits{trellis.resource_limit};
   limits.insert(limits.end(), trellis.more_limits.begin(),
                 trellis.more_limits.end());
@@ -153,7 +154,7 @@ std::vector<TokenReward> Distinct(std::vector<TokenReward> tokens) {
 
 std::vector<TokenReward> TokensMet(const Stage& stage, std::size_t i) {
   std::vector<TokenReward> tokens = stage.nodes[stage.seams[i].to].tokens;
-  for (const int node : ViaOf(stage, i)) {
+  for (const int node : NodesVia(stage, i)) {
     const auto& more = stage.nodes[node].tokens;
     tokens.insert(tokens.end(), more.begin(), more.end());
   }
@@ -161,7 +162,7 @@ std::vector<TokenReward> TokensMet(const Stage& stage, std::size_t i) {
 }
 
 SearchTrellis ToSearch(const Trellis& trellis, const std::vector<char>& sorted,
-                       const Masks& masks, const ScoreGrid& grid) {
+                       const PathMasks& masks, const ScoreGrid& grid) {
   CheckMasks(trellis, masks);
   const std::vector<StageMasks> by_stage = ByStage(trellis, masks);
   const bool masked = !masks.nodes.empty() || !masks.seams.empty();

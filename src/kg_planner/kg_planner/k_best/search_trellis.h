@@ -77,7 +77,7 @@ struct SearchTrellis {
 };
 
 // By resource, the first being 0.
-std::vector<double> LimitsOf(const Trellis& trellis);
+std::vector<double> ResourceLimits(const Trellis& trellis);
 
 // A token's reward at a node that lists it more than once is the largest.
 // By token.
@@ -91,7 +91,7 @@ std::vector<TokenReward> TokensMet(const Stage& stage, std::size_t i);
 // std::invalid_argument if a mask names a stage or node that is not there; a
 // seam mask without a seam forbids nothing.
 SearchTrellis ToSearch(const Trellis& trellis, const std::vector<char>& sorted,
-                       const Masks& masks, const ScoreGrid& grid);
+                       const PathMasks& masks, const ScoreGrid& grid);
 
 }  // namespace kg_planner
 

@@ -31,21 +31,21 @@ void CheckPath(const Trellis& trellis, const Path& path) {
   }
 }
 
-class Earnings {
+class TokenEarnings {
  public:
-  explicit Earnings(const ScoreGrid& grid) : grid_(grid) {}
+  explicit TokenEarnings(const ScoreGrid& grid) : grid_(grid) {}
 
   // What seam i of the stage brings at once.
-  double AtOnce(const Stage& stage, int i) const {
+  double ImmediateGain(const Stage& stage, int i) const {
     double gain = grid_.Round(stage.nodes[stage.seams[i].to].reward) -
                   grid_.Round(stage.seams[i].cost);
-    for (const int node : ViaOf(stage, i))
+    for (const int node : NodesVia(stage, i))
       gain += grid_.Round(stage.nodes[node].reward);
     for (const TokenReward& token : TokensMet(stage, i))
       gain += std::max(0.0, grid_.Round(token.reward) - Earned(token.token));
     return gain;
   }
-  void Take(const Stage& stage, int i) {
+  void Earn(const Stage& stage, int i) {
     for (const TokenReward& token : TokensMet(stage, i)) {
       double& earned = earned_[token.token];
       earned = std::max(earned, grid_.Round(token.reward));
@@ -64,25 +64,25 @@ class Earnings {
 
 }  // namespace
 
-std::vector<bool> FindStaging(const Trellis& trellis, const Masks& masks,
+std::vector<bool> FindStaging(const Trellis& trellis, const PathMasks& masks,
                               const Path& path) {
   const TrellisSummary summary = CheckTrellis(trellis);
   CheckPath(trellis, path);
   const ScoreGrid grid(summary.largest_total);
   const SearchTrellis allowed = ToSearch(trellis, summary.sorted, masks, grid);
-  Earnings earnings(grid);
+  TokenEarnings earnings(grid);
   std::vector<bool> staging;
   int at = 0;
   for (std::size_t s = 0; s < path.seams.size(); ++s) {
     const Stage& stage = trellis.stages[s];
     const SearchStage& search = allowed.stages[s];
-    const double taken = earnings.AtOnce(stage, path.seams[s]);
+    const double taken = earnings.ImmediateGain(stage, path.seams[s]);
     bool more = false;
     for (int i = 0; i < search.seam_count; ++i)
       more = more || (search.seams[i].from == at &&
-                      earnings.AtOnce(stage, search.Origin(i)) > taken);
+                      earnings.ImmediateGain(stage, search.Origin(i)) > taken);
     staging.push_back(more);
-    earnings.Take(stage, path.seams[s]);
+    earnings.Earn(stage, path.seams[s]);
     at = stage.seams[path.seams[s]].to;
   }
   return staging;

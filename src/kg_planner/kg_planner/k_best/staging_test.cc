@@ -21,7 +21,8 @@ Trellis Detour() {
   return trellis;
 }
 
-std::vector<bool> OfTheBest(const Trellis& trellis, const Masks& masks = {}) {
+std::vector<bool> OfTheBest(const Trellis& trellis,
+                            const PathMasks& masks = {}) {
   return FindStaging(trellis, masks,
                      FindKBest(trellis, masks, {1}).paths.at(0));
 }
@@ -90,7 +91,7 @@ TEST(StagingTest, TheGreedyPathNeverStagesAndOthersDo) {
   int staging = 0;
   for (int i = 0; i < 1000; ++i) {
     const Trellis trellis = random.Make();
-    const Exhaustion exhaustion(trellis, {});
+    const ExhaustiveSearch exhaustion(trellis, {});
     for (const Path& path : exhaustion.paths()) {
       bool greedy = true;
       int at = 0;

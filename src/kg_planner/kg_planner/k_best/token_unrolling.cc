@@ -40,7 +40,7 @@ class OfferFinder {
     for (int i = 0; i < search.seam_count; ++i) {
       const std::size_t origin = search.Origin(i);
       found.of_seam.push_back(search.seams[i].to);
-      if (ViaOf(*search.stage, origin).empty()) continue;
+      if (NodesVia(*search.stage, origin).empty()) continue;
       found.of_seam.back() = static_cast<int>(found.offers.size());
       found.offers.push_back(Offer(TokensMet(*search.stage, origin)));
     }
@@ -120,22 +120,22 @@ class StageUnroller {
 };
 
 // Split nodes of the stage before: which node, and which of the states.
-struct Front {
+struct SplitNodes {
   std::vector<int> origin;
   std::vector<std::size_t> state;
   std::vector<Earned> states;
 };
 
-Front FrontOf(const std::vector<StageUnroller::Key>& keys) {
+SplitNodes ToSplitNodes(const std::vector<StageUnroller::Key>& keys) {
   std::map<Earned, std::size_t> known;
-  Front front;
+  SplitNodes split_before;
   for (const auto& [node, earned] : keys) {
     const auto place = known.emplace(earned, known.size());
-    if (place.second) front.states.push_back(earned);
-    front.origin.push_back(node);
-    front.state.push_back(place.first->second);
+    if (place.second) split_before.states.push_back(earned);
+    split_before.origin.push_back(node);
+    split_before.state.push_back(place.first->second);
   }
-  return front;
+  return split_before;
 }
 
 // Where the seams of each of `nodes` nodes begin; they ascend by `from`.
@@ -155,20 +155,21 @@ double Sum(const Earned& offer) {
 // The split stage, its nodes as in `unroller`. False if there are too many
 // seams.
 bool UnrollStage(const SearchStage& stage, const StageOffers& offers,
-                 const Front& front, std::size_t max_seams,
+                 const SplitNodes& split_before, std::size_t max_seams,
                  StageUnroller* unroller, SearchStage* split) {
   int nodes = 0;
-  for (const int origin : front.origin) nodes = std::max(nodes, origin + 1);
+  for (const int origin : split_before.origin)
+    nodes = std::max(nodes, origin + 1);
   for (int i = 0; i < stage.seam_count; ++i)
     nodes = std::max(nodes, stage.seams[i].from + 1);
   const std::vector<int> first = FirstSeams(stage, nodes);
-  for (std::size_t u = 0; u < front.origin.size(); ++u) {
-    const int origin = front.origin[u];
+  for (std::size_t u = 0; u < split_before.origin.size(); ++u) {
+    const int origin = split_before.origin[u];
     for (int i = first[origin]; i < first[origin + 1]; ++i) {
       if (split->own.size() >= max_seams) return false;
       Seam seam = stage.seams[i];
       const int offer = offers.of_seam[i];
-      const auto target = unroller->Reach(front.state[u], seam, offer);
+      const auto target = unroller->Reach(split_before.state[u], seam, offer);
       seam.from = static_cast<int>(u);
       seam.to = target.node;
       split->own.push_back(seam);
@@ -215,20 +216,20 @@ std::optional<SearchTrellis> UnrollTokens(const SearchTrellis& search,
                                           std::size_t max_seams) {
   const std::vector<StageOffers> offers = FindOffers(search, tokens, grid);
   SearchTrellis unrolled;
-  Front front{{0}, {0}, {Earned(tokens.size(), 0.0)}};
+  SplitNodes split_before{{0}, {0}, {Earned(tokens.size(), 0.0)}};
   std::size_t left = max_seams;
   for (std::size_t s = 0; s < search.stages.size(); ++s) {
     const SearchStage& stage = search.stages[s];
-    StageUnroller unroller(offers[s], front.states);
+    StageUnroller unroller(offers[s], split_before.states);
     SearchStage& split = unrolled.stages.emplace_back();
-    if (!UnrollStage(stage, offers[s], front, left, &unroller, &split))
+    if (!UnrollStage(stage, offers[s], split_before, left, &unroller, &split))
       return std::nullopt;
     left -= split.own.size();
     split.stage = stage.stage;
     split.UseOwn();
-    front = FrontOf(unroller.keys());
-    split.nodes = static_cast<int>(front.origin.size());
-    split.origin_node = front.origin;
+    split_before = ToSplitNodes(unroller.keys());
+    split.nodes = static_cast<int>(split_before.origin.size());
+    split.origin_node = split_before.origin;
   }
   return unrolled;
 }

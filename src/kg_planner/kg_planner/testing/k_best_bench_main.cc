@@ -28,7 +28,7 @@
 namespace kg_planner {
 namespace {
 
-struct Case {
+struct BenchCase {
   int nodes;
   int stages;
   int paths;
@@ -38,7 +38,7 @@ struct Case {
   }
 };
 
-Trellis DenseTrellis(const Case& one, unsigned seed) {
+Trellis DenseTrellis(const BenchCase& one, unsigned seed) {
   std::mt19937 prng(seed);
   const auto share = [&] { return static_cast<double>(prng() >> 2) * 0x1p-30; };
   Trellis trellis;
@@ -78,15 +78,15 @@ int CountDifferent(const std::vector<Path>& paths,
   return different;
 }
 
-struct Times {
+struct BenchTimes {
   std::vector<double> in_viterbis;
   std::vector<double> list_in_k_bests;
   std::vector<double> k_best_ms;
   int different = 0;
 };
 
-Times TimeKBest(const Trellis& trellis, const Case& one, int rounds) {
-  Times times;
+BenchTimes TimeKBest(const Trellis& trellis, const BenchCase& one, int rounds) {
+  BenchTimes times;
   for (int i = 0; i < rounds; ++i) {
     KBest found;
     std::vector<double> scores;
@@ -104,9 +104,9 @@ Times TimeKBest(const Trellis& trellis, const Case& one, int rounds) {
   return times;
 }
 
-void MeasureKBest(const Trellis& trellis, const Case& one, int rounds,
+void MeasureKBest(const Trellis& trellis, const BenchCase& one, int rounds,
                   bool is_target) {
-  const Times times = TimeKBest(trellis, one, rounds);
+  const BenchTimes times = TimeKBest(trellis, one, rounds);
   const double passes = Median(times.in_viterbis);
   const double faster = Median(times.list_in_k_bests);
   if (!is_target) {
@@ -136,7 +136,7 @@ double MeanDifference(const std::vector<Path>& paths) {
 }
 
 // A quarter of the stages must differ; half of them do on the average.
-void MeasureDiverse(const Trellis& trellis, const Case& one, int rounds) {
+void MeasureDiverse(const Trellis& trellis, const BenchCase& one, int rounds) {
   KBest found;
   std::vector<double> passes;
   for (int i = 0; i < rounds; ++i) {
@@ -169,9 +169,10 @@ void MeasureDiverse(const Trellis& trellis, const Case& one, int rounds) {
 int main(int argc, char** argv) {
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
   const int rounds = quick ? 1 : 11;
-  for (const kg_planner::Case& one :
-       {kg_planner::Case{20, 7, 50}, kg_planner::Case{20, 7, 1000},
-        kg_planner::Case{100, 28, 100}, kg_planner::Case{200, 168, 100}}) {
+  for (const kg_planner::BenchCase& one :
+       {kg_planner::BenchCase{20, 7, 50}, kg_planner::BenchCase{20, 7, 1000},
+        kg_planner::BenchCase{100, 28, 100},
+        kg_planner::BenchCase{200, 168, 100}}) {
     const kg_planner::Trellis trellis = kg_planner::DenseTrellis(one, 42);
     const bool is_target = one.nodes == 200;
     kg_planner::MeasureKBest(trellis, one, rounds, is_target);

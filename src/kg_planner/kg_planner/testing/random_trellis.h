@@ -52,8 +52,8 @@ class RandomTrellis {
     return trellis;
   }
 
-  Masks MakeMasks(const Trellis& trellis) {
-    Masks masks;
+  PathMasks MakeMasks(const Trellis& trellis) {
+    PathMasks masks;
     if (!options_.masked) return masks;
     for (int s = 0; s < static_cast<int>(trellis.stages.size()); ++s) {
       const Stage& stage = trellis.stages[s];
@@ -146,9 +146,9 @@ class RandomTrellis {
 };
 
 // All allowed paths, best first, the same score stage by stage by node, via.
-class Exhaustion {
+class ExhaustiveSearch {
  public:
-  Exhaustion(const Trellis& trellis, const Masks& masks)
+  ExhaustiveSearch(const Trellis& trellis, const PathMasks& masks)
       : trellis_(trellis), masks_(masks) {
     if (!trellis.stages.empty()) Extend({}, 0);
     std::stable_sort(paths_.begin(), paths_.end(),
@@ -160,7 +160,7 @@ class Exhaustion {
   const std::vector<Path>& paths() const { return paths_; }
 
  private:
-  std::vector<int> ViaOf(std::size_t stage, int seam) const {
+  std::vector<int> NodesVia(std::size_t stage, int seam) const {
     const auto& via = trellis_.stages[stage].via;
     return via.empty() ? std::vector<int>() : via[seam];
   }
@@ -169,14 +169,14 @@ class Exhaustion {
     std::vector<std::vector<int>> visited;
     for (std::size_t s = 0; s < path.nodes.size(); ++s) {
       visited.push_back({path.nodes[s]});
-      for (const int node : ViaOf(s, path.seams[s]))
+      for (const int node : NodesVia(s, path.seams[s]))
         visited.back().push_back(node);
     }
     return visited;
   }
   bool Masked(int stage, int index) const {
     const Seam& seam = trellis_.stages[stage].seams[index];
-    std::vector<int> visited = ViaOf(stage, index);
+    std::vector<int> visited = NodesVia(stage, index);
     for (const SeamMask& mask : masks_.seams)
       if (mask.stage == stage && mask.from == seam.from && mask.to == seam.to &&
           mask.via == visited)
@@ -212,7 +212,7 @@ class Exhaustion {
       path.resource += seam.resource;
       for (std::size_t r = 0; r < path.more_resources.size(); ++r)
         path.more_resources[r] += stage.more_resources[r][seams[s]];
-      std::vector<int> visited = ViaOf(s, seams[s]);
+      std::vector<int> visited = NodesVia(s, seams[s]);
       visited.push_back(seam.to);
       for (const int node : visited) {
         path.reward += stage.nodes[node].reward;
@@ -227,7 +227,7 @@ class Exhaustion {
   }
 
   const Trellis& trellis_;
-  const Masks& masks_;
+  const PathMasks& masks_;
   std::vector<Path> paths_;
 };
 

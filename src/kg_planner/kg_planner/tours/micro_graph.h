@@ -24,7 +24,7 @@ class MicroGraph {
   const Leg* Find(int from, int to) const;  // nullptr: there is none.
 
   // What a set of nodes, in ascending order, earns: tokens once.
-  double RewardOf(const std::vector<int>& set) const;
+  double TotalReward(const std::vector<int>& set) const;
   // The path through `nodes`; empty if a leg is missing or the limit is broken.
   MicroPath Walk(const std::vector<int>& nodes) const;
 

@@ -10,17 +10,17 @@
 namespace kg_planner {
 namespace {
 
-struct Label {
+struct MicroLabel {
   std::vector<int> set;  // Ascending; the key, with the path's last node.
   MicroPath path;
   int end() const { return path.nodes.back(); }
 };
 
-bool SameKey(const Label& a, const Label& b) {
+bool SameKey(const MicroLabel& a, const MicroLabel& b) {
   return a.end() == b.end() && a.set == b.set;
 }
 
-bool ByKeyThenOrder(const Label& a, const Label& b) {
+bool ByKeyThenOrder(const MicroLabel& a, const MicroLabel& b) {
   const int a_end = a.end();
   const int b_end = b.end();
   if (std::tie(a_end, a.set) != std::tie(b_end, b.set)) {
@@ -29,7 +29,7 @@ bool ByKeyThenOrder(const Label& a, const Label& b) {
   return BetterOrder(a.path, b.path);
 }
 
-bool ByEndThenScore(const Label& a, const Label& b) {
+bool ByEndThenScore(const MicroLabel& a, const MicroLabel& b) {
   if (a.end() != b.end()) return a.end() < b.end();
   const double a_score = a.path.score();
   const double b_score = b.path.score();
@@ -37,28 +37,28 @@ bool ByEndThenScore(const Label& a, const Label& b) {
   return BetterOrder(a.path, b.path);
 }
 
-class Labels {
+class LabelSetting {
  public:
-  Labels(const MicroGraph& graph, const LabelOptions& options)
+  LabelSetting(const MicroGraph& graph, const LabelOptions& options)
       : graph_(graph), options_(options) {}
 
   LabelSearch Search() {
-    std::vector<Label> level;
-    Label entry;
+    std::vector<MicroLabel> level;
+    MicroLabel entry;
     Extend(entry, -1, &level);
-    for (int nodes = 1; !level.empty() && !given_up_; ++nodes) {
+    for (int nodes = 1; !level.empty() && !stopped_; ++nodes) {
       DropDominated(&level);
       Collect(level);
       if (nodes == options_.max_nodes) break;
-      if (options_.beam > 0) Cut(&level);
-      std::vector<Label> next;
-      for (const Label& label : level) {
-        if (TimeIsUp()) given_up_ = true;
+      if (options_.beam > 0) CutToBeam(&level);
+      std::vector<MicroLabel> next;
+      for (const MicroLabel& label : level) {
+        if (TimeIsUp()) stopped_ = true;
         Extend(label, label.end(), &next);
       }
       level = std::move(next);
     }
-    search_.complete = search_.complete && !given_up_;
+    search_.complete = search_.complete && !stopped_;
     return std::move(search_);
   }
 
@@ -68,8 +68,8 @@ class Labels {
            std::chrono::steady_clock::now() >= options_.deadline;
   }
 
-  void Extend(const Label& label, int at, std::vector<Label>* next) {
-    if (given_up_) return;
+  void Extend(const MicroLabel& label, int at, std::vector<MicroLabel>* next) {
+    if (stopped_) return;
     for (const Leg* leg = graph_.begin(at); leg != graph_.end(at); ++leg) {
       const double duration = label.path.duration + leg->duration;
       if (!(duration <= graph_.duration_limit())) continue;
@@ -77,14 +77,14 @@ class Labels {
           std::lower_bound(label.set.begin(), label.set.end(), leg->to);
       if (place != label.set.end() && *place == leg->to) continue;
       if (++made_ > options_.max_labels) {
-        given_up_ = true;
+        stopped_ = true;
         return;
       }
-      Label longer = label;
+      MicroLabel longer = label;
       longer.set.insert(longer.set.begin() + (place - label.set.begin()),
                         leg->to);
       longer.path.nodes.push_back(leg->to);
-      longer.path.reward = graph_.RewardOf(longer.set);
+      longer.path.reward = graph_.TotalReward(longer.set);
       longer.path.cost += leg->cost;
       longer.path.resource += leg->resource;
       longer.path.duration = duration;
@@ -94,11 +94,11 @@ class Labels {
 
   // Sorted by cost within a key, so a label is dominated unless it is quicker
   // than all before it.
-  static void DropDominated(std::vector<Label>* level) {
+  static void DropDominated(std::vector<MicroLabel>* level) {
     std::sort(level->begin(), level->end(), ByKeyThenOrder);
-    std::vector<Label> kept;
+    std::vector<MicroLabel> kept;
     double quickest = std::numeric_limits<double>::infinity();
-    for (Label& label : *level) {
+    for (MicroLabel& label : *level) {
       const bool first = kept.empty() || !SameKey(kept.back(), label);
       if (!first && !(label.path.duration < quickest)) continue;
       quickest = label.path.duration;
@@ -107,7 +107,7 @@ class Labels {
     *level = std::move(kept);
   }
 
-  void Collect(const std::vector<Label>& level) {
+  void Collect(const std::vector<MicroLabel>& level) {
     for (std::size_t i = 0; i < level.size(); ++i) {
       if (i > 0 && SameKey(level[i - 1], level[i])) continue;
       search_.paths.push_back(level[i].path);
@@ -115,9 +115,9 @@ class Labels {
   }
 
   // Of each end the best, and the quickest: it may lead where no other can.
-  void Cut(std::vector<Label>* level) {
+  void CutToBeam(std::vector<MicroLabel>* level) {
     std::sort(level->begin(), level->end(), ByEndThenScore);
-    std::vector<Label> kept;
+    std::vector<MicroLabel> kept;
     for (std::size_t begin = 0, end = 0; begin < level->size(); begin = end) {
       while (end < level->size() &&
              (*level)[end].end() == (*level)[begin].end()) {
@@ -125,10 +125,11 @@ class Labels {
       }
       const std::size_t cut = std::min(end, begin + options_.beam);
       const auto first = level->begin();
-      const auto quickest = std::min_element(
-          first + begin, first + end, [](const Label& a, const Label& b) {
-            return a.path.duration < b.path.duration;
-          });
+      const auto quickest =
+          std::min_element(first + begin, first + end,
+                           [](const MicroLabel& a, const MicroLabel& b) {
+                             return a.path.duration < b.path.duration;
+                           });
       const bool quickest_is_cut = quickest >= first + cut;
       search_.complete = search_.complete && cut == end;
       if (quickest_is_cut) kept.push_back(*quickest);
@@ -140,14 +141,14 @@ class Labels {
   const MicroGraph& graph_;
   const LabelOptions& options_;
   std::size_t made_ = 0;
-  bool given_up_ = false;
+  bool stopped_ = false;
   LabelSearch search_;
 };
 
 }  // namespace
 
 LabelSearch SearchLabels(const MicroGraph& graph, const LabelOptions& options) {
-  return Labels(graph, options).Search();
+  return LabelSetting(graph, options).Search();
 }
 
 }  // namespace kg_planner

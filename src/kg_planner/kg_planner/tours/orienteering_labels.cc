@@ -33,7 +33,7 @@ class PointSet {
 };
 
 // No detour is a short cut.
-bool IsMetric(const Orienteering& problem) {
+bool IsMetric(const OrienteeringProblem& problem) {
   const double slack = 1e-12 * problem.limit;
   for (int i = 0; i < problem.size(); ++i) {
     for (int j = 0; j < problem.size(); ++j) {
@@ -48,7 +48,7 @@ bool IsMetric(const Orienteering& problem) {
   return true;
 }
 
-struct Label {
+struct TourLabel {
   PointSet closed;  // Visited, or out of reach from here.
   double reward = 0.0;
   double length = 0.0;
@@ -58,9 +58,10 @@ struct Label {
   bool dominated = false;
 };
 
-class Labels {
+class TourLabeling {
  public:
-  Labels(const Orienteering& problem, std::size_t max_labels, const Tour& known)
+  TourLabeling(const OrienteeringProblem& problem, std::size_t max_labels,
+               const Tour& known)
       : problem_(problem), max_labels_(max_labels) {
     const int last = problem.size() - 1;
     for (int p = 1; p < last; ++p) {
@@ -77,7 +78,7 @@ class Labels {
     best_.bound = 0.0;
     for (double reward : problem_.rewards) best_.bound += std::max(0.0, reward);
     if (points_.size() > 64 * kWords || !IsMetric(problem_)) return best_;
-    Label start;
+    TourLabel start;
     Bound(&start);
     labels_.push_back(start);
     open_.push({0.0, 0});
@@ -92,16 +93,16 @@ class Labels {
   }
 
  private:
-  int PointOf(int end) const { return end < 0 ? 0 : points_[end]; }
+  int PointAt(int end) const { return end < 0 ? 0 : points_[end]; }
 
   // Closes what is out of reach, and adds up what is not.
-  void Bound(Label* label) const {
+  void Bound(TourLabel* label) const {
     const int last = problem_.size() - 1;
     label->bound = label->reward;
     for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
       if (label->closed.Has(i)) continue;
       const double length = label->length +
-                            problem_.length(PointOf(label->end), points_[i]) +
+                            problem_.length(PointAt(label->end), points_[i]) +
                             problem_.length(points_[i], last);
       if (length <= problem_.limit) {
         label->bound += problem_.rewards[points_[i]];
@@ -116,10 +117,10 @@ class Labels {
       return true;
     }
     for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
-      const Label from = labels_[at];
+      const TourLabel from = labels_[at];
       if (from.closed.Has(i)) continue;
-      Label to = from;
-      to.length += problem_.length(PointOf(from.end), points_[i]);
+      TourLabel to = from;
+      to.length += problem_.length(PointAt(from.end), points_[i]);
       to.reward += problem_.rewards[points_[i]];
       to.end = i;
       to.before = at;
@@ -134,7 +135,7 @@ class Labels {
   }
 
   // False if there are too many.
-  bool Add(const Label& label) {
+  bool Add(const TourLabel& label) {
     for (int other : at_end_[label.end]) {
       if (Dominates(labels_[other], label)) return true;
     }
@@ -149,17 +150,17 @@ class Labels {
     const int index = static_cast<int>(labels_.size());
     labels_.push_back(label);
     here.push_back(index);
-    if (label.reward > best_.tour.reward) best_.tour = TourOf(index);
+    if (label.reward > best_.tour.reward) best_.tour = ToTour(index);
     if (label.bound > best_.tour.reward) open_.push({label.length, index});
     return true;
   }
 
-  static bool Dominates(const Label& a, const Label& b) {
+  static bool Dominates(const TourLabel& a, const TourLabel& b) {
     return a.length <= b.length && a.reward >= b.reward &&
            a.closed.IsWithin(b.closed);
   }
 
-  Tour TourOf(int index) const {
+  Tour ToTour(int index) const {
     std::vector<int> points;
     for (int l = index; labels_[l].end >= 0; l = labels_[l].before) {
       points.push_back(points_[labels_[l].end]);
@@ -168,10 +169,10 @@ class Labels {
     return MakeTour(problem_, std::move(points));
   }
 
-  const Orienteering& problem_;
+  const OrienteeringProblem& problem_;
   const std::size_t max_labels_;
   std::vector<int> points_;
-  std::vector<Label> labels_;
+  std::vector<TourLabel> labels_;
   std::vector<std::vector<int>> at_end_;  // By point, labels not dominated.
   using Item = std::pair<double, int>;    // The shortest first.
   std::priority_queue<Item, std::vector<Item>, std::greater<>> open_;
@@ -180,12 +181,12 @@ class Labels {
 
 }  // namespace
 
-std::optional<ExactTour> FindExactTour(const Orienteering& problem,
+std::optional<ExactTour> FindExactTour(const OrienteeringProblem& problem,
                                        std::size_t max_labels,
                                        const Tour& known) {
   Check(problem);
   if (!IsPossible(problem)) return std::nullopt;
-  return Labels(problem, max_labels, known).Search();
+  return TourLabeling(problem, max_labels, known).Search();
 }
 
 }  // namespace kg_planner

@@ -83,7 +83,7 @@ void CheckSeamsDiffer(std::size_t s, const Stage& stage) {
                                    : "the pair occurs twice with the same via");
 }
 
-void CheckViaOf(std::size_t s, const Stage& stage, std::size_t i) {
+void CheckSeamVia(std::size_t s, const Stage& stage, std::size_t i) {
   const Seam& seam = stage.seams[i];
   std::vector<int> visited = stage.via[i];
   visited.push_back(seam.to);
@@ -105,7 +105,7 @@ void CheckVia(std::size_t s, const Stage& stage) {
     Refuse(s, "via",
            "of " + std::to_string(stage.via.size()) + " seams, expected " +
                std::to_string(stage.seams.size()) + " or none");
-  for (std::size_t i = 0; i < stage.via.size(); ++i) CheckViaOf(s, stage, i);
+  for (std::size_t i = 0; i < stage.via.size(); ++i) CheckSeamVia(s, stage, i);
 }
 
 void CheckMoreResources(std::size_t s, const Stage& stage, std::size_t limits) {
@@ -225,7 +225,7 @@ bool StandsBefore(const Stage& stage, std::size_t a, std::size_t b) {
   const Seam& y = stage.seams[b];
   if (x.from != y.from) return x.from < y.from;
   if (x.to != y.to) return x.to < y.to;
-  return ViaOf(stage, a) < ViaOf(stage, b);
+  return NodesVia(stage, a) < NodesVia(stage, b);
 }
 
 int NodesBefore(const Trellis& trellis, std::size_t stage) {

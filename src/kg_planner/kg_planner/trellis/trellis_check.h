@@ -20,13 +20,14 @@ struct TrellisSummary {
 };
 
 // The nodes a seam visits on its way.
-inline const std::vector<int>& ViaOf(const Stage& stage, std::size_t seam) {
+inline const std::vector<int>& NodesVia(const Stage& stage, std::size_t seam) {
   static const std::vector<int> none;
   return stage.via.empty() ? none : stage.via[seam];
 }
 
 // Of resource r, the first being 0.
-inline double ResourceOf(const Stage& stage, std::size_t seam, std::size_t r) {
+inline double SeamResource(const Stage& stage, std::size_t seam,
+                           std::size_t r) {
   return r == 0 ? stage.seams[seam].resource
                 : stage.more_resources[r - 1][seam];
 }

@@ -42,19 +42,19 @@ TEST(TrellisTest, ParallelSeamsOverOtherStopsPass) {
   EXPECT_NO_THROW(CheckTrellis(trellis));
 }
 
-struct Mistake {
+struct TrellisMistake {
   const char* name;
   std::function<void(Trellis*)> make;
   const char* stage;  // What the message must name.
   const char* what;
 };
 
-Mistake OfSeam(const char* name, Seam seam) {
+TrellisMistake OfSeam(const char* name, Seam seam) {
   return {name, [seam](Trellis* t) { t->stages[1].seams[2] = seam; }, "stage 1",
           "seam 2"};
 }
 
-std::vector<Mistake> Mistakes() {
+std::vector<TrellisMistake> Mistakes() {
   return {
       OfSeam("from below", {-1, 1}),
       OfSeam("from beyond", {2, 1}),
@@ -143,7 +143,7 @@ std::vector<Mistake> Mistakes() {
 }
 
 TEST(TrellisTest, EveryMistakeIsNamedWithItsPlace) {
-  for (const Mistake& mistake : Mistakes()) {
+  for (const TrellisMistake& mistake : Mistakes()) {
     Trellis trellis = Sound();
     mistake.make(&trellis);
     try {

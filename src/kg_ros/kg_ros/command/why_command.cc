@@ -18,8 +18,8 @@ namespace kg_ros::command {
 namespace {
 
 using kg_selector::PlannedWorld;
-using kg_selector::Question;
-using kg_selector::Why;
+using kg_selector::PlanQuestion;
+using kg_selector::QuestionKind;
 
 double ToNumber(const std::string& text, const std::string& option) {
   char* end = nullptr;
@@ -50,7 +50,7 @@ kg_core::LonLat ToPlace(const std::string& text, const std::string& option) {
 }
 
 // "0,3", or "0,5,3" by way of 5.
-void ReadEdge(const std::string& text, Question* question) {
+void ReadEdge(const std::string& text, PlanQuestion* question) {
   auto [from, rest] = Split(text, "--edge");
   question->from = ToInt(from, "--edge");
   for (auto comma = rest.find(','); comma != std::string::npos;
@@ -63,24 +63,26 @@ void ReadEdge(const std::string& text, Question* question) {
 
 // What is asked about, by the option that says it.
 void ReadSubject(const std::string& option, const std::string& text,
-                 Question* question) {
+                 PlanQuestion* question) {
   if (option == "--cell" || option == "--place") {
-    question->what = option == "--cell" ? Why::kTensorCell : Why::kPlace;
+    question->what =
+        option == "--cell" ? QuestionKind::kTensorCell : QuestionKind::kPlace;
     question->place = ToPlace(text, option);
   } else if (option == "--edge") {
-    question->what = Why::kEdge;
+    question->what = QuestionKind::kEdge;
     ReadEdge(text, question);
   } else if (option == "--waypoint") {
-    question->what = Why::kWaypoint;
+    question->what = QuestionKind::kWaypoint;
     question->to = ToInt(text, option);
   } else {
-    question->what = option == "--event" ? Why::kEvent : Why::kRejection;
+    question->what =
+        option == "--event" ? QuestionKind::kEvent : QuestionKind::kRejection;
     question->id = text;
   }
 }
 
-Question ReadQuestion(const Arguments& arguments) {
-  Question question;
+PlanQuestion ReadQuestion(const Arguments& arguments) {
+  PlanQuestion question;
   question.agent = arguments.One("--agent").value_or("");
   const auto window = arguments.One("--window");
   if (window) question.window = ToInt(*window, "--window");
@@ -127,7 +129,7 @@ PlannedWorld Plan(const Target& target, const std::string& data_folder) {
 
 int Run(const Arguments& arguments) {
   arguments.ExpectWords(1, 1, "TARGET");
-  const Question question = ReadQuestion(arguments);
+  const PlanQuestion question = ReadQuestion(arguments);
   const std::string data = arguments.One("--data").value_or("");
   const Target target = OpenTarget(arguments.words[0], data);
   const kg_compiler::Explanation explanation =

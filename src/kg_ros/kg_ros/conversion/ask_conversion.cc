@@ -9,10 +9,10 @@
 namespace kg_ros {
 namespace {
 
-using kg_selector::Ask;
 using kg_selector::Pathlet;
+using kg_selector::PlanRequest;
 
-void AddPrices(const std::string& agent, const Ask& ask,
+void AddPrices(const std::string& agent, const PlanRequest& ask,
                kg_msgs::Rejections* message) {
   for (const kg_selector::WaypointPrice& price : ask.waypoint_prices) {
     message->prices.emplace_back();
@@ -30,7 +30,7 @@ void AddPrices(const std::string& agent, const Ask& ask,
   }
 }
 
-void TakePrice(const kg_msgs::Price& price, Ask* ask) {
+void TakePrice(const kg_msgs::Price& price, PlanRequest* ask) {
   if (!std::isfinite(price.price) || !(price.price >= 0.0)) {
     throw kg_core::InputError("Price.price must be a finite number >= 0");
   }
@@ -55,7 +55,7 @@ void TakeCooling(const kg_msgs::Cooling& cooling, AskedOf* asked) {
 
 }  // namespace
 
-void AddAsk(const std::string& agent, const Ask& ask,
+void AddAsk(const std::string& agent, const PlanRequest& ask,
             const kg_selector::TeamRules& rules, kg_msgs::Rejections* message) {
   message->asked.push_back(agent);
   kg_msgs::Cooling cooling;

@@ -13,11 +13,11 @@
 namespace kg_ros {
 
 // Adds who is asked, and what for, to a message whose header is set.
-void AddAsk(const std::string& agent, const kg_selector::Ask& ask,
+void AddAsk(const std::string& agent, const kg_selector::PlanRequest& ask,
             const kg_selector::TeamRules& rules, kg_msgs::Rejections* message);
 
 struct AskedOf {
-  kg_selector::Ask ask;
+  kg_selector::PlanRequest ask;
   double separation_m = 0.0;  // From those committed.
 };
 // What the message asks of an agent; nothing if it does not. Prices without an

@@ -272,7 +272,7 @@ TEST(ConversionTest, AnAskComesBackAsItWas) {
   kg_selector::Pathlet committed;
   committed.agent = "alpha";
   committed.track = {{{-90.0, 25.0}, 1.8e9}, {{-89.0, 24.0}, 1.8e9 + 9.0}};
-  kg_selector::Ask ask;
+  kg_selector::PlanRequest ask;
   ask.around = {committed};
   ask.full_events = {"ex:e", "ex:f"};
   ask.waypoint_prices = {{2, 7, 0.1}, {3, 0, 1e-3}};
@@ -302,7 +302,7 @@ TEST(ConversionTest, AnAskComesBackAsItWas) {
 }
 
 TEST(ConversionTest, AnEventMayBeFullWithoutATrackInTheWay) {
-  kg_selector::Ask ask;
+  kg_selector::PlanRequest ask;
   ask.full_events = {"ex:e"};
   kg_msgs::Rejections message;
   AddAsk("bravo", ask, {}, &message);

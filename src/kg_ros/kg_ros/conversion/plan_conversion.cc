@@ -221,7 +221,7 @@ kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
     message.visits.push_back(ToMessage(visit));
     if (i < graphs.size()) {
       const TraverseEdge* edge = kg_compiler::FindEdge(
-          graphs[i], from, visit.waypoint, kg_selector::ViaOf(visit));
+          graphs[i], from, visit.waypoint, kg_selector::WaypointsVia(visit));
       if (edge != nullptr) message.visits.back().cost = CostMessage(*edge);
     }
     from = visit.waypoint;
@@ -248,7 +248,7 @@ kg_selector::Pathlet FromMessage(const kg_msgs::Pathlet& message,
   return pathlet;
 }
 
-kg_msgs::Rejection ToMessage(const kg_selector::Rejection& rejection,
+kg_msgs::Rejection ToMessage(const kg_selector::RejectedPath& rejection,
                              const std::string& agent_iri) {
   kg_msgs::Rejection message;
   message.agent = rejection.pathlet.agent;

@@ -42,7 +42,7 @@ kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet,
 kg_selector::Pathlet FromMessage(const kg_msgs::Pathlet& message,
                                  const std::string& agent);
 
-kg_msgs::Rejection ToMessage(const kg_selector::Rejection& rejection,
+kg_msgs::Rejection ToMessage(const kg_selector::RejectedPath& rejection,
                              const std::string& agent_iri);
 // The plan as the selector node commits it, but for header, versions, run and
 // stages.

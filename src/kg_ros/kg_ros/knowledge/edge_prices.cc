@@ -102,7 +102,7 @@ EdgePrices::WindowPrices EdgePrices::PriceWindow(
     }
   }
   if (ways.empty()) return prices;
-  const auto worlds = kg_selector::WorldsOf(*then.compilation, other->rules);
+  const auto worlds = kg_selector::FindWorlds(*then.compilation, other->rules);
   const kg_compiler::WindowSea sea(other->rules, other->rules.windows[*place],
                                    worlds[*place]);
   // Without graphs there, the places one could go to instead are those here.

@@ -32,7 +32,7 @@ PlanRecord RecordOf(const PlannedWorld& world, const HypotheticalRun& run) {
   record.assignments.plan_run = run.number;
   record.assignments.world_version = world.compilation->world_version;
   record.executed = run.executed;
-  for (const kg_selector::Rejection& rejection :
+  for (const kg_selector::RejectedPath& rejection :
        world.planned.plan.rejections) {
     const TeamMember* member =
         world.planned.FindMember(rejection.pathlet.agent);

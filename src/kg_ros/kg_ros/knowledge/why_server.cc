@@ -18,9 +18,9 @@ using kg_compiler::Explanation;
 using kg_core::InputError;
 using kg_selector::ConflictKind;
 using kg_selector::PlannedWorld;
-using kg_selector::Question;
+using kg_selector::PlanQuestion;
+using kg_selector::QuestionKind;
 using kg_selector::TeamMember;
-using kg_selector::Why;
 
 // The graphs of one agent, as far as they have come without a gap.
 template <typename Graphs>
@@ -35,14 +35,14 @@ TeamMember MemberOf(const kg_compiler::SeamRules& rules, const Graphs& graphs) {
   return member;
 }
 
-kg_selector::Rejection ToRejection(const kg_msgs::Rejection& message) {
-  kg_selector::Rejection rejection;
+kg_selector::RejectedPath ToRejection(const kg_msgs::Rejection& message) {
+  kg_selector::RejectedPath rejection;
   rejection.pathlet.agent = message.agent_iri;
   rejection.pathlet.rank = static_cast<int>(message.rank);
   rejection.pathlet.reward = message.score;
   rejection.round = static_cast<int>(message.round);
   rejection.reason = message.reason;
-  rejection.conflict.kind = kg_selector::ConflictKindOf(message.kind)
+  rejection.conflict.kind = kg_selector::ParseConflictKind(message.kind)
                                 .value_or(ConflictKind::kMalformed);
   rejection.conflict.with_agent = message.to_agent;
   rejection.conflict.window = message.window;
@@ -90,16 +90,18 @@ void Fill(const Explanation& explanation, kg_msgs::Why::Response* response) {
 
 }  // namespace
 
-Question ToQuestion(const kg_msgs::Why::Request& request) {
-  constexpr Why kKinds[] = {Why::kAssignment, Why::kTensorCell, Why::kEdge,
-                            Why::kRejection,  Why::kWaypoint,   Why::kEvent,
-                            Why::kPlace};
+PlanQuestion ToQuestion(const kg_msgs::Why::Request& request) {
+  constexpr QuestionKind kKinds[] = {
+      QuestionKind::kAssignment, QuestionKind::kTensorCell,
+      QuestionKind::kEdge,       QuestionKind::kRejection,
+      QuestionKind::kWaypoint,   QuestionKind::kEvent,
+      QuestionKind::kPlace};
   if (request.what >= std::size(kKinds)) {
     throw InputError("Why.what: expected 0 to " +
                      std::to_string(std::size(kKinds) - 1) + ", not " +
                      std::to_string(request.what));
   }
-  Question question;
+  PlanQuestion question;
   question.what = kKinds[request.what];
   question.agent = request.agent;
   question.window = request.window;
@@ -195,8 +197,8 @@ WhyServer::~WhyServer() { spinner_.stop(); }
 bool WhyServer::Handle(kg_msgs::Why::Request& request,
                        kg_msgs::Why::Response& response) {
   try {
-    const Question question = ToQuestion(request);
-    const PlanArchive::World world = question.what == Why::kTensorCell
+    const PlanQuestion question = ToQuestion(request);
+    const PlanArchive::World world = question.what == QuestionKind::kTensorCell
                                          ? archive_.Newest()
                                          : archive_.Planned();
     if (!world) throw InputError("there is no plan yet");

@@ -75,7 +75,7 @@ class PlanArchive {
 };
 
 // The question that a request asks.
-kg_selector::Question ToQuestion(const kg_msgs::Why::Request& request);
+kg_selector::PlanQuestion ToQuestion(const kg_msgs::Why::Request& request);
 
 class MissionServer;
 

@@ -124,8 +124,8 @@ kg_msgs::Candidates PlannerServer::Stitch(const AskedOf& asked,
     team.window_end_s[window.window] = window.end_s;
   }
   const auto begin = std::chrono::steady_clock::now();
-  const kg_selector::Candidates found =
-      kg_selector::PlanUnder(team, {rules_, graphs_, memory_}, asked.ask);
+  const kg_selector::AgentOffer found =
+      kg_selector::PlanPriced(team, {rules_, graphs_, memory_}, asked.ask);
   kg_msgs::Candidates candidates = Header(round);
   candidates.proven = found.proven;
   candidates.bound = FiniteOrUnknown(found.bound);

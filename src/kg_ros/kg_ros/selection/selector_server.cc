@@ -18,12 +18,12 @@ namespace kg_ros {
 namespace {
 
 using kg_selector::Pathlet;
-using kg_selector::Rejection;
+using kg_selector::RejectedPath;
 
 double Now_s() { return ros::WallTime::now().toSec(); }
 
-kg_selector::Candidates FromMessage(const kg_msgs::Candidates& message) {
-  kg_selector::Candidates candidates;
+kg_selector::AgentOffer FromMessage(const kg_msgs::Candidates& message) {
+  kg_selector::AgentOffer candidates;
   for (const kg_msgs::Pathlet& pathlet : message.pathlets) {
     candidates.pathlets.push_back(kg_ros::FromMessage(pathlet, message.agent));
   }
@@ -95,7 +95,7 @@ void SelectorServer::Begin(std::unique_ptr<kg_selector::Coordinator> team) {
 
 SelectorAnswer SelectorServer::Take(const kg_msgs::Candidates& message) {
   // What makes no sense is not kept.
-  kg_selector::Candidates candidates = FromMessage(message);
+  kg_selector::AgentOffer candidates = FromMessage(message);
   if (message.round == 0) {
     kg_msgs::Candidates& known = unmasked_[message.agent];
     if (message.cycle < known.cycle) return {};
@@ -117,7 +117,7 @@ SelectorAnswer SelectorServer::Take(const kg_msgs::Candidates& message) {
 }
 
 void SelectorServer::Offer(const kg_msgs::Candidates& message,
-                           kg_selector::Candidates candidates) {
+                           kg_selector::AgentOffer candidates) {
   team_->Offer(message.agent, std::move(candidates));
   offered_[message.agent] = message;
   for (const kg_msgs::Pathlet& pathlet : message.pathlets) {
@@ -160,7 +160,7 @@ kg_msgs::Rejections SelectorServer::Ask() {
   message.round = ++round_;
   waiting_since_s_ = Now_s();
   for (const std::string& agent : team_->waiting_for()) {
-    AddAsk(agent, team_->AskOf(agent), team_rules_, &message);
+    AddAsk(agent, team_->RequestFor(agent), team_rules_, &message);
   }
   return message;
 }
@@ -168,7 +168,7 @@ kg_msgs::Rejections SelectorServer::Ask() {
 kg_msgs::Rejections SelectorServer::End() const {
   kg_msgs::Rejections message = Header<kg_msgs::Rejections>();
   message.round = 0;
-  for (const Rejection& rejection : team_->outcome().rejections) {
+  for (const RejectedPath& rejection : team_->outcome().rejections) {
     const auto offered = offered_.find(rejection.pathlet.agent);
     message.rejections.push_back(ToMessage(
         rejection, offered == offered_.end() ? "" : offered->second.agent_iri));
@@ -197,8 +197,8 @@ kg_msgs::Assignments SelectorServer::Plan() {
   plan.rounds = round_;
   plan.mode = team_rules_.mode;
   plan.bound = FiniteOrUnknown(team_->outcome().bound);
-  const kg_selector::Stability stability =
-      kg_selector::StabilityOf(last_plan_, team_->outcome().committed);
+  const kg_selector::PlanStability stability =
+      kg_selector::ComputeStability(last_plan_, team_->outcome().committed);
   plan.stability = stability.share;
   plan.displacement_m = stability.displacement_m;
   last_plan_ = team_->outcome().committed;

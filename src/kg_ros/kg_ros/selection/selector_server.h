@@ -47,7 +47,7 @@ class SelectorServer {
  private:
   void Begin(std::unique_ptr<kg_selector::Coordinator> team);
   void Offer(const kg_msgs::Candidates& message,
-             kg_selector::Candidates candidates);
+             kg_selector::AgentOffer candidates);
   SelectorAnswer Step();
   kg_msgs::Rejections Ask();
   kg_msgs::Rejections End() const;

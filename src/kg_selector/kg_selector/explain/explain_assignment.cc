@@ -148,7 +148,7 @@ class StepExplainer {
 Explanation ExplainPath(const PlannedWorld& world, const TeamMember& member,
                         const Pathlet& path) {
   Explanation explanation;
-  explanation.value = Sum(TermsOf(world, member, path));
+  explanation.value = Sum(ListTerms(world, member, path));
   explanation.parts = PathContributions(world, member, path);
   explanation.text = "The path of " + member.rules.agent_id + " through " +
                      std::to_string(path.visits.size()) + " windows is worth " +
@@ -158,7 +158,7 @@ Explanation ExplainPath(const PlannedWorld& world, const TeamMember& member,
 
 std::string ByWay(const Visit& visit) {
   std::string text;
-  for (const int stop : ViaOf(visit))
+  for (const int stop : WaypointsVia(visit))
     text += (text.empty() ? ", by way of " : ", ") + std::to_string(stop);
   return text;
 }

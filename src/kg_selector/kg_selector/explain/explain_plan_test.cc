@@ -30,8 +30,8 @@ void ExpectSums(const Explanation& explanation) {
   EXPECT_FALSE(explanation.text.empty());
 }
 
-Question About(Why what, const std::string& agent, int window) {
-  Question question;
+PlanQuestion About(QuestionKind what, const std::string& agent, int window) {
+  PlanQuestion question;
   question.what = what;
   question.agent = agent;
   question.window = window;
@@ -161,8 +161,8 @@ TEST(ExplainPlan, LeavingThePlanInForceIsATermOfItsOwn) {
     for (const Pathlet& path : world.plan.committed) {
       double sum = 0.0;
       for (const Visit& visit : path.visits) {
-        const Explanation step =
-            Explain(world, About(Why::kAssignment, path.agent, visit.window));
+        const Explanation step = Explain(
+            world, About(QuestionKind::kAssignment, path.agent, visit.window));
         ExpectSums(step);
         sum += step.value;
         charged += std::count_if(
@@ -171,7 +171,7 @@ TEST(ExplainPlan, LeavingThePlanInForceIsATermOfItsOwn) {
             });
       }
       const Explanation whole =
-          Explain(world, About(Why::kAssignment, path.agent, -1));
+          Explain(world, About(QuestionKind::kAssignment, path.agent, -1));
       ExpectSums(whole);
       EXPECT_NEAR(path.score(), whole.value, 1e-9);
       EXPECT_NEAR(sum, whole.value, 1e-9);
@@ -189,8 +189,8 @@ TEST(ExplainPlan, AssignmentsSumToTheStepsAndStepsToThePath) {
       double sum = 0.0;
       for (std::size_t s = 0; s < path.visits.size(); ++s) {
         const Visit& visit = path.visits[s];
-        const Explanation step =
-            Explain(world, About(Why::kAssignment, path.agent, visit.window));
+        const Explanation step = Explain(
+            world, About(QuestionKind::kAssignment, path.agent, visit.window));
         ExpectSums(step);
         EXPECT_NEAR(visit.reward - EdgeTaken(member, path, s).seam_cost,
                     step.value, 1e-9);
@@ -203,7 +203,7 @@ TEST(ExplainPlan, AssignmentsSumToTheStepsAndStepsToThePath) {
         ++steps;
       }
       const Explanation whole =
-          Explain(world, About(Why::kAssignment, path.agent, -1));
+          Explain(world, About(QuestionKind::kAssignment, path.agent, -1));
       ExpectSums(whole);
       EXPECT_NEAR(path.score(), whole.value, 1e-9);
       EXPECT_NEAR(sum, whole.value, 1e-9);
@@ -238,7 +238,7 @@ TEST(ExplainPlan, AnEventsTermCitesTheEventsEarnedAndNoOthers) {
     for (const Pathlet& path : world.plan.committed) {
       const kg_core::Agent& agent = FindAgent(world, path.agent);
       for (const PathTerm& term :
-           TermsOf(world, FindMember(world, agent), path)) {
+           ListTerms(world, FindMember(world, agent), path)) {
         if (term.kind != TermKind::kEvents) continue;
         std::set<std::string> expected;
         for (const Visit& visit : path.visits) {
@@ -264,8 +264,8 @@ TEST(ExplainPlan, EdgesSumToTheirSeamCosts) {
     for (const TeamMember& member : world.members)
       for (const NavGraph& graph : member.graphs)
         for (const auto& edge : graph.edges) {
-          Question question =
-              About(Why::kEdge, member.rules.agent_id, graph.window);
+          PlanQuestion question =
+              About(QuestionKind::kEdge, member.rules.agent_id, graph.window);
           question.from = edge.from;
           question.to = edge.to;
           question.via = edge.via;
@@ -280,7 +280,7 @@ TEST(ExplainPlan, RejectionsSumToTheirMargins) {
   int separations = 0, capacities = 0;
   ForEachWorld(20, [&](const PlannedWorld& world) {
     for (std::size_t i = 0; i < world.plan.rejections.size(); ++i) {
-      Question question = About(Why::kRejection, "", -1);
+      PlanQuestion question = About(QuestionKind::kRejection, "", -1);
       question.id = std::to_string(i);
       const Explanation explanation = Explain(world, question);
       ExpectSums(explanation);
@@ -309,13 +309,13 @@ TEST(ExplainPlan, PathsTurnedAwayForOtherReasonsSumToTheirMargins) {
     for (const auto& [kind, margin] : margins) {
       Conflict conflict{kind, "", -1, "", margin};
       world.plan.rejections = {{path, conflict, conflict.Line(), 1}};
-      Question question = About(Why::kRejection, "", -1);
+      PlanQuestion question = About(QuestionKind::kRejection, "", -1);
       question.id = "0";
       const Explanation explanation = Explain(world, question);
       ExpectSums(explanation);
       EXPECT_EQ(margin, explanation.value);
       EXPECT_EQ(Name(kind), explanation.verdict);
-      EXPECT_EQ(kind, ConflictKindOf(Name(kind)));
+      EXPECT_EQ(kind, ParseConflictKind(Name(kind)));
     }
   });
 }
@@ -324,8 +324,8 @@ TEST(ExplainPlan, TensorCellsAreTheCompiledOnes) {
   ForEachWorld(3, [](const PlannedWorld& world) {
     for (const auto& tensor : world.compilation->tensors)
       for (int i = 0; i < static_cast<int>(tensor->grid.size()); i += 7) {
-        Question question =
-            About(Why::kTensorCell, tensor->agent_iri, tensor->window);
+        PlanQuestion question =
+            About(QuestionKind::kTensorCell, tensor->agent_iri, tensor->window);
         const int cols = tensor->grid.cols();
         question.place = tensor->grid.Centre({i / cols, i % cols});
         const Explanation explanation = Explain(world, question);
@@ -345,8 +345,8 @@ TEST(ExplainPlan, WaypointVerdictsAreThoseOfExhaustion) {
       EveryPath every(world, member);
       for (std::size_t s = 0; s < member.graphs.size(); ++s) {
         for (const auto& waypoint : member.graphs[s].waypoints) {
-          Question question =
-              About(Why::kWaypoint, path.agent, member.graphs[s].window);
+          PlanQuestion question = About(QuestionKind::kWaypoint, path.agent,
+                                        member.graphs[s].window);
           question.to = waypoint.id;
           const Explanation explanation = Explain(world, question);
           ++verdicts[explanation.verdict];
@@ -396,7 +396,8 @@ TEST(ExplainPlan, SaysWhatABudgetLacks) {
     if (FindPath(world, "ex:alpha") == nullptr) continue;
     for (const NavGraph& graph : world.members[0].graphs)
       for (const auto& waypoint : graph.waypoints) {
-        Question question = About(Why::kWaypoint, "alpha", graph.window);
+        PlanQuestion question =
+            About(QuestionKind::kWaypoint, "alpha", graph.window);
         question.to = waypoint.id;
         const Explanation explanation = Explain(world, question);
         ExpectSums(explanation);
@@ -417,7 +418,7 @@ TEST(ExplainPlan, EventVerdictsAreThoseOfExhaustion) {
           FindMember(world, FindAgent(world, path.agent));
       EveryPath every(world, member);
       for (const kg_core::Event& event : world.compilation->mission.events) {
-        Question question = About(Why::kEvent, path.agent, -1);
+        PlanQuestion question = About(QuestionKind::kEvent, path.agent, -1);
         question.id = event.iri;
         const Explanation explanation = Explain(world, question);
         ++verdicts[explanation.verdict];
@@ -468,13 +469,13 @@ TEST(ExplainPlan, AnEventOutOfItsTimeMissesTheWindowByItsDistance) {
                            {"ex:early", {-90.5, 24.5}, 2.0, 1, 9000.0, {0}}};
   for (auto& event : random.mission.events) event.value = 0.0;
   const PlannedWorld world = random.Plan();
-  Question question = About(Why::kEvent, "alpha", 0);
+  PlanQuestion question = About(QuestionKind::kEvent, "alpha", 0);
   question.id = "ex:late";
   Explanation explanation = Explain(world, question);
   EXPECT_EQ("not_active", explanation.verdict);
   EXPECT_EQ(2 * 86400.0, explanation.value);
   ExpectSums(explanation);
-  question = About(Why::kEvent, "alpha", 2);
+  question = About(QuestionKind::kEvent, "alpha", 2);
   question.id = "ex:early";
   explanation = Explain(world, question);
   EXPECT_EQ("expired", explanation.verdict);
@@ -487,7 +488,7 @@ TEST(ExplainPlan, PlacesAreForbiddenFarOrNotSampledAndAlwaysSaySo) {
   ForEachWorld(3, [&](const PlannedWorld& world) {
     PlannedTestWorld places(99);
     for (int i = 0; i < 40; ++i) {
-      Question question = About(Why::kPlace, "bravo", i % 3);
+      PlanQuestion question = About(QuestionKind::kPlace, "bravo", i % 3);
       question.place = places.AnyPlace();
       const Explanation explanation = Explain(world, question);
       ++verdicts[explanation.verdict];
@@ -510,7 +511,7 @@ TEST(ExplainPlan, PlacesAreForbiddenFarOrNotSampledAndAlwaysSaySo) {
 
 TEST(ExplainPlan, RefusesWhatIsNotThereWithWhatIs) {
   const PlannedWorld world = PlannedTestWorld(2).Plan();
-  const auto refused = [&](const Question& question) -> std::string {
+  const auto refused = [&](const PlanQuestion& question) -> std::string {
     try {
       Explain(world, question);
     } catch (const kg_core::InputError& error) {
@@ -519,26 +520,26 @@ TEST(ExplainPlan, RefusesWhatIsNotThereWithWhatIs) {
     return "";
   };
   EXPECT_EQ("agent 'nobody' is not known; there are alpha, bravo, charlie",
-            refused(About(Why::kAssignment, "nobody", 0)));
+            refused(About(QuestionKind::kAssignment, "nobody", 0)));
   EXPECT_EQ("window 7 of alpha is not planned: the windows are 0 to 2",
-            refused(About(Why::kAssignment, "alpha", 7)));
-  Question question = About(Why::kWaypoint, "alpha", 1);
+            refused(About(QuestionKind::kAssignment, "alpha", 7)));
+  PlanQuestion question = About(QuestionKind::kWaypoint, "alpha", 1);
   question.to = 99;
   EXPECT_NE("", refused(question));
-  question = About(Why::kEvent, "alpha", 1);
+  question = About(QuestionKind::kEvent, "alpha", 1);
   question.id = "ex:nothing";
   EXPECT_NE(std::string::npos, refused(question).find("is not known"));
-  question = About(Why::kRejection, "", 0);
+  question = About(QuestionKind::kRejection, "", 0);
   for (const char* id : {"", "-1", "x", "999", "1x"}) {
     question.id = id;
     EXPECT_NE("", refused(question)) << id;
   }
-  question = About(Why::kTensorCell, "alpha", 0);
+  question = About(QuestionKind::kTensorCell, "alpha", 0);
   question.place = {0.0, 0.0};
   EXPECT_NE("", refused(question));
   PlannedWorld early = world;
   early.members[0].graphs.pop_back();
-  EXPECT_THROW(Explain(early, About(Why::kAssignment, "alpha", 0)),
+  EXPECT_THROW(Explain(early, About(QuestionKind::kAssignment, "alpha", 0)),
                kg_core::InputError);
   PlannedWorld strange = world;
   kg_compiler::NavGraphs odd;
@@ -547,11 +548,11 @@ TEST(ExplainPlan, RefusesWhatIsNotThereWithWhatIs) {
     odd.push_back(graph);
   }
   strange.members[0].graphs = odd;
-  EXPECT_THROW(Explain(strange, About(Why::kAssignment, "alpha", 0)),
+  EXPECT_THROW(Explain(strange, About(QuestionKind::kAssignment, "alpha", 0)),
                kg_core::InputError);
   PlannedWorld unplanned = world;
   unplanned.has_plan = false;
-  EXPECT_THROW(Explain(unplanned, About(Why::kAssignment, "alpha", 0)),
+  EXPECT_THROW(Explain(unplanned, About(QuestionKind::kAssignment, "alpha", 0)),
                kg_core::InputError);
 }
 

@@ -15,7 +15,7 @@ using kg_core::Agent;
 
 class RejectionExplainer {
  public:
-  RejectionExplainer(const PlannedWorld& world, const Rejection& rejection)
+  RejectionExplainer(const PlannedWorld& world, const RejectedPath& rejection)
       : world_(world),
         rejection_(rejection),
         conflict_(rejection.conflict),
@@ -134,7 +134,7 @@ class RejectionExplainer {
   }
 
   const PlannedWorld& world_;
-  const Rejection& rejection_;
+  const RejectedPath& rejection_;
   const Conflict& conflict_;
   kg_compiler::CitedFacts facts_;
   Explanation explanation_;

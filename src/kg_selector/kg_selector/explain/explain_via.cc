@@ -18,10 +18,10 @@ using kg_compiler::operator+;
 using kg_compiler::Short;
 using kg_core::AbbreviateIri;
 
-class WayRound {
+class ViaExplainer {
  public:
-  WayRound(const PlannedWorld& world, const kg_core::Agent& agent,
-           const ByWayOf& by)
+  ViaExplainer(const PlannedWorld& world, const kg_core::Agent& agent,
+               const ViaWaypoints& by)
       : world_(world),
         agent_(agent),
         member_(FindMember(world, agent)),
@@ -60,7 +60,7 @@ class WayRound {
         CloseEvents(member_.rules, FullEvents(world_.rules, before_));
     kg_planner::Trellis trellis = ToTrellis(open, member_.graphs);
     if (!kept.energy) CountEnergyOnly(&trellis);
-    kg_planner::Masks masks = masks_;
+    kg_planner::PathMasks masks = masks_;
     if (kept.distance) {
       const auto close = MaskCommitted(world_.rules, member_.graphs, before_);
       masks.seams.insert(masks.seams.end(), close.seams.begin(),
@@ -180,10 +180,10 @@ class WayRound {
   const PlannedWorld& world_;
   const kg_core::Agent& agent_;
   const TeamMember& member_;
-  const ByWayOf& by_;
+  const ViaWaypoints& by_;
   std::vector<Pathlet> before_;
   kg_compiler::CitedFacts facts_;
-  kg_planner::Masks masks_;
+  kg_planner::PathMasks masks_;
 };
 
 }  // namespace
@@ -203,9 +203,10 @@ Explanation ExplainTaken(const PlannedWorld& world, const kg_core::Agent& agent,
   return explanation;
 }
 
-Explanation ExplainWayRound(const PlannedWorld& world,
-                            const kg_core::Agent& agent, const ByWayOf& by) {
-  return WayRound(world, agent, by).Explain();
+Explanation ExplainPathVia(const PlannedWorld& world,
+                           const kg_core::Agent& agent,
+                           const ViaWaypoints& by) {
+  return ViaExplainer(world, agent, by).Explain();
 }
 
 }  // namespace kg_selector

@@ -105,9 +105,9 @@ const char* Name(TermKind kind) {
   return names[static_cast<int>(kind)];
 }
 
-std::vector<PathTerm> TermsOf(const PlannedWorld& world,
-                              const TeamMember& member,
-                              const Pathlet& pathlet) {
+std::vector<PathTerm> ListTerms(const PlannedWorld& world,
+                                const TeamMember& member,
+                                const Pathlet& pathlet) {
   std::vector<PathTerm> terms;
   for (std::size_t s = 0; s < pathlet.visits.size(); ++s) {
     const Visit& visit = pathlet.visits[s];
@@ -177,7 +177,7 @@ std::vector<Contribution> PathContributions(const PlannedWorld& world,
                                             const Pathlet& pathlet) {
   const kg_core::Agent& agent = FindAgent(world, pathlet.agent);
   std::vector<Contribution> parts;
-  for (const PathTerm& term : TermsOf(world, member, pathlet)) {
+  for (const PathTerm& term : ListTerms(world, member, pathlet)) {
     if (term.value == 0.0) continue;
     parts.push_back({term.value, Name(term.kind), TermFacts(world, agent, term),
                      Describe(term)});
@@ -188,8 +188,8 @@ std::vector<Contribution> PathContributions(const PlannedWorld& world,
 Explanation Difference(const PlannedWorld& world, const TeamMember& member,
                        const Pathlet& chosen, const Pathlet& other) {
   const kg_core::Agent& agent = FindAgent(world, chosen.agent);
-  std::vector<PathTerm> ours = TermsOf(world, member, chosen);
-  std::vector<PathTerm> theirs = TermsOf(world, member, other);
+  std::vector<PathTerm> ours = ListTerms(world, member, chosen);
+  std::vector<PathTerm> theirs = ListTerms(world, member, other);
   Explanation explanation;
   explanation.unit = "reward";
   explanation.value = Sum(ours) - Sum(theirs);
@@ -225,7 +225,8 @@ FoundPath FindBest(const PlannedWorld& world, const TeamMember& member,
       CommittedBefore(world, member.rules.agent_iri);
   const kg_compiler::SeamRules open =
       CloseEvents(member.rules, FullEvents(world.rules, before));
-  kg_planner::Masks masks = MaskCommitted(world.rules, member.graphs, before);
+  kg_planner::PathMasks masks =
+      MaskCommitted(world.rules, member.graphs, before);
   masks.nodes.insert(masks.nodes.end(), search.masks.nodes.begin(),
                      search.masks.nodes.end());
   masks.seams.insert(masks.seams.end(), search.masks.seams.begin(),
@@ -237,14 +238,14 @@ FoundPath FindBest(const PlannedWorld& world, const TeamMember& member,
       kg_planner::FindKBest(ToTrellis(open, member.graphs), masks, options);
   FoundPath found;
   found.proven = best.proven;
-  double most = 0.0;
+  double max_value = 0.0;
   for (const kg_planner::Path& path : best.paths) {
     Pathlet pathlet = ToPathlet(open, member.graphs, path, 0);
     if (search.except && SamePath(pathlet, *search.except)) continue;
     const double value =
         pathlet.score() - SoftPenalty(world.rules, before, pathlet);
-    if (found.pathlet && !(value > most)) continue;
-    most = value;
+    if (found.pathlet && !(value > max_value)) continue;
+    max_value = value;
     found.pathlet = std::move(pathlet);
   }
   return found;

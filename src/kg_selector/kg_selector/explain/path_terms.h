@@ -39,8 +39,9 @@ struct PathTerm {
 };
 
 // In order of windows and kinds, all kinds of each window.
-std::vector<PathTerm> TermsOf(const PlannedWorld& world,
-                              const TeamMember& member, const Pathlet& pathlet);
+std::vector<PathTerm> ListTerms(const PlannedWorld& world,
+                                const TeamMember& member,
+                                const Pathlet& pathlet);
 double Sum(const std::vector<PathTerm>& terms);
 
 // The facts that a term goes back to.
@@ -61,7 +62,7 @@ kg_compiler::Explanation Difference(const PlannedWorld& world,
 // With soft separation: the best of its K best, penalties counted. `except`:
 // not this one.
 struct PathSearch {
-  kg_planner::Masks masks;
+  kg_planner::PathMasks masks;
   const Pathlet* except = nullptr;
 };
 struct FoundPath {

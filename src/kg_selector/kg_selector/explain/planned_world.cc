@@ -17,7 +17,7 @@ void NameAgentsByIri(PlannedWorld* world) {
   };
   for (TeamMember& member : world->members) rename(&member.rules.agent_iri);
   for (Pathlet& pathlet : world->plan.committed) rename(&pathlet.agent);
-  for (Rejection& rejection : world->plan.rejections) {
+  for (RejectedPath& rejection : world->plan.rejections) {
     rename(&rejection.pathlet.agent);
     rename(&rejection.conflict.with_agent);
   }
@@ -107,7 +107,7 @@ const kg_compiler::TraverseEdge& EdgeTaken(const TeamMember& member,
   const int from = stage == 0 ? 0 : pathlet.visits[stage - 1].waypoint;
   const Visit& visit = pathlet.visits[stage];
   const auto* edge = kg_compiler::FindEdge(member.graphs[stage], from,
-                                           visit.waypoint, ViaOf(visit));
+                                           visit.waypoint, WaypointsVia(visit));
   if (edge) return *edge;
   throw std::logic_error("a path takes an edge that its graph does not have");
 }

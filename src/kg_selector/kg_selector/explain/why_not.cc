@@ -31,7 +31,7 @@ Explanation WhyNotWaypoint(const PlannedWorld& world, const Agent& agent,
   const std::vector<int> stops = StopsOf(visit);
   if (std::count(stops.begin(), stops.end(), waypoint.id) > 0)
     return ExplainTaken(world, agent, visit, name);
-  return ExplainWayRound(world, agent, {stage, {waypoint.id}, name});
+  return ExplainPathVia(world, agent, {stage, {waypoint.id}, name});
 }
 
 Explanation WhyNotPlace(const PlannedWorld& world, const Agent& agent,

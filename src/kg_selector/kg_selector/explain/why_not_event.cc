@@ -102,10 +102,10 @@ class EventQuestion {
                          "in a window that is over"});
     for (const Pathlet& other : CommittedBefore(world_, agent_.iri))
       for (const Visit& visit : other.visits)
-        if (Names(visit.events)) holders.push_back(HolderOf(other, visit));
+        if (Names(visit.events)) holders.push_back(ToHolder(other, visit));
     return holders;
   }
-  Holder HolderOf(const Pathlet& other, const Visit& visit) const {
+  Holder ToHolder(const Pathlet& other, const Visit& visit) const {
     const std::string assignment = world_.run_iri + "/" +
                                    FindAgent(world_, other.agent).id + "/w" +
                                    std::to_string(visit.window);
@@ -198,14 +198,14 @@ class EventQuestion {
   // Paths ---------------------------------------------------------------------
 
   Explanation InStage(std::size_t stage) const {
-    ByWayOf by;
+    ViaWaypoints by;
     by.stage = stage;
     by.name = name_ + " in " + WindowName(member_.graphs[stage].window);
     for (const Waypoint& waypoint : member_.graphs[stage].waypoints)
       if (Names(waypoint.events)) by.waypoints.insert(waypoint.id);
     return by.waypoints.empty()
                ? NoWaypointThere(world_, agent_, event_.position, stage)
-               : ExplainWayRound(world_, agent_, by);
+               : ExplainPathVia(world_, agent_, by);
   }
 
   // What misses least, if a path is possible in any window.

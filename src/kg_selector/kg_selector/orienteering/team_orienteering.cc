@@ -10,7 +10,7 @@
 namespace kg_selector {
 namespace {
 
-using kg_planner::Orienteering;
+using kg_planner::OrienteeringProblem;
 using kg_planner::Tour;
 using kg_planner::TourSearch;
 
@@ -23,7 +23,8 @@ double ThreadNow_s() {
   return static_cast<double>(now.tv_sec) + 1e-9 * now.tv_nsec;
 }
 
-double ValueOf(const Orienteering& problem, const std::vector<Tour>& tours) {
+double TotalReward(const OrienteeringProblem& problem,
+                   const std::vector<Tour>& tours) {
   double value = 0.0;
   for (const Tour& tour : tours) {
     for (int point : tour.points) value += problem.rewards[point];
@@ -38,7 +39,7 @@ TimeBudget::TimeBudget(double seconds)
 
 double TimeBudget::spent_s() const { return ThreadNow_s() - begin_s_; }
 
-double AllRewards(const Orienteering& problem) {
+double AllRewards(const OrienteeringProblem& problem) {
   const int last = problem.size() - 1;
   double sum = 0.0;
   for (int p = 1; p < last; ++p) {
@@ -48,7 +49,7 @@ double AllRewards(const Orienteering& problem) {
   return sum;
 }
 
-void RunCooled(const TimeBudget& budget, const Cooling& cooling,
+void RunCooled(const TimeBudget& budget, const CoolingSchedule& cooling,
                double all_rewards, TourSearch* search) {
   const double begin_s = budget.spent_s();
   const double span_s = cooling.until_s - begin_s;
@@ -61,16 +62,16 @@ void RunCooled(const TimeBudget& budget, const Cooling& cooling,
   }
 }
 
-Orienteering AloneWith(const Orienteering& problem,
-                       std::vector<double> rewards) {
-  Orienteering alone = problem;
+OrienteeringProblem AloneWith(const OrienteeringProblem& problem,
+                              std::vector<double> rewards) {
+  OrienteeringProblem alone = problem;
   alone.rewards = std::move(rewards);
   alone.tours = 1;
   return alone;
 }
 
-double BoundAt(const Orienteering& problem, const std::vector<double>& prices,
-               const Tour& known) {
+double BoundAt(const OrienteeringProblem& problem,
+               const std::vector<double>& prices, const Tour& known) {
   std::vector<double> rewards = problem.rewards;
   double sum = 0.0;
   for (std::size_t p = 0; p < rewards.size(); ++p) {
@@ -84,15 +85,15 @@ double BoundAt(const Orienteering& problem, const std::vector<double>& prices,
   return problem.tours * best->tour.reward + sum;
 }
 
-TeamTours PlanToursGreedily(const Orienteering& problem,
+TeamTours PlanToursGreedily(const OrienteeringProblem& problem,
                             const TeamTourOptions& options) {
   const TimeBudget budget(options.seconds);
   TeamTours team;
   std::vector<double> rewards = problem.rewards;
   for (int agent = 0; agent < problem.tours; ++agent) {
-    const Orienteering alone = AloneWith(problem, rewards);
+    const OrienteeringProblem alone = AloneWith(problem, rewards);
     TourSearch search(alone, options.seed);
-    Cooling cooling;
+    CoolingSchedule cooling;
     cooling.until_s = budget.seconds() * (agent + 1) / problem.tours;
     RunCooled(budget, cooling, AllRewards(alone), &search);
     team.tours.push_back(search.best()[0]);
@@ -101,7 +102,7 @@ TeamTours PlanToursGreedily(const Orienteering& problem,
   return team;
 }
 
-TeamTours PlanTours(const Orienteering& problem,
+TeamTours PlanTours(const OrienteeringProblem& problem,
                     const TeamTourOptions& options) {
   kg_planner::Check(problem);
   if (!(options.seconds >= 0.0 && std::isfinite(options.seconds))) {
@@ -109,7 +110,7 @@ TeamTours PlanTours(const Orienteering& problem,
   }
   if (!kg_planner::IsPossible(problem)) return {{}, 0.0, 0.0};
   TeamTours team = options.planner(problem, options);
-  team.value = ValueOf(problem, team.tours);
+  team.value = TotalReward(problem, team.tours);
   // Rounding aside, nothing is above its bound.
   const double bound = std::min(team.bound, AllRewards(problem));
   const bool known = std::isfinite(team.bound) || team.value >= bound - 1e-9;
@@ -118,7 +119,8 @@ TeamTours PlanTours(const Orienteering& problem,
   return team;
 }
 
-std::string FaultOf(const Orienteering& problem, const TeamTours& team) {
+std::string FindFault(const OrienteeringProblem& problem,
+                      const TeamTours& team) {
   if (static_cast<int>(team.tours.size()) > problem.tours) {
     return "more tours than agents";
   }

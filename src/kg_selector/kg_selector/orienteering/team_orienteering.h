@@ -38,16 +38,17 @@ namespace kg_selector {
 struct TeamTourOptions;
 struct TeamTours;
 // Makes the tours of one team mode (team_modes.h).
-using TourPlanner = TeamTours (*)(const kg_planner::Orienteering& problem,
-                                  const TeamTourOptions& options);
+using TourPlanner =
+    TeamTours (*)(const kg_planner::OrienteeringProblem& problem,
+                  const TeamTourOptions& options);
 
-TeamTours PlanToursGreedily(const kg_planner::Orienteering& problem,
+TeamTours PlanToursGreedily(const kg_planner::OrienteeringProblem& problem,
                             const TeamTourOptions& options);
-TeamTours PlanToursByAuction(const kg_planner::Orienteering& problem,
+TeamTours PlanToursByAuction(const kg_planner::OrienteeringProblem& problem,
                              const TeamTourOptions& options);
-TeamTours PlanToursByPrices(const kg_planner::Orienteering& problem,
+TeamTours PlanToursByPrices(const kg_planner::OrienteeringProblem& problem,
                             const TeamTourOptions& options);
-TeamTours PlanToursExactly(const kg_planner::Orienteering& problem,
+TeamTours PlanToursExactly(const kg_planner::OrienteeringProblem& problem,
                            const TeamTourOptions& options);
 
 struct TeamTourOptions {
@@ -66,13 +67,13 @@ struct TeamTours {
 
 // Throws std::invalid_argument as kg_planner::Check() does, and if seconds are
 // not finite and >= 0.
-TeamTours PlanTours(const kg_planner::Orienteering& problem,
+TeamTours PlanTours(const kg_planner::OrienteeringProblem& problem,
                     const TeamTourOptions& options);
 
 // What is wrong with these tours: too many, too long, a point twice or not
 // there, a value that is not theirs. Reads nothing but the problem. "" = none.
-std::string FaultOf(const kg_planner::Orienteering& problem,
-                    const TeamTours& team);
+std::string FindFault(const kg_planner::OrienteeringProblem& problem,
+                      const TeamTours& team);
 
 // ---- parts, by mode in files of their own
 
@@ -90,24 +91,25 @@ class TimeBudget {
 };
 
 // What all points that can be visited are worth together.
-double AllRewards(const kg_planner::Orienteering& problem);
+double AllRewards(const kg_planner::OrienteeringProblem& problem);
 
 // Runs the search until `until_s` of the budget, the tolerance falling from
 // `hot` to `cold` (shares of the reward); less if all there is was found.
-struct Cooling {
+struct CoolingSchedule {
   double until_s = 0.0;
   double hot = 0.04;
   double cold = 0.004;
 };
-void RunCooled(const TimeBudget& budget, const Cooling& cooling,
+void RunCooled(const TimeBudget& budget, const CoolingSchedule& cooling,
                double all_rewards, kg_planner::TourSearch* search);
 
 // The problem of one agent, with these rewards.
-kg_planner::Orienteering AloneWith(const kg_planner::Orienteering& problem,
-                                   std::vector<double> rewards);
+kg_planner::OrienteeringProblem AloneWith(
+    const kg_planner::OrienteeringProblem& problem,
+    std::vector<double> rewards);
 
 // The bound at these prices, infinite if the best tour is not proven.
-double BoundAt(const kg_planner::Orienteering& problem,
+double BoundAt(const kg_planner::OrienteeringProblem& problem,
                const std::vector<double>& prices,
                const kg_planner::Tour& known);
 

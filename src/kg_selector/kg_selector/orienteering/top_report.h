@@ -32,8 +32,8 @@ struct TopScore {
 
 // The files of a folder by name, the reference file and hidden ones left out.
 // Throws kg_core::InputError if there is no such folder, or nothing in it.
-std::vector<std::string> InstancesOf(const std::string& folder,
-                                     const std::string& reference_file);
+std::vector<std::string> ListInstances(const std::string& folder,
+                                       const std::string& reference_file);
 
 // Every `step`th instance. Scores by set: what stands before the first dot of
 // a file's name. A line on `out` for each set and for each instance without a

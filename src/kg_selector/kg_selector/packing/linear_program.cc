@@ -16,7 +16,7 @@ namespace kg_selector {
 namespace {
 
 // More time than anybody has [s]: what CBC takes for no limit.
-constexpr double kForEver_s = 1e9;
+constexpr double kUnlimited_s = 1e9;
 // A column whose bound is below what is there by less than this stays [share].
 constexpr double kSlack = 1e-9;
 
@@ -73,7 +73,7 @@ void AddCuts(CbcModel* model) {
 
 void Limit(const BinaryOptions& options, CbcModel* model) {
   model->setUseElapsedTime(!options.processor_time);
-  model->setMaximumSeconds(std::clamp(options.time_limit_s, 0.0, kForEver_s));
+  model->setMaximumSeconds(std::clamp(options.time_limit_s, 0.0, kUnlimited_s));
   model->setDblParam(CbcModel::CbcCutoffIncrement, kSlack);
   if (std::isfinite(options.better_than)) {
     model->setCutoff(-options.better_than -
@@ -94,8 +94,8 @@ double ClockNow_s(bool processor_time) {
   return static_cast<double>(now.tv_sec) + 1e-9 * now.tv_nsec;
 }
 
-Relaxation Relax(const LinearProgram& program) {
-  Relaxation result;
+LinearRelaxation Relax(const LinearProgram& program) {
+  LinearRelaxation result;
   OsiClpSolverInterface solver;
   Load(program, &solver);
   solver.initialSolve();

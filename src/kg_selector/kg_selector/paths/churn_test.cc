@@ -22,8 +22,8 @@ void CommitTo(const Pathlet& path, SeamRules* rules) {
     rules->windows.at(s).committed = path.visits[s].position;
 }
 
-Candidates Plan(const TeamMember& member) {
-  return PlanUnder(TeamRules(), member, {});
+AgentOffer Plan(const TeamMember& member) {
+  return PlanPriced(TeamRules(), member, {});
 }
 
 TEST(ChurnTest, CostsInProportionToTheDistanceUpToASpacing) {
@@ -63,16 +63,17 @@ TEST(ChurnTest, CommitmentsWithoutAWeightChangeNoBit) {
   for (unsigned seed = 0; seed < 100; ++seed) {
     RandomTeam random({}, seed);
     for (TeamMember& member : random.MakeMembers()) {
-      const Candidates before = Plan(member);
+      const AgentOffer before = Plan(member);
       if (before.pathlets.empty()) continue;
       CommitTo(before.pathlets.back(), &member.rules);
-      const Candidates after = Plan(member);
+      const AgentOffer after = Plan(member);
       ASSERT_EQ(before.pathlets.size(), after.pathlets.size());
       for (std::size_t i = 0; i < after.pathlets.size(); ++i) {
         EXPECT_EQ(before.pathlets[i].reward, after.pathlets[i].reward);
         EXPECT_EQ(before.pathlets[i].seam_cost, after.pathlets[i].seam_cost);
-        EXPECT_EQ(StabilityOf({before.pathlets[i]}, {after.pathlets[i]}).share,
-                  1.0);
+        EXPECT_EQ(
+            ComputeStability({before.pathlets[i]}, {after.pathlets[i]}).share,
+            1.0);
       }
       ++planned;
     }
@@ -88,7 +89,7 @@ TEST(ChurnTest, ALargeWeightKeepsThePlanAndASmallOneIsPaidFor) {
     RandomTeam random({}, seed);
     for (TeamMember& member : random.MakeMembers()) {
       member.rules.spacing_m = 5e3;
-      const Candidates free = Plan(member);
+      const AgentOffer free = Plan(member);
       if (free.pathlets.size() < 2) continue;
       const Pathlet& plan = free.pathlets.back();
       CommitTo(plan, &member.rules);
@@ -98,7 +99,7 @@ TEST(ChurnTest, ALargeWeightKeepsThePlanAndASmallOneIsPaidFor) {
         double paid = 0.0;
         for (const Visit& visit : best.visits)
           paid += ChurnCost(member.rules, visit.window, visit.position);
-        const double share = StabilityOf({plan}, {best}).share;
+        const double share = ComputeStability({plan}, {best}).share;
         if (weight > 1.0) {
           EXPECT_EQ(share, 1.0) << seed;
           EXPECT_EQ(paid, 0.0);

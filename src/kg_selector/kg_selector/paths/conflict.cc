@@ -29,21 +29,21 @@ Rewarded RewardedBy(const std::vector<Pathlet>& committed) {
 struct WindowSpan {
   int window = -1;
   bool is_first = false;
-  Span span;
+  TimeSpan span;
 };
 
 // One span a window; one of unknown window if ends are not known.
-std::vector<WindowSpan> SpansOf(const TeamRules& rules,
-                                const Pathlet& pathlet) {
+std::vector<WindowSpan> WindowSpans(const TeamRules& rules,
+                                    const Pathlet& pathlet) {
   std::vector<WindowSpan> spans;
   double from_s = -kAlways;
   for (const Visit& visit : pathlet.visits) {
     const auto end = rules.window_end_s.find(visit.window);
-    if (end == rules.window_end_s.end()) return {{-1, true, Span()}};
+    if (end == rules.window_end_s.end()) return {{-1, true, TimeSpan()}};
     spans.push_back({visit.window, spans.empty(), {from_s, end->second}});
     from_s = end->second;
   }
-  if (spans.empty()) return {{-1, true, Span()}};
+  if (spans.empty()) return {{-1, true, TimeSpan()}};
   spans.back().span.to_s = kAlways;
   return spans;
 }
@@ -56,7 +56,7 @@ std::optional<Conflict> SeparationConflict(
   const double separation_m = HardSeparation_m(rules);
   std::optional<Conflict> worst;
   for (const Pathlet& other : committed) {
-    Span span = window.span;
+    TimeSpan span = window.span;
     if (window.is_first)
       span.from_s = std::max(
           span.from_s,
@@ -127,7 +127,7 @@ const char* Name(ConflictKind kind) {
   return "";
 }
 
-std::optional<ConflictKind> ConflictKindOf(const std::string& name) {
+std::optional<ConflictKind> ParseConflictKind(const std::string& name) {
   for (const ConflictKind kind :
        {ConflictKind::kSeparation, ConflictKind::kCapacity,
         ConflictKind::kEnergy, ConflictKind::kExpired, ConflictKind::kOutbid,
@@ -225,7 +225,7 @@ std::optional<Conflict> FindConflict(const TeamRules& rules,
                                      const std::vector<Pathlet>& committed,
                                      const Pathlet& pathlet) {
   const Rewarded rewarded = RewardedBy(committed);
-  for (const WindowSpan& window : SpansOf(rules, pathlet)) {
+  for (const WindowSpan& window : WindowSpans(rules, pathlet)) {
     auto conflict = SeparationConflict(rules, committed, pathlet, window);
     if (conflict) return conflict;
     for (const Visit& visit : pathlet.visits) {

@@ -71,7 +71,7 @@ enum class ConflictKind {
 // "separation", "capacity", "energy", "expired", "outbid", "malformed"
 const char* Name(ConflictKind kind);
 // The inverse; nothing for another name.
-std::optional<ConflictKind> ConflictKindOf(const std::string& name);
+std::optional<ConflictKind> ParseConflictKind(const std::string& name);
 
 struct Conflict {
   ConflictKind kind = ConflictKind::kSeparation;

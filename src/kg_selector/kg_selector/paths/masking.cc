@@ -32,7 +32,7 @@ std::map<std::string, double> OpenEvents(const SeamRules& rules, int window) {
 }
 
 // A number for every event of any window.
-std::map<std::string, int> TokensOf(const SeamRules& rules) {
+std::map<std::string, int> NumberEvents(const SeamRules& rules) {
   std::map<std::string, int> tokens;
   for (const auto& window : rules.windows)
     for (const EventRule& event : window.events) tokens.emplace(event.iri, 0);
@@ -60,7 +60,7 @@ kg_planner::Node ToNode(const Waypoint& waypoint,
   return node;
 }
 
-double EndOf(const NavGraph& graph) {
+double WindowEnd(const NavGraph& graph) {
   double end_s = kNever;
   for (const TraverseEdge& edge : graph.edges)
     if (!edge.flight.track.empty())
@@ -68,9 +68,9 @@ double EndOf(const NavGraph& graph) {
   return end_s;
 }
 
-std::vector<double> EndsOf(const NavGraphs& graphs) {
+std::vector<double> WindowEnds(const NavGraphs& graphs) {
   std::vector<double> ends_s;
-  for (const NavGraph& graph : graphs) ends_s.push_back(EndOf(graph));
+  for (const NavGraph& graph : graphs) ends_s.push_back(WindowEnd(graph));
   return ends_s;
 }
 
@@ -90,8 +90,8 @@ std::vector<TimedPoint> SeamTrack(const NavGraphs& graphs,
 }
 
 // Of a path's stage: seams are the graph's edges, in their order.
-const TraverseEdge& EdgeOf(const NavGraphs& graphs,
-                           const kg_planner::Path& path, std::size_t stage) {
+const TraverseEdge& TakenEdge(const NavGraphs& graphs,
+                              const kg_planner::Path& path, std::size_t stage) {
   return graphs[stage].edges.at(path.seams.at(stage));
 }
 
@@ -112,7 +112,7 @@ std::map<std::string, std::size_t> EarnedWhere(const SeamRules& rules,
   for (std::size_t s = 0; s < path.nodes.size(); ++s) {
     const auto open = OpenEvents(rules, graphs[s].window);
     for (const Waypoint* place :
-         VisitedBy(graphs[s], EdgeOf(graphs, path, s))) {
+         VisitedBy(graphs[s], TakenEdge(graphs, path, s))) {
       for (const std::string& event : place->events) {
         const auto reward = open.find(event);
         if (reward == open.end() || !(reward->second > best[event])) continue;
@@ -124,7 +124,7 @@ std::map<std::string, std::size_t> EarnedWhere(const SeamRules& rules,
   return where;
 }
 
-Visit VisitOf(const NavGraph& graph, const TraverseEdge& edge) {
+Visit ToVisit(const NavGraph& graph, const TraverseEdge& edge) {
   const Waypoint& end = graph.waypoints.at(edge.to);
   Visit visit{graph.window, edge.to, end.position, 0.0, {}, {}};
   for (const Waypoint* place : VisitedBy(graph, edge))
@@ -149,7 +149,7 @@ SeamRules CloseEvents(SeamRules rules, const std::set<std::string>& full) {
 }
 
 kg_planner::Trellis ToTrellis(const SeamRules& rules, const NavGraphs& graphs) {
-  const std::map<std::string, int> tokens = TokensOf(rules);
+  const std::map<std::string, int> tokens = NumberEvents(rules);
   kg_planner::Trellis trellis;
   trellis.resource_limit = rules.energy_budget_j;
   for (const NavGraph& graph : graphs) {
@@ -168,16 +168,17 @@ kg_planner::Trellis ToTrellis(const SeamRules& rules, const NavGraphs& graphs) {
   return trellis;
 }
 
-kg_planner::Masks MaskCommitted(const TeamRules& rules, const NavGraphs& graphs,
-                                const std::vector<Pathlet>& committed) {
-  kg_planner::Masks masks;
-  const std::vector<double> ends_s = EndsOf(graphs);
+kg_planner::PathMasks MaskCommitted(const TeamRules& rules,
+                                    const NavGraphs& graphs,
+                                    const std::vector<Pathlet>& committed) {
+  kg_planner::PathMasks masks;
+  const std::vector<double> ends_s = WindowEnds(graphs);
   const double separation_m = HardSeparation_m(rules);
   for (std::size_t s = 0; s < graphs.size(); ++s) {
     for (const TraverseEdge& edge : graphs[s].edges) {
       const auto track = SeamTrack(graphs, ends_s, s, edge);
       const auto too_close = [&](const Pathlet& other) {
-        Span span;
+        TimeSpan span;
         if (s == 0)
           span.from_s =
               SeparationBegins_s(rules, graphs[s].window, track, other.track);
@@ -199,10 +200,10 @@ Pathlet ToPathlet(const SeamRules& rules, const NavGraphs& graphs,
   pathlet.reward = path.reward;
   pathlet.seam_cost = path.cost;
   pathlet.energy_j = path.resource;
-  const std::vector<double> ends_s = EndsOf(graphs);
+  const std::vector<double> ends_s = WindowEnds(graphs);
   for (std::size_t s = 0; s < path.nodes.size(); ++s) {
-    const TraverseEdge& edge = EdgeOf(graphs, path, s);
-    pathlet.visits.push_back(VisitOf(graphs[s], edge));
+    const TraverseEdge& edge = TakenEdge(graphs, path, s);
+    pathlet.visits.push_back(ToVisit(graphs[s], edge));
     const auto track = SeamTrack(graphs, ends_s, s, edge);
     pathlet.track.insert(pathlet.track.end(), track.begin(), track.end());
   }

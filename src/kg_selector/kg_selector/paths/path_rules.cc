@@ -15,17 +15,17 @@ namespace {
 
 using kg_compiler::SeamRules;
 
-constexpr int kMostDecimals = 9;
+constexpr int kMaxDecimals = 9;
 
-struct Unit {
+struct BudgetUnit {
   const char* best;  // The path that needs least.
   const char* name;
   const char* of;  // Behind the budget's unit.
   double size;
 };
-constexpr Unit kEnergy = {"thriftiest", "Wh", "", kg_core::kJoulesPerWh};
-constexpr Unit kHazard = {"safest", "h", " of hazard",
-                          kg_core::kSecondsPerHour};
+constexpr BudgetUnit kEnergy = {"thriftiest", "Wh", "", kg_core::kJoulesPerWh};
+constexpr BudgetUnit kHazard = {"safest", "h", " of hazard",
+                                kg_core::kSecondsPerHour};
 
 std::string Number(double value, int decimals) {
   char text[64];
@@ -34,11 +34,11 @@ std::string Number(double value, int decimals) {
 }
 
 // With as many decimals as tell the two apart.
-std::string Exceeded(const Unit& unit, double budget, double above) {
+std::string Exceeded(const BudgetUnit& unit, double budget, double above) {
   const double allowed = budget / unit.size;
   const double taken = (budget + above) / unit.size;
   int decimals = 1;
-  while (decimals < kMostDecimals &&
+  while (decimals < kMaxDecimals &&
          Number(allowed, decimals) == Number(taken, decimals))
     ++decimals;
   return "no path within " + Number(allowed, decimals) + " " + unit.name +
@@ -62,7 +62,7 @@ void LimitHazard(const SeamRules& rules, const kg_compiler::NavGraphs& graphs,
 
 kg_planner::KBest ChoosePaths(const SeamRules& rules,
                               const kg_planner::Trellis& trellis,
-                              const kg_planner::Masks& masks,
+                              const kg_planner::PathMasks& masks,
                               kg_planner::KBestMemory* memory) {
   const int paths = std::max(1, rules.candidates);
   if (rules.diverse) {

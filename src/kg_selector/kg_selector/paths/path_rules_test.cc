@@ -106,7 +106,7 @@ TEST(PathRulesTest, ABudgetOfHazardIsKeptOverTheHorizonAndSaysByHowMuch) {
         edge.flight.hazard_s = random.Number(0.0, 3600.0);
       member.graphs.Replace(s, graph);
     }
-    const Candidates free = PlanUnder({}, member, {});
+    const AgentOffer free = PlanPriced({}, member, {});
     if (free.pathlets.empty()) continue;
     const auto hazard_s = [&](const Pathlet& path) {
       double sum_s = 0.0;
@@ -120,7 +120,7 @@ TEST(PathRulesTest, ABudgetOfHazardIsKeptOverTheHorizonAndSaysByHowMuch) {
       return sum_s;
     };
     member.rules.hazard_budget_s = 0.7 * hazard_s(free.pathlets[0]);
-    const Candidates kept = PlanUnder({}, member, {});
+    const AgentOffer kept = PlanPriced({}, member, {});
     for (const Pathlet& path : kept.pathlets)
       EXPECT_LE(hazard_s(path), member.rules.hazard_budget_s * (1 + 1e-12));
     if (kept.pathlets.empty()) {
@@ -137,7 +137,7 @@ TEST(PathRulesTest, AnAgentSaysByHowMuchItsEnergyIsTooLittle) {
   RandomTeam random({}, 2);
   TeamMember member = random.MakeMembers().at(0);
   member.rules.energy_budget_j = 1.0;
-  const Candidates none = PlanUnder({}, member, {});
+  const AgentOffer none = PlanPriced({}, member, {});
   ASSERT_TRUE(none.pathlets.empty());
   EXPECT_EQ(none.note.find("no path within 0.0 Wh: the thriftiest takes "), 0u)
       << none.note;

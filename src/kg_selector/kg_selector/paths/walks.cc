@@ -28,18 +28,18 @@ using kg_compiler::WindowWorld;
 // Of the best score of the same end, a walk must have so much.
 constexpr double kGoodEnough = 0.5;
 constexpr std::size_t kExactLabels = 4000;
-constexpr std::size_t kMostSteps = 400;
+constexpr std::size_t kMaxSteps = 400;
 constexpr double kLeastGround_mps = 1e-3;
 
 // How long a walk takes is only known when it is flown: those that seem to take
 // up to a tenth too long are looked at, too, besides those that seem to fit.
-struct Look {
+struct SearchPass {
   double duration;  // Share of the window.
   int per_end;      // Times what is kept.
 };
-constexpr Look kLooks[] = {{1.0, 1}, {1.1, 2}};
+constexpr SearchPass kSearchPasses[] = {{1.0, 1}, {1.1, 2}};
 
-enum class Pace { kPriced, kCruise };
+enum class TravelPace { kPriced, kCruise };
 
 double Length_m(const Flight& flight) {
   double length_m = 0.0;
@@ -51,20 +51,20 @@ double Length_m(const Flight& flight) {
 
 // An edge as a leg: what it takes at either pace when the window begins,
 // holding station not counted.
-struct Way {
+struct WalkLeg {
   const Flight* flight = nullptr;
   double cruise_mps = 0.0;
   double length_m = 0.0;
   double hazard = 0.0;       // Mean, under way.
   double isolation_s = 0.0;  // A second under way.
 
-  double Speed_mps(Pace pace) const {
-    return pace == Pace::kPriced ? flight->speed_mps : cruise_mps;
+  double Speed_mps(TravelPace pace) const {
+    return pace == TravelPace::kPriced ? flight->speed_mps : cruise_mps;
   }
   // At cruise speed: as if the current helped as much per second.
-  double Travel_s(Pace pace) const {
+  double Travel_s(TravelPace pace) const {
     const double travel_s = flight->travel_s;
-    if (pace == Pace::kPriced || !(travel_s > 0.0)) return travel_s;
+    if (pace == TravelPace::kPriced || !(travel_s > 0.0)) return travel_s;
     const double ground_mps =
         length_m / travel_s + (cruise_mps - flight->speed_mps);
     return length_m / std::max(ground_mps, kLeastGround_mps);
@@ -79,9 +79,9 @@ class WindowWalks {
         places_(kg_compiler::PositionsOf(inputs.graph->waypoints)),
         sea_(*inputs.rules, *inputs.window, inputs.world) {
     for (const TraverseEdge& edge : in_.graph->edges)
-      if (edge.via.empty()) entries_[{edge.from, edge.to}] = ToWay(edge);
+      if (edge.via.empty()) entries_[{edge.from, edge.to}] = ToWalkLeg(edge);
     for (const TraverseEdge& edge : in_.graph->inner_edges)
-      inner_[{edge.from, edge.to}] = ToWay(edge);
+      inner_[{edge.from, edge.to}] = ToWalkLeg(edge);
   }
 
   std::vector<TraverseEdge> Find(const WalkOptions& options) const {
@@ -116,9 +116,9 @@ class WindowWalks {
  private:
   using Ends = std::pair<int, int>;
 
-  Way ToWay(const TraverseEdge& edge) const {
+  WalkLeg ToWalkLeg(const TraverseEdge& edge) const {
     const Flight& flight = edge.flight;
-    Way way;
+    WalkLeg way;
     way.flight = &flight;
     way.cruise_mps = in_.rules->motion.cruise_mps;
     way.length_m = Length_m(flight);
@@ -133,12 +133,13 @@ class WindowWalks {
   }
 
   // Both only where they differ.
-  std::vector<Pace> Paces() const {
-    if (weights_.energy_per_j > 0.0) return {Pace::kPriced, Pace::kCruise};
-    return {Pace::kPriced};
+  std::vector<TravelPace> Paces() const {
+    if (weights_.energy_per_j > 0.0)
+      return {TravelPace::kPriced, TravelPace::kCruise};
+    return {TravelPace::kPriced};
   }
 
-  kg_planner::Leg ToLeg(Ends ends, const Way& way, Pace pace) const {
+  kg_planner::Leg ToLeg(Ends ends, const WalkLeg& way, TravelPace pace) const {
     const double travel_s = way.Travel_s(pace);
     const double energy_j =
         in_.rules->motion.energy_per_m_j * way.Speed_mps(pace) * travel_s;
@@ -167,7 +168,7 @@ class WindowWalks {
   }
 
   // `from` at a pace, all legs as edges of the window's begin.
-  kg_planner::StageProblem ProblemFrom(int from, Pace pace,
+  kg_planner::StageProblem ProblemFrom(int from, TravelPace pace,
                                        bool with_events) const {
     kg_planner::StageProblem problem;
     problem.nodes = Nodes(with_events);
@@ -210,7 +211,7 @@ class WindowWalks {
     std::set<std::vector<int>> kept;
     for (const bool with_events : {true, false}) {
       if (!with_events && !HasEvents()) continue;
-      Fly(from, Candidates(from, with_events, options), &flown);
+      Fly(from, FindCandidates(from, with_events, options), &flown);
       Choose(from, with_events, options, flown, &kept);
     }
     for (const std::vector<int>& stops : kept)
@@ -221,20 +222,20 @@ class WindowWalks {
               });
   }
 
-  std::set<std::vector<int>> Candidates(int from, bool with_events,
-                                        const WalkOptions& options) const {
+  std::set<std::vector<int>> FindCandidates(int from, bool with_events,
+                                            const WalkOptions& options) const {
     kg_planner::MicroPathOptions micro;
     micro.good_enough = kGoodEnough;
-    micro.max_nodes = options.most_stops;
+    micro.max_nodes = options.max_stops;
     micro.exact_labels = kExactLabels;
-    micro.max_steps = kMostSteps;
+    micro.max_steps = kMaxSteps;
     std::set<std::vector<int>> candidates;
-    for (const Pace pace : Paces()) {
+    for (const TravelPace pace : Paces()) {
       kg_planner::StageProblem problem = ProblemFrom(from, pace, with_events);
       const double limit_s = problem.duration_limit;
-      for (const Look& look : kLooks) {
-        problem.duration_limit = look.duration * limit_s;
-        micro.per_end = look.per_end * options.per_end;
+      for (const SearchPass& pass : kSearchPasses) {
+        problem.duration_limit = pass.duration * limit_s;
+        micro.per_end = pass.per_end * options.per_end;
         for (const kg_planner::MicroPath& path :
              kg_planner::FindMicroPaths(problem, micro).paths)
           if (path.nodes.size() > 1) candidates.insert(path.nodes);
@@ -280,8 +281,8 @@ class WindowWalks {
   const kg_compiler::SeamWeights& weights_;
   std::vector<kg_core::LonLat> places_;
   kg_compiler::WindowSea sea_;
-  std::map<Ends, Way> entries_;
-  std::map<Ends, Way> inner_;
+  std::map<Ends, WalkLeg> entries_;
+  std::map<Ends, WalkLeg> inner_;
 };
 
 NavGraph WithWalks(const WalkInputs& inputs) {

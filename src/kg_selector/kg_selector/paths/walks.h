@@ -35,7 +35,7 @@
 namespace kg_selector {
 
 inline constexpr int kWalksPerEnd = 2;
-inline constexpr int kMostStops = 5;  // Of one walk, its end included.
+inline constexpr int kMaxStops = 5;  // Of one walk, its end included.
 
 // One window of an agent in the mode "edges".
 struct WalkInputs {
@@ -49,7 +49,7 @@ struct WalkInputs {
 // How many walks there are of one pair of ends, at most.
 struct WalkOptions {
   int per_end = kWalksPerEnd;
-  int most_stops = kMostStops;
+  int max_stops = kMaxStops;
 };
 
 // The walks, by (from, to, via). Deterministic.

@@ -41,21 +41,21 @@ struct AgentWorld {
   NavGraphs Compile(GraphCache* cache = nullptr) const {
     return CompileWalkedGraphs(rules, worlds, cache);
   }
-  std::vector<kg_core::LonLat> SourcesOf(const NavGraphs& graphs,
-                                         std::size_t t) const {
+  std::vector<kg_core::LonLat> StageSources(const NavGraphs& graphs,
+                                            std::size_t t) const {
     return t == 0 ? std::vector<kg_core::LonLat>{rules.start}
                   : kg_compiler::PositionsOf(graphs[t - 1].waypoints);
   }
   WalkInputs Inputs(const NavGraphs& graphs, std::size_t t) const {
     return {&rules, &rules.windows[t], worlds[t], &graphs[t],
-            SourcesOf(graphs, t)};
+            StageSources(graphs, t)};
   }
 };
 
 AgentWorld AgentOf(const std::shared_ptr<const kg_compiler::Compilation>& made,
                    std::size_t agent) {
   AgentWorld world{made, made->rules.at(agent), {}};
-  world.worlds = WorldsOf(*made, world.rules);
+  world.worlds = FindWorlds(*made, world.rules);
   return world;
 }
 
@@ -146,7 +146,7 @@ kg_compiler::Sea SeaOf(const AgentWorld& world, std::size_t t) {
   return sea;
 }
 
-struct Flown {
+struct FlownWalks {
   int walks = 0;
   int at_own_speeds = 0;
   int longest = 0;  // Stops.
@@ -154,7 +154,7 @@ struct Flown {
 
 void CheckWalk(const AgentWorld& world, const kg_compiler::Sea& sea,
                const NavGraph& graph, std::size_t t, const TraverseEdge& walk,
-               Flown* flown) {
+               FlownWalks* flown) {
   const kg_compiler::SeamRules& rules = world.rules;
   const WindowRules& window = rules.windows[t];
   const auto legs = LegsOf(graph, walk);
@@ -187,7 +187,7 @@ void CheckWalk(const AgentWorld& world, const kg_compiler::Sea& sea,
 }
 
 TEST(WalksTest, EveryOneIsFlownAgainByAnotherIntegrator) {
-  Flown flown;
+  FlownWalks flown;
   for (unsigned seed = 1; seed <= 12; ++seed) {
     const AgentWorld world = RandomAgent(seed);
     const NavGraphs graphs = world.Compile();
@@ -215,7 +215,7 @@ TEST(WalksTest, HaveTheirOrderAndNoStopTwice) {
     for (const TraverseEdge& edge : graph.edges) {
       const std::vector<int> stops = StopsOf(edge);
       EXPECT_EQ(std::set<int>(stops.begin(), stops.end()).size(), stops.size());
-      EXPECT_LE(stops.size(), static_cast<std::size_t>(kMostStops));
+      EXPECT_LE(stops.size(), static_cast<std::size_t>(kMaxStops));
       of_ends[{edge.from, edge.to}] += !edge.via.empty();
     }
     for (const auto& [ends, walks] : of_ends)
@@ -229,7 +229,7 @@ TEST(WalksTest, HaveTheirOrderAndNoStopTwice) {
 void AllWalks(const NavGraph& graph, std::vector<int>* stops,
               std::vector<std::vector<int>>* all) {
   if (stops->size() > 1) all->push_back(*stops);
-  if (stops->size() == static_cast<std::size_t>(kMostStops)) return;
+  if (stops->size() == static_cast<std::size_t>(kMaxStops)) return;
   for (const TraverseEdge& inner : graph.inner_edges) {
     if (inner.from != stops->back()) continue;
     if (std::count(stops->begin(), stops->end(), inner.to) > 0) continue;
@@ -302,7 +302,7 @@ class BruteForce {
 };
 
 double BestOf(const kg_compiler::SeamRules& rules, const NavGraphs& graphs) {
-  const Candidates found = PlanUnder({}, {rules, graphs}, {});
+  const AgentOffer found = PlanPriced({}, {rules, graphs}, {});
   EXPECT_FALSE(found.pathlets.empty());
   return found.pathlets.front().score();
 }
@@ -324,7 +324,7 @@ TEST(WalksTest, TheBestPlanIsThatOfAllWalks) {
   for (unsigned seed = 1; seed <= kCases; ++seed) {
     const AgentWorld world = SmallAgent(seed);
     const NavGraphs graphs = world.Compile();
-    const Candidates found = PlanUnder({}, {world.rules, graphs}, {});
+    const AgentOffer found = PlanPriced({}, {world.rules, graphs}, {});
     ASSERT_FALSE(found.pathlets.empty());
     const double ours = found.pathlets.front().score();
     EXPECT_NEAR(ours, BruteForce(world.rules, graphs).Best(), 1e-9);

@@ -37,13 +37,13 @@ has one. Every plan is checked for lengths and points visited twice; a fault
 ends the program. The last line is the share of all sets.
 )";
 
-struct Arguments {
+struct ProgramArguments {
   std::string folder;
   std::string reference_file;
   TeamTourOptions options;
 };
 
-double SecondsOf(const std::string& text) {
+double ParseSeconds(const std::string& text) {
   double seconds = 0.0;
   const char* end = text.data() + text.size();
   const auto parsed = std::from_chars(text.data(), end, seconds);
@@ -55,7 +55,7 @@ double SecondsOf(const std::string& text) {
   return seconds;
 }
 
-TourPlanner PlannerOf(const std::string& text) {
+TourPlanner FindPlanner(const std::string& text) {
   const TeamMode* mode = FindTeamMode(text);
   if (mode == nullptr) {
     throw kg_core::InputError("--mode: expected " + TeamModeChoices() +
@@ -73,8 +73,8 @@ std::string ModeNames() {
   return names;
 }
 
-Arguments Parse(const std::vector<std::string>& words) {
-  Arguments arguments;
+ProgramArguments Parse(const std::vector<std::string>& words) {
+  ProgramArguments arguments;
   std::vector<std::string> places;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const bool option = words[i].rfind("--", 0) == 0;
@@ -89,9 +89,9 @@ Arguments Parse(const std::vector<std::string>& words) {
       throw kg_core::InputError(words[i] + ": expected a value after it");
     }
     if (words[i] == "--mode") {
-      arguments.options.planner = PlannerOf(words[i + 1]);
+      arguments.options.planner = FindPlanner(words[i + 1]);
     } else {
-      arguments.options.seconds = SecondsOf(words[i + 1]);
+      arguments.options.seconds = ParseSeconds(words[i + 1]);
     }
     ++i;
   }
@@ -104,7 +104,7 @@ Arguments Parse(const std::vector<std::string>& words) {
 }
 
 void Run(const std::vector<std::string>& words) {
-  const Arguments arguments = Parse(words);
+  const ProgramArguments arguments = Parse(words);
   TopScore all;
   for (const auto& [set, score] :
        RunTop(arguments.folder, arguments.reference_file, arguments.options,

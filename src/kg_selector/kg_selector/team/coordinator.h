@@ -28,7 +28,7 @@ class Coordinator {
 
   // No paths: it found none. Replaces an earlier answer of an agent that is not
   // yet committed; ignored for one that is, was dropped or is unknown.
-  virtual void Offer(const std::string& agent, Candidates candidates) = 0;
+  virtual void Offer(const std::string& agent, AgentOffer candidates) = 0;
   // Gives up on an agent (dead, or past the deadline): planned without it.
   virtual void Drop(const std::string& agent, const std::string& why) = 0;
 
@@ -37,7 +37,7 @@ class Coordinator {
 
   // Who must offer (again) before Advance() can go on, and under what.
   virtual const std::set<std::string>& waiting_for() const = 0;
-  virtual Ask AskOf(const std::string& agent) const = 0;
+  virtual PlanRequest RequestFor(const std::string& agent) const = 0;
 
   virtual const TeamOutcome& outcome() const = 0;
 };

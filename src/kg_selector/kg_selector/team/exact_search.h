@@ -33,8 +33,8 @@ class ExactSearch : public TeamSearch {
  public:
   explicit ExactSearch(const SearchOptions& options);
 
-  ColumnAsks Next(const TeamColumns& pool,
-                  const ColumnAnswers& answers) override;
+  ColumnRequests Next(const TeamColumns& pool,
+                      const ColumnAnswers& answers) override;
   void Drop(int agent) override;
   const TeamChoice& choice() const override { return best_; }
   double bound() const override { return priced_.bound(); }

@@ -41,12 +41,12 @@ class GreedyTeam : public Coordinator {
  public:
   GreedyTeam(TeamRules rules, std::vector<std::string> agents);
 
-  void Offer(const std::string& agent, Candidates candidates) override;
+  void Offer(const std::string& agent, AgentOffer candidates) override;
   void Drop(const std::string& agent, const std::string& why) override;
   // Commits what can be committed.
   bool Advance() override;
   const std::set<std::string>& waiting_for() const override { return waiting_; }
-  Ask AskOf(const std::string& agent) const override;
+  PlanRequest RequestFor(const std::string& agent) const override;
   // While it goes on: the plan so far.
   const TeamOutcome& outcome() const override { return outcome_; }
 
@@ -56,22 +56,22 @@ class GreedyTeam : public Coordinator {
     double value = 0.0;
   };
   double Value(const Pathlet& pathlet) const;
-  Favourite FavouriteOf(const std::vector<Pathlet>& offer) const;
+  Favourite FindFavourite(const std::vector<Pathlet>& offer) const;
   double SecondChoice(const std::vector<Pathlet>& offer,
                       std::size_t favourite) const;
-  void RecordTurnedAway();
-  void RetireTheEmptyHanded();
-  void SendBackConflicting();
+  void RecordRejected();
+  void DropAgentsWithoutPath();
+  void RequestAgain();
   // The agent to commit next; empty if one must be waited for first.
   std::string Next() const;
-  bool OutranksThoseWaiting(double value) const;
+  bool OutranksWaiting(double value) const;
   void Commit(const std::string& agent, std::size_t index);
   void CommitFromOffers();
 
   TeamRules rules_;
   std::map<std::string, std::vector<Pathlet>> offers_;  // Not committed.
   // What the door turned away of the offers since the last Advance(), by agent.
-  std::map<std::string, std::vector<Rejection>> turned_away_;
+  std::map<std::string, std::vector<RejectedPath>> rejected_;
   std::set<std::string> waiting_;
   std::map<std::string, double> bounds_;  // Of round 0, by agent.
   TeamOutcome outcome_;

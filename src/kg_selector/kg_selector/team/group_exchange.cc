@@ -8,15 +8,15 @@ namespace kg_selector {
 namespace {
 
 // What an agent would like most: its best column under prices.
-int WishOf(const TeamColumns& pool, int agent,
-           const std::vector<double>& prices) {
+int FindWish(const TeamColumns& pool, int agent,
+             const std::vector<double>& prices) {
   int wish = kNobody;
-  double most = 0.0;
-  for (const int column : pool.of_agent(agent)) {
+  double max_value = 0.0;
+  for (const int column : pool.columns_of(agent)) {
     const double value = pool.Reduced(column, prices);
-    if (wish != kNobody && !(value > most)) continue;
+    if (wish != kNobody && !(value > max_value)) continue;
     wish = column;
-    most = value;
+    max_value = value;
   }
   return wish;
 }
@@ -39,9 +39,9 @@ void GroupExchange::Drop(int agent) {
 }
 
 // The most wanted first; chance decides between equals.
-std::vector<int> GroupExchange::RivalsOf(const TeamColumns& pool, int agent,
-                                         const std::set<int>& free) {
-  const int wish = WishOf(pool, agent, prices_);
+std::vector<int> GroupExchange::FindRivals(const TeamColumns& pool, int agent,
+                                           const std::set<int>& free) {
+  const int wish = FindWish(pool, agent, prices_);
   std::vector<std::pair<int, std::pair<unsigned, int>>> order;
   for (const int other : free) {
     if (other == agent) continue;
@@ -68,7 +68,7 @@ void GroupExchange::MakeGroups(const TeamColumns& pool) {
     auto first = free.begin();
     std::advance(first, Random(static_cast<int>(free.size())));
     Group group;
-    group.members = RivalsOf(pool, *first, free);
+    group.members = FindRivals(pool, *first, free);
     group.members.insert(group.members.begin(), *first);
     if (static_cast<int>(group.members.size()) > size)
       group.members.resize(size);
@@ -81,36 +81,36 @@ void GroupExchange::MakeGroups(const TeamColumns& pool) {
   }
 }
 
-ColumnAsks GroupExchange::Begin(const TeamColumns& pool,
-                                const TeamChoice& choice,
-                                const std::vector<double>& prices) {
+ColumnRequests GroupExchange::Begin(const TeamColumns& pool,
+                                    const TeamChoice& choice,
+                                    const std::vector<double>& prices) {
   choice_ = choice;
   prices_ = prices;
   member_ = 0;
   MakeGroups(pool);
-  return AskMembers();
+  return RequestMembers();
 }
 
-ColumnAsks GroupExchange::AskMembers() const {
-  ColumnAsks asks;
+ColumnRequests GroupExchange::RequestMembers() const {
+  ColumnRequests requests;
   for (const Group& group : groups_) {
     if (member_ >= group.members.size()) continue;
-    ColumnAsk ask;
+    ColumnRequest request;
     if (member_ + 1 < group.members.size())
       for (const double price : prices_)
-        ask.prices.push_back(group.share * price);
+        request.prices.push_back(group.share * price);
     TeamChoice others = choice_;
     for (const int member : group.members) others[member] = kNobody;
     for (const int column : others)
-      if (column != kNobody) ask.around.push_back(column);
+      if (column != kNobody) request.around.push_back(column);
     for (const int column : group.columns)
-      if (column != kNobody) ask.around.push_back(column);
-    asks[group.members[member_]] = std::move(ask);
+      if (column != kNobody) request.around.push_back(column);
+    requests[group.members[member_]] = std::move(request);
   }
-  return asks;
+  return requests;
 }
 
-ColumnAsks GroupExchange::Next(const ColumnAnswers& answers) {
+ColumnRequests GroupExchange::Next(const ColumnAnswers& answers) {
   for (Group& group : groups_) {
     if (member_ >= group.members.size()) continue;
     const auto answer = answers.find(group.members[member_]);
@@ -118,7 +118,7 @@ ColumnAsks GroupExchange::Next(const ColumnAnswers& answers) {
     group.columns.push_back(none ? kNobody : answer->second.columns.front());
   }
   ++member_;
-  return AskMembers();
+  return RequestMembers();
 }
 
 TeamChoice GroupExchange::End(const TeamColumns& pool, const TeamWorth& best,

@@ -33,10 +33,10 @@ namespace kg_selector {
 class GroupExchange {
  public:
   // Starts a wave from `choice`; the first questions. None if nobody is there.
-  ColumnAsks Begin(const TeamColumns& pool, const TeamChoice& choice,
-                   const std::vector<double>& prices);
+  ColumnRequests Begin(const TeamColumns& pool, const TeamChoice& choice,
+                       const std::vector<double>& prices);
   // Takes the answers; the next questions. None = the wave is over.
-  ColumnAsks Next(const ColumnAnswers& answers);
+  ColumnRequests Next(const ColumnAnswers& answers);
   // What the wave ends with: at most `slack` below `best`.
   TeamChoice End(const TeamColumns& pool, const TeamWorth& best,
                  double slack) const;
@@ -49,9 +49,9 @@ class GroupExchange {
     double share = 0.0;        // Of the prices that all but the last pay.
   };
   void MakeGroups(const TeamColumns& pool);
-  std::vector<int> RivalsOf(const TeamColumns& pool, int agent,
-                            const std::set<int>& free);
-  ColumnAsks AskMembers() const;
+  std::vector<int> FindRivals(const TeamColumns& pool, int agent,
+                              const std::set<int>& free);
+  ColumnRequests RequestMembers() const;
   int Random(int count) { return static_cast<int>(prng_() % count); }
 
   std::mt19937 prng_;  // Default seed.

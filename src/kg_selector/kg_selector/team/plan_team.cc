@@ -28,7 +28,8 @@ TeamPlan PlanTeam(TeamRules rules, const std::vector<TeamMember>& members) {
   while (!team->Advance()) {
     const std::set<std::string> waiting = team->waiting_for();
     for (const std::string& agent : waiting) {
-      Candidates found = PlanUnder(rules, *by_agent[agent], team->AskOf(agent));
+      AgentOffer found =
+          PlanPriced(rules, *by_agent[agent], team->RequestFor(agent));
       plan.proven = plan.proven && found.proven;
       plan.notes.erase(agent);
       if (!found.note.empty()) plan.notes[agent] = found.note;

@@ -19,16 +19,16 @@ using kg_compiler::TimedPoint;
 
 // --- The reference: all paths of all agents, best first, filter, again. ---
 
-struct Option {
+struct PathOption {
   std::vector<int> nodes;
   double score = 0.0;
   std::set<std::string> events;
   std::vector<TimedPoint> track;
 };
 
-class Reference {
+class ReferencePlan {
  public:
-  Reference(const TeamRules& rules, const std::vector<TeamMember>& members)
+  ReferencePlan(const TeamRules& rules, const std::vector<TeamMember>& members)
       : rules_(rules) {
     for (const TeamMember& member : members)
       left_[member.rules.agent_iri] = &member;
@@ -38,7 +38,7 @@ class Reference {
 
   struct Choice {
     std::string agent;
-    Option option;
+    PathOption option;
   };
   const std::vector<Choice>& choices() const { return choices_; }
 
@@ -51,7 +51,7 @@ class Reference {
     return agents >= rules_.event_capacity.at(event);
   }
 
-  bool Allowed(const Option& option) const {
+  bool Allowed(const PathOption& option) const {
     const double least_m = std::max(1.0, rules_.separation_m);
     return std::none_of(
         choices_.begin(), choices_.end(), [&](const Choice& choice) {
@@ -61,12 +61,12 @@ class Reference {
   }
 
   // Depth first over all paths of a member; `best` is the best allowed.
-  void Extend(const TeamMember& member, const Option& option, double energy_j,
-              std::map<std::string, double> events,
-              std::optional<Option>* best) const {
+  void Extend(const TeamMember& member, const PathOption& option,
+              double energy_j, std::map<std::string, double> events,
+              std::optional<PathOption>* best) const {
     const std::size_t stage = option.nodes.size();
     if (stage == member.graphs.size()) {
-      Option whole = option;
+      PathOption whole = option;
       for (const auto& [event, reward] : events) {
         whole.score += reward;
         whole.events.insert(event);
@@ -79,7 +79,7 @@ class Reference {
     for (const auto& edge : member.graphs[stage].edges) {
       if (edge.from != (stage == 0 ? 0 : option.nodes.back())) continue;
       const auto& waypoint = member.graphs[stage].waypoints[edge.to];
-      Option longer = option;
+      PathOption longer = option;
       longer.nodes.push_back(edge.to);
       longer.score += waypoint.score - edge.seam_cost;
       longer.track.insert(longer.track.end(), edge.flight.track.begin(),
@@ -96,7 +96,7 @@ class Reference {
   bool CommitOne() {
     std::optional<Choice> best;
     for (const auto& [agent, member] : left_) {
-      std::optional<Option> own;
+      std::optional<PathOption> own;
       Extend(*member, {}, 0.0, {}, &own);
       if (own && (!best || own->score > best->option.score))
         best = Choice{agent, *own};
@@ -120,7 +120,7 @@ TEST(PlanTeamTest, EqualsBestFirstMaskAndPlanAgainByExhaustion) {
     const TeamRules rules = random.MakeRules();
     const auto members = random.MakeMembers();
     const TeamPlan plan = PlanTeam(rules, members);
-    const Reference reference(rules, members);
+    const ReferencePlan reference(rules, members);
     ASSERT_EQ(plan.committed.size(), reference.choices().size());
     for (std::size_t i = 0; i < plan.committed.size(); ++i) {
       const Pathlet& pathlet = plan.committed[i];
@@ -179,7 +179,7 @@ TEST(PlanTeamTest, TwoHundredRandomTeamsKeepTheRules) {
     EXPECT_EQ(plan.committed.size() + plan.unassigned.size(), members.size());
     std::vector<Pathlet> selfish;
     for (const TeamMember& member : members) {
-      auto found = PlanUnder(rules, member, {});
+      auto found = PlanPriced(rules, member, {});
       if (!found.pathlets.empty()) selfish.push_back(found.pathlets.front());
     }
     would_violate += Violations(rules, selfish, from_s) > 0;
@@ -205,7 +205,8 @@ TeamPlan PlanInRandomOrder(const TeamRules& rules,
                                    team.waiting_for().end());
     std::shuffle(order.begin(), order.end(), *prng);
     for (const std::string& agent : order) {
-      team.Offer(agent, PlanUnder(rules, *by_agent[agent], team.AskOf(agent)));
+      team.Offer(agent,
+                 PlanPriced(rules, *by_agent[agent], team.RequestFor(agent)));
       if (team.waiting_for().empty()) break;
       EXPECT_FALSE(team.Advance());
     }

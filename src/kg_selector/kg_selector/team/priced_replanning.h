@@ -42,15 +42,15 @@ const char* NoPathNote(bool alone);
 
 // `rules` as a path sees them that pays `ask`'s event prices and is late for
 // its full events: what it can still earn, unpriced.
-kg_compiler::SeamRules OpenUnder(const kg_compiler::SeamRules& rules,
-                                 const Ask& ask);
+kg_compiler::SeamRules OpenRules(const kg_compiler::SeamRules& rules,
+                                 const PlanRequest& request);
 
 // The trellis of `open` (OpenUnder) with ask's prices taken off. Throws
 // kg_core::InputError for a price that is negative or not finite, and for a
 // waypoint that is not there.
 kg_planner::Trellis PricedTrellis(const kg_compiler::SeamRules& open,
                                   const kg_compiler::NavGraphs& graphs,
-                                  const Ask& ask);
+                                  const PlanRequest& request);
 
 // A path found under prices, worth what it is without them.
 kg_planner::Path Unpriced(const kg_planner::Trellis& unpriced,
@@ -58,8 +58,8 @@ kg_planner::Path Unpriced(const kg_planner::Trellis& unpriced,
 
 // None of the paths has a hard conflict with ask.around. Of the team's rules
 // those of separation and the windows' ends are read.
-Candidates PlanUnder(const TeamRules& team, const TeamMember& member,
-                     const Ask& ask);
+AgentOffer PlanPriced(const TeamRules& team, const TeamMember& member,
+                      const PlanRequest& request);
 
 }  // namespace kg_selector
 

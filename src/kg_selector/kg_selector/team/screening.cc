@@ -68,9 +68,9 @@ std::string Malformed(const TeamRules& rules, const Pathlet& pathlet) {
   return visits.empty() ? MalformedTrack(pathlet.track) : visits;
 }
 
-Screened Screen(const TeamRules& rules, const std::string& agent,
-                std::vector<Pathlet> offered, int round) {
-  Screened screened;
+ScreenedOffer ScreenOffer(const TeamRules& rules, const std::string& agent,
+                          std::vector<Pathlet> offered, int round) {
+  ScreenedOffer screened;
   for (Pathlet& pathlet : offered) {
     pathlet.agent = agent;
     pathlet.round = round;

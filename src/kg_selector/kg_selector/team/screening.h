@@ -14,16 +14,16 @@
 
 namespace kg_selector {
 
-struct Screened {
-  std::vector<Pathlet> sound;       // In the order offered; agent, round set.
-  std::vector<Rejection> rejected;  // Ditto.
+struct ScreenedOffer {
+  std::vector<Pathlet> sound;  // In the order offered; agent, round set.
+  std::vector<RejectedPath> rejected;  // Ditto.
 };
 
 // Turned away: what FindViolation() finds, and what is malformed (a number that
 // is not finite, windows that do not ascend or are not planned, times that
 // descend; its reason says "malformed: "). A path offered twice counts once.
-Screened Screen(const TeamRules& rules, const std::string& agent,
-                std::vector<Pathlet> offered, int round);
+ScreenedOffer ScreenOffer(const TeamRules& rules, const std::string& agent,
+                          std::vector<Pathlet> offered, int round);
 
 // Why `pathlet` cannot be weighed at all; empty if it can.
 std::string Malformed(const TeamRules& rules, const Pathlet& pathlet);

@@ -9,8 +9,8 @@
 
 namespace kg_selector {
 
-Stability StabilityOf(const std::vector<Pathlet>& before,
-                      const std::vector<Pathlet>& now) {
+PlanStability ComputeStability(const std::vector<Pathlet>& before,
+                               const std::vector<Pathlet>& now) {
   std::map<std::pair<std::string, int>, kg_core::LonLat> places;
   for (const Pathlet& pathlet : before)
     for (const Visit& visit : pathlet.visits)

@@ -66,28 +66,28 @@ double TeamColumns::Score(const TeamChoice& choice) const {
   return sum;
 }
 
-double TeamColumns::LoadOf(int column) const {
+double TeamColumns::FairnessLoad(int column) const {
   if (fairness == Fairness::kMaxMin) return columns_[column].score - unserved_;
   return columns_[column].load;
 }
 
 TeamWorth TeamColumns::Worth(const TeamChoice& choice) const {
   TeamWorth worth{0.0, Score(choice)};
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0.0;
+  double min_value = std::numeric_limits<double>::infinity();
+  double max_value = 0.0;
   for (std::size_t a = 0; a < choice.size(); ++a) {
     if (of_agent_[a].empty()) continue;
     const bool served = choice[a] != kNobody;
     if (!served) worth.second += unserved_;
-    const double load = served ? LoadOf(choice[a]) : 0.0;
-    least = std::min(least, load);
-    most = std::max(most, load);
+    const double load = served ? FairnessLoad(choice[a]) : 0.0;
+    min_value = std::min(min_value, load);
+    max_value = std::max(max_value, load);
   }
-  if (fairness == Fairness::kNone || !std::isfinite(least)) return worth;
+  if (fairness == Fairness::kNone || !std::isfinite(min_value)) return worth;
   if (fairness == Fairness::kMaxMin)
-    worth.first = least;
+    worth.first = min_value;
   else
-    worth.second -= fairness_weight * (most - least);
+    worth.second -= fairness_weight * (max_value - min_value);
   return worth;
 }
 
@@ -106,9 +106,9 @@ bool TeamColumns::IsAllowed(const TeamChoice& choice) const {
 namespace {
 
 // A choice under change, with who uses what.
-class Table {
+class ChoiceTable {
  public:
-  Table(const TeamColumns& pool, const TeamChoice& choice)
+  ChoiceTable(const TeamColumns& pool, const TeamChoice& choice)
       : pool_(pool),
         choice_(pool.agents(), kNobody),
         users_(pool.capacities().size()) {
@@ -132,7 +132,7 @@ class Table {
       users_[row].push_back(column);
   }
 
-  void Take(int agent) {
+  void Remove(int agent) {
     const int column = std::exchange(choice_[agent], kNobody);
     if (column == kNobody) return;
     for (const int row : pool_.columns()[column].rows)
@@ -141,14 +141,14 @@ class Table {
   }
 
   // Puts it, whoever is in its way; who had to go. False if it never fits.
-  bool Oust(int column, std::vector<int>* ousted) {
+  bool Displace(int column, std::vector<int>* displaced) {
     for (const int row : pool_.columns()[column].rows) {
       if (pool_.capacities()[row] < 1) return false;
-      while (IsFull(row)) TakeInto(LeastOf(users_[row]), ousted);
+      while (IsFull(row)) RemoveInto(FindWorst(users_[row]), displaced);
     }
     for (const int other : TeamChoice(choice_))
       if (other != kNobody && pool_.Conflict(other, column))
-        TakeInto(other, ousted);
+        RemoveInto(other, displaced);
     Put(column);
     return true;
   }
@@ -156,34 +156,34 @@ class Table {
   // The best column of an agent that fits, penalties counted.
   int BestFitting(int agent, const std::vector<int>& columns) const {
     int best = kNobody;
-    double most = -std::numeric_limits<double>::infinity();
+    double max_value = -std::numeric_limits<double>::infinity();
     for (const int column : columns) {
-      if (!(pool_.columns()[column].score > most)) continue;
-      const double value = pool_.columns()[column].score - PenaltyOf(column);
-      if (value > most && Fits(column)) {
-        most = value;
+      if (!(pool_.columns()[column].score > max_value)) continue;
+      const double value = pool_.columns()[column].score - TotalPenalty(column);
+      if (value > max_value && Fits(column)) {
+        max_value = value;
         best = column;
       }
     }
-    return pool_.of_agent(agent).empty() ? kNobody : best;
+    return pool_.columns_of(agent).empty() ? kNobody : best;
   }
 
  private:
   bool IsFull(int row) const {
     return static_cast<int>(users_[row].size()) >= pool_.capacities()[row];
   }
-  int LeastOf(const std::vector<int>& users) const {
+  int FindWorst(const std::vector<int>& users) const {
     return *std::min_element(users.begin(), users.end(), [&](int a, int b) {
       const double x = pool_.columns()[a].score;
       const double y = pool_.columns()[b].score;
       return x != y ? x < y : a < b;
     });
   }
-  void TakeInto(int column, std::vector<int>* ousted) {
-    ousted->push_back(pool_.columns()[column].agent);
-    Take(ousted->back());
+  void RemoveInto(int column, std::vector<int>* displaced) {
+    displaced->push_back(pool_.columns()[column].agent);
+    Remove(displaced->back());
   }
-  double PenaltyOf(int column) const {
+  double TotalPenalty(int column) const {
     double sum = 0.0;
     for (const int other : choice_)
       if (pool_.penalty && other != kNobody)
@@ -208,7 +208,7 @@ std::vector<std::vector<int>> Shortlists(const TeamColumns& pool,
     return reduced[a] != reduced[b] ? reduced[a] > reduced[b] : a < b;
   };
   for (int agent = 0; agent < pool.agents(); ++agent) {
-    std::vector<int> list = pool.of_agent(agent);
+    std::vector<int> list = pool.columns_of(agent);
     const std::size_t kept = std::min(length, list.size());
     std::partial_sort(list.begin(), list.begin() + kept, list.end(), better);
     list.resize(kept);
@@ -217,10 +217,10 @@ std::vector<std::vector<int>> Shortlists(const TeamColumns& pool,
   return lists;
 }
 
-class Exchanger {
+class ColumnExchanger {
  public:
-  Exchanger(const TeamColumns& pool, const std::vector<double>& prices,
-            const TeamChoice& choice, const ExchangeOptions& options)
+  ColumnExchanger(const TeamColumns& pool, const std::vector<double>& prices,
+                  const TeamChoice& choice, const ExchangeOptions& options)
       : pool_(pool),
         lists_(Shortlists(pool, prices, options.columns)),
         table_(pool, choice),
@@ -241,7 +241,7 @@ class Exchanger {
     bool filled = false;
     for (int agent = 0; agent < pool_.agents(); ++agent) {
       if (table_.choice()[agent] != kNobody) continue;
-      const int column = table_.BestFitting(agent, pool_.of_agent(agent));
+      const int column = table_.BestFitting(agent, pool_.columns_of(agent));
       if (column == kNobody) continue;
       table_.Put(column);
       filled = true;
@@ -253,10 +253,10 @@ class Exchanger {
   bool Try(int column) {
     const TeamChoice before = table_.choice();
     const int agent = pool_.columns()[column].agent;
-    std::vector<int> ousted;
-    table_.Take(agent);
-    const bool possible = table_.Oust(column, &ousted);
-    for (const int other : ousted) Refill(other);
+    std::vector<int> displaced;
+    table_.Remove(agent);
+    const bool possible = table_.Displace(column, &displaced);
+    for (const int other : displaced) Refill(other);
     const TeamWorth worth = pool_.Worth(table_.choice());
     if (possible && IsMore(worth, worth_)) {
       worth_ = worth;
@@ -273,7 +273,7 @@ class Exchanger {
 
   void Restore(const TeamChoice& before) {
     for (int agent = 0; agent < pool_.agents(); ++agent)
-      if (table_.choice()[agent] != before[agent]) table_.Take(agent);
+      if (table_.choice()[agent] != before[agent]) table_.Remove(agent);
     for (int agent = 0; agent < pool_.agents(); ++agent)
       if (table_.choice()[agent] != before[agent] && before[agent] != kNobody)
         table_.Put(before[agent]);
@@ -281,7 +281,7 @@ class Exchanger {
 
   const TeamColumns& pool_;
   std::vector<std::vector<int>> lists_;
-  Table table_;
+  ChoiceTable table_;
   TeamWorth worth_;
 };
 
@@ -291,10 +291,10 @@ TeamChoice ChooseGreedily(const TeamColumns& pool,
                           const std::vector<double>& prices) {
   std::vector<std::pair<double, int>> order;
   for (int agent = 0; agent < pool.agents(); ++agent)
-    for (const int column : pool.of_agent(agent))
+    for (const int column : pool.columns_of(agent))
       order.emplace_back(-pool.Reduced(column, prices), column);
   std::sort(order.begin(), order.end());
-  Table table(pool, TeamChoice(pool.agents(), kNobody));
+  ChoiceTable table(pool, TeamChoice(pool.agents(), kNobody));
   for (const auto& [value, column] : order)
     if (table.choice()[pool.columns()[column].agent] == kNobody &&
         table.Fits(column))
@@ -305,7 +305,7 @@ TeamChoice ChooseGreedily(const TeamColumns& pool,
 TeamChoice Exchange(const TeamColumns& pool, const std::vector<double>& prices,
                     TeamChoice choice, const ExchangeOptions& options) {
   choice.resize(pool.agents(), kNobody);
-  Exchanger exchanger(pool, prices, choice, options);
+  ColumnExchanger exchanger(pool, prices, choice, options);
   for (int pass = 0; pass < options.passes; ++pass)
     if (!exchanger.Pass()) break;
   return exchanger.choice();

@@ -55,7 +55,9 @@ class TeamColumns {
   int agents() const { return static_cast<int>(of_agent_.size()); }
   const std::vector<int>& capacities() const { return capacities_; }
   const std::vector<Column>& columns() const { return columns_; }
-  const std::vector<int>& of_agent(int agent) const { return of_agent_[agent]; }
+  const std::vector<int>& columns_of(int agent) const {
+    return of_agent_[agent];
+  }
   double unserved() const { return unserved_; }
 
   double Score(const TeamChoice& choice) const;  // Sum, less penalties.
@@ -64,7 +66,7 @@ class TeamColumns {
   bool Conflict(int a, int b) const { return conflict && conflict(a, b); }
   double Penalty(int a, int b) const { return penalty ? penalty(a, b) : 0.0; }
   // What fairness looks at: of kMaxMin what it is worth beyond unserved().
-  double LoadOf(int column) const;
+  double FairnessLoad(int column) const;
   // The score less the prices of its rows.
   double Reduced(int column, const std::vector<double>& prices) const;
 

@@ -29,7 +29,7 @@ std::map<std::string, int> PlacesOf(const TeamRules& rules,
   while (!team->Advance()) {
     const std::set<std::string> waiting = team->waiting_for();
     for (const std::string& agent : waiting) {
-      Candidates candidates;
+      AgentOffer candidates;
       candidates.pathlets = offers.at(agent);
       team->Offer(agent, candidates);
     }

@@ -12,7 +12,7 @@
 namespace kg_selector {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
 constexpr int kNone = -1;
 constexpr int kThroughNode = -2;  // Parent: the other half of the node.
 
@@ -37,20 +37,20 @@ void CheckStage(const TeamFlow& flow, std::size_t s) {
 }
 
 // The seams into one stage, by where they come from, and the flow into it.
-struct Layer {
+struct FlowLayer {
   int first_node = 0;      // Number of the first half of its first node.
   std::vector<int> first;  // By from: its first seam; one more at the end.
   std::vector<FlowSeam> seams;
   std::vector<double> gain;
-  std::vector<int> room;                  // Capacity left, by node.
+  std::vector<int> capacity_left;         // Capacity left, by node.
   std::vector<std::vector<int>> flow_in;  // By node: seams with flow.
   int nodes() const { return static_cast<int>(gain.size()); }
   int in(int v) const { return first_node + v; }
   int out(int v) const { return first_node + nodes() + v; }
 };
 
-Layer ToLayer(const FlowStage& stage, int before, int first_node) {
-  Layer layer;
+FlowLayer ToLayer(const FlowStage& stage, int before, int first_node) {
+  FlowLayer layer;
   layer.first_node = first_node;
   layer.seams = stage.seams;
   const auto earlier = [](const FlowSeam& a, const FlowSeam& b) {
@@ -62,15 +62,15 @@ Layer ToLayer(const FlowStage& stage, int before, int first_node) {
   for (const FlowSeam& seam : layer.seams) ++layer.first[seam.from + 1];
   for (int u = 0; u < before; ++u) layer.first[u + 1] += layer.first[u];
   layer.gain = stage.rewards;
-  layer.room = stage.capacities;
+  layer.capacity_left = stage.capacities;
   layer.flow_in.resize(stage.rewards.size());
   return layer;
 }
 
 // Agents, both halves of all nodes and the exit are vertices, in this order.
-class Solver {
+class FlowSolver {
  public:
-  explicit Solver(const TeamFlow& flow) : agents_(flow.agents) {
+  explicit FlowSolver(const TeamFlow& flow) : agents_(flow.agents) {
     int before = flow.agents;
     int vertices = flow.agents;
     for (const FlowStage& stage : flow.stages) {
@@ -80,7 +80,7 @@ class Solver {
     }
     exit_ = vertices;
     used_.assign(agents_, 0);
-    potential_.assign(vertices + 1, kFar);
+    potential_.assign(vertices + 1, kUnreached);
     layer_of_.assign(vertices + 1, kNone);
     for (std::size_t s = 0; s < layers_.size(); ++s)
       for (std::size_t v = 0; v < layers_[s].gain.size(); ++v)
@@ -93,7 +93,7 @@ class Solver {
   bool Augment() {
     Search();
     const double length = cost_[exit_];
-    if (!(length < kFar)) return false;
+    if (!(length < kUnreached)) return false;
     for (std::size_t x = 0; x < potential_.size(); ++x)
       potential_[x] += std::min(cost_[x], length);
     Push();
@@ -105,7 +105,7 @@ class Solver {
     std::vector<std::vector<int>> paths(agents_);
     std::vector<std::vector<int>> at(agents_);  // Agents, by node.
     for (int a = 0; a < agents_; ++a) at[a] = {a};
-    for (const Layer& layer : layers_) {
+    for (const FlowLayer& layer : layers_) {
       std::vector<std::vector<int>> next(layer.gain.size());
       for (std::size_t v = 0; v < next.size(); ++v)
         for (const int seam : layer.flow_in[v]) {
@@ -122,7 +122,7 @@ class Solver {
 
   double Value() const {
     double value = 0.0;
-    for (const Layer& layer : layers_)
+    for (const FlowLayer& layer : layers_)
       for (std::size_t v = 0; v < layer.gain.size(); ++v)
         for (const int seam : layer.flow_in[v])
           value += layer.gain[v] - layer.seams[seam].cost;
@@ -132,7 +132,7 @@ class Solver {
  private:
   using Reached = std::pair<double, int>;
 
-  int OutOf(int layer, int u) const {
+  int OutVertex(int layer, int u) const {
     return layer < 0 ? u : layers_[layer].out(u);
   }
 
@@ -140,18 +140,18 @@ class Solver {
   void StartPotentials() {
     for (int a = 0; a < agents_; ++a) potential_[a] = 0.0;
     for (std::size_t s = 0; s < layers_.size(); ++s) {
-      const Layer& layer = layers_[s];
+      const FlowLayer& layer = layers_[s];
       for (const FlowSeam& seam : layer.seams) {
         double& in = potential_[layer.in(seam.to)];
-        in =
-            std::min(in, potential_[OutOf(static_cast<int>(s) - 1, seam.from)] +
-                             seam.cost);
+        in = std::min(
+            in, potential_[OutVertex(static_cast<int>(s) - 1, seam.from)] +
+                    seam.cost);
       }
       for (std::size_t v = 0; v < layer.gain.size(); ++v)
-        if (layer.room[v] > 0)
+        if (layer.capacity_left[v] > 0)
           potential_[layer.out(v)] = potential_[layer.in(v)] - layer.gain[v];
     }
-    const Layer& last = layers_.back();
+    const FlowLayer& last = layers_.back();
     for (std::size_t v = 0; v < last.gain.size(); ++v)
       potential_[exit_] = std::min(potential_[exit_], potential_[last.out(v)]);
   }
@@ -173,23 +173,23 @@ class Solver {
       Reach(vertex, exit_, 0.0, u);
       return;
     }
-    const Layer& next = layers_[layer + 1];
+    const FlowLayer& next = layers_[layer + 1];
     for (int e = next.first[u]; e < next.first[u + 1]; ++e)
       Reach(vertex, next.in(next.seams[e].to), next.seams[e].cost, e);
   }
 
   void LeaveIn(int vertex, int layer, int v) {
-    const Layer& here = layers_[layer];
-    if (here.room[v] > 0)
+    const FlowLayer& here = layers_[layer];
+    if (here.capacity_left[v] > 0)
       Reach(vertex, here.out(v), -here.gain[v], kThroughNode);
     for (const int e : here.flow_in[v])
-      Reach(vertex, OutOf(layer - 1, here.seams[e].from), -here.seams[e].cost,
-            e);
+      Reach(vertex, OutVertex(layer - 1, here.seams[e].from),
+            -here.seams[e].cost, e);
   }
 
   // Dijkstra's algorithm from the agents that are free, to the exit.
   void Search() {
-    cost_.assign(potential_.size(), kFar);
+    cost_.assign(potential_.size(), kUnreached);
     parent_.assign(potential_.size(), kNone);
     queue_ = {};
     for (int a = 0; a < agents_; ++a) {
@@ -217,10 +217,10 @@ class Solver {
     int layer = static_cast<int>(layers_.size()) - 1;
     int node = parent_[exit_];
     while (true) {
-      const int out_parent = parent_[OutOf(layer, node)];
+      const int out_parent = parent_[OutVertex(layer, node)];
       if (out_parent == kNone) break;  // An agent that was free.
       if (out_parent == kThroughNode) {
-        --layers_[layer].room[node];
+        --layers_[layer].capacity_left[node];
       } else {
         ++layer;
         node = layers_[layer].seams[out_parent].to;
@@ -230,7 +230,7 @@ class Solver {
       // Now at the first half of a node.
       const int in_parent = parent_[layers_[layer].in(node)];
       if (in_parent == kThroughNode) {
-        ++layers_[layer].room[node];
+        ++layers_[layer].capacity_left[node];
       } else {
         layers_[layer].flow_in[node].push_back(in_parent);
         node = layers_[layer].seams[in_parent].from;
@@ -240,7 +240,7 @@ class Solver {
     used_[node] = 1;
   }
 
-  std::vector<Layer> layers_;
+  std::vector<FlowLayer> layers_;
   int agents_ = 0;
   int exit_ = 0;
   std::vector<char> used_;         // By agent.
@@ -262,7 +262,7 @@ FlowPlan SolveFlow(const TeamFlow& flow) {
   FlowPlan plan;
   plan.nodes.resize(flow.agents);
   if (flow.stages.empty()) return plan;
-  Solver solver(flow);
+  FlowSolver solver(flow);
   while (solver.Augment()) {
   }
   plan.nodes = solver.Paths();

@@ -37,9 +37,9 @@ TeamFlow RandomFlow(std::mt19937* prng) {
 }
 
 // Agent by agent, all paths or none: first as many as can be, then the best.
-class Reference {
+class ReferenceFlow {
  public:
-  explicit Reference(const TeamFlow& flow) : flow_(flow) {
+  explicit ReferenceFlow(const TeamFlow& flow) : flow_(flow) {
     for (const FlowStage& stage : flow.stages)
       room_.push_back(stage.capacities);
     Agent(0, 0, 0.0);
@@ -85,7 +85,7 @@ TEST(TeamFlowTest, EqualsTheBestOfAllPlans) {
     std::mt19937 prng(seed);
     const TeamFlow flow = RandomFlow(&prng);
     const FlowPlan plan = SolveFlow(flow);
-    const Reference best(flow);
+    const ReferenceFlow best(flow);
     int served = 0;
     std::vector<std::vector<int>> used;
     for (const FlowStage& stage : flow.stages)

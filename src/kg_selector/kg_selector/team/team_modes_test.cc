@@ -19,28 +19,30 @@ namespace {
 
 // --- The reference: the best of all plans. ---
 
-struct Option {
+struct PathOption {
   double score = 0.0;
   std::set<std::string> events;
   const EveryPath* path = nullptr;
 };
 
 // All paths with all sets of events that they might earn.
-std::vector<Option> OptionsOf(const std::vector<EveryPath>& paths) {
-  std::vector<Option> options;
+std::vector<PathOption> OptionsOf(const std::vector<EveryPath>& paths) {
+  std::vector<PathOption> options;
   for (const EveryPath& path : paths) {
     options.push_back({path.score, {}, &path});
     const std::size_t first = options.size() - 1;
     for (const auto& [event, reward] : path.events)
       for (std::size_t i = first, end = options.size(); i < end; ++i) {
-        Option earned = options[i];
+        PathOption earned = options[i];
         earned.score += reward;
         earned.events.insert(event);
         options.push_back(earned);
       }
   }
   std::sort(options.begin(), options.end(),
-            [](const Option& a, const Option& b) { return a.score > b.score; });
+            [](const PathOption& a, const PathOption& b) {
+              return a.score > b.score;
+            });
   return options;
 }
 
@@ -51,7 +53,7 @@ class BestPlan {
            double unserved)
       : rules_(rules), unserved_(unserved) {
     for (const TeamMember& member : members)
-      paths_.push_back(EveryPathOf(member));
+      paths_.push_back(EnumeratePaths(member));
     for (const auto& paths : paths_) options_.push_back(OptionsOf(paths));
     Extend(0, 0.0);
   }
@@ -65,24 +67,26 @@ class BestPlan {
                       std::max(1.0, rules_.separation_m);
     return known->second;
   }
-  bool Allowed(const Option& option) {
+  bool Allowed(const PathOption& option) {
     for (const std::string& event : option.events) {
-      const auto users = std::count_if(
-          chosen_.begin(), chosen_.end(),
-          [&](const Option* other) { return other->events.count(event) > 0; });
+      const auto users = std::count_if(chosen_.begin(), chosen_.end(),
+                                       [&](const PathOption* other) {
+                                         return other->events.count(event) > 0;
+                                       });
       if (users >= rules_.event_capacity.at(event)) return false;
     }
-    return std::all_of(
-        chosen_.begin(), chosen_.end(),
-        [&](const Option* other) { return Apart(*other->path, *option.path); });
+    return std::all_of(chosen_.begin(), chosen_.end(),
+                       [&](const PathOption* other) {
+                         return Apart(*other->path, *option.path);
+                       });
   }
   double MostFrom(std::size_t agent) const {
-    double most = 0.0;
+    double max_value = 0.0;
     for (std::size_t a = agent; a < options_.size(); ++a)
-      most += options_[a].empty()
-                  ? unserved_
-                  : std::max(unserved_, options_[a].front().score);
-    return most;
+      max_value += options_[a].empty()
+                       ? unserved_
+                       : std::max(unserved_, options_[a].front().score);
+    return max_value;
   }
   void Extend(std::size_t agent, double sum) {
     if (agent == options_.size()) {
@@ -90,7 +94,7 @@ class BestPlan {
       return;
     }
     if (sum + MostFrom(agent) <= best_) return;
-    for (const Option& option : options_[agent]) {
+    for (const PathOption& option : options_[agent]) {
       if (!Allowed(option)) continue;
       chosen_.push_back(&option);
       Extend(agent + 1, sum + option.score);
@@ -102,16 +106,16 @@ class BestPlan {
   const TeamRules& rules_;
   double unserved_;
   std::vector<std::vector<EveryPath>> paths_;
-  std::vector<std::vector<Option>> options_;
+  std::vector<std::vector<PathOption>> options_;
   std::map<std::pair<const EveryPath*, const EveryPath*>, bool> apart_;
-  std::vector<const Option*> chosen_;
+  std::vector<const PathOption*> chosen_;
   double best_ = -std::numeric_limits<double>::infinity();
 };
 
 double WorstPath(const std::vector<TeamMember>& members) {
   double worst = 0.0;
   for (const TeamMember& member : members)
-    for (const EveryPath& path : EveryPathOf(member)) {
+    for (const EveryPath& path : EnumeratePaths(member)) {
       double score = path.score;
       for (const auto& [event, reward] : path.events) score += reward;
       worst = std::min(worst, score);

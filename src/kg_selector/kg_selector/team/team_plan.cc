@@ -2,7 +2,8 @@
 
 namespace kg_selector {
 
-Ask AskAround(const TeamRules& rules, const std::vector<Pathlet>& committed) {
+PlanRequest RequestAround(const TeamRules& rules,
+                          const std::vector<Pathlet>& committed) {
   return {committed, FullEvents(rules, committed), {}, {}};
 }
 

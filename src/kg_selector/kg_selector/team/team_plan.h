@@ -17,7 +17,7 @@
 namespace kg_selector {
 
 // One agent's answer.
-struct Candidates {
+struct AgentOffer {
   std::vector<Pathlet> pathlets;  // Best first, prices counted; at most K.
   bool proven = true;
   std::string note = {};  // One line; why there is no path, or "".
@@ -33,7 +33,7 @@ struct WaypointPrice {
 };
 
 // What one agent is to plan under.
-struct Ask {
+struct PlanRequest {
   std::vector<Pathlet> around;        // Committed; only tracks are read.
   std::set<std::string> full_events;  // A visit earns nothing there.
   std::vector<WaypointPrice> waypoint_prices;
@@ -41,9 +41,10 @@ struct Ask {
 };
 
 // Around those committed, without prices.
-Ask AskAround(const TeamRules& rules, const std::vector<Pathlet>& committed);
+PlanRequest RequestAround(const TeamRules& rules,
+                          const std::vector<Pathlet>& committed);
 
-struct Rejection {
+struct RejectedPath {
   Pathlet pathlet;
   Conflict conflict;   // Meaningful unless reason says otherwise.
   std::string reason;  // One line for a person.
@@ -52,7 +53,7 @@ struct Rejection {
 
 struct TeamOutcome {
   std::vector<Pathlet> committed;  // In order of commitment.
-  std::vector<Rejection> rejections;
+  std::vector<RejectedPath> rejections;
   // Agents that got no path, with the reason.
   std::map<std::string, std::string> unassigned;
   int rounds = 1;  // Of planning, the first included.

@@ -17,7 +17,7 @@ namespace {
 // --- The checker: looks at plan and members only, every two minutes, with
 // geodesics. ---
 
-struct Mission {
+struct MissionRules {
   double separation_m = 0.0;  // None may come closer.
   std::map<std::string, int> capacity;
   std::map<std::string, std::set<int>> open;  // Windows of an event.
@@ -25,7 +25,8 @@ struct Mission {
   double from_s = 0.0;  // Separation is looked at from here on.
 };
 
-int TooCloseOnes(const Mission& mission, const std::vector<Pathlet>& plan) {
+int TooCloseOnes(const MissionRules& mission,
+                 const std::vector<Pathlet>& plan) {
   int count = 0;
   for (std::size_t i = 0; i < plan.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
@@ -34,7 +35,7 @@ int TooCloseOnes(const Mission& mission, const std::vector<Pathlet>& plan) {
   return count;
 }
 
-int BadVisits(const Mission& mission, const std::vector<Pathlet>& plan) {
+int BadVisits(const MissionRules& mission, const std::vector<Pathlet>& plan) {
   int count = 0;
   std::map<std::string, std::set<std::string>> users;
   for (const Pathlet& pathlet : plan)
@@ -51,7 +52,7 @@ int BadVisits(const Mission& mission, const std::vector<Pathlet>& plan) {
 }
 
 // Score and energy are those of the edges that the visits say.
-int WrongSums(const Mission& mission, const std::vector<Pathlet>& plan) {
+int WrongSums(const MissionRules& mission, const std::vector<Pathlet>& plan) {
   int count = 0;
   for (const Pathlet& pathlet : plan) {
     const TeamMember& member = *mission.members.at(pathlet.agent);
@@ -77,7 +78,7 @@ int WrongSums(const Mission& mission, const std::vector<Pathlet>& plan) {
   return count;
 }
 
-int Violations(const Mission& mission, const std::vector<Pathlet>& plan) {
+int Violations(const MissionRules& mission, const std::vector<Pathlet>& plan) {
   std::set<std::string> agents;
   for (const Pathlet& pathlet : plan) agents.insert(pathlet.agent);
   return static_cast<int>(plan.size() - agents.size()) +
@@ -85,21 +86,21 @@ int Violations(const Mission& mission, const std::vector<Pathlet>& plan) {
          WrongSums(mission, plan);
 }
 
-struct Scene {
+struct TestScene {
   TeamRules rules;
   std::vector<TeamMember> members;
-  Mission mission;
+  MissionRules mission;
 };
 
 // One in three is launched from one place; one in two has an event that is over
 // after the first window, and a member that thinks it is not.
-Scene MakeScene(unsigned seed) {
+TestScene MakeScene(unsigned seed) {
   RandomTeamOptions options;
   options.agents = 2 + static_cast<int>(seed % 4);
   options.places = 10;
   options.same_start = seed % 3 == 0;
   RandomTeam random(options, 5000 + seed);
-  Scene scene;
+  TestScene scene;
   scene.rules = random.MakeRules();
   scene.rules.max_rounds = 12;
   scene.members = random.MakeMembers();
@@ -124,7 +125,7 @@ TEST_P(RulesOfMode, AreKeptInTwoHundredRandomMissions) {
   int would_violate = 0;
   int turned_away = 0;
   for (unsigned seed = 1; seed <= 200; ++seed) {
-    Scene scene = MakeScene(seed);
+    TestScene scene = MakeScene(seed);
     scene.rules.mode = GetParam();
     const TeamPlan plan = PlanTeam(scene.rules, scene.members);
     TeamMember honest = scene.members.back();
@@ -136,11 +137,11 @@ TEST_P(RulesOfMode, AreKeptInTwoHundredRandomMissions) {
               scene.members.size());
     std::vector<Pathlet> selfish;
     for (const TeamMember& member : scene.members) {
-      auto found = PlanUnder(scene.rules, member, {});
+      auto found = PlanPriced(scene.rules, member, {});
       if (!found.pathlets.empty()) selfish.push_back(found.pathlets.front());
     }
     would_violate += Violations(scene.mission, selfish) > 0;
-    for (const Rejection& rejection : plan.rejections)
+    for (const RejectedPath& rejection : plan.rejections)
       turned_away += rejection.conflict.kind == ConflictKind::kEnergy ||
                      rejection.conflict.kind == ConflictKind::kExpired;
   }
@@ -166,8 +167,8 @@ TeamOutcome InRandomOrder(const TeamRules& rules,
                                    team->waiting_for().end());
     std::shuffle(order.begin(), order.end(), *prng);
     for (const std::string& agent : order) {
-      Candidates answer =
-          PlanUnder(rules, *by_agent[agent], team->AskOf(agent));
+      AgentOffer answer =
+          PlanPriced(rules, *by_agent[agent], team->RequestFor(agent));
       if ((*prng)() % 2 == 0) {  // Twice, and each path twice.
         team->Offer(agent, answer);
         const auto once = answer.pathlets;
@@ -237,8 +238,9 @@ TEST_P(RulesOfMode, ADeadAgentIsPlannedWithout) {
               round >= static_cast<int>(seed % 4))
             team->Drop(agents[1], "dead");
           else
-            team->Offer(NameOf(member),
-                        PlanUnder(rules, member, team->AskOf(NameOf(member))));
+            team->Offer(
+                NameOf(member),
+                PlanPriced(rules, member, team->RequestFor(NameOf(member))));
         }
     }
     const TeamOutcome& outcome = team->outcome();
@@ -267,7 +269,7 @@ TEST_P(RulesOfMode, NonsenseIsTurnedAwayWithAReason) {
   const auto members = random.MakeMembers();
   for (const auto& window : members[0].rules.windows)
     rules.window_end_s[window.window] = window.end_s;
-  const Pathlet sound = PlanUnder(rules, members[0], {}).pathlets.front();
+  const Pathlet sound = PlanPriced(rules, members[0], {}).pathlets.front();
   std::vector<Pathlet> bad(6, sound);
   bad[0].reward = std::nan("");
   bad[1].visits[1].window = 77;
@@ -275,7 +277,7 @@ TEST_P(RulesOfMode, NonsenseIsTurnedAwayWithAReason) {
   bad[3].track[0].position.lon_deg = std::nan("");
   bad[4].energy_j = HUGE_VAL;
   bad[5].visits[0].window = 2;
-  Candidates candidates;
+  AgentOffer candidates;
   candidates.pathlets = bad;
   candidates.pathlets.push_back(sound);
   const auto team = MakeCoordinator(rules, {"ex:agent0"});

@@ -23,7 +23,7 @@ namespace kg_selector {
 
 // Columns of one agent that are allowed beside `around` (neither their rows
 // overfull nor in conflict), the best by score less prices.
-struct ColumnAsk {
+struct ColumnRequest {
   std::vector<double> prices;  // By row; rows beyond cost nothing.
   std::vector<int> around;     // Columns of others.
 };
@@ -36,7 +36,7 @@ struct ColumnAnswer {
 
 // By agent: those that were asked, and answered.
 using ColumnAnswers = std::map<int, ColumnAnswer>;
-using ColumnAsks = std::map<int, ColumnAsk>;
+using ColumnRequests = std::map<int, ColumnRequest>;
 
 class TeamSearch {
  public:
@@ -45,8 +45,8 @@ class TeamSearch {
   // Takes the answers to the asks of before; whom to ask next. Rows may have
   // been added to the pool since. No more than a number of rounds that the mode
   // states.
-  virtual ColumnAsks Next(const TeamColumns& pool,
-                          const ColumnAnswers& answers) = 0;
+  virtual ColumnRequests Next(const TeamColumns& pool,
+                              const ColumnAnswers& answers) = 0;
   virtual void Drop(int agent) = 0;
 
   // The best plan so far, and what no plan is worth more than.
@@ -64,13 +64,13 @@ struct SearchOptions {
 };
 
 // The columns that are chosen.
-std::vector<int> ColumnsOf(const TeamChoice& choice);
+std::vector<int> ChosenColumns(const TeamChoice& choice);
 // What everybody without a column is asked: the best beside all that have one.
-ColumnAsks AskUnservedBeside(const TeamChoice& choice,
-                             const std::set<int>& dropped);
+ColumnRequests RequestUnservedBeside(const TeamChoice& choice,
+                                     const std::set<int>& dropped);
 // Everybody, at the same prices.
-ColumnAsks AskAllAt(const std::vector<double>& prices, int agents,
-                    const std::set<int>& dropped);
+ColumnRequests RequestAll(const std::vector<double>& prices, int agents,
+                          const std::set<int>& dropped);
 
 }  // namespace kg_selector
 

@@ -47,7 +47,7 @@ inline void ExtendPath(const TeamMember& member, const EveryPath& path,
   }
 }
 
-inline std::vector<EveryPath> EveryPathOf(const TeamMember& member) {
+inline std::vector<EveryPath> EnumeratePaths(const TeamMember& member) {
   std::vector<EveryPath> all;
   ExtendPath(member, {}, &all);
   return all;

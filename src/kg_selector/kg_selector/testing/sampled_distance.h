@@ -26,13 +26,13 @@ inline kg_core::LonLat PlaceAt(
       p.position.lat_deg + share * (q.position.lat_deg - p.position.lat_deg)};
 }
 
-struct Sampling {
+struct SampleTimes {
   double from_s = 0.0;  // Until a's track ends.
   double step_s = 60.0;
 };
 
 inline double LeastDistance_m(const Pathlet& a, const Pathlet& b,
-                              const Sampling& sampling) {
+                              const SampleTimes& sampling) {
   double least_m = 1e12;
   const double end_s = a.track.back().time_s;
   for (double t_s = sampling.from_s; t_s <= end_s; t_s += sampling.step_s)

@@ -52,7 +52,7 @@ TeamChoice PlanGreedily(const TrellisTeam& team, TeamColumns* pool) {
     }
     choice[agent] = kNobody;
     const ColumnAnswer again =
-        team.Answer(agent, {{}, ColumnsOf(choice)}, pool);
+        team.Answer(agent, {{}, ChosenColumns(choice)}, pool);
     wish[agent] = again.columns.empty() ? kNobody : again.columns.front();
     left -= again.columns.empty();
   }
@@ -79,32 +79,32 @@ TeamFlow ToFlow(const TrellisTeam& team) {
   return flow;
 }
 
-struct Run {
+struct SearchRun {
   double score = 0.0;
   double bound = 0.0;
   double seconds = 0.0;
 };
 
-Run RunGreedy(const TrellisTeam& team) {
+SearchRun RunGreedy(const TrellisTeam& team) {
   TeamColumns pool = team.MakePool();
-  Run run;
+  SearchRun run;
   run.seconds = ProcessorSeconds(
       [&] { run.score = pool.Score(PlanGreedily(team, &pool)); });
   return run;
 }
 
 template <typename Search>
-Run RunMode(const TrellisTeam& team, const SearchOptions& options) {
+SearchRun RunMode(const TrellisTeam& team, const SearchOptions& options) {
   TeamColumns pool = team.MakePool();
   Search search(options);
-  Run run;
+  SearchRun run;
   run.seconds = ProcessorSeconds([&] { RunSearch(team, &search, &pool); });
   run.score = pool.Score(search.choice());
   run.bound = search.bound();
   return run;
 }
 
-struct Size {
+struct TeamSize {
   TrellisTeamOptions team;
   int rounds = 1000;
   double goal = 99.0;  // Of the bound, per cent.
@@ -116,13 +116,13 @@ std::string NameOf(const TrellisTeamOptions& o) {
          std::to_string(o.capacity);
 }
 
-void Print(const char* mode, const Run& run, double of) {
+void Print(const char* mode, const SearchRun& run, double of) {
   std::printf("    %-8s %7.3f %%   %8.3f s\n", mode, 100.0 * run.score / of,
               run.seconds);
   std::fflush(stdout);
 }
 
-void Homogeneous(const Size& size) {
+void Homogeneous(const TeamSize& size) {
   TrellisTeamOptions options = size.team;
   options.homogeneous = true;
   const TrellisTeam team(options, 1);
@@ -143,12 +143,12 @@ void Homogeneous(const Size& size) {
   }
 }
 
-void Heterogeneous(const Size& size) {
+void Heterogeneous(const TeamSize& size) {
   const TrellisTeam team(size.team, 1);
   SearchOptions options;
   options.max_rounds = size.rounds;
   options.gap_goal = 1e-4;
-  const Run priced = RunMode<PricedSearch>(team, options);
+  const SearchRun priced = RunMode<PricedSearch>(team, options);
   std::printf("of their own: %s: bound %.6g; of it\n",
               NameOf(size.team).c_str(), priced.bound);
   Print("greedy", RunGreedy(team), priced.bound);
@@ -167,22 +167,22 @@ void Heterogeneous(const Size& size) {
 }
 
 int Main(bool quick) {
-  const std::vector<Size> alike = {{{3, 20, 7, 1, true}, 200, 99.5},
-                                   {{10, 20, 7, 1, true}, 500, 99.5},
-                                   {{20, 40, 24, 1, true}, 1000, 99.5},
-                                   {{50, 100, 24, 1, true}, 1000, 99.5},
-                                   {{100, 200, 24, 1, true}, 0, 99.5}};
-  const std::vector<Size> own = {
+  const std::vector<TeamSize> alike = {{{3, 20, 7, 1, true}, 200, 99.5},
+                                       {{10, 20, 7, 1, true}, 500, 99.5},
+                                       {{20, 40, 24, 1, true}, 1000, 99.5},
+                                       {{50, 100, 24, 1, true}, 1000, 99.5},
+                                       {{100, 200, 24, 1, true}, 0, 99.5}};
+  const std::vector<TeamSize> own = {
       {{3, 20, 7, 1}, 200, 99.0},    {{10, 20, 7, 1}, 600, 99.0},
       {{20, 20, 7, 2}, 600, 99.0},   {{20, 40, 24, 1}, 4000, 99.0},
       {{50, 40, 24, 2}, 3000, 98.0}, {{100, 200, 24, 1}, 4000, 98.0}};
-  for (const Size& size : alike)
+  for (const TeamSize& size : alike)
     if (!quick || size.team.agents != 50) {
-      Size shorter = size;
+      TeamSize shorter = size;
       if (quick) shorter.rounds = std::min(size.rounds, 300);
       Homogeneous(shorter);
     }
-  for (const Size& size : own)
+  for (const TeamSize& size : own)
     if (!quick || size.rounds <= 600) Heterogeneous(size);
   return 0;
 }

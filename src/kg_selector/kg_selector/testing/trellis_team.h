@@ -73,10 +73,10 @@ class TrellisTeam {
   }
 
   // The agent's best path; its column goes to the pool.
-  ColumnAnswer Answer(int agent, const ColumnAsk& ask,
+  ColumnAnswer Answer(int agent, const ColumnRequest& request,
                       TeamColumns* pool) const {
     const int n = options_.nodes;
-    std::vector<float> value = NodeValues(agent, ask, *pool);
+    std::vector<float> value = NodeValues(agent, request, *pool);
     std::vector<int> before(value.size(), 0);
     for (int v = 0; v < n; ++v) value[v] -= SeamCost(agent, 0, 0, v);
     const float weight = agents_[agent].weight;
@@ -118,19 +118,19 @@ class TrellisTeam {
     return agent;
   }
 
-  std::vector<float> NodeValues(int agent, const ColumnAsk& ask,
+  std::vector<float> NodeValues(int agent, const ColumnRequest& request,
                                 const TeamColumns& pool) const {
     const std::size_t rows = pool.capacities().size();
     std::vector<int> used(rows, 0);
-    for (const int column : ask.around)
+    for (const int column : request.around)
       for (const int r : pool.columns()[column].rows) ++used[r];
     std::vector<float> value(rows);
     for (int t = 0; t < options_.stages; ++t)
       for (int v = 0; v < options_.nodes; ++v) {
         const int r = row(t, v);
         value[r] = Reward(agent, t, v);
-        if (r < static_cast<int>(ask.prices.size()))
-          value[r] -= static_cast<float>(ask.prices[r]);
+        if (r < static_cast<int>(request.prices.size()))
+          value[r] -= static_cast<float>(request.prices[r]);
         if (used[r] >= pool.capacities()[r]) value[r] = -kNever;
       }
     return value;
@@ -169,13 +169,13 @@ class TrellisTeam {
 // Runs a search to its end.
 inline void RunSearch(const TrellisTeam& team, TeamSearch* search,
                       TeamColumns* pool) {
-  ColumnAsks asks;
-  for (int a = 0; a < team.options().agents; ++a) asks[a] = {};
-  while (!asks.empty()) {
+  ColumnRequests requests;
+  for (int a = 0; a < team.options().agents; ++a) requests[a] = {};
+  while (!requests.empty()) {
     ColumnAnswers answers;
-    for (const auto& [agent, ask] : asks)
-      answers[agent] = team.Answer(agent, ask, pool);
-    asks = search->Next(*pool, answers);
+    for (const auto& [agent, request] : requests)
+      answers[agent] = team.Answer(agent, request, pool);
+    requests = search->Next(*pool, answers);
   }
 }
 
