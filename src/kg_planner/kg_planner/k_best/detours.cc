@@ -14,8 +14,9 @@ constexpr std::size_t kKeptNodes = 12;  // A stage.
 std::vector<int> NodesToKeep(const MaxMarginals& marginals, std::size_t s,
                              int count) {
   std::vector<int> nodes;
-  for (int v = 0; v < count; ++v)
+  for (int v = 0; v < count; ++v) {
     if (marginals.Score(s, v) > kNone) nodes.push_back(v);
+  }
   const std::size_t kept = std::min(nodes.size(), kKeptNodes);
   std::partial_sort(nodes.begin(), nodes.begin() + kept, nodes.end(),
                     [&](int a, int b) {
@@ -45,8 +46,9 @@ void DetourSearch::AddSeams(const ScoreGrid& grid, const Prices& prices,
   const SearchStage& stage = search_.stages[s];
   KeptStage& kept = stages_[s];
   std::vector<int> place(stage.nodes, -1);
-  for (std::size_t v = 0; v < kept.nodes.size(); ++v)
+  for (std::size_t v = 0; v < kept.nodes.size(); ++v) {
     place[kept.nodes[v]] = static_cast<int>(v);
+  }
   const std::vector<int> start{0};
   const std::vector<int>& before = s == 0 ? start : stages_[s - 1].nodes;
   const Seam* end = stage.seams + stage.seam_count;
@@ -67,9 +69,11 @@ void DetourSearch::AddSeams(const ScoreGrid& grid, const Prices& prices,
 void DetourSearch::CountPath(const std::vector<int>& nodes) {
   for (std::size_t s = 0; s < stages_.size(); ++s) {
     KeptStage& kept = stages_[s];
-    for (std::size_t v = 0; v < kept.nodes.size(); ++v)
-      if (search_.stages[s].OriginNode(kept.nodes[v]) == nodes[s])
+    for (std::size_t v = 0; v < kept.nodes.size(); ++v) {
+      if (search_.stages[s].OriginNode(kept.nodes[v]) == nodes[s]) {
         ++kept.times_taken[v];
+      }
+    }
   }
 }
 
@@ -87,8 +91,9 @@ std::vector<int> DetourSearch::Best(double penalty) const {
       next[seam.to] = score;
       into[s][seam.to] = static_cast<int>(i);
     }
-    for (std::size_t v = 0; v < next.size(); ++v)
+    for (std::size_t v = 0; v < next.size(); ++v) {
       next[v] -= penalty * kept.times_taken[v];
+    }
     best = std::move(next);
   }
   const auto max_value = std::max_element(best.begin(), best.end());

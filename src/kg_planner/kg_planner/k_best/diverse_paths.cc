@@ -52,8 +52,9 @@ class DiverseSearch {
   // Without limits and with exact tokens.
   KBest FindExact() {
     MakeTable({});
-    for (std::size_t s = 0; s < limited_.search.stages.size(); ++s)
+    for (std::size_t s = 0; s < limited_.search.stages.size(); ++s) {
       AddCandidates(s, [&](int node) { return Exact(s, node); });
+    }
     AddCandidatePaths();
     if (chosen_.empty()) return std::move(found_);
     found_.bound = chosen_.front().path.score();
@@ -66,8 +67,9 @@ class DiverseSearch {
     found_ = std::move(best);
     if (found_.paths.empty()) return std::move(found_);
     MakePricedTables();
-    for (std::size_t s = 0; s < limited_.search.stages.size(); ++s)
+    for (std::size_t s = 0; s < limited_.search.stages.size(); ++s) {
       AddCandidates(s, [&](int node) { return Allowed(s, node); });
+    }
     AddPath(BestOfAll(found_.paths.front()));
     AddCandidatePaths();
     const double last =
@@ -88,11 +90,13 @@ class DiverseSearch {
       NodeCandidate& known = best[candidate.origin_node];
       if (candidate.score > known.score ||
           (candidate.score > kNone && candidate.score == known.score &&
-           IsBetter(Value(candidate), Value(known))))
+           IsBetter(Value(candidate), Value(known)))) {
         known = candidate;
+      }
     }
-    for (const NodeCandidate& candidate : best)
+    for (const NodeCandidate& candidate : best) {
       if (candidate.score > kNone) candidates_.push_back(candidate);
+    }
   }
 
   NodeCandidate At(std::size_t s, int node) const {
@@ -114,8 +118,9 @@ class DiverseSearch {
       candidate.score = value.score;
       break;
     }
-    if (candidate.score < max_value)
+    if (candidate.score < max_value) {
       most_uncertain_ = std::max(most_uncertain_, max_value);
+    }
     return candidate;
   }
   ValuedPath Value(const NodeCandidate& candidate) const {
@@ -135,11 +140,14 @@ class DiverseSearch {
   void MakePricedTables() {
     Prices dual = FindPrices(limited_).prices;
     dual.resize(limited_.limits.size(), 0.0);
-    if (*std::max_element(dual.begin(), dual.end()) == 0.0)
-      for (std::size_t r = 0; r < dual.size(); ++r)
-        if (limited_.limits[r] < kNoLimit)
+    if (*std::max_element(dual.begin(), dual.end()) == 0.0) {
+      for (std::size_t r = 0; r < dual.size(); ++r) {
+        if (limited_.limits[r] < kNoLimit) {
           dual[r] =
               0.1 * limited_.largest_total / std::max(limited_.limits[r], 1e-9);
+        }
+      }
+    }
     for (const double factor : kPriceFactors) {
       Prices prices = dual;
       for (double& price : prices) price *= factor;
@@ -161,8 +169,9 @@ class DiverseSearch {
   }
 
   void AddPath(ValuedPath value) {
-    for (MaxMarginals& table : tables_)
+    for (MaxMarginals& table : tables_) {
       table.CloseNear(value.path.nodes, minimum_difference_);
+    }
     chosen_.push_back(std::move(value));
   }
 
@@ -171,8 +180,9 @@ class DiverseSearch {
     std::sort(candidates_.begin(), candidates_.end(), ComesFirst);
     for (const NodeCandidate& candidate : candidates_) {
       if (chosen_.size() >= paths_ || candidate.score < MinimumScore()) return;
-      if (!tables_[candidate.table].IsClosed(candidate.stage, candidate.node))
+      if (!tables_[candidate.table].IsClosed(candidate.stage, candidate.node)) {
         AddPath(Value(candidate));
+      }
     }
   }
 
@@ -180,8 +190,9 @@ class DiverseSearch {
     return std::all_of(chosen_.begin(), chosen_.end(),
                        [&](const ValuedPath& other) {
                          int stages = 0;
-                         for (std::size_t s = 0; s < path.nodes.size(); ++s)
+                         for (std::size_t s = 0; s < path.nodes.size(); ++s) {
                            stages += path.nodes[s] != other.path.nodes[s];
+                         }
                          return stages >= minimum_difference_;
                        });
   }
@@ -211,8 +222,9 @@ class DiverseSearch {
       ValuedPath value = Evaluate(trellis_, limited_.grid, limited_.search,
                                   detours.Best(*penalty));
       if (value.path.score() < minimum) return std::nullopt;
-      if (IsWithinLimits(trellis_, value.path) && Differs(value.path))
+      if (IsWithinLimits(trellis_, value.path) && Differs(value.path)) {
         return value;
+      }
     }
     return std::nullopt;
   }
@@ -223,8 +235,9 @@ class DiverseSearch {
                        return a.score > b.score;
                      });
     found_.paths.clear();
-    for (ValuedPath& value : chosen_)
+    for (ValuedPath& value : chosen_) {
       found_.paths.push_back(std::move(value.path));
+    }
     return std::move(found_);
   }
 

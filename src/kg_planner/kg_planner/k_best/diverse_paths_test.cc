@@ -19,8 +19,9 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 int Difference(const Path& a, const Path& b) {
   int stages = 0;
-  for (std::size_t s = 0; s < a.nodes.size(); ++s)
+  for (std::size_t s = 0; s < a.nodes.size(); ++s) {
     stages += a.nodes[s] != b.nodes[s];
+  }
   return stages;
 }
 
@@ -49,10 +50,12 @@ std::vector<Path> DiverseByExhaustion(const Trellis& trellis,
       through.begin(), through.end(),
       [](const Path& a, const Path& b) { return a.score() > b.score(); });
   std::vector<Path> taken;
-  for (const Path& path : through)
+  for (const Path& path : through) {
     if (static_cast<int>(taken.size()) < options.paths &&
-        DiffersFromAll(taken, path, options.minimum_difference))
+        DiffersFromAll(taken, path, options.minimum_difference)) {
       taken.push_back(path);
+    }
+  }
   return taken;
 }
 
@@ -156,8 +159,9 @@ TEST(DiversePathsTest, KeepTheLimitsAndSayWhatIsProven) {
       const double max_value = k == 0 ? found.bound : before.back().score();
       EXPECT_LE(path.score(), max_value + kTolerance);
     }
-    if (found.proven && !options.detours)
+    if (found.proven && !options.detours) {
       ExpectSame(found.paths, DiverseByExhaustion(trellis, all, options));
+    }
     if (HasFailure()) FAIL() << "case " << i;
     ++(found.proven ? proven : unproven);
   }
@@ -173,9 +177,11 @@ Trellis Dense(int stages, int nodes, unsigned seed) {
     Stage& stage = trellis.stages.emplace_back();
     stage.nodes.resize(nodes);
     for (Node& node : stage.nodes) node.reward = share(prng);
-    for (int u = 0; u < (s == 0 ? 1 : nodes); ++u)
-      for (int v = 0; v < nodes; ++v)
+    for (int u = 0; u < (s == 0 ? 1 : nodes); ++u) {
+      for (int v = 0; v < nodes; ++v) {
         stage.seams.push_back({u, v, 0.5 * share(prng), share(prng)});
+      }
+    }
   }
   return trellis;
 }
@@ -240,8 +246,9 @@ TEST(MaxMarginalsTest, AreTheBestScoresThroughEveryNode) {
     for (std::size_t s = 0; s < trellis.stages.size(); ++s) {
       std::vector<double> best(trellis.stages[s].nodes.size(), -1e300);
       std::vector<double> found = best;
-      for (const Path& path : exhaustion.paths())
+      for (const Path& path : exhaustion.paths()) {
         best[path.nodes[s]] = std::max(best[path.nodes[s]], path.score());
+      }
       const SearchStage& stage = limited.search.stages[s];
       for (int v = 0; v < stage.nodes; ++v) {
         double& value = found[stage.OriginNode(v)];

@@ -117,8 +117,9 @@ class KBestSearch {
       const double bound = next->bound + offset;
       if (shortlist_.IsClosedTo(bound, found)) return std::nullopt;
       if (looked_at >= limit) return bound + Slack();
-      if (IsWithinLimits(trellis_, found.path))
+      if (IsWithinLimits(trellis_, found.path)) {
         shortlist_.Add(std::move(found));
+      }
     }
   }
   // What a score may be above its sum on the grid.
@@ -149,8 +150,9 @@ Trellis ThriftTrellis(const Trellis& trellis, std::size_t r) {
   Trellis thrift = trellis;
   for (Stage& stage : thrift.stages) {
     for (Node& node : stage.nodes) node = {};
-    for (std::size_t i = 0; i < stage.seams.size(); ++i)
+    for (std::size_t i = 0; i < stage.seams.size(); ++i) {
       stage.seams[i].cost = SeamResource(stage, i, r);
+    }
   }
   (r == 0 ? thrift.resource_limit : thrift.more_limits[r - 1]) = kNoLimit;
   return thrift;
@@ -184,8 +186,9 @@ KBest FindKBest(const Trellis& trellis, const PathMasks& masks,
 KBest FindKBest(const Trellis& trellis, const PathMasks& masks,
                 const KBestOptions& options, KBestMemory* memory) {
   KBest found = FindWithinLimits(trellis, masks, options, memory);
-  if (found.bound == kNone)
+  if (found.bound == kNone) {
     found.above_limits = AboveLimits(trellis, masks, options);
+  }
   return found;
 }
 

@@ -19,10 +19,12 @@ PathEnumerator::Tables KBestMemory::Recall(const SearchTrellis& search,
   }
   const std::size_t both = std::min(stages.size(), stages_.size());
   std::size_t same = 0;
-  if (grid.step() == step_ && tables_.levels.size() == stages_.size() + 1)
+  if (grid.step() == step_ && tables_.levels.size() == stages_.size() + 1) {
     while (same < both && stages[stages.size() - 1 - same] ==
-                              stages_[stages_.size() - 1 - same])
+                              stages_[stages_.size() - 1 - same]) {
       ++same;
+    }
+  }
   PathEnumerator::Tables recalled;
   recalled.levels.resize(stages.size() + 1);
   recalled.rests.resize(stages.size() + 1);

@@ -33,9 +33,10 @@ std::size_t Change(RandomTrellis* random, Trellis* trellis) {
   Stage& stage = trellis->stages[s];
   const double number = random->Whole(0, 300) / 100.0;
   const int kind = random->Whole(0, 3);
-  if (kind <= 1 && !stage.nodes.empty())
+  if (kind <= 1 && !stage.nodes.empty()) {
     stage.nodes[random->Whole(0, static_cast<int>(stage.nodes.size()) - 1)]
         .reward = number;
+  }
   if (kind >= 2 && !stage.seams.empty()) {
     Seam& seam =
         stage.seams[random->Whole(0, static_cast<int>(stage.seams.size()) - 1)];
@@ -101,8 +102,9 @@ TEST(KBestMemoryTest, ReusesExactlyTheStagesBehindTheChange) {
     trellis.stages.back().nodes = {{1500.0, {}}};
     const int last = static_cast<int>(
         trellis.stages[trellis.stages.size() - 2].nodes.size());
-    for (int u = 0; u < last; ++u)
+    for (int u = 0; u < last; ++u) {
       trellis.stages.back().seams.push_back({u, 0, 0.0, 0.0});
+    }
     KBestMemory memory;
     if (FindKBest(trellis, {}, {20}, &memory).paths.empty()) continue;
     EXPECT_EQ(memory.reused_stages(), 0);
@@ -135,8 +137,9 @@ TEST(KBestMemoryTest, KeepsTheEndWhenStagesAreOver) {
       trellis.stages.erase(trellis.stages.begin());
       auto& seams = trellis.stages.front().seams;
       std::vector<Seam> first;
-      for (const Seam& seam : seams)
+      for (const Seam& seam : seams) {
         if (seam.from == 0) first.push_back(seam);
+      }
       seams = first;
       ExpectIdentical(FindKBest(trellis, {}, {20}, &memory),
                       FindKBest(trellis, {}, {20}));

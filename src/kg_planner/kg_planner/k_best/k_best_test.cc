@@ -56,10 +56,11 @@ void ExpectSameAbove(const std::vector<double>& a,
                      const std::vector<double>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t r = 0; r < a.size(); ++r) {
-    if (b[r] < kInfinity)
+    if (b[r] < kInfinity) {
       EXPECT_NEAR(a[r], b[r], kTolerance);
-    else
+    } else {
       EXPECT_EQ(a[r], kInfinity);
+    }
   }
 }
 
@@ -85,11 +86,12 @@ void Count(const Trellis& trellis, const std::vector<Path>& all, int asked,
       break;
     }
   }
-  for (std::size_t i = 1; i < all.size(); ++i)
+  for (std::size_t i = 1; i < all.size(); ++i) {
     if (all[i].score() == all[i - 1].score()) {
       ++seen->ties;
       break;
     }
+  }
   for (const Path& path : all) {
     double plain = 0.0;
     for (std::size_t s = 0; s < path.nodes.size(); ++s) {
@@ -119,14 +121,16 @@ CaseCounts CompareWithExhaustion(const RandomOptions& options, unsigned seed,
     const double best = exhaustion.paths().empty()
                             ? -kInfinity
                             : exhaustion.paths().front().score();
-    if (best > -kInfinity)
+    if (best > -kInfinity) {
       EXPECT_NEAR(found.bound, best, kTolerance);
-    else
+    } else {
       EXPECT_EQ(found.bound, best);
-    if (exhaustion.paths().empty())
+    }
+    if (exhaustion.paths().empty()) {
       ExpectSameAbove(found.above_limits, AboveLimits(trellis, masks));
-    else
+    } else {
       EXPECT_TRUE(found.above_limits.empty());
+    }
     seen.above_limit += !found.above_limits.empty();
     if (testing::Test::HasFailure()) {
       ADD_FAILURE() << "case " << i;
@@ -233,8 +237,9 @@ TEST(KBestTest, EqualsExhaustionWhenTheLimitIsTight) {
   for (int i = 0; i < 300; ++i) {
     Trellis trellis = random.Make();
     trellis.resource_limit = 1.5 * static_cast<double>(trellis.stages.size());
-    for (Stage& stage : trellis.stages)
+    for (Stage& stage : trellis.stages) {
       for (Seam& seam : stage.seams) seam.cost = 6.0 - seam.resource;
+    }
     const ExhaustiveSearch exhaustion(trellis, {});
     ExpectSame(FindKBest(trellis, {}, {20, 100000}).paths, exhaustion.paths(),
                20);
@@ -248,8 +253,9 @@ Trellis Uniform(int stages, int nodes) {
   for (int s = 0; s < stages; ++s) {
     Stage& stage = trellis.stages.emplace_back();
     stage.nodes.resize(nodes);
-    for (int u = 0; u < (s == 0 ? 1 : nodes); ++u)
+    for (int u = 0; u < (s == 0 ? 1 : nodes); ++u) {
       for (int v = 0; v < nodes; ++v) stage.seams.push_back({u, v, 0.1, 1.0});
+    }
   }
   return trellis;
 }
@@ -269,14 +275,17 @@ TEST(KBestTest, AMillionMillionEqualPathsComeInOrderWithoutLookingAtThemAll) {
 TEST(KBestTest, RoundingDoesNotDecideTies) {
   Trellis trellis = Uniform(3, 3);
   const double costs[3] = {0.1, 0.2, 0.3};
-  for (Stage& stage : trellis.stages)
+  for (Stage& stage : trellis.stages) {
     for (Seam& seam : stage.seams) seam.cost = costs[seam.to];
+  }
   const std::vector<std::vector<int>> permutations = {
       {0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
   std::vector<std::vector<int>> found;
-  for (const Path& path : FindKBest(trellis, {}, {27, 1000}).paths)
-    if (std::count(permutations.begin(), permutations.end(), path.nodes) > 0)
+  for (const Path& path : FindKBest(trellis, {}, {27, 1000}).paths) {
+    if (std::count(permutations.begin(), permutations.end(), path.nodes) > 0) {
       found.push_back(path.nodes);
+    }
+  }
   EXPECT_EQ(found, permutations);
 }
 
@@ -290,8 +299,9 @@ TEST(KBestTest, SaysWhenTheEnumerationLimitWasHit) {
     const std::vector<Path> all = ExhaustiveSearch(trellis, {}).paths();
     if (found.proven) ExpectSame(found.paths, all, 5);
     hit += !found.proven;
-    for (const Path& path : found.paths)
+    for (const Path& path : found.paths) {
       EXPECT_LE(path.resource, trellis.resource_limit);
+    }
     for (const Path& path : all) EXPECT_GE(found.bound, path.score());
   }
   EXPECT_GT(hit, 50);
@@ -309,12 +319,14 @@ TEST(KBestTest, BoundsEveryAllowedPathHoweverFewItLooksAt) {
     const double limit = 2.3 * static_cast<double>(trellis.stages.size());
     trellis.resource_limit = limit;
     trellis.more_limits = {limit, limit};
-    for (Stage& stage : trellis.stages)
-      for (std::size_t s = 0; s < stage.seams.size(); ++s)
+    for (Stage& stage : trellis.stages) {
+      for (std::size_t s = 0; s < stage.seams.size(); ++s) {
         stage.seams[s].cost =
             6.0 - (stage.seams[s].resource + stage.more_resources[0][s] +
                    stage.more_resources[1][s]) /
                       3.0;
+      }
+    }
     const std::vector<Path> all = ExhaustiveSearch(trellis, {}).paths();
     const KBest found = FindKBest(trellis, {}, {20, 510});
     unproven += !found.proven;
@@ -371,11 +383,12 @@ TEST(KBestTest, ATokenNamedTwiceAtANodeIsEarnedOnce) {
 // and 5^7 paths lie between it and the truth.
 TEST(KBestTest, TokensOnOfferInEveryStageAreFoundOutWithoutEnumeration) {
   Trellis trellis = Uniform(7, 10);
-  for (Stage& stage : trellis.stages)
+  for (Stage& stage : trellis.stages) {
     for (int v = 0; v < 10; ++v) {
       stage.nodes[v].reward = 0.01 * v;
       if (v < 5) stage.nodes[v].tokens = {{v % 2, 100.0}};
     }
+  }
   const KBest found = FindKBest(trellis, {}, {3, 100});
   EXPECT_TRUE(found.proven);
   ASSERT_EQ(found.paths.size(), 3u);
@@ -404,8 +417,9 @@ TEST(KBestTest, SaysByHowMuchTheThriftiestPathIsAboveTheLimit) {
   trellis.resource_limit = 2.25;
   EXPECT_EQ(FindKBest(trellis, {}, {5, 100}).above_limits,
             std::vector<double>{0.75});
-  for (Stage& stage : trellis.stages)
+  for (Stage& stage : trellis.stages) {
     stage.more_resources = {std::vector<double>(stage.seams.size(), 2.0)};
+  }
   trellis.more_limits = {5.0};
   EXPECT_TRUE(FindKBest(trellis, {}, {5, 100}).above_limits.empty());
   trellis.resource_limit = 3.0;

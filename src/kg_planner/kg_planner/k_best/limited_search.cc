@@ -49,9 +49,11 @@ bool LimitedSearch::IsLimited() const {
 }
 
 LimitedSearch MakeSearch(const Trellis& trellis, const PathMasks& masks) {
-  if (masks.nodes.empty() && masks.seams.empty())
-    if (auto pass = PassPlain(trellis))
+  if (masks.nodes.empty() && masks.seams.empty()) {
+    if (auto pass = PassPlain(trellis)) {
       return MakePlain(trellis, std::move(*pass));
+    }
+  }
   const TrellisSummary summary = CheckTrellis(trellis);
   const ScoreGrid grid(summary.largest_total);
   LimitedSearch limited{ToSearch(trellis, summary.sorted, masks, grid), grid,

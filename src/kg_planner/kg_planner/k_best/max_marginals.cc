@@ -24,8 +24,9 @@ MaxMarginals::MaxMarginals(const SearchTrellis& search, const ScoreGrid& grid,
     level.before.assign(nodes, s == 0 ? 0.0 : kNone);
     level.behind.assign(nodes, s == stages ? 0.0 : kNone);
     for (auto* seams : {&level.seam_into, &level.node_before, &level.seam_on,
-                        &level.node_behind})
+                        &level.node_behind}) {
       seams->assign(nodes, -1);
+    }
     level.closed.assign(nodes, 0);
   }
   std::vector<double> weights;
@@ -111,11 +112,13 @@ std::vector<int> MaxMarginals::OrderOfTies(
     std::size_t s, const std::vector<int>& order_before) const {
   const Level& level = levels_[s + 1];
   std::vector<int> rank(search_.NodesBefore(s), 0);
-  for (std::size_t i = 0; i < order_before.size(); ++i)
+  for (std::size_t i = 0; i < order_before.size(); ++i) {
     rank[order_before[i]] = static_cast<int>(i);
+  }
   std::vector<int> order;
-  for (int v = 0; v < search_.stages[s].nodes; ++v)
+  for (int v = 0; v < search_.stages[s].nodes; ++v) {
     if (level.seam_into[v] >= 0) order.push_back(v);
+  }
   std::sort(order.begin(), order.end(), [&](int a, int b) {
     const int rank_a = rank[level.node_before[a]];
     const int rank_b = rank[level.node_before[b]];

@@ -21,12 +21,15 @@ PathEnumerator::PathEnumerator(const SearchTrellis& search,
   const std::size_t stages = search.stages.size();
   tables_.levels.resize(stages + 1);
   tables_.rests.resize(stages + 1);
-  for (std::size_t s = 0; s <= stages; ++s)
-    if (tables_.rests[s].index.empty())
+  for (std::size_t s = 0; s <= stages; ++s) {
+    if (tables_.rests[s].index.empty()) {
       tables_.rests[s].index.assign(search.NodesBefore(s), -1);
+    }
+  }
   tables_.levels[stages].best.assign(search.NodesBefore(stages), 0.0);
-  for (std::size_t s = stages; s-- > 0;)
+  for (std::size_t s = stages; s-- > 0;) {
     if (tables_.levels[s].best.empty()) RelaxStage(s);
+  }
 }
 
 // The best rest from every node before the stage.
@@ -40,8 +43,9 @@ void PathEnumerator::RelaxStage(std::size_t s) {
   for (int u = 0; u < nodes; ++u) {
     level.first_seam[u] = i;
     double max_value = kNone;
-    for (; i < stage.seam_count && stage.seams[i].from == u; ++i)
+    for (; i < stage.seam_count && stage.seams[i].from == u; ++i) {
       max_value = std::max(max_value, ScoreOver(s, i));
+    }
     level.best[u] = max_value;
   }
   level.first_seam[nodes] = i;

@@ -29,8 +29,9 @@ class PathValuation {
     value_.path.cost += seam.cost;
     value_.score -= grid_.Round(seam.cost);
     value_.path.resource += seam.resource;
-    for (std::size_t r = 0; r < value_.path.more_resources.size(); ++r)
+    for (std::size_t r = 0; r < value_.path.more_resources.size(); ++r) {
       value_.path.more_resources[r] += stage.more_resources[r][index];
+    }
   }
 
   ValuedPath Finish() {
@@ -74,8 +75,9 @@ ValuedPath Evaluate(const Trellis& trellis, const ScoreGrid& grid,
 
 bool IsWithinLimits(const Trellis& trellis, const Path& path) {
   if (!(path.resource <= trellis.resource_limit)) return false;
-  for (std::size_t r = 0; r < path.more_resources.size(); ++r)
+  for (std::size_t r = 0; r < path.more_resources.size(); ++r) {
     if (!(path.more_resources[r] <= trellis.more_limits[r])) return false;
+  }
   return true;
 }
 

@@ -41,8 +41,9 @@ std::optional<double> LargestReward(const Stage& stage) {
 double GuessCost(const Stage& stage) {
   double largest = 0.0;
   const std::size_t count = std::min(stage.seams.size(), kSample);
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
     largest = std::max(largest, stage.seams[i].cost);
+  }
   return largest;
 }
 
@@ -62,12 +63,14 @@ class PlainPasser {
     // right: all that counts is the power of two.
     double guess = Total();
     for (int attempt = 0; attempt < 2; ++attempt) {
-      if (!std::isfinite(guess) || !Relax(ScoreGrid(guess)))
+      if (!std::isfinite(guess) || !Relax(ScoreGrid(guess))) {
         return std::nullopt;
+      }
       const double total = Total();
       if (!std::isfinite(total)) return std::nullopt;
-      if (ScoreGrid(total).step() == ScoreGrid(guess).step())
+      if (ScoreGrid(total).step() == ScoreGrid(guess).step()) {
         return PlainPass{total, std::move(levels_)};
+      }
       guess = total;
     }
     return std::nullopt;
@@ -77,8 +80,9 @@ class PlainPasser {
   // Summed in the order of CheckTrellis(): the same bits.
   double Total() const {
     double total = 0.0;
-    for (std::size_t s = 0; s < costs_.size(); ++s)
+    for (std::size_t s = 0; s < costs_.size(); ++s) {
       total += rewards_[s] + costs_[s];
+    }
     return total;
   }
 
@@ -86,16 +90,18 @@ class PlainPasser {
     const std::size_t stages = trellis_.stages.size();
     levels_.assign(stages + 1, {});
     levels_[stages].best.assign(NodesBefore(trellis_, stages), 0.0);
-    for (std::size_t s = stages; s-- > 0;)
+    for (std::size_t s = stages; s-- > 0;) {
       if (!RelaxStage(grid, s)) return false;
+    }
     return true;
   }
 
   bool RelaxStage(const ScoreGrid& grid, std::size_t s) {
     const Stage& stage = trellis_.stages[s];
     std::vector<double> onward = levels_[s + 1].best;
-    for (std::size_t v = 0; v < onward.size(); ++v)
+    for (std::size_t v = 0; v < onward.size(); ++v) {
       onward[v] += grid.Round(stage.nodes[v].reward);
+    }
     const OnwardScores rest{onward.data(), static_cast<int>(onward.size()),
                             grid.shift()};
     const int nodes = NodesBefore(trellis_, s);
@@ -129,8 +135,9 @@ class PlainPasser {
                               std::size_t begin, std::size_t length) {
     const std::size_t likely = begin + length;
     if (length > 0 && likely <= seams.size() && seams[likely - 1].from == u &&
-        (likely == seams.size() || seams[likely].from != u))
+        (likely == seams.size() || seams[likely].from != u)) {
       return likely;
+    }
     std::size_t end = begin;
     while (end < seams.size() && seams[end].from == u) ++end;
     return end;

@@ -48,8 +48,9 @@ template <typename Value>
 void KeepValues(const std::vector<char>& keep, std::vector<Value>* values) {
   if (values->empty()) return;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < keep.size(); ++i)
+  for (std::size_t i = 0; i < keep.size(); ++i) {
     if (keep[i]) (*values)[kept++] = (*values)[i];
+  }
   values->resize(kept);
 }
 
@@ -90,8 +91,9 @@ void DropAbove(double limit, std::size_t r, SearchTrellis* search) {
 
 void DropUnaffordable(const std::vector<double>& limits,
                       SearchTrellis* search) {
-  for (std::size_t r = 0; r < limits.size(); ++r)
+  for (std::size_t r = 0; r < limits.size(); ++r) {
     if (r == 0 || limits[r] < kNever) DropAbove(limits[r], r, search);
+  }
 }
 
 }  // namespace kg_planner

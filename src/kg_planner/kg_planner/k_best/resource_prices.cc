@@ -24,24 +24,27 @@ struct PricedPath {
 class PriceFinder {
  public:
   explicit PriceFinder(const LimitedSearch& search) : search_(search) {
-    for (std::size_t r = 0; r < search.limits.size(); ++r)
+    for (std::size_t r = 0; r < search.limits.size(); ++r) {
       if (search.limits[r] < kNoLimit) limited_.push_back(r);
+    }
   }
 
   ResourcePrices Find() {
     const auto free = BestUnder(Prices(search_.limits.size(), 0.0));
     if (!free || limited_.empty() || IsAllowed(*free)) return std::move(found_);
-    if (limited_.size() == 1)
+    if (limited_.size() == 1) {
       SearchBySecants(limited_.front(), *free);
-    else
+    } else {
       SearchBySubgradient(*free);
+    }
     return std::move(found_);
   }
 
  private:
   bool IsAllowed(const PricedPath& path) const {
-    for (const std::size_t r : limited_)
+    for (const std::size_t r : limited_) {
       if (!(path.use[r] <= search_.limits[r])) return false;
+    }
     return true;
   }
 
@@ -53,8 +56,9 @@ class PriceFinder {
     path.use.assign(search_.limits.size(), 0.0);
     path.value = best->bound;
     for (const std::size_t r : limited_) {
-      for (std::size_t s = 0; s < best->seams.size(); ++s)
+      for (std::size_t s = 0; s < best->seams.size(); ++s) {
         path.use[r] += search_.search.stages[s].Resource(best->seams[s], r);
+      }
       path.value += prices[r] * path.use[r];
     }
     path.bound = best->bound + BoundOffset(search_, grid, prices);
@@ -74,8 +78,9 @@ class PriceFinder {
     const double limit = search_.limits[r];
     double price = search_.largest_total / over_limit.use[r];
     PricedPath within_limit = BestAt(r, price);
-    for (int i = 0; i < kMaxDoublings && !IsAllowed(within_limit); ++i)
+    for (int i = 0; i < kMaxDoublings && !IsAllowed(within_limit); ++i) {
       within_limit = BestAt(r, price *= 2.0);
+    }
     for (int i = 0; i < kMaxSecants && within_limit.use[r] < over_limit.use[r];
          ++i) {
       price = (over_limit.value - within_limit.value) /
@@ -145,8 +150,9 @@ bool HasPrice(const Prices& prices) {
 
 double LargestUse(const SearchStage& stage, std::size_t r) {
   double max_value = 0.0;
-  for (int i = 0; i < stage.seam_count; ++i)
+  for (int i = 0; i < stage.seam_count; ++i) {
     max_value = std::max(max_value, stage.Resource(i, r));
+  }
   return max_value;
 }
 
@@ -155,9 +161,11 @@ double LargestUse(const SearchStage& stage, std::size_t r) {
 ScoreGrid PricedGrid(const LimitedSearch& search, const Prices& prices) {
   if (!HasPrice(prices)) return search.grid;
   double largest = search.largest_total;
-  for (const SearchStage& stage : search.search.stages)
-    for (std::size_t r = 0; r < prices.size(); ++r)
+  for (const SearchStage& stage : search.search.stages) {
+    for (std::size_t r = 0; r < prices.size(); ++r) {
       if (prices[r] > 0.0) largest += prices[r] * LargestUse(stage, r);
+    }
+  }
   return ScoreGrid(largest);
 }
 
@@ -165,8 +173,9 @@ double BoundOffset(const LimitedSearch& search, const ScoreGrid& grid,
                    const Prices& prices) {
   if (!HasPrice(prices)) return 0.0;
   double worth = 0.0;
-  for (std::size_t r = 0; r < prices.size(); ++r)
+  for (std::size_t r = 0; r < prices.size(); ++r) {
     if (prices[r] > 0.0) worth += prices[r] * search.limits[r];
+  }
   const double stages = static_cast<double>(search.search.stages.size());
   return worth + 4.0 * (stages + 1.0) * grid.step() + 4e-16 * stages * worth;
 }

@@ -129,8 +129,9 @@ KG_INLINE RowScan ScanWhole(const Seam* seams, int count,
     AddFour(seams + i, __builtin_shufflevector(four, four, 1, 0, 3, 2),
             onward.shift, &lanes);
   }
-  for (; i < count; ++i)
+  for (; i < count; ++i) {
     AddOne(seams + i, false, by_seam[i], onward.shift, &sums);
+  }
   return Finish(lanes, sums);
 }
 
@@ -151,8 +152,9 @@ KG_INLINE RowScan ScanSparse(const Seam* seams, int count,
                          Look(onward, four[3]), Look(onward, four[2])};
     AddFour(four, there, onward.shift, &lanes);
   }
-  for (; i < count; ++i)
+  for (; i < count; ++i) {
     AddOne(seams + i, false, Look(onward, seams[i]), onward.shift, &sums);
+  }
   return Finish(lanes, sums);
 }
 

@@ -28,8 +28,9 @@ void CheckMasks(const Trellis& trellis, const PathMasks& masks) {
     CheckIndex("stage", mask.stage, stages.size());
     CheckIndex("from", mask.from, NodesBefore(trellis, mask.stage));
     CheckIndex("to", mask.to, stages[mask.stage].nodes.size());
-    for (const int node : mask.via)
+    for (const int node : mask.via) {
       CheckIndex("via", node, stages[mask.stage].nodes.size());
+    }
   }
 }
 
@@ -47,10 +48,12 @@ std::vector<StageMasks> ByStage(const Trellis& trellis,
     by_stage[mask.stage].nodes.resize(trellis.stages[mask.stage].nodes.size());
     by_stage[mask.stage].nodes[mask.node] = 1;
   }
-  for (const SeamMask& mask : masks.seams)
+  for (const SeamMask& mask : masks.seams) {
     by_stage[mask.stage].seams.emplace_back(mask.from, mask.to, mask.via);
-  for (StageMasks& stage : by_stage)
+  }
+  for (StageMasks& stage : by_stage) {
     std::sort(stage.seams.begin(), stage.seams.end());
+  }
   return by_stage;
 }
 
@@ -60,8 +63,9 @@ bool IsForbidden(const Stage& stage, std::size_t i, const StageMasks* before,
   if (before && !before->nodes.empty() && before->nodes[seam.from]) return true;
   if (!here.nodes.empty()) {
     if (here.nodes[seam.to]) return true;
-    for (const int node : NodesVia(stage, i))
+    for (const int node : NodesVia(stage, i)) {
       if (here.nodes[node]) return true;
+    }
   }
   return !here.seams.empty() &&
          std::binary_search(here.seams.begin(), here.seams.end(),
@@ -72,9 +76,10 @@ bool IsForbidden(const Stage& stage, std::size_t i, const StageMasks* before,
 std::vector<int> InOrder(const Stage& stage, bool sorted) {
   std::vector<int> order(stage.seams.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  if (!sorted)
+  if (!sorted) {
     std::sort(order.begin(), order.end(),
               [&](int a, int b) { return StandsBefore(stage, a, b); });
+  }
   return order;
 }
 
@@ -86,8 +91,9 @@ double Gain(const ScoreGrid& grid, const std::vector<TokenReward>& tokens) {
 
 double SeamGain(const ScoreGrid& grid, const Stage& stage, int seam) {
   double gain = grid.Round(stage.nodes[stage.seams[seam].to].reward);
-  for (const int node : NodesVia(stage, seam))
+  for (const int node : NodesVia(stage, seam)) {
     gain += grid.Round(stage.nodes[node].reward);
+  }
   return gain + Gain(grid, TokensMet(stage, seam));
 }
 
@@ -121,14 +127,16 @@ void Weigh(const SearchStage& stage, const ScoreGrid& grid,
   weights->resize(stage.seam_count);
   double* weight = weights->data();
   if (!stage.seam_gain.empty() || !prices.empty()) {
-    for (int i = 0; i < stage.seam_count; ++i)
+    for (int i = 0; i < stage.seam_count; ++i) {
       weight[i] = stage.Gain(i) - PricedCost(stage, i, grid, prices);
+    }
     return;
   }
   const double* gain = stage.node_gain.data();
   const Seam* seams = stage.seams;
-  for (int i = 0; i < stage.seam_count; ++i)
+  for (int i = 0; i < stage.seam_count; ++i) {
     weight[i] = gain[seams[i].to] - grid.Round(seams[i].cost);
+  }
 }
 
 std::vector<double> ResourceLimits(const Trellis& trellis) {
@@ -174,15 +182,18 @@ SearchTrellis ToSearch(const Trellis& trellis, const std::vector<char>& sorted,
     made.nodes = static_cast<int>(stage.nodes.size());
     made.seams = stage.seams.data();
     made.seam_count = static_cast<int>(stage.seams.size());
-    if (masked || !sorted[s])
+    if (masked || !sorted[s]) {
       KeepSome(InOrder(stage, sorted[s]), s > 0 ? &by_stage[s - 1] : nullptr,
                by_stage[s], &made);
-    for (const Node& node : stage.nodes)
+    }
+    for (const Node& node : stage.nodes) {
       made.node_gain.push_back(grid.Round(node.reward) +
                                Gain(grid, Distinct(node.tokens)));
+    }
     if (stage.via.empty()) continue;
-    for (int i = 0; i < made.seam_count; ++i)
+    for (int i = 0; i < made.seam_count; ++i) {
       made.seam_gain.push_back(SeamGain(grid, stage, made.Origin(i)));
+    }
   }
   return search;
 }

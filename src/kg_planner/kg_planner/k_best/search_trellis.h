@@ -58,8 +58,9 @@ using Prices = std::vector<double>;
 inline double PricedCost(const SearchStage& stage, int i, const ScoreGrid& grid,
                          const Prices& prices) {
   double cost = stage.seams[i].cost;
-  for (std::size_t r = 0; r < prices.size(); ++r)
+  for (std::size_t r = 0; r < prices.size(); ++r) {
     if (prices[r] > 0.0) cost += prices[r] * stage.Resource(i, r);
+  }
   return grid.Round(cost);
 }
 

@@ -14,19 +14,21 @@ namespace kg_planner {
 namespace {
 
 void CheckPath(const Trellis& trellis, const Path& path) {
-  if (path.seams.size() != trellis.stages.size())
+  if (path.seams.size() != trellis.stages.size()) {
     throw std::invalid_argument("path: " + std::to_string(path.seams.size()) +
                                 " seams, expected " +
                                 std::to_string(trellis.stages.size()));
+  }
   int at = 0;
   for (std::size_t s = 0; s < path.seams.size(); ++s) {
     const auto& seams = trellis.stages[s].seams;
     const int i = path.seams[s];
     if (i < 0 || static_cast<std::size_t>(i) >= seams.size() ||
-        seams[i].from != at)
+        seams[i].from != at) {
       throw std::invalid_argument(
           "path: seam " + std::to_string(i) + " of stage " + std::to_string(s) +
           " does not lead on from node " + std::to_string(at));
+    }
     at = seams[i].to;
   }
 }
@@ -39,10 +41,12 @@ class TokenEarnings {
   double ImmediateGain(const Stage& stage, int i) const {
     double gain = grid_.Round(stage.nodes[stage.seams[i].to].reward) -
                   grid_.Round(stage.seams[i].cost);
-    for (const int node : NodesVia(stage, i))
+    for (const int node : NodesVia(stage, i)) {
       gain += grid_.Round(stage.nodes[node].reward);
-    for (const TokenReward& token : TokensMet(stage, i))
+    }
+    for (const TokenReward& token : TokensMet(stage, i)) {
       gain += std::max(0.0, grid_.Round(token.reward) - Earned(token.token));
+    }
     return gain;
   }
   void Earn(const Stage& stage, int i) {
@@ -78,9 +82,10 @@ std::vector<bool> FindStaging(const Trellis& trellis, const PathMasks& masks,
     const SearchStage& search = allowed.stages[s];
     const double taken = earnings.ImmediateGain(stage, path.seams[s]);
     bool more = false;
-    for (int i = 0; i < search.seam_count; ++i)
+    for (int i = 0; i < search.seam_count; ++i) {
       more = more || (search.seams[i].from == at &&
                       earnings.ImmediateGain(stage, search.Origin(i)) > taken);
+    }
     staging.push_back(more);
     earnings.Earn(stage, path.seams[s]);
     at = stage.seams[path.seams[s]].to;

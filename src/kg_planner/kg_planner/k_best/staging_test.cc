@@ -100,9 +100,10 @@ TEST(StagingTest, TheGreedyPathNeverStagesAndOthersDo) {
         const auto gain = [&](const Seam& seam) {
           return stage.nodes[seam.to].reward - seam.cost;
         };
-        for (const Seam& seam : stage.seams)
+        for (const Seam& seam : stage.seams) {
           greedy = greedy && (seam.from != at ||
                               gain(seam) <= gain(stage.seams[path.seams[s]]));
+        }
         at = path.nodes[s];
       }
       const std::vector<bool> found = FindStaging(trellis, {}, path);

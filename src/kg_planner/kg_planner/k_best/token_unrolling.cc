@@ -35,8 +35,9 @@ class OfferFinder {
 
   StageOffers Find(const SearchStage& search) const {
     StageOffers found;
-    for (const Node& node : search.stage->nodes)
+    for (const Node& node : search.stage->nodes) {
       found.offers.push_back(Offer(Distinct(node.tokens)));
+    }
     for (int i = 0; i < search.seam_count; ++i) {
       const std::size_t origin = search.Origin(i);
       found.of_seam.push_back(search.seams[i].to);
@@ -52,8 +53,9 @@ class OfferFinder {
     Earned offer(places_.size(), 0.0);
     for (const TokenReward& token : tokens) {
       const auto place = places_.find(token.token);
-      if (place != places_.end())
+      if (place != places_.end()) {
         offer[place->second] = grid_.Round(token.reward);
+      }
     }
     return offer;
   }
@@ -71,9 +73,11 @@ std::vector<StageOffers> FindOffers(const SearchTrellis& search,
   for (std::size_t s = search.stages.size(); s-- > 0;) {
     offers[s] = finder.Find(search.stages[s]);
     offers[s].best_later = later;
-    for (const Earned& offer : offers[s].offers)
-      for (std::size_t i = 0; i < offer.size(); ++i)
+    for (const Earned& offer : offers[s].offers) {
+      for (std::size_t i = 0; i < offer.size(); ++i) {
         later[i] = std::max(later[i], offer[i]);
+      }
+    }
   }
   return offers;
 }
@@ -158,10 +162,12 @@ bool UnrollStage(const SearchStage& stage, const StageOffers& offers,
                  const SplitNodes& split_before, std::size_t max_seams,
                  StageUnroller* unroller, SearchStage* split) {
   int nodes = 0;
-  for (const int origin : split_before.origin)
+  for (const int origin : split_before.origin) {
     nodes = std::max(nodes, origin + 1);
-  for (int i = 0; i < stage.seam_count; ++i)
+  }
+  for (int i = 0; i < stage.seam_count; ++i) {
     nodes = std::max(nodes, stage.seams[i].from + 1);
+  }
   const std::vector<int> first = FirstSeams(stage, nodes);
   for (std::size_t u = 0; u < split_before.origin.size(); ++u) {
     const int origin = split_before.origin[u];
@@ -193,17 +199,20 @@ std::vector<int> RepeatedTokens(const SearchTrellis& search) {
   std::map<int, Sum> sums;
   for (const SearchStage& stage : search.stages) {
     std::map<int, double> best;
-    for (const Node& node : stage.stage->nodes)
-      for (const TokenReward& token : node.tokens)
+    for (const Node& node : stage.stage->nodes) {
+      for (const TokenReward& token : node.tokens) {
         best[token.token] = std::max(best[token.token], token.reward);
+      }
+    }
     for (const auto& [token, reward] : best) {
       sums[token].total += reward;
       sums[token].best = std::max(sums[token].best, reward);
     }
   }
   std::vector<int> tokens;
-  for (const auto& [token, sum] : sums)
+  for (const auto& [token, sum] : sums) {
     if (sum.excess() > 0.0) tokens.push_back(token);
+  }
   std::stable_sort(tokens.begin(), tokens.end(), [&](int a, int b) {
     return sums[a].excess() > sums[b].excess();
   });
@@ -222,8 +231,9 @@ std::optional<SearchTrellis> UnrollTokens(const SearchTrellis& search,
     const SearchStage& stage = search.stages[s];
     StageUnroller unroller(offers[s], split_before.states);
     SearchStage& split = unrolled.stages.emplace_back();
-    if (!UnrollStage(stage, offers[s], split_before, left, &unroller, &split))
+    if (!UnrollStage(stage, offers[s], split_before, left, &unroller, &split)) {
       return std::nullopt;
+    }
     left -= split.own.size();
     split.stage = stage.stage;
     split.UseOwn();

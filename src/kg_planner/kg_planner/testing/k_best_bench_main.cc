@@ -47,9 +47,11 @@ Trellis DenseTrellis(const BenchCase& one, unsigned seed) {
   for (Stage& stage : trellis.stages) {
     stage.nodes.resize(one.nodes);
     for (Node& node : stage.nodes) node.reward = share();
-    for (int from = 0; from < before; ++from)
-      for (int to = 0; to < one.nodes; ++to)
+    for (int from = 0; from < before; ++from) {
+      for (int to = 0; to < one.nodes; ++to) {
         stage.seams.push_back({from, to, 0.5 * share(), 0.0});
+      }
+    }
     before = one.nodes;
   }
   return trellis;
@@ -59,10 +61,12 @@ double Viterbi(const Trellis& trellis) {
   std::vector<double> best{0.0};
   for (const Stage& stage : trellis.stages) {
     std::vector<double> next(stage.nodes.size(), -1e300);
-    for (const Seam& seam : stage.seams)
+    for (const Seam& seam : stage.seams) {
       next[seam.to] = std::max(next[seam.to], best[seam.from] - seam.cost);
-    for (std::size_t i = 0; i < next.size(); ++i)
+    }
+    for (std::size_t i = 0; i < next.size(); ++i) {
       next[i] += stage.nodes[i].reward;
+    }
     best = std::move(next);
   }
   return *std::max_element(best.begin(), best.end());
@@ -73,8 +77,9 @@ int CountDifferent(const std::vector<Path>& paths,
                    const std::vector<double>& scores) {
   int different =
       static_cast<int>(scores.size()) - static_cast<int>(paths.size());
-  for (std::size_t i = 0; i < std::min(paths.size(), scores.size()); ++i)
+  for (std::size_t i = 0; i < std::min(paths.size(), scores.size()); ++i) {
     different += paths[i].score() != scores[i];
+  }
   return different;
 }
 
@@ -128,10 +133,13 @@ void MeasureKBest(const Trellis& trellis, const BenchCase& one, int rounds,
 double MeanDifference(const std::vector<Path>& paths) {
   double sum = 0.0;
   int pairs = 0;
-  for (std::size_t a = 0; a < paths.size(); ++a)
-    for (std::size_t b = 0; b < a; ++b, ++pairs)
-      for (std::size_t s = 0; s < paths[a].nodes.size(); ++s)
+  for (std::size_t a = 0; a < paths.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b, ++pairs) {
+      for (std::size_t s = 0; s < paths[a].nodes.size(); ++s) {
         sum += paths[a].nodes[s] != paths[b].nodes[s];
+      }
+    }
+  }
   return pairs == 0 ? 0.0 : sum / pairs;
 }
 

@@ -65,8 +65,9 @@ class ListViterbi {
     while (i < stage.seams.size()) {
       const int from = stage.seams[i].from;
       heap.clear();
-      for (; i < stage.seams.size() && stage.seams[i].from == from; ++i)
+      for (; i < stage.seams.size() && stage.seams[i].from == from; ++i) {
         AddRest(s, static_cast<int>(i), 0, &heap);
+      }
       std::make_heap(heap.begin(), heap.end(), Worse);
       TakeBest(s, &heap, &levels_[s][from]);
     }
@@ -89,8 +90,9 @@ class ListViterbi {
       heap->pop_back();
       const std::size_t size = heap->size();
       AddRest(s, best->back().seam, best->back().rank + 1, heap);
-      if (heap->size() > size)
+      if (heap->size() > size) {
         std::push_heap(heap->begin(), heap->end(), Worse);
+      }
     }
   }
 

@@ -40,14 +40,17 @@ bool IsCost(double x) { return x >= 0.0 && x <= kLargest; }
 
 void CheckNode(std::size_t stage, std::size_t index, const Node& node) {
   const std::string where = "node " + std::to_string(index);
-  if (!std::isfinite(node.reward))
+  if (!std::isfinite(node.reward)) {
     Refuse(stage, where, Expected("reward", node.reward, ""));
-  for (const TokenReward& token : node.tokens)
-    if (!IsCost(token.reward))
+  }
+  for (const TokenReward& token : node.tokens) {
+    if (!IsCost(token.reward)) {
       Refuse(
           stage, where,
           Expected(("reward of token " + std::to_string(token.token)).c_str(),
                    token.reward, " >= 0"));
+    }
+  }
 }
 
 bool SeamIsSound(const Seam& seam, int before, int nodes) {
@@ -57,15 +60,18 @@ bool SeamIsSound(const Seam& seam, int before, int nodes) {
 
 [[noreturn]] void ExplainSeam(std::size_t stage, std::size_t index,
                               const Seam& seam, int before) {
-  if (!(seam.from >= 0 && seam.from < before))
+  if (!(seam.from >= 0 && seam.from < before)) {
     RefuseSeam(
         stage, index, seam,
         "from is not one of the " + std::to_string(before) + " nodes before");
-  if (!IsCost(seam.cost))
+  }
+  if (!IsCost(seam.cost)) {
     RefuseSeam(stage, index, seam, Expected("cost", seam.cost, " >= 0"));
-  if (!IsCost(seam.resource))
+  }
+  if (!IsCost(seam.resource)) {
     RefuseSeam(stage, index, seam,
                Expected("resource", seam.resource, " >= 0"));
+  }
   RefuseSeam(stage, index, seam, "to is not one of the stage's nodes");
 }
 
@@ -76,11 +82,13 @@ void CheckSeamsDiffer(std::size_t s, const Stage& stage) {
     if (StandsBefore(stage, a, b)) return true;
     return !StandsBefore(stage, b, a) && a < b;
   });
-  for (std::size_t i = 1; i < order.size(); ++i)
-    if (!StandsBefore(stage, order[i - 1], order[i]))
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (!StandsBefore(stage, order[i - 1], order[i])) {
       RefuseSeam(s, order[i], stage.seams[order[i]],
                  stage.via.empty() ? "the pair occurs twice"
                                    : "the pair occurs twice with the same via");
+    }
+  }
 }
 
 void CheckSeamVia(std::size_t s, const Stage& stage, std::size_t i) {
@@ -91,39 +99,46 @@ void CheckSeamVia(std::size_t s, const Stage& stage, std::size_t i) {
   for (std::size_t v = 0; v < visited.size(); ++v) {
     const std::string node = "via node " + std::to_string(visited[v]);
     if (visited[v] < 0 ||
-        static_cast<std::size_t>(visited[v]) >= stage.nodes.size())
+        static_cast<std::size_t>(visited[v]) >= stage.nodes.size()) {
       RefuseSeam(s, i, seam, node + " is not one of the stage's nodes");
-    if (v > 0 && visited[v] == visited[v - 1])
+    }
+    if (v > 0 && visited[v] == visited[v - 1]) {
       RefuseSeam(s, i, seam, node + " is visited twice");
+    }
   }
 }
 
 // The seams must be sound.
 void CheckVia(std::size_t s, const Stage& stage) {
   if (stage.via.empty()) return;
-  if (stage.via.size() != stage.seams.size())
+  if (stage.via.size() != stage.seams.size()) {
     Refuse(s, "via",
            "of " + std::to_string(stage.via.size()) + " seams, expected " +
                std::to_string(stage.seams.size()) + " or none");
+  }
   for (std::size_t i = 0; i < stage.via.size(); ++i) CheckSeamVia(s, stage, i);
 }
 
 void CheckMoreResources(std::size_t s, const Stage& stage, std::size_t limits) {
   const auto& resources = stage.more_resources;
-  if (resources.size() != limits)
+  if (resources.size() != limits) {
     Refuse(s, "more_resources",
            std::to_string(resources.size()) + " resources, expected " +
                std::to_string(limits) + " as in more_limits");
+  }
   for (std::size_t r = 0; r < resources.size(); ++r) {
     const std::string name = "resource " + std::to_string(r + 1);
-    if (resources[r].size() != stage.seams.size())
+    if (resources[r].size() != stage.seams.size()) {
       Refuse(s, name,
              "of " + std::to_string(resources[r].size()) + " seams, expected " +
                  std::to_string(stage.seams.size()));
-    for (std::size_t i = 0; i < resources[r].size(); ++i)
-      if (!IsCost(resources[r][i]))
+    }
+    for (std::size_t i = 0; i < resources[r].size(); ++i) {
+      if (!IsCost(resources[r][i])) {
         RefuseSeam(s, i, stage.seams[i],
                    Expected(name.c_str(), resources[r][i], " >= 0"));
+      }
+    }
   }
 }
 
@@ -177,16 +192,18 @@ SeamSummary SummarizeSeams(const Trellis& trellis, std::size_t s) {
   std::memcpy(&summary.largest_cost, &maxima.cost, sizeof maxima.cost);
   if (!sound) summary.largest_cost = 0.0;
   for (std::size_t i = 0; !sound && i < seams.size(); ++i) {  // Or a -0.
-    if (!SeamIsSound(seams[i], before, nodes))
+    if (!SeamIsSound(seams[i], before, nodes)) {
       ExplainSeam(s, i, seams[i], before);
+    }
     summary.largest_cost = std::max(summary.largest_cost, seams[i].cost);
   }
   return summary;
 }
 
 bool Ascend(const Stage& stage) {
-  for (std::size_t i = 1; i < stage.seams.size(); ++i)
+  for (std::size_t i = 1; i < stage.seams.size(); ++i) {
     if (!StandsBefore(stage, i - 1, i)) return false;
+  }
   return true;
 }
 
@@ -196,8 +213,9 @@ double LargestReward(std::size_t s, const Stage& stage) {
   for (std::size_t i = 0; i < stage.nodes.size(); ++i) {
     CheckNode(s, i, stage.nodes[i]);
     totals.push_back(std::abs(stage.nodes[i].reward));
-    for (const TokenReward& token : stage.nodes[i].tokens)
+    for (const TokenReward& token : stage.nodes[i].tokens) {
       totals.back() += token.reward;
+    }
   }
   double largest = 0.0;
   for (const double total : totals) largest = std::max(largest, total);
@@ -210,12 +228,15 @@ double LargestReward(std::size_t s, const Stage& stage) {
 }
 
 void CheckLimits(const Trellis& trellis) {
-  if (std::isnan(trellis.resource_limit))
+  if (std::isnan(trellis.resource_limit)) {
     throw std::invalid_argument("resource limit is not a number");
-  for (std::size_t r = 0; r < trellis.more_limits.size(); ++r)
-    if (std::isnan(trellis.more_limits[r]))
+  }
+  for (std::size_t r = 0; r < trellis.more_limits.size(); ++r) {
+    if (std::isnan(trellis.more_limits[r])) {
       throw std::invalid_argument("limit of resource " + std::to_string(r + 1) +
                                   " is not a number");
+    }
+  }
 }
 
 }  // namespace
@@ -246,8 +267,9 @@ TrellisSummary CheckTrellis(const Trellis& trellis) {
     summary.sorted.push_back(sorted);
     summary.largest_total += LargestReward(s, stage) + seams.largest_cost;
   }
-  if (!std::isfinite(summary.largest_total))
+  if (!std::isfinite(summary.largest_total)) {
     throw std::invalid_argument("the sum of all stages is not finite");
+  }
   return summary;
 }
 

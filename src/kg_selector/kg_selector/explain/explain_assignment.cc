@@ -25,8 +25,9 @@ std::string WindowName(int window) {
 
 std::string PlannedAround(const PlannedWorld& world, const Agent& agent) {
   std::string names;
-  for (const Pathlet& other : CommittedBefore(world, agent.iri))
+  for (const Pathlet& other : CommittedBefore(world, agent.iri)) {
     names += (names.empty() ? "" : ", ") + AbbreviateIri(other.agent);
+  }
   return names.empty() ? " It was chosen first, around nobody."
                        : " It was planned around " + names + ".";
 }
@@ -38,8 +39,9 @@ std::string RunnerUp(const PlannedWorld& world, const TeamMember& member,
   const Explanation margin = Difference(world, member, path, *next.pathlet);
   std::string text =
       " The next best path is worth " + Short(margin.value) + " less";
-  for (const auto& part : margin.parts)
+  for (const auto& part : margin.parts) {
     text += (&part == &margin.parts.front() ? " (" : "; ") + part.text;
+  }
   return text + (margin.parts.empty() ? "." : ").") +
          (next.proven ? "" : " The search for it was cut short.");
 }
@@ -71,8 +73,9 @@ class StepExplainer {
 
   // Tensors are float32, and the search for waypoints rounds what it sums.
   void AddScores() {
-    for (const int stop : StopsOf(visit_))
+    for (const int stop : StopsOf(visit_)) {
       AddScore(member_.graphs[stage_].waypoints.at(stop));
+    }
   }
 
   void AddScore(const kg_compiler::Waypoint& waypoint) {
@@ -158,8 +161,9 @@ Explanation ExplainPath(const PlannedWorld& world, const TeamMember& member,
 
 std::string ByWay(const Visit& visit) {
   std::string text;
-  for (const int stop : WaypointsVia(visit))
+  for (const int stop : WaypointsVia(visit)) {
     text += (text.empty() ? ", by way of " : ", ") + std::to_string(stop);
+  }
   return text;
 }
 
@@ -186,8 +190,9 @@ Explanation ExplainAssignment(const PlannedWorld& world, const Agent& agent,
         StepText(agent, path.visits.at(stage), explanation.value);
   }
   explanation.unit = "reward";
-  for (const std::string& fact : world.facts().Policy(agent, {}))
+  for (const std::string& fact : world.facts().Policy(agent, {})) {
     explanation.text += " It follows from " + fact + ".";
+  }
   explanation.text +=
       PlannedAround(world, agent) + RunnerUp(world, member, path);
   return explanation;

@@ -22,8 +22,9 @@ std::string WindowName(int window) {
 
 std::string ByWay(const std::vector<int>& via) {
   std::string text;
-  for (const int stop : via)
+  for (const int stop : via) {
     text += (text.empty() ? " by way of " : ", ") + std::to_string(stop);
+  }
   return text;
 }
 
@@ -32,9 +33,10 @@ Explanation ExplainCell(const PlannedWorld& world, const Agent& agent,
   const auto inputs =
       kg_compiler::FindTensorInputs(*world.compilation, agent, question.window);
   const auto cell = inputs.rasters->grid.CellAt(question.place);
-  if (!cell)
+  if (!cell) {
     throw InputError(kg_core::PointWkt(question.place) +
                      " lies outside of the grid");
+  }
   const kg_compiler::CitedFacts facts = world.facts();
   return kg_compiler::TensorExplainer(inputs, facts).ExplainCell(*cell);
 }
@@ -92,8 +94,9 @@ void NeedPlan(const PlannedWorld& world) {
 
 Explanation Explain(const PlannedWorld& world, const PlanQuestion& question) {
   if (question.what != QuestionKind::kTensorCell) NeedPlan(world);
-  if (question.what == QuestionKind::kRejection)
+  if (question.what == QuestionKind::kRejection) {
     return ExplainRejection(world, RejectionNumber(world, question.id));
+  }
   const Agent& agent = FindAgent(world, question.agent);
   switch (question.what) {
     case QuestionKind::kAssignment:

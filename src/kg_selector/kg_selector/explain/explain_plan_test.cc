@@ -51,10 +51,13 @@ class EveryPath {
         member_(member),
         before_(CommittedBefore(world, member.rules.agent_iri)),
         full_(FullEvents(world.rules, before_)) {
-    for (const auto& window : member.rules.windows)
-      for (const auto& event : window.events)
-        if (full_.count(event.iri) == 0)
+    for (const auto& window : member.rules.windows) {
+      for (const auto& event : window.events) {
+        if (full_.count(event.iri) == 0) {
           open_[window.window][event.iri] = event.reward;
+        }
+      }
+    }
   }
 
   // The best score of those that are accepted and break no rule.
@@ -73,8 +76,9 @@ class EveryPath {
     if (s == member_.graphs.size()) {
       const double whole = score + EventReward();
       if (energy_j <= member_.rules.energy_budget_j && (*accepts_)(stops_) &&
-          (!best_ || whole > *best_) && IsApart(track))
+          (!best_ || whole > *best_) && IsApart(track)) {
         best_ = whole;
+      }
       return;
     }
     for (const auto& edge : member_.graphs[s].edges) {
@@ -84,8 +88,9 @@ class EveryPath {
                     edge.flight.track.end());
       stops_.push_back(StopsOf(edge));
       double more = -edge.seam_cost;
-      for (const int stop : stops_.back())
+      for (const int stop : stops_.back()) {
         more += member_.graphs[s].waypoints[stop].score;
+      }
       Extend(score + more, energy_j + edge.flight.energy_j, std::move(longer));
       stops_.pop_back();
     }
@@ -97,10 +102,13 @@ class EveryPath {
       const NavGraph& graph = member_.graphs[s];
       const auto open = open_.find(graph.window);
       if (open == open_.end()) continue;
-      for (const int stop : stops_[s])
-        for (const std::string& event : graph.waypoints[stop].events)
-          if (open->second.count(event))
+      for (const int stop : stops_[s]) {
+        for (const std::string& event : graph.waypoints[stop].events) {
+          if (open->second.count(event)) {
             best[event] = std::max(best[event], open->second.at(event));
+          }
+        }
+      }
     }
     double sum = 0.0;
     for (const auto& [event, reward] : best) sum += reward;
@@ -110,8 +118,9 @@ class EveryPath {
   bool IsApart(const std::vector<kg_compiler::TimedPoint>& track) const {
     Pathlet pathlet;
     pathlet.track = track;
-    for (const NavGraph& graph : member_.graphs)
+    for (const NavGraph& graph : member_.graphs) {
       pathlet.visits.push_back({graph.window, 0, {}, 0.0, {}});
+    }
     return !FindConflict(world_.rules, before_, pathlet);
   }
 
@@ -146,8 +155,9 @@ void ForEachWorld(int seeds,
 PlannedWorld Bound(PlannedWorld world) {
   for (TeamMember& member : world.members) {
     member.rules.churn_weight = 1.5;
-    for (auto& window : member.rules.windows)
+    for (auto& window : member.rules.windows) {
       window.committed = member.rules.start;
+    }
   }
   world.plan = PlanTeam(world.rules, world.members);
   NameAgentsByIri(&world);
@@ -195,10 +205,11 @@ TEST(ExplainPlan, AssignmentsSumToTheStepsAndStepsToThePath) {
         EXPECT_NEAR(visit.reward - EdgeTaken(member, path, s).seam_cost,
                     step.value, 1e-9);
         with_stops += !visit.via.empty();
-        for (const auto& part : step.parts)
+        for (const auto& part : step.parts) {
           if (part.term == "rounding") {
             EXPECT_LT(std::abs(part.value), 2e-5);
           }
+        }
         sum += step.value;
         ++steps;
       }
@@ -261,8 +272,8 @@ TEST(ExplainPlan, AnEventsTermCitesTheEventsEarnedAndNoOthers) {
 
 TEST(ExplainPlan, EdgesSumToTheirSeamCosts) {
   ForEachWorld(4, [](const PlannedWorld& world) {
-    for (const TeamMember& member : world.members)
-      for (const NavGraph& graph : member.graphs)
+    for (const TeamMember& member : world.members) {
+      for (const NavGraph& graph : member.graphs) {
         for (const auto& edge : graph.edges) {
           PlanQuestion question =
               About(QuestionKind::kEdge, member.rules.agent_id, graph.window);
@@ -273,6 +284,8 @@ TEST(ExplainPlan, EdgesSumToTheirSeamCosts) {
           ExpectSums(explanation);
           EXPECT_EQ(edge.seam_cost, explanation.value);
         }
+      }
+    }
   });
 }
 
@@ -322,7 +335,7 @@ TEST(ExplainPlan, PathsTurnedAwayForOtherReasonsSumToTheirMargins) {
 
 TEST(ExplainPlan, TensorCellsAreTheCompiledOnes) {
   ForEachWorld(3, [](const PlannedWorld& world) {
-    for (const auto& tensor : world.compilation->tensors)
+    for (const auto& tensor : world.compilation->tensors) {
       for (int i = 0; i < static_cast<int>(tensor->grid.size()); i += 7) {
         PlanQuestion question =
             About(QuestionKind::kTensorCell, tensor->agent_iri, tensor->window);
@@ -333,6 +346,7 @@ TEST(ExplainPlan, TensorCellsAreTheCompiledOnes) {
         const double compiled = tensor->At(kg_compiler::Layer::kFused, i);
         EXPECT_NEAR(compiled, explanation.value, 2e-7);
       }
+    }
   });
 }
 
@@ -386,15 +400,17 @@ TEST(ExplainPlan, SaysWhatABudgetLacks) {
             least_j = std::min(least_j, energy_j);
             return;
           }
-          for (const auto& edge : graphs[s].edges)
-            if (edge.from == from)
+          for (const auto& edge : graphs[s].edges) {
+            if (edge.from == from) {
               walk(s + 1, edge.to, energy_j + edge.flight.energy_j);
+            }
+          }
         };
     walk(0, 0, 0.0);
     random.mission.agents[0].capabilities.energy_budget_j = least_j * 1.02;
     const PlannedWorld world = random.Plan();
     if (FindPath(world, "ex:alpha") == nullptr) continue;
-    for (const NavGraph& graph : world.members[0].graphs)
+    for (const NavGraph& graph : world.members[0].graphs) {
       for (const auto& waypoint : graph.waypoints) {
         PlanQuestion question =
             About(QuestionKind::kWaypoint, "alpha", graph.window);
@@ -406,6 +422,7 @@ TEST(ExplainPlan, SaysWhatABudgetLacks) {
         EXPECT_GT(explanation.value, 0.0);
         ++lacking;
       }
+    }
   }
   EXPECT_GT(lacking, 8);
 }
@@ -440,12 +457,14 @@ TEST(ExplainPlan, EventVerdictsAreThoseOfExhaustion) {
         const auto best = every.Best([&](const EveryPath::Stops& stops) {
           for (std::size_t s = 0; s < stops.size(); ++s) {
             if (std::count(event.windows.begin(), event.windows.end(),
-                           member.graphs[s].window) == 0)
+                           member.graphs[s].window) == 0) {
               continue;
+            }
             for (const int stop : stops[s]) {
               const auto& events = member.graphs[s].waypoints[stop].events;
-              if (std::count(events.begin(), events.end(), event.iri) > 0)
+              if (std::count(events.begin(), events.end(), event.iri) > 0) {
                 return true;
+              }
             }
           }
           return false;

@@ -64,8 +64,9 @@ class RejectionExplainer {
 
   Facts Winner() const {
     const std::string run = world_.run_iri;
-    if (run.empty() || conflict_.window < 0 || conflict_.with_agent.empty())
+    if (run.empty() || conflict_.window < 0 || conflict_.with_agent.empty()) {
       return {};
+    }
     const Agent& agent = FindAgent(world_, conflict_.with_agent);
     return facts_.Quote(
         {run + "/" + agent.id + "/w" + std::to_string(conflict_.window),

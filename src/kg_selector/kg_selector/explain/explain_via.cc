@@ -28,10 +28,12 @@ class ViaExplainer {
         by_(by),
         before_(CommittedBefore(world, agent.iri)),
         facts_(world.facts()) {
-    for (const auto& edge : member_.graphs[by.stage].edges)
-      if (!IsByWay(edge))
+    for (const auto& edge : member_.graphs[by.stage].edges) {
+      if (!IsByWay(edge)) {
         masks_.seams.push_back(
             {static_cast<int>(by.stage), edge.from, edge.to, edge.via});
+      }
+    }
   }
 
   Explanation Explain() {
@@ -50,8 +52,9 @@ class ViaExplainer {
   };
 
   bool IsByWay(const kg_compiler::TraverseEdge& edge) const {
-    for (const int stop : kg_compiler::StopsOf(edge))
+    for (const int stop : kg_compiler::StopsOf(edge)) {
       if (by_.waypoints.count(stop) > 0) return true;
+    }
     return false;
   }
 
@@ -96,9 +99,10 @@ class ViaExplainer {
         "the best path by way of it scores " + Short(best.pathlet->score()) +
             ", the path chosen " + Short(chosen.score()) + ", " +
             Short(margin.value) + " more.");
-    if (margin.value < -1e-9)
+    if (margin.value < -1e-9) {
       explanation.text +=
           " It was not among the paths that the choice was made from.";
+    }
     if (!best.proven) explanation.text += " The search for it was cut short.";
     explanation.value = margin.value;
     explanation.parts = std::move(margin.parts);
@@ -133,8 +137,9 @@ class ViaExplainer {
   kg_compiler::Facts CommittedFacts(
       const kg_selector::Conflict& conflict) const {
     const kg_core::Agent& other = FindAgent(world_, conflict.with_agent);
-    if (world_.run_iri.empty() || conflict.window < 0)
+    if (world_.run_iri.empty() || conflict.window < 0) {
       return facts_.Quote({other.iri, {"ex:id"}});
+    }
     return facts_.Quote({world_.run_iri + "/" + other.id + "/w" +
                              std::to_string(conflict.window),
                          {"ex:forAgent", "ex:waypointWKT"}});

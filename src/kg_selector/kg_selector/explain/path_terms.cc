@@ -23,15 +23,17 @@ using kg_compiler::Short;
 // "waypoint 3", "waypoints 1, 3".
 std::string StopNames(const std::vector<int>& stops) {
   std::string names;
-  for (const int stop : stops)
+  for (const int stop : stops) {
     names += (names.empty() ? "" : ", ") + std::to_string(stop);
+  }
   return (stops.size() == 1 ? "waypoint " : "waypoints ") + names;
 }
 
 std::string EventNames(const Visit& visit) {
   std::string names;
-  for (const std::string& event : visit.events)
+  for (const std::string& event : visit.events) {
     names += (names.empty() ? "" : ", ") + kg_core::AbbreviateIri(event);
+  }
   return names;
 }
 
@@ -68,9 +70,11 @@ const std::vector<const char*>& PolicyProperties(TermKind kind) {
 
 Facts EventFacts(const PlannedWorld& world, const PathTerm& term) {
   Facts facts;
-  for (const kg_core::Event& event : world.compilation->mission.events)
-    if (std::count(term.events.begin(), term.events.end(), event.iri) > 0)
+  for (const kg_core::Event& event : world.compilation->mission.events) {
+    if (std::count(term.events.begin(), term.events.end(), event.iri) > 0) {
       facts = std::move(facts) + world.facts().Event(event.iri);
+    }
+  }
   return facts;
 }
 
@@ -113,8 +117,9 @@ std::vector<PathTerm> ListTerms(const PlannedWorld& world,
     const Visit& visit = pathlet.visits[s];
     const std::vector<int> stops = StopsOf(visit);
     double score = 0.0;
-    for (const int stop : stops)
+    for (const int stop : stops) {
       score += member.graphs[s].waypoints.at(stop).score;
+    }
     terms.push_back({visit.window, TermKind::kValue, score, StopNames(stops)});
     terms.push_back({visit.window, TermKind::kEvents, visit.reward - score,
                      EventNames(visit), visit.events});
@@ -125,8 +130,9 @@ std::vector<PathTerm> ListTerms(const PlannedWorld& world,
   }
   const double penalty =
       SoftPenalty(world.rules, CommittedBefore(world, pathlet.agent), pathlet);
-  if (penalty != 0.0)
+  if (penalty != 0.0) {
     terms.push_back({-1, TermKind::kSeparation, -penalty, ""});
+  }
   return terms;
 }
 
@@ -140,10 +146,11 @@ Facts TermFacts(const PlannedWorld& world, const kg_core::Agent& agent,
                 const PathTerm& term) {
   const kg_compiler::CitedFacts facts = world.facts();
   const Facts policy = facts.Policy(agent, PolicyProperties(term.kind));
-  if (term.kind == TermKind::kSeparation)
+  if (term.kind == TermKind::kSeparation) {
     return facts.Quote({world.compilation->mission.iri,
                         {"ex:minimumSeparationKm", "ex:separationIsHard",
                          "ex:separationWeight"}});
+  }
   const Facts window =
       facts.Window(world.compilation->mission.windows.at(term.window),
                    {"ex:index", "ex:confidence"});

@@ -12,8 +12,9 @@ using kg_core::InputError;
 
 void NameAgentsByIri(PlannedWorld* world) {
   const auto rename = [&](std::string* agent) {
-    for (const kg_core::Agent& known : world->compilation->mission.agents)
+    for (const kg_core::Agent& known : world->compilation->mission.agents) {
       if (*agent == known.id) *agent = known.iri;
+    }
   };
   for (TeamMember& member : world->members) rename(&member.rules.agent_iri);
   for (Pathlet& pathlet : world->plan.committed) rename(&pathlet.agent);
@@ -42,8 +43,9 @@ const kg_core::Agent& FindAgent(const PlannedWorld& world,
   std::string known;
   for (const kg_core::Agent& agent : world.compilation->mission.agents) {
     if (name == agent.id || name == agent.iri ||
-        name == kg_core::AbbreviateIri(agent.iri))
+        name == kg_core::AbbreviateIri(agent.iri)) {
       return agent;
+    }
     known += (known.empty() ? "" : ", ") + agent.id;
   }
   throw InputError("agent '" + name + "' is not known; there are " + known);
@@ -63,12 +65,14 @@ const TeamMember& FindMember(const PlannedWorld& world,
 }
 
 std::size_t FindStage(const TeamMember& member, int window) {
-  for (std::size_t s = 0; s < member.graphs.size(); ++s)
+  for (std::size_t s = 0; s < member.graphs.size(); ++s) {
     if (member.graphs[s].window == window) return s;
+  }
   const std::string who =
       "window " + std::to_string(window) + " of " + member.rules.agent_id;
-  if (member.graphs.empty())
+  if (member.graphs.empty()) {
     throw InputError(who + ": no waypoint graphs are here");
+  }
   throw InputError(who + " is not planned: the windows are " +
                    std::to_string(member.graphs.front().window) + " to " +
                    std::to_string(member.graphs.back().window));
@@ -76,8 +80,9 @@ std::size_t FindStage(const TeamMember& member, int window) {
 
 const Pathlet* FindPath(const PlannedWorld& world,
                         const std::string& agent_iri) {
-  for (const Pathlet& pathlet : world.plan.committed)
+  for (const Pathlet& pathlet : world.plan.committed) {
     if (pathlet.agent == agent_iri) return &pathlet;
+  }
   return nullptr;
 }
 

@@ -43,9 +43,11 @@ class EventQuestion {
         facts_(world.facts()) {}
 
   Explanation Explain(int window) const {
-    for (const Visit& visit : NeedPath(world_, agent_).visits)
-      if (Names(visit.events))
+    for (const Visit& visit : NeedPath(world_, agent_).visits) {
+      if (Names(visit.events)) {
         return ExplainTaken(world_, agent_, visit, name_);
+      }
+    }
     if (HasVisited()) return Visited();
     if (window >= 0) {
       const std::size_t stage = FindStage(member_, window);
@@ -97,12 +99,15 @@ class EventQuestion {
   };
   std::vector<Holder> Holders() const {
     std::vector<Holder> holders;
-    for (const std::string& agent : PastVisitors())
+    for (const std::string& agent : PastVisitors()) {
       holders.push_back({agent, facts_.Quote({agent, {"ex:id"}}),
                          "in a window that is over"});
-    for (const Pathlet& other : CommittedBefore(world_, agent_.iri))
-      for (const Visit& visit : other.visits)
+    }
+    for (const Pathlet& other : CommittedBefore(world_, agent_.iri)) {
+      for (const Visit& visit : other.visits) {
         if (Names(visit.events)) holders.push_back(ToHolder(other, visit));
+      }
+    }
     return holders;
   }
   Holder ToHolder(const Pathlet& other, const Visit& visit) const {
@@ -153,8 +158,9 @@ class EventQuestion {
     if (stated) {
       if (const auto time_s = kg_core::UnixSeconds(*stated)) return *time_s;
       const auto duration_s = kg_core::DurationSeconds(*stated);
-      if (duration_s)
+      if (duration_s) {
         return Window(event_.windows.front()).begin_s + *duration_s;
+      }
     }
     return Window(event_.windows.back()).end_s;
   }
@@ -201,8 +207,9 @@ class EventQuestion {
     ViaWaypoints by;
     by.stage = stage;
     by.name = name_ + " in " + WindowName(member_.graphs[stage].window);
-    for (const Waypoint& waypoint : member_.graphs[stage].waypoints)
+    for (const Waypoint& waypoint : member_.graphs[stage].waypoints) {
       if (Names(waypoint.events)) by.waypoints.insert(waypoint.id);
+    }
     return by.waypoints.empty()
                ? NoWaypointThere(world_, agent_, event_.position, stage)
                : ExplainPathVia(world_, agent_, by);
@@ -211,18 +218,20 @@ class EventQuestion {
   // What misses least, if a path is possible in any window.
   Explanation InAnyWindow() const {
     std::vector<Explanation> all;
-    for (std::size_t s = 0; s < member_.graphs.size(); ++s)
+    for (std::size_t s = 0; s < member_.graphs.size(); ++s) {
       if (IsActive(member_.graphs[s].window)) {
         if (IsFull()) return Full();
         all.push_back(InStage(s));
       }
-    if (all.empty())
+    }
+    if (all.empty()) {
       return event_.windows.empty()
                  ? NoWindow()
                  : NotActive(event_.windows.back() <
                                      member_.graphs.front().window
                                  ? member_.graphs.front().window
                                  : member_.graphs.back().window);
+    }
     const auto key = [](const Explanation& e) {
       return std::make_pair(e.verdict != "worth_less", e.value);
     };
@@ -243,19 +252,22 @@ class EventQuestion {
 }  // namespace
 
 const Event* FindEvent(const PlannedWorld& world, const std::string& name) {
-  for (const Event& event : world.compilation->mission.events)
+  for (const Event& event : world.compilation->mission.events) {
     if (event.iri == name || AbbreviateIri(event.iri) == name) return &event;
+  }
   return nullptr;
 }
 
 Explanation WhyNotEvent(const PlannedWorld& world, const Agent& agent,
                         const std::string& name, int window) {
   const Event* event = FindEvent(world, name);
-  if (event != nullptr)
+  if (event != nullptr) {
     return EventQuestion(world, agent, *event).Explain(window);
+  }
   std::string known;
-  for (const Event& one : world.compilation->mission.events)
+  for (const Event& one : world.compilation->mission.events) {
     known += (known.empty() ? "" : ", ") + AbbreviateIri(one.iri);
+  }
   throw InputError("event '" + name + "' is not known; there are " +
                    (known.empty() ? "none" : known));
 }

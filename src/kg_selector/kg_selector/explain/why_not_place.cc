@@ -106,8 +106,9 @@ class NotSampled {
                              rules_.sensor_radius_m)
             .footprint;
     std::set<int> counted;
-    for (const Waypoint& waypoint : graph_.waypoints)
+    for (const Waypoint& waypoint : graph_.waypoints) {
       counted.insert(waypoint.footprint.begin(), waypoint.footprint.end());
+    }
     cells.erase(std::remove_if(cells.begin(), cells.end(),
                                [&](int i) { return counted.count(i) > 0; }),
                 cells.end());
@@ -116,8 +117,9 @@ class NotSampled {
 
   Explanation LessResponse() const {
     const Waypoint* min_value = &graph_.waypoints.front();
-    for (const Waypoint& waypoint : graph_.waypoints)
+    for (const Waypoint& waypoint : graph_.waypoints) {
       if (waypoint.score < min_value->score) min_value = &waypoint;
+    }
     const auto inputs = kg_compiler::FindTensorInputs(*world_.compilation,
                                                       agent_, graph_.window);
     Explanation response =
@@ -156,8 +158,9 @@ class NotSampled {
 std::vector<LonLat> StageSources(const TeamMember& member, std::size_t stage) {
   if (stage == 0) return {member.rules.start};
   std::vector<LonLat> sources;
-  for (const Waypoint& waypoint : member.graphs[stage - 1].waypoints)
+  for (const Waypoint& waypoint : member.graphs[stage - 1].waypoints) {
     sources.push_back(waypoint.position);
+  }
   return sources;
 }
 

@@ -95,8 +95,9 @@ TEST(TeamOrienteering, IsWithinOptimumAndBoundInEveryMode) {
       if (mode.plan_tours == PlanToursExactly) {
         EXPECT_EQ(team.value, best) << "seed " << seed;
       }
-      if (mode.plan_tours == PlanToursGreedily && team.value < best)
+      if (mode.plan_tours == PlanToursGreedily && team.value < best) {
         ++greedy_misses;
+      }
       if (std::isfinite(team.bound)) ++bounds;
     }
   }

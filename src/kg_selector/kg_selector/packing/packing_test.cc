@@ -28,8 +28,9 @@ class RandomPacking {
     for (int r = Whole(0, 6); r > 0; --r) {
       packing.row_capacities.push_back(Whole(Whole(0, 9) == 0 ? 0 : 1, 2));
     }
-    for (int c = 0; c < columns; ++c)
+    for (int c = 0; c < columns; ++c) {
       packing.columns.push_back(MakeColumn(packing, whole));
+    }
     for (int i = Whole(0, columns); i > 0 && columns > 1; --i) {
       const int a = Whole(0, columns - 1);
       const int b = Whole(0, columns - 1);

@@ -18,8 +18,9 @@ using kg_compiler::SeamRules;
 
 // The windows end where the path does.
 void CommitTo(const Pathlet& path, SeamRules* rules) {
-  for (std::size_t s = 0; s < path.visits.size(); ++s)
+  for (std::size_t s = 0; s < path.visits.size(); ++s) {
     rules->windows.at(s).committed = path.visits[s].position;
+  }
 }
 
 AgentOffer Plan(const TeamMember& member) {
@@ -97,8 +98,9 @@ TEST(ChurnTest, ALargeWeightKeepsThePlanAndASmallOneIsPaidFor) {
         member.rules.churn_weight = weight;
         const Pathlet best = Plan(member).pathlets.at(0);
         double paid = 0.0;
-        for (const Visit& visit : best.visits)
+        for (const Visit& visit : best.visits) {
           paid += ChurnCost(member.rules, visit.window, visit.position);
+        }
         const double share = ComputeStability({plan}, {best}).share;
         if (weight > 1.0) {
           EXPECT_EQ(share, 1.0) << seed;
@@ -120,13 +122,15 @@ TEST(ChurnTest, IsChargedOnTheWayAndLeavesRewardsAlone) {
   TeamMember member = random.MakeMembers().at(0);
   member.rules.churn_weight = 2.0;
   const auto free = ToTrellis(member.rules, member.graphs);
-  for (auto& window : member.rules.windows)
+  for (auto& window : member.rules.windows) {
     window.committed = kg_core::LonLat{-89.9, 25.1};
+  }
   const auto charged = ToTrellis(member.rules, member.graphs);
   for (std::size_t s = 0; s < free.stages.size(); ++s) {
-    for (std::size_t i = 0; i < free.stages[s].nodes.size(); ++i)
+    for (std::size_t i = 0; i < free.stages[s].nodes.size(); ++i) {
       EXPECT_EQ(free.stages[s].nodes[i].reward,
                 charged.stages[s].nodes[i].reward);
+    }
     for (std::size_t i = 0; i < free.stages[s].seams.size(); ++i) {
       const auto& seam = free.stages[s].seams[i];
       const auto& place = member.graphs[s].waypoints.at(seam.to).position;

@@ -16,13 +16,16 @@ using Rewarded = std::map<std::string, std::vector<std::string>>;
 
 Rewarded RewardedBy(const std::vector<Pathlet>& committed) {
   Rewarded rewarded;
-  for (const Pathlet& pathlet : committed)
-    for (const Visit& visit : pathlet.visits)
+  for (const Pathlet& pathlet : committed) {
+    for (const Visit& visit : pathlet.visits) {
       for (const std::string& event : visit.events) {
         std::vector<std::string>& agents = rewarded[event];
-        if (std::count(agents.begin(), agents.end(), pathlet.agent) == 0)
+        if (std::count(agents.begin(), agents.end(), pathlet.agent) == 0) {
           agents.push_back(pathlet.agent);
+        }
       }
+    }
+  }
   return rewarded;
 }
 
@@ -57,12 +60,14 @@ std::optional<Conflict> SeparationConflict(
   std::optional<Conflict> worst;
   for (const Pathlet& other : committed) {
     TimeSpan span = window.span;
-    if (window.is_first)
+    if (window.is_first) {
       span.from_s = std::max(
           span.from_s,
           SeparationBegins_s(rules, first_window, pathlet.track, other.track));
-    if (!ComeCloserThan(pathlet.track, other.track, separation_m, span))
+    }
+    if (!ComeCloserThan(pathlet.track, other.track, separation_m, span)) {
       continue;
+    }
     const double missing_m =
         separation_m -
         ClosestApproach(pathlet.track, other.track, span)->distance_m;
@@ -85,10 +90,11 @@ std::optional<Conflict> CapacityConflict(const TeamRules& rules,
         place == rewarded.end() ? std::vector<std::string>() : place->second;
     if (std::count(agents.begin(), agents.end(), agent) > 0) continue;
     const int left = capacity->second - static_cast<int>(agents.size()) - 1;
-    if (left < 0)
+    if (left < 0) {
       return Conflict{ConflictKind::kCapacity,
                       agents.empty() ? "" : agents.back(), visit.window, event,
                       static_cast<double>(left)};
+    }
   }
   return std::nullopt;
 }
@@ -97,8 +103,9 @@ std::optional<Conflict> CapacityConflict(const TeamRules& rules,
 std::optional<Conflict> ExpiredConflict(const TeamRules& rules, int window,
                                         const std::string& event) {
   const auto open = rules.event_windows.find(event);
-  if (open == rules.event_windows.end() || open->second.count(window) > 0)
+  if (open == rules.event_windows.end() || open->second.count(window) > 0) {
     return std::nullopt;
+  }
   Conflict conflict{ConflictKind::kExpired, "", window, event, 0.0};
   if (open->second.empty()) return conflict;
   const int past = window - *open->second.rbegin();
@@ -131,8 +138,9 @@ std::optional<ConflictKind> ParseConflictKind(const std::string& name) {
   for (const ConflictKind kind :
        {ConflictKind::kSeparation, ConflictKind::kCapacity,
         ConflictKind::kEnergy, ConflictKind::kExpired, ConflictKind::kOutbid,
-        ConflictKind::kMalformed})
+        ConflictKind::kMalformed}) {
     if (name == Name(kind)) return kind;
+  }
   return std::nullopt;
 }
 
@@ -173,8 +181,9 @@ double SeparationBegins_s(const TeamRules& rules, int first_window,
                           const std::vector<TimedPoint>& a,
                           const std::vector<TimedPoint>& b) {
   const auto end = rules.window_end_s.find(first_window);
-  if (end == rules.window_end_s.end() || a.empty() || b.empty())
+  if (end == rules.window_end_s.end() || a.empty() || b.empty()) {
     return -kAlways;
+  }
   const double begin_s = std::max(a.front().time_s, b.front().time_s);
   if (!(begin_s < end->second)) return -kAlways;
   return FirstTimeApart(a, b, HardSeparation_m(rules), {begin_s, end->second})
@@ -185,13 +194,17 @@ std::optional<Conflict> FindViolation(const TeamRules& rules,
                                       const Pathlet& pathlet) {
   const auto budget_j = rules.energy_budget_j.find(pathlet.agent);
   if (budget_j != rules.energy_budget_j.end() &&
-      !(pathlet.energy_j <= budget_j->second))
+      !(pathlet.energy_j <= budget_j->second)) {
     return Conflict{ConflictKind::kEnergy, "", -1, "",
                     pathlet.energy_j - budget_j->second};
-  for (const Visit& visit : pathlet.visits)
-    for (const std::string& event : visit.events)
-      if (const auto expired = ExpiredConflict(rules, visit.window, event))
+  }
+  for (const Visit& visit : pathlet.visits) {
+    for (const std::string& event : visit.events) {
+      if (const auto expired = ExpiredConflict(rules, visit.window, event)) {
         return expired;
+      }
+    }
+  }
   return std::nullopt;
 }
 
@@ -215,8 +228,9 @@ double SoftPenalty(const TeamRules& rules,
   double missing_m = 0.0;
   for (const Pathlet& other : committed) {
     const auto approach = ClosestApproach(pathlet.track, other.track);
-    if (approach)
+    if (approach) {
       missing_m += std::max(0.0, rules.separation_m - approach->distance_m);
+    }
   }
   return rules.separation_weight_per_m * missing_m;
 }

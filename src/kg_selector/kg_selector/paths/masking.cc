@@ -24,18 +24,22 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 // Rewards of the events that are open in a window.
 std::map<std::string, double> OpenEvents(const SeamRules& rules, int window) {
   std::map<std::string, double> rewards;
-  for (const auto& rule : rules.windows)
-    if (rule.window == window)
-      for (const EventRule& event : rule.events)
+  for (const auto& rule : rules.windows) {
+    if (rule.window == window) {
+      for (const EventRule& event : rule.events) {
         if (event.reward > 0.0) rewards[event.iri] = event.reward;
+      }
+    }
+  }
   return rewards;
 }
 
 // A number for every event of any window.
 std::map<std::string, int> NumberEvents(const SeamRules& rules) {
   std::map<std::string, int> tokens;
-  for (const auto& window : rules.windows)
+  for (const auto& window : rules.windows) {
     for (const EventRule& event : window.events) tokens.emplace(event.iri, 0);
+  }
   int next = 0;
   for (auto& [event, token] : tokens) token = next++;
   return tokens;
@@ -54,17 +58,20 @@ kg_planner::Node ToNode(const Waypoint& waypoint,
   node.reward = waypoint.score;
   for (const std::string& event : waypoint.events) {
     const auto reward = open.find(event);
-    if (reward != open.end())
+    if (reward != open.end()) {
       node.tokens.push_back({tokens.at(event), reward->second});
+    }
   }
   return node;
 }
 
 double WindowEnd(const NavGraph& graph) {
   double end_s = kNever;
-  for (const TraverseEdge& edge : graph.edges)
-    if (!edge.flight.track.empty())
+  for (const TraverseEdge& edge : graph.edges) {
+    if (!edge.flight.track.empty()) {
       end_s = std::max(end_s, edge.flight.track.back().time_s);
+    }
+  }
   return end_s;
 }
 
@@ -82,10 +89,11 @@ std::vector<TimedPoint> SeamTrack(const NavGraphs& graphs,
   std::vector<TimedPoint> track = edge.flight.track;
   if (stage == 0 || track.empty()) return track;
   const double before_s = ends_s[stage - 1];
-  if (before_s > kNever && before_s < track.front().time_s)
+  if (before_s > kNever && before_s < track.front().time_s) {
     track.insert(
         track.begin(),
         {graphs[stage - 1].waypoints.at(edge.from).position, before_s});
+  }
   return track;
 }
 
@@ -127,10 +135,12 @@ std::map<std::string, std::size_t> EarnedWhere(const SeamRules& rules,
 Visit ToVisit(const NavGraph& graph, const TraverseEdge& edge) {
   const Waypoint& end = graph.waypoints.at(edge.to);
   Visit visit{graph.window, edge.to, end.position, 0.0, {}, {}};
-  for (const Waypoint* place : VisitedBy(graph, edge))
+  for (const Waypoint* place : VisitedBy(graph, edge)) {
     visit.reward += place->score;
-  for (const int id : edge.via)
+  }
+  for (const int id : edge.via) {
     visit.via.push_back({id, graph.waypoints.at(id).position});
+  }
   return visit;
 }
 
@@ -155,11 +165,13 @@ kg_planner::Trellis ToTrellis(const SeamRules& rules, const NavGraphs& graphs) {
   for (const NavGraph& graph : graphs) {
     const auto open = OpenEvents(rules, graph.window);
     kg_planner::Stage& stage = trellis.stages.emplace_back();
-    for (const Waypoint& waypoint : graph.waypoints)
+    for (const Waypoint& waypoint : graph.waypoints) {
       stage.nodes.push_back(ToNode(waypoint, open, tokens));
-    for (const TraverseEdge& edge : graph.edges)
+    }
+    for (const TraverseEdge& edge : graph.edges) {
       stage.seams.push_back(
           {edge.from, edge.to, edge.seam_cost, edge.flight.energy_j});
+    }
     if (!HasWalks(graph)) continue;
     for (const TraverseEdge& edge : graph.edges) stage.via.push_back(edge.via);
   }
@@ -179,14 +191,16 @@ kg_planner::PathMasks MaskCommitted(const TeamRules& rules,
       const auto track = SeamTrack(graphs, ends_s, s, edge);
       const auto too_close = [&](const Pathlet& other) {
         TimeSpan span;
-        if (s == 0)
+        if (s == 0) {
           span.from_s =
               SeparationBegins_s(rules, graphs[s].window, track, other.track);
+        }
         return ComeCloserThan(track, other.track, separation_m, span);
       };
-      if (std::any_of(committed.begin(), committed.end(), too_close))
+      if (std::any_of(committed.begin(), committed.end(), too_close)) {
         masks.seams.push_back(
             {static_cast<int>(s), edge.from, edge.to, edge.via});
+      }
     }
   }
   return masks;

@@ -78,9 +78,11 @@ MaskCounts CheckRandomMasks(const RandomTeamOptions& options, unsigned seed) {
     RandomTeam random(options, seed + i);
     TeamRules rules = random.MakeRules();
     const auto members = random.MakeMembers();
-    if (i % 2 == 0)
-      for (const auto& window : members[0].rules.windows)
+    if (i % 2 == 0) {
+      for (const auto& window : members[0].rules.windows) {
         rules.window_end_s[window.window] = window.end_s;
+      }
+    }
     CheckMasks(rules, members, &counts);
     if (testing::Test::HasFatalFailure()) break;
   }
@@ -136,15 +138,17 @@ TEST(ToPathletTest, StopsAndTheirEventsCountInTheirWindow) {
         }
         for (const std::string& event : visit.events) {
           ASSERT_EQ(there.count(event), 1u);
-          for (const auto& rule : member.rules.windows[s].events)
+          for (const auto& rule : member.rules.windows[s].events) {
             if (rule.iri == event) reward += rule.reward;
+          }
           const auto& end = member.graphs[s].waypoints[visit.waypoint].events;
           by_stops += std::count(end.begin(), end.end(), event) == 0;
         }
         EXPECT_NEAR(reward, visit.reward, 1e-9);
-        for (const Stop& stop : visit.via)
+        for (const Stop& stop : visit.via) {
           EXPECT_EQ(stop.position,
                     member.graphs[s].waypoints[stop.waypoint].position);
+        }
       }
     }
   }

@@ -39,8 +39,9 @@ std::string Exceeded(const BudgetUnit& unit, double budget, double above) {
   const double taken = (budget + above) / unit.size;
   int decimals = 1;
   while (decimals < kMaxDecimals &&
-         Number(allowed, decimals) == Number(taken, decimals))
+         Number(allowed, decimals) == Number(taken, decimals)) {
     ++decimals;
+  }
   return "no path within " + Number(allowed, decimals) + " " + unit.name +
          unit.of + ": the " + unit.best + " takes " + Number(taken, decimals) +
          " " + unit.name;
@@ -54,8 +55,9 @@ void LimitHazard(const SeamRules& rules, const kg_compiler::NavGraphs& graphs,
   trellis->more_limits = {rules.hazard_budget_s};
   for (std::size_t s = 0; s < graphs.size(); ++s) {
     std::vector<double> hazard_s;
-    for (const kg_compiler::TraverseEdge& edge : graphs[s].edges)
+    for (const kg_compiler::TraverseEdge& edge : graphs[s].edges) {
       hazard_s.push_back(edge.flight.hazard_s + edge.isolation_s);
+    }
     trellis->stages[s].more_resources = {std::move(hazard_s)};
   }
 }

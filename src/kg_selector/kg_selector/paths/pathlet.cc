@@ -183,8 +183,9 @@ std::optional<TrackApproach> ClosestApproach(const Track& a, const Track& b,
   std::optional<TrackApproach> closest;
   ForEachInterval(a, b, span, [&](const TrackInterval& interval) {
     const TrackApproach approach = ApproachWithin(interval);
-    if (!closest || approach.distance_m < closest->distance_m)
+    if (!closest || approach.distance_m < closest->distance_m) {
       closest = approach;
+    }
     return true;
   });
   return closest;
@@ -212,10 +213,11 @@ std::optional<double> FirstTimeApart(const Track& a, const Track& b,
     return MidLatitudeDistance_m(at_a, at_b) >= distance_m;
   };
   ForEachInterval(a, b, span, [&](const TrackInterval& interval) {
-    if (apart(interval.a_begin, interval.b_begin))
+    if (apart(interval.a_begin, interval.b_begin)) {
       first_s = interval.begin_s;
-    else if (apart(interval.a_end, interval.b_end))
+    } else if (apart(interval.a_end, interval.b_end)) {
       first_s = interval.end_s;
+    }
     return !first_s;
   });
   return first_s;

@@ -43,9 +43,10 @@ enum class TravelPace { kPriced, kCruise };
 
 double Length_m(const Flight& flight) {
   double length_m = 0.0;
-  for (std::size_t i = 1; i < flight.track.size(); ++i)
+  for (std::size_t i = 1; i < flight.track.size(); ++i) {
     length_m += kg_core::Distance_m(flight.track[i - 1].position,
                                     flight.track[i].position);
+  }
   return length_m;
 }
 
@@ -78,17 +79,20 @@ class WindowWalks {
         weights_(inputs.rules->weights),
         places_(kg_compiler::PositionsOf(inputs.graph->waypoints)),
         sea_(*inputs.rules, *inputs.window, inputs.world) {
-    for (const TraverseEdge& edge : in_.graph->edges)
+    for (const TraverseEdge& edge : in_.graph->edges) {
       if (edge.via.empty()) entries_[{edge.from, edge.to}] = ToWalkLeg(edge);
-    for (const TraverseEdge& edge : in_.graph->inner_edges)
+    }
+    for (const TraverseEdge& edge : in_.graph->inner_edges) {
       inner_[{edge.from, edge.to}] = ToWalkLeg(edge);
+    }
   }
 
   std::vector<TraverseEdge> Find(const WalkOptions& options) const {
     std::vector<TraverseEdge> walks;
     if (inner_.empty()) return walks;
-    for (std::size_t from = 0; from < in_.sources.size(); ++from)
+    for (std::size_t from = 0; from < in_.sources.size(); ++from) {
       AddFrom(static_cast<int>(from), options, &walks);
+    }
     return walks;
   }
 
@@ -126,16 +130,18 @@ class WindowWalks {
         in_.window->end_s - in_.window->begin_s - flight.travel_s;
     const double under_way_s =
         flight.hazard_s - rest_s * sea_.HazardAt(places_[edge.to]);
-    if (flight.travel_s > 0.0)
+    if (flight.travel_s > 0.0) {
       way.hazard = std::clamp(under_way_s / flight.travel_s, 0.0, 1.0);
+    }
     way.isolation_s = sea_.Isolation(places_[edge.to], places_);
     return way;
   }
 
   // Both only where they differ.
   std::vector<TravelPace> Paces() const {
-    if (weights_.energy_per_j > 0.0)
+    if (weights_.energy_per_j > 0.0) {
       return {TravelPace::kPriced, TravelPace::kCruise};
+    }
     return {TravelPace::kPriced};
   }
 
@@ -155,16 +161,19 @@ class WindowWalks {
     for (const Waypoint& waypoint : in_.graph->waypoints) {
       kg_planner::Node& node = nodes.emplace_back();
       node.reward = waypoint.score;
-      for (std::size_t e = 0; with_events && e < waypoint.events.size(); ++e)
+      for (std::size_t e = 0; with_events && e < waypoint.events.size(); ++e) {
         AddToken(waypoint.events[e], &node);
+      }
     }
     return nodes;
   }
   void AddToken(const std::string& iri, kg_planner::Node* node) const {
     const auto& events = in_.window->events;
-    for (std::size_t i = 0; i < events.size(); ++i)
-      if (events[i].iri == iri && events[i].reward > 0.0)
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      if (events[i].iri == iri && events[i].reward > 0.0) {
         node->tokens.push_back({static_cast<int>(i), events[i].reward});
+      }
+    }
   }
 
   // `from` at a pace, all legs as edges of the window's begin.
@@ -175,11 +184,14 @@ class WindowWalks {
     problem.duration_limit =
         std::min(in_.window->end_s - in_.window->begin_s,
                  in_.window->base_travel_m / in_.rules->motion.cruise_mps);
-    for (const auto& [ends, way] : entries_)
-      if (ends.first == from)
+    for (const auto& [ends, way] : entries_) {
+      if (ends.first == from) {
         problem.legs.push_back(ToLeg({-1, ends.second}, way, pace));
-    for (const auto& [ends, way] : inner_)
+      }
+    }
+    for (const auto& [ends, way] : inner_) {
       problem.legs.push_back(ToLeg(ends, way, pace));
+    }
     return problem;
   }
 
@@ -192,8 +204,9 @@ class WindowWalks {
     visited.push_back(edge.to);
     for (const int node : visited) {
       reward += nodes[node].reward;
-      for (const kg_planner::TokenReward& token : nodes[node].tokens)
+      for (const kg_planner::TokenReward& token : nodes[node].tokens) {
         earned[token.token] = token.reward;
+      }
     }
     for (const auto& [token, value] : earned) reward += value;
     return reward - edge.seam_cost;
@@ -214,8 +227,9 @@ class WindowWalks {
       Fly(from, FindCandidates(from, with_events, options), &flown);
       Choose(from, with_events, options, flown, &kept);
     }
-    for (const std::vector<int>& stops : kept)
+    for (const std::vector<int>& stops : kept) {
       walks->push_back(*flown.at(stops));
+    }
     std::sort(walks->end() - static_cast<std::ptrdiff_t>(kept.size()),
               walks->end(), [](const TraverseEdge& a, const TraverseEdge& b) {
                 return std::tie(a.to, a.via) < std::tie(b.to, b.via);
@@ -237,8 +251,9 @@ class WindowWalks {
         problem.duration_limit = pass.duration * limit_s;
         micro.per_end = pass.per_end * options.per_end;
         for (const kg_planner::MicroPath& path :
-             kg_planner::FindMicroPaths(problem, micro).paths)
+             kg_planner::FindMicroPaths(problem, micro).paths) {
           if (path.nodes.size() > 1) candidates.insert(path.nodes);
+        }
       }
     }
     return candidates;
@@ -247,8 +262,9 @@ class WindowWalks {
   void Fly(
       int from, const std::set<std::vector<int>>& candidates,
       std::map<std::vector<int>, std::optional<TraverseEdge>>* flown) const {
-    for (const std::vector<int>& stops : candidates)
+    for (const std::vector<int>& stops : candidates) {
       if (flown->count(stops) == 0) (*flown)[stops] = Fly(from, stops);
+    }
   }
 
   // The best of each end, of those worth more than going straight there.
@@ -258,9 +274,11 @@ class WindowWalks {
       std::set<std::vector<int>>* kept) const {
     const std::vector<kg_planner::Node> nodes = Nodes(with_events);
     std::map<int, double> direct;
-    for (const TraverseEdge& edge : in_.graph->edges)
-      if (edge.from == from && edge.via.empty())
+    for (const TraverseEdge& edge : in_.graph->edges) {
+      if (edge.from == from && edge.via.empty()) {
         direct[edge.to] = Worth(edge, nodes);
+      }
+    }
     std::map<int, std::vector<std::pair<double, std::vector<int>>>> by_end;
     for (const auto& [stops, walk] : flown) {
       if (!walk) continue;
@@ -299,8 +317,9 @@ NavGraph WithWalks(const WalkInputs& inputs) {
 }
 
 NavGraphs::Pointer FindGraph(const NavGraphs& graphs, const std::string& hash) {
-  for (std::size_t i = 0; i < graphs.size(); ++i)
+  for (std::size_t i = 0; i < graphs.size(); ++i) {
     if (graphs[i].hash == hash) return graphs.Share(i);
+  }
   return nullptr;
 }
 

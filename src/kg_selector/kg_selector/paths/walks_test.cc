@@ -75,8 +75,9 @@ std::vector<kg_compiler::Flight> LegsOf(const NavGraph& graph,
   for (const TimedPoint& point : walk.flight.track) {
     legs.back().track.push_back(point);
     if (next + 1 >= stops.size() ||
-        point.position != graph.waypoints[stops[next]].position)
+        point.position != graph.waypoints[stops[next]].position) {
       continue;
+    }
     legs.emplace_back();
     legs.back().track.push_back(point);
     ++next;
@@ -86,8 +87,9 @@ std::vector<kg_compiler::Flight> LegsOf(const NavGraph& graph,
 }
 
 double ArrivalAt(const kg_compiler::Flight& leg) {
-  for (const TimedPoint& point : leg.track)
+  for (const TimedPoint& point : leg.track) {
     if (point.position == leg.track.back().position) return point.time_s;
+  }
   return leg.track.back().time_s;
 }
 
@@ -99,9 +101,11 @@ std::vector<double> SpeedsOf(const NavGraph& graph, const TraverseEdge& walk,
   for (const int stop : StopsOf(walk)) {
     const TraverseEdge* edge =
         kg_compiler::FindEdge(graph, walk.from, stop, {});
-    if (!speeds.empty())
-      for (const TraverseEdge& inner : graph.inner_edges)
+    if (!speeds.empty()) {
+      for (const TraverseEdge& inner : graph.inner_edges) {
         if (inner.from == at && inner.to == stop) edge = &inner;
+      }
+    }
     speeds.push_back(at_cruise ? cruise_mps : edge->flight.speed_mps);
     at = stop;
   }
@@ -117,8 +121,9 @@ bool IsFlownAt(const kg_compiler::Sea& sea, kg_compiler::MotionModel motion,
     const auto took_s = kg_compiler::Refly(sea, motion).Fly(legs[i]);
     if (!took_s) return false;
     const double claimed_s = ArrivalAt(legs[i]) - legs[i].track.front().time_s;
-    if (!(std::abs(*took_s - claimed_s) <= 0.005 * claimed_s + 5.0))
+    if (!(std::abs(*took_s - claimed_s) <= 0.005 * claimed_s + 5.0)) {
       return false;
+    }
   }
   return true;
 }
@@ -141,8 +146,9 @@ kg_compiler::Sea SeaOf(const AgentWorld& world, std::size_t t) {
   kg_compiler::Sea sea(*world.worlds[t].field);
   const auto open =
       world.worlds[t].tensor->Get(kg_compiler::Layer::kFeasibility);
-  for (std::size_t i = 0; i < sea.open.size(); ++i)
+  for (std::size_t i = 0; i < sea.open.size(); ++i) {
     sea.open[i] = open[i] == 1.0f;
+  }
   return sea;
 }
 
@@ -167,9 +173,10 @@ void CheckWalk(const AgentWorld& world, const kg_compiler::Sea& sea,
   EXPECT_EQ(walk.flight.track.back().time_s, window.end_s);
   EXPECT_LE(ArrivalAt(legs.back()), window.end_s);
   double through_m = 0.0;
-  for (std::size_t i = 0; i < legs.size(); ++i)
+  for (std::size_t i = 0; i < legs.size(); ++i) {
     through_m +=
         speeds[i] * (ArrivalAt(legs[i]) - legs[i].track.front().time_s);
+  }
   EXPECT_LE(through_m, window.base_travel_m * (1.0 + 1e-9));
   through_m += Held_m(sea, walk.flight.track.back().position,
                       ArrivalAt(legs.back()), window.end_s);
@@ -193,9 +200,11 @@ TEST(WalksTest, EveryOneIsFlownAgainByAnotherIntegrator) {
     const NavGraphs graphs = world.Compile();
     for (std::size_t t = 0; t < graphs.size(); ++t) {
       const kg_compiler::Sea sea = SeaOf(world, t);
-      for (const TraverseEdge& walk : graphs[t].edges)
-        if (!walk.via.empty())
+      for (const TraverseEdge& walk : graphs[t].edges) {
+        if (!walk.via.empty()) {
           CheckWalk(world, sea, graphs[t], t, walk, &flown);
+        }
+      }
     }
     if (HasFatalFailure()) return;
   }
@@ -218,8 +227,9 @@ TEST(WalksTest, HaveTheirOrderAndNoStopTwice) {
       EXPECT_LE(stops.size(), static_cast<std::size_t>(kMaxStops));
       of_ends[{edge.from, edge.to}] += !edge.via.empty();
     }
-    for (const auto& [ends, walks] : of_ends)
+    for (const auto& [ends, walks] : of_ends) {
       EXPECT_LE(walks, 2 * kWalksPerEnd);
+    }
   }
 }
 
@@ -252,9 +262,11 @@ NavGraphs WithAllWalks(const AgentWorld& world, const NavGraphs& graphs) {
       std::vector<int> begin = {edge.to};
       std::vector<std::vector<int>> walks;
       AllWalks(graph, &begin, &walks);
-      for (const std::vector<int>& stops : walks)
-        if (auto walk = FlyWalk(inputs, edge.from, stops))
+      for (const std::vector<int>& stops : walks) {
+        if (auto walk = FlyWalk(inputs, edge.from, stops)) {
           graph.edges.push_back(std::move(*walk));
+        }
+      }
     }
     all.push_back(std::move(graph));
   }
@@ -287,10 +299,13 @@ class BruteForce {
       auto events = earned;
       for (const int stop : StopsOf(edge)) {
         here += graphs_[t].waypoints[stop].score;
-        for (const std::string& event : graphs_[t].waypoints[stop].events)
-          for (const auto& rule : rules_.windows[t].events)
-            if (rule.iri == event)
+        for (const std::string& event : graphs_[t].waypoints[stop].events) {
+          for (const auto& rule : rules_.windows[t].events) {
+            if (rule.iri == event) {
               events[event] = std::max(events[event], rule.reward);
+            }
+          }
+        }
       }
       Go(t + 1, edge.to, here, energy_j + edge.flight.energy_j, events);
     }
@@ -311,9 +326,11 @@ double BestOf(const kg_compiler::SeamRules& rules, const NavGraphs& graphs) {
 AgentWorld SmallAgent(unsigned seed) {
   EdgesWorld world(seed);
   world.mission.coordination.waypoints_per_window = 4;
-  if (seed % 4 == 0)
-    for (auto& agent : world.mission.agents)
+  if (seed % 4 == 0) {
+    for (auto& agent : world.mission.agents) {
       agent.capabilities.energy_budget_j = 7e5;
+    }
+  }
   return AgentOf(world.Plan().compilation, seed % 3);
 }
 
@@ -333,8 +350,9 @@ TEST(WalksTest, TheBestPlanIsThatOfAllWalks) {
     EXPECT_LE(ours, all + 1e-9);
     least_share = std::min(least_share, ours / all);
     equal += ours > all - 1e-9;
-    for (const Visit& visit : found.pathlets.front().visits)
+    for (const Visit& visit : found.pathlets.front().visits) {
       with_stops += !visit.via.empty();
+    }
   }
   // Not always: which walks to fly is chosen by the currents of the window's
   // begin.
@@ -369,10 +387,11 @@ TEST(WalksTest, TheSameBitsWithWhatWasKeptAsFromNothing) {
       auto& mission = world.mission;
       if (change == 1) mission.windows[2].confidence *= 0.9;
       if (change == 2) mission.events[0].value += 1.0;
-      if (change == 3)
+      if (change == 3) {
         mission.constraints.push_back(kg_compiler::AreaConstraint(
             "ex:new", kg_core::ConstraintKind::kNoGo,
             kg_compiler::Box(-90.45, 24.6, -90.4, 24.65)));
+      }
       if (change == 4) mission.coordination.movement_mode = "hops";
       if (change == 5) mission.coordination.movement_mode = "edges";
       const auto compilation = world.Plan().compilation;
@@ -392,10 +411,13 @@ TEST(WalksTest, TheSameBitsWithWhatWasKeptAsFromNothing) {
 
 TEST(WalksTest, ThereAreNoneInTheModeHops) {
   PlannedTestWorld world(1);
-  for (const TeamMember& member : world.Plan().members)
-    for (const NavGraph& graph : member.graphs)
-      for (const TraverseEdge& edge : graph.edges)
+  for (const TeamMember& member : world.Plan().members) {
+    for (const NavGraph& graph : member.graphs) {
+      for (const TraverseEdge& edge : graph.edges) {
         EXPECT_TRUE(edge.via.empty());
+      }
+    }
+  }
 }
 
 TEST(WalksTest, WhatCannotBeFlownIsNotThere) {
@@ -408,11 +430,12 @@ TEST(WalksTest, WhatCannotBeFlownIsNotThere) {
   brief.end_s = brief.begin_s + 60.0;
   WalkInputs hurried = inputs;
   hurried.window = &brief;
-  for (const TraverseEdge& edge : graphs[0].edges)
+  for (const TraverseEdge& edge : graphs[0].edges) {
     if (!edge.via.empty()) {
       EXPECT_TRUE(FlyWalk(inputs, edge.from, StopsOf(edge)));
       EXPECT_FALSE(FlyWalk(hurried, edge.from, StopsOf(edge)));
     }
+  }
 }
 
 }  // namespace

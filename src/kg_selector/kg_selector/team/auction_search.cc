@@ -17,8 +17,9 @@ void AuctionSearch::Drop(int agent) {
   dropped_.insert(agent);
   relaxation_.Drop(agent);
   groups_.Drop(agent);
-  for (TeamChoice* choice : {&held_, &best_})
+  for (TeamChoice* choice : {&held_, &best_}) {
     if (!choice->empty()) (*choice)[agent] = kNobody;
+  }
 }
 
 ColumnRequests AuctionSearch::Next(const TeamColumns& pool,
@@ -48,8 +49,9 @@ ColumnRequests AuctionSearch::AfterBids(const TeamColumns& pool,
                                         const ColumnAnswers& answers) {
   ProcessBids(pool, answers);
   ColumnRequests requests = RequestBids(pool);
-  if (!requests.empty() && rounds_ + 2 < kBidShare * options_.max_rounds)
+  if (!requests.empty() && rounds_ + 2 < kBidShare * options_.max_rounds) {
     return requests;
+  }
   if (rounds_ >= options_.max_rounds) return AfterAuction(pool);
   phase_ = Phase::kFinal;
   relaxation_.Set(prices_);
@@ -85,8 +87,9 @@ ColumnRequests AuctionSearch::RequestGroups(const TeamColumns& pool) {
 }
 
 ColumnRequests AuctionSearch::RequestUnserved() {
-  if (rounds_ >= options_.max_rounds || !asked_unserved_.insert(best_).second)
+  if (rounds_ >= options_.max_rounds || !asked_unserved_.insert(best_).second) {
     return {};
+  }
   return RequestUnservedBeside(best_, dropped_);
 }
 
@@ -102,15 +105,17 @@ void AuctionSearch::ProcessBids(const TeamColumns& pool,
   std::vector<std::pair<double, int>> order;
   for (const auto& [agent, answer] : answers) {
     if (dropped_.count(agent) > 0) continue;
-    if (answer.columns.empty())
+    if (answer.columns.empty()) {
       retired_.insert(agent);
-    else
+    } else {
       order.emplace_back(-pool.Reduced(answer.columns.front(), prices_), agent);
+    }
   }
   std::sort(order.begin(), order.end());
   std::set<int> raised;
-  for (const auto& [value, agent] : order)
+  for (const auto& [value, agent] : order) {
     ProcessBid(pool, agent, answers.at(agent), &raised);
+  }
 }
 
 std::vector<int> AuctionSearch::FullRows(const TeamColumns& pool,
@@ -153,9 +158,11 @@ double AuctionSearch::Raise(const TeamColumns& pool,
   const int column = answer.columns.front();
   const double best = pool.Reduced(column, prices_);
   double second = pool.unserved();
-  for (const int other : pool.columns_of(pool.columns()[column].agent))
-    if (other != column)
+  for (const int other : pool.columns_of(pool.columns()[column].agent)) {
+    if (other != column) {
       second = std::max(second, pool.Reduced(other, prices_));
+    }
+  }
   return std::max(0.0, best - second) + options_.epsilon;
 }
 
@@ -174,8 +181,9 @@ void AuctionSearch::ProcessBid(const TeamColumns& pool, int agent,
       });
   const bool blocked = IsBlocked(pool, column);
   if (already_raised || blocked) {
-    for (const int row : full)
+    for (const int row : full) {
       if (pool.capacities()[row] == 0) retired_.insert(agent);
+    }
     return;  // Bids again, at the new prices.
   }
   const double raise = Raise(pool, answer);
@@ -187,8 +195,9 @@ void AuctionSearch::ProcessBid(const TeamColumns& pool, int agent,
       const std::vector<int>& rows = pool.columns()[other].rows;
       if (std::binary_search(rows.begin(), rows.end(), row) &&
           (min_value == kNobody ||
-           pool.columns()[other].score < pool.columns()[min_value].score))
+           pool.columns()[other].score < pool.columns()[min_value].score)) {
         min_value = other;
+      }
     }
     if (min_value != kNobody) held_[pool.columns()[min_value].agent] = kNobody;
   }
@@ -201,12 +210,15 @@ ColumnRequests AuctionSearch::RequestBids(const TeamColumns& pool) const {
   ColumnRequests requests;
   for (int agent = 0; agent < pool.agents(); ++agent) {
     if (held_[agent] != kNobody || retired_.count(agent) > 0 ||
-        dropped_.count(agent) > 0)
+        dropped_.count(agent) > 0) {
       continue;
+    }
     requests[agent].prices = prices_;
-    for (const int column : ChosenColumns(held_))
-      if (blocked_.count({agent, pool.columns()[column].agent}) > 0)
+    for (const int column : ChosenColumns(held_)) {
+      if (blocked_.count({agent, pool.columns()[column].agent}) > 0) {
         requests[agent].around.push_back(column);
+      }
+    }
   }
   return requests;
 }

@@ -42,10 +42,11 @@ ColumnTeam::ColumnTeam(TeamRules rules, const std::vector<std::string>& agents,
   pool_.fairness = ParseFairness(rules_);
   pool_.fairness_weight = rules_.fairness_weight;
   pool_.conflict = [this](int a, int b) { return TooClose(a, b); };
-  if (!rules_.separation_is_hard && rules_.separation_weight_per_m > 0.0)
+  if (!rules_.separation_is_hard && rules_.separation_weight_per_m > 0.0) {
     pool_.penalty = [this](int a, int b) {
       return SoftPenalty(rules_, {pathlets_[a]}, pathlets_[b]);
     };
+  }
 }
 
 int ColumnTeam::FindIndex(const std::string& agent) const {
@@ -63,8 +64,9 @@ void ColumnTeam::Offer(const std::string& agent, AgentOffer candidates) {
 
 void ColumnTeam::Drop(const std::string& agent, const std::string& why) {
   const int index = FindIndex(agent);
-  if (finished_ || index == kNobody || outcome_.unassigned.count(agent) > 0)
+  if (finished_ || index == kNobody || outcome_.unassigned.count(agent) > 0) {
     return;
+  }
   waiting_.erase(agent);
   offers_.erase(agent);
   favourites_.erase(index);
@@ -101,18 +103,21 @@ ColumnAnswers ColumnTeam::CollectOffers() {
                                screened.rejected.end());
     ColumnAnswer& answer = answers[agent];
     answer.bound = has_none ? 0.0 : candidates.bound;
-    for (Pathlet& pathlet : screened.sound)
+    for (Pathlet& pathlet : screened.sound) {
       answer.columns.push_back(FindOrAddColumn(agent, std::move(pathlet)));
-    if (round_ == 0 && !answer.columns.empty())
+    }
+    if (round_ == 0 && !answer.columns.empty()) {
       favourites_[agent] = answer.columns.front();
+    }
   }
   offers_.clear();
   return answers;
 }
 
 int ColumnTeam::FindOrAddColumn(int agent, Pathlet pathlet) {
-  for (const int column : pool_.columns_of(agent))
+  for (const int column : pool_.columns_of(agent)) {
     if (SamePath(pathlets_[column], pathlet)) return column;
+  }
   rows_.Add(pathlet);
   Column column;
   column.agent = agent;
@@ -124,10 +129,12 @@ int ColumnTeam::FindOrAddColumn(int agent, Pathlet pathlet) {
 
 void ColumnTeam::FindRows() {
   const std::vector<int>& capacities = rows_.capacities();
-  while (pool_.capacities().size() < capacities.size())
+  while (pool_.capacities().size() < capacities.size()) {
     pool_.AddRow(capacities[pool_.capacities().size()]);
-  for (std::size_t c = 0; c < pathlets_.size(); ++c)
+  }
+  for (std::size_t c = 0; c < pathlets_.size(); ++c) {
     pool_.SetRows(static_cast<int>(c), rows_.UsedRows(pathlets_[c]));
+  }
 }
 
 bool ColumnTeam::TooClose(int a, int b) {
@@ -146,8 +153,9 @@ bool ColumnTeam::TooClose(int a, int b) {
 // The share of its energy budget; an agent without one has no load.
 double ColumnTeam::FairnessLoad(const Pathlet& pathlet) const {
   const auto budget_j = rules_.energy_budget_j.find(pathlet.agent);
-  if (budget_j == rules_.energy_budget_j.end() || !(budget_j->second > 0.0))
+  if (budget_j == rules_.energy_budget_j.end() || !(budget_j->second > 0.0)) {
     return 0.0;
+  }
   return std::max(0.0, pathlet.energy_j / budget_j->second);
 }
 
@@ -155,8 +163,9 @@ PlanRequest ColumnTeam::RequestFor(const std::string& agent) const {
   const auto asked = requests_.find(FindIndex(agent));
   if (asked == requests_.end()) return RequestAround(rules_, {});
   std::vector<Pathlet> around;
-  for (const int column : asked->second.around)
+  for (const int column : asked->second.around) {
     around.push_back(pathlets_[column]);
+  }
   PlanRequest request = RequestAround(rules_, around);
   rows_.PutPrices(agent, asked->second.prices, &request);
   return request;
@@ -165,8 +174,9 @@ PlanRequest ColumnTeam::RequestFor(const std::string& agent) const {
 void ColumnTeam::Finish() {
   finished_ = true;
   outcome_.bound = search_->bound();
-  for (const int column : search_->choice())
+  for (const int column : search_->choice()) {
     if (column != kNobody) outcome_.committed.push_back(pathlets_[column]);
+  }
   std::sort(outcome_.committed.begin(), outcome_.committed.end(),
             [](const Pathlet& a, const Pathlet& b) {
               return a.score() != b.score() ? a.score() > b.score()
@@ -190,14 +200,16 @@ void ColumnTeam::RejectFavourites() {
     const int chosen = search_->choice()[agent];
     if (chosen == column) continue;
     std::vector<Pathlet> others;
-    for (const Pathlet& pathlet : outcome_.committed)
+    for (const Pathlet& pathlet : outcome_.committed) {
       if (pathlet.agent != names_[agent]) others.push_back(pathlet);
+    }
     const Pathlet& favourite = pathlets_[column];
     const double kept = chosen == kNobody ? 0.0 : pathlets_[chosen].score();
     Conflict conflict{ConflictKind::kOutbid, "", -1, "",
                       favourite.score() - kept};
-    if (const auto hard = FindConflict(rules_, others, favourite))
+    if (const auto hard = FindConflict(rules_, others, favourite)) {
       conflict = *hard;
+    }
     std::ostringstream reason;
     reason << conflict.Line();
     const double price =

@@ -33,12 +33,14 @@ class ColumnFilter {
   ColumnFilter(const TeamColumns& pool, const std::vector<double>& prices,
                const TeamChoice& start)
       : pool_(pool), prices_(prices) {
-    for (std::size_t r = 0; r < prices.size(); ++r)
+    for (std::size_t r = 0; r < prices.size(); ++r) {
       gap_ += prices[r] * pool.capacities()[r];
+    }
     for (int agent = 0; agent < pool.agents(); ++agent) {
       double best = pool.columns_of(agent).empty() ? 0.0 : pool.unserved();
-      for (const int column : pool.columns_of(agent))
+      for (const int column : pool.columns_of(agent)) {
         best = std::max(best, pool.Reduced(column, prices));
+      }
       best_.push_back(best);
       gap_ += best;
     }
@@ -65,7 +67,7 @@ ChoiceProblem ToProblem(const TeamColumns& pool, const ColumnFilter& filter,
   problem.packing.row_capacities = pool.capacities();
   problem.packing.fairness = pool.fairness;
   problem.packing.weight = pool.fairness_weight;
-  for (int agent = 0; agent < pool.agents(); ++agent)
+  for (int agent = 0; agent < pool.agents(); ++agent) {
     for (const int c : pool.columns_of(agent)) {
       if (start[agent] != c && !filter(c)) continue;
       Column column = pool.columns()[c];
@@ -74,6 +76,7 @@ ChoiceProblem ToProblem(const TeamColumns& pool, const ColumnFilter& filter,
       problem.packing.columns.push_back(std::move(column));
       problem.pool_columns.push_back(c);
     }
+  }
   return problem;
 }
 
@@ -82,8 +85,9 @@ std::vector<int> ToStart(const ChoiceProblem& problem,
   std::vector<int> start;
   for (std::size_t i = 0; i < problem.pool_columns.size(); ++i) {
     const int agent = problem.packing.columns[i].agent;
-    if (choice[agent] == problem.pool_columns[i])
+    if (choice[agent] == problem.pool_columns[i]) {
       start.push_back(static_cast<int>(i));
+    }
   }
   return start;
 }
@@ -92,14 +96,16 @@ std::vector<int> ToStart(const ChoiceProblem& problem,
 bool AddConflicts(const TeamColumns& pool, const std::vector<int>& chosen,
                   ChoiceProblem* problem) {
   bool any = false;
-  for (std::size_t i = 0; i < chosen.size(); ++i)
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (!pool.Conflict(problem->pool_columns[chosen[k]],
-                         problem->pool_columns[chosen[i]]))
+                         problem->pool_columns[chosen[i]])) {
         continue;
+      }
       problem->packing.conflicts.emplace_back(chosen[k], chosen[i]);
       any = true;
     }
+  }
   return any;
 }
 
@@ -107,12 +113,15 @@ bool AddConflicts(const TeamColumns& pool, const std::vector<int>& chosen,
 void AddAllConflicts(const TeamColumns& pool, ChoiceProblem* problem) {
   const int count = static_cast<int>(problem->pool_columns.size());
   if (count > kFewColumns) return;
-  for (int i = 0; i < count; ++i)
-    for (int k = 0; k < i; ++k)
+  for (int i = 0; i < count; ++i) {
+    for (int k = 0; k < i; ++k) {
       if (problem->packing.columns[i].agent !=
               problem->packing.columns[k].agent &&
-          pool.Conflict(problem->pool_columns[k], problem->pool_columns[i]))
+          pool.Conflict(problem->pool_columns[k], problem->pool_columns[i])) {
         problem->packing.conflicts.emplace_back(k, i);
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -123,8 +132,9 @@ ExactChoice ChooseExactly(const TeamColumns& pool, const TeamChoice& start,
   const auto begin = std::chrono::steady_clock::now();
   ChoiceProblem problem =
       ToProblem(pool, ColumnFilter(pool, prices, start), start);
-  if (ToStart(problem, start).size() == problem.pool_columns.size())
+  if (ToStart(problem, start).size() == problem.pool_columns.size()) {
     return {start, true};
+  }
   AddAllConflicts(pool, &problem);
   PackingOptions options;
   options.start = ToStart(problem, start);
@@ -134,8 +144,9 @@ ExactChoice ChooseExactly(const TeamColumns& pool, const TeamChoice& start,
     const PackingChoice found = SolvePacking(problem.packing, options);
     if (AddConflicts(pool, found.chosen, &problem)) continue;
     ExactChoice exact{TeamChoice(pool.agents(), kNobody), found.optimal};
-    for (const int i : found.chosen)
+    for (const int i : found.chosen) {
       exact.choice[problem.packing.columns[i].agent] = problem.pool_columns[i];
+    }
     return exact;
   }
 }

@@ -85,8 +85,9 @@ double GreedyTeam::SecondChoice(const std::vector<Pathlet>& offer,
   for (std::size_t i = 0; i < offer.size(); ++i) {
     const double value = Value(offer[i]);
     if (i != favourite && value > second &&
-        !FindConflict(rules_, outcome_.committed, offer[i]))
+        !FindConflict(rules_, outcome_.committed, offer[i])) {
       second = value;
+    }
   }
   return second;
 }
@@ -150,11 +151,13 @@ std::string GreedyTeam::Next() const {
   }
   if (ready.empty() || !OutranksWaiting(best)) return "";
   std::vector<std::pair<double, std::string>> tied;  // By second choice, IRI.
-  for (const auto& [agent, favourite] : ready)
+  for (const auto& [agent, favourite] : ready) {
     if (favourite.value == best) tied.emplace_back(0.0, agent);
+  }
   if (tied.size() == 1) return tied.front().second;
-  for (auto& [second, agent] : tied)
+  for (auto& [second, agent] : tied) {
     second = SecondChoice(offers_.at(agent), ready[agent].index);
+  }
   return std::min_element(tied.begin(), tied.end())->second;
 }
 
@@ -169,19 +172,22 @@ void GreedyTeam::Commit(const std::string& agent, std::size_t index) {
 void GreedyTeam::CommitFromOffers() {
   while (true) {
     std::tuple<double, std::string, std::size_t> best(kNoValue, "", 0);
-    for (const auto& [agent, offer] : offers_)
+    for (const auto& [agent, offer] : offers_) {
       for (std::size_t i = 0; i < offer.size(); ++i) {
         const double value = Value(offer[i]);
         if (value > std::get<0>(best) &&
-            !FindConflict(rules_, outcome_.committed, offer[i]))
+            !FindConflict(rules_, outcome_.committed, offer[i])) {
           best = {value, agent, i};
+        }
       }
+    }
     if (std::get<1>(best).empty()) break;
     Commit(std::get<1>(best), std::get<2>(best));
   }
-  for (const auto& [agent, offer] : offers_)
+  for (const auto& [agent, offer] : offers_) {
     outcome_.unassigned[agent] = "offered nothing without a conflict in " +
                                  std::to_string(outcome_.rounds) + " rounds";
+  }
   offers_.clear();
   waiting_.clear();
 }

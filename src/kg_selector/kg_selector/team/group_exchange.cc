@@ -33,9 +33,11 @@ int CommonRows(const Column& a, const Column& b) {
 void GroupExchange::Drop(int agent) {
   dropped_.insert(agent);
   if (agent < static_cast<int>(choice_.size())) choice_[agent] = kNobody;
-  for (Group& group : groups_)
-    if (std::count(group.members.begin(), group.members.end(), agent) > 0)
+  for (Group& group : groups_) {
+    if (std::count(group.members.begin(), group.members.end(), agent) > 0) {
       group.members.clear();  // Keeps what it has.
+    }
+  }
 }
 
 // The most wanted first; chance decides between equals.
@@ -46,9 +48,10 @@ std::vector<int> GroupExchange::FindRivals(const TeamColumns& pool, int agent,
   for (const int other : free) {
     if (other == agent) continue;
     int overlap = 0;
-    if (wish != kNobody && choice_[other] != kNobody)
+    if (wish != kNobody && choice_[other] != kNobody) {
       overlap =
           CommonRows(pool.columns()[wish], pool.columns()[choice_[other]]);
+    }
     const unsigned chance = prng_();
     order.push_back({-overlap, {chance, other}});
   }
@@ -60,8 +63,9 @@ std::vector<int> GroupExchange::FindRivals(const TeamColumns& pool, int agent,
 
 void GroupExchange::MakeGroups(const TeamColumns& pool) {
   std::set<int> free;
-  for (int agent = 0; agent < pool.agents(); ++agent)
+  for (int agent = 0; agent < pool.agents(); ++agent) {
     if (dropped_.count(agent) == 0) free.insert(agent);
+  }
   const int size = 2 + Random(3);
   groups_.clear();
   while (!free.empty()) {
@@ -70,11 +74,13 @@ void GroupExchange::MakeGroups(const TeamColumns& pool) {
     Group group;
     group.members = FindRivals(pool, *first, free);
     group.members.insert(group.members.begin(), *first);
-    if (static_cast<int>(group.members.size()) > size)
+    if (static_cast<int>(group.members.size()) > size) {
       group.members.resize(size);
-    for (std::size_t i = group.members.size(); i > 1; --i)
+    }
+    for (std::size_t i = group.members.size(); i > 1; --i) {
       std::swap(group.members[i - 1],
                 group.members[Random(static_cast<int>(i))]);
+    }
     for (const int member : group.members) free.erase(member);
     group.share = 0.012 * Random(101);
     groups_.push_back(std::move(group));
@@ -96,15 +102,19 @@ ColumnRequests GroupExchange::RequestMembers() const {
   for (const Group& group : groups_) {
     if (member_ >= group.members.size()) continue;
     ColumnRequest request;
-    if (member_ + 1 < group.members.size())
-      for (const double price : prices_)
+    if (member_ + 1 < group.members.size()) {
+      for (const double price : prices_) {
         request.prices.push_back(group.share * price);
+      }
+    }
     TeamChoice others = choice_;
     for (const int member : group.members) others[member] = kNobody;
-    for (const int column : others)
+    for (const int column : others) {
       if (column != kNobody) request.around.push_back(column);
-    for (const int column : group.columns)
+    }
+    for (const int column : group.columns) {
       if (column != kNobody) request.around.push_back(column);
+    }
     requests[group.members[member_]] = std::move(request);
   }
   return requests;
@@ -126,9 +136,10 @@ TeamChoice GroupExchange::End(const TeamColumns& pool, const TeamWorth& best,
   TeamChoice choice = choice_;
   for (const Group& group : groups_) {
     TeamChoice changed = choice;
-    for (std::size_t i = 0; i < group.members.size(); ++i)
+    for (std::size_t i = 0; i < group.members.size(); ++i) {
       changed[group.members[i]] =
           i < group.columns.size() ? group.columns[i] : kNobody;
+    }
     if (changed == choice || !pool.IsAllowed(changed)) continue;
     TeamWorth worth = pool.Worth(changed);
     const bool better = IsMore(worth, pool.Worth(choice));

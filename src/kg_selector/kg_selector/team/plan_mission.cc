@@ -135,11 +135,14 @@ TeamRules ToTeamRules(const Compilation& compilation) {
   team.time_limit_s = facts.select_limit_s;
   team.fairness = facts.fairness;
   team.fairness_weight = facts.fairness_weight;
-  for (const SeamRules& rules : compilation.rules)
+  for (const SeamRules& rules : compilation.rules) {
     team.energy_budget_j[rules.agent_id] = rules.energy_budget_j;
-  for (const kg_core::TimeWindow& window : compilation.mission.windows)
-    if (window.index >= compilation.first_window)
+  }
+  for (const kg_core::TimeWindow& window : compilation.mission.windows) {
+    if (window.index >= compilation.first_window) {
       team.window_end_s[window.index] = window.end_s;
+    }
+  }
   return team;
 }
 
@@ -157,8 +160,9 @@ PlannedMission PlanMission(const Compilation& compilation,
   planned.rules = ToTeamRules(compilation);
   for (const SeamRules& rules : compilation.rules) {
     AgentGraphs& made = graphs[planned.members.size()];
-    if (!made.trouble.empty())
+    if (!made.trouble.empty()) {
       planned.unplannable[rules.agent_id] = made.trouble;
+    }
     planned.members.push_back({rules, std::move(made.graphs)});
     planned.caches[rules.agent_id] = std::move(made.cache);
   }

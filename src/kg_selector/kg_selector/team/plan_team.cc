@@ -20,8 +20,9 @@ TeamPlan PlanTeam(TeamRules rules, const std::vector<TeamMember>& members) {
   for (const TeamMember& member : members) {
     by_agent[NameOf(member)] = &member;
     agents.push_back(NameOf(member));
-    for (const auto& window : member.rules.windows)
+    for (const auto& window : member.rules.windows) {
       rules.window_end_s.emplace(window.window, window.end_s);
+    }
   }
   TeamPlan plan;
   const std::unique_ptr<Coordinator> team = MakeCoordinator(rules, agents);

@@ -30,8 +30,9 @@ class ReferencePlan {
  public:
   ReferencePlan(const TeamRules& rules, const std::vector<TeamMember>& members)
       : rules_(rules) {
-    for (const TeamMember& member : members)
+    for (const TeamMember& member : members) {
       left_[member.rules.agent_iri] = &member;
+    }
     while (CommitOne()) {
     }
   }
@@ -72,8 +73,9 @@ class ReferencePlan {
         whole.events.insert(event);
       }
       if (energy_j <= member.rules.energy_budget_j &&
-          (!*best || whole.score > (*best)->score) && Allowed(whole))
+          (!*best || whole.score > (*best)->score) && Allowed(whole)) {
         *best = whole;
+      }
       return;
     }
     for (const auto& edge : member.graphs[stage].edges) {
@@ -85,10 +87,12 @@ class ReferencePlan {
       longer.track.insert(longer.track.end(), edge.flight.track.begin(),
                           edge.flight.track.end());
       auto earned = events;
-      for (const auto& rule : member.rules.windows[stage].events)
+      for (const auto& rule : member.rules.windows[stage].events) {
         if (!waypoint.events.empty() && waypoint.events[0] == rule.iri &&
-            !Full(rule.iri))
+            !Full(rule.iri)) {
           earned[rule.iri] = std::max(earned[rule.iri], rule.reward);
+        }
+      }
       Extend(member, longer, energy_j + edge.flight.energy_j, earned, best);
     }
   }
@@ -98,8 +102,9 @@ class ReferencePlan {
     for (const auto& [agent, member] : left_) {
       std::optional<PathOption> own;
       Extend(*member, {}, 0.0, {}, &own);
-      if (own && (!best || own->score > best->option.score))
+      if (own && (!best || own->score > best->option.score)) {
         best = Choice{agent, *own};
+      }
     }
     if (!best) return false;
     left_.erase(best->agent);
@@ -127,8 +132,9 @@ TEST(PlanTeamTest, EqualsBestFirstMaskAndPlanAgainByExhaustion) {
       const auto& choice = reference.choices()[i];
       ASSERT_EQ(pathlet.agent, choice.agent);
       ASSERT_NEAR(pathlet.score(), choice.option.score, 1e-9);
-      for (std::size_t w = 0; w < pathlet.visits.size(); ++w)
+      for (std::size_t w = 0; w < pathlet.visits.size(); ++w) {
         ASSERT_EQ(pathlet.visits[w].waypoint, choice.option.nodes[w]);
+      }
     }
     EXPECT_EQ(plan.committed.size() + plan.unassigned.size(), members.size());
     EXPECT_TRUE(plan.proven);
@@ -146,16 +152,21 @@ TEST(PlanTeamTest, EqualsBestFirstMaskAndPlanAgainByExhaustion) {
 int Violations(const TeamRules& rules, const std::vector<Pathlet>& plan,
                double from_s) {
   int violations = 0;
-  for (std::size_t i = 0; i < plan.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
       violations += LeastDistance_m(plan[i], plan[k], {from_s, 60.0}) <
                     0.9999 * std::max(1.0, rules.separation_m);
+    }
+  }
   for (const auto& [event, capacity] : rules.event_capacity) {
     std::set<std::string> agents;
-    for (const Pathlet& pathlet : plan)
-      for (const Visit& visit : pathlet.visits)
-        if (std::count(visit.events.begin(), visit.events.end(), event) > 0)
+    for (const Pathlet& pathlet : plan) {
+      for (const Visit& visit : pathlet.visits) {
+        if (std::count(visit.events.begin(), visit.events.end(), event) > 0) {
           agents.insert(pathlet.agent);
+        }
+      }
+    }
     violations += static_cast<int>(agents.size()) > capacity;
   }
   return violations;
@@ -223,8 +234,9 @@ TEST(PlanTeamTest, TheOrderOfAnswersDoesNotMatter) {
     RandomTeam random(options, 7000 + seed);
     TeamRules rules = random.MakeRules();
     const auto members = random.MakeMembers();
-    for (const auto& window : members[0].rules.windows)
+    for (const auto& window : members[0].rules.windows) {
       rules.window_end_s[window.window] = window.end_s;
+    }
     const TeamPlan plan = PlanTeam(rules, members);
     for (int i = 0; i < 10; ++i) {
       const TeamPlan other = PlanInRandomOrder(rules, members, &random.prng());
@@ -236,8 +248,9 @@ TEST(PlanTeamTest, TheOrderOfAnswersDoesNotMatter) {
       EXPECT_EQ(plan.rounds, other.rounds);
       EXPECT_EQ(plan.unassigned, other.unassigned);
       ASSERT_EQ(plan.rejections.size(), other.rejections.size());
-      for (std::size_t k = 0; k < plan.rejections.size(); ++k)
+      for (std::size_t k = 0; k < plan.rejections.size(); ++k) {
         EXPECT_EQ(plan.rejections[k].reason, other.rejections[k].reason);
+      }
     }
   }
 }
@@ -256,9 +269,10 @@ TEST(PlanTeamTest, TwoIdenticalAgentsNeverShareAWaypoint) {
     const TeamPlan plan = PlanTeam(rules, members);
     if (plan.committed.size() < 2) continue;
     ++both;
-    for (std::size_t w = 0; w < plan.committed[0].visits.size(); ++w)
+    for (std::size_t w = 0; w < plan.committed[0].visits.size(); ++w) {
       EXPECT_NE(plan.committed[0].visits[w].waypoint,
                 plan.committed[1].visits[w].waypoint);
+    }
   }
   EXPECT_GT(both, 60);
 }

@@ -12,9 +12,11 @@ namespace {
 
 double Price(const PlanRequest& request, int window, int waypoint) {
   double sum = 0.0;
-  for (const WaypointPrice& price : request.waypoint_prices)
-    if (price.window == window && price.waypoint == waypoint)
+  for (const WaypointPrice& price : request.waypoint_prices) {
+    if (price.window == window && price.waypoint == waypoint) {
       sum += price.price;
+    }
+  }
   return sum;
 }
 
@@ -27,8 +29,9 @@ struct PathWorth {
 
 PathWorth WorthUnder(const PlanRequest& request, const EveryPath& path) {
   PathWorth worth{path.score, 0.0, {}};
-  for (std::size_t w = 0; w < path.nodes.size(); ++w)
+  for (std::size_t w = 0; w < path.nodes.size(); ++w) {
     worth.paid += Price(request, static_cast<int>(w), path.nodes[w]);
+  }
   for (const auto& [event, reward] : path.events) {
     const auto price = request.event_prices.find(event);
     const double of_event =
@@ -43,13 +46,15 @@ PathWorth WorthUnder(const PlanRequest& request, const EveryPath& path) {
 
 PlanRequest RandomAsk(RandomTeam* random) {
   PlanRequest request;
-  for (int i = random->Whole(0, 6); i > 0; --i)
+  for (int i = random->Whole(0, 6); i > 0; --i) {
     request.waypoint_prices.push_back(
         {random->Whole(0, 2), random->Whole(0, 3), random->Number(0.0, 6.0)});
+  }
   for (int i = 0; i < 2; ++i) {
     const std::string event = "ex:event" + std::to_string(i);
-    if (random->Whole(0, 1) == 1)
+    if (random->Whole(0, 1) == 1) {
       request.event_prices[event] = random->Number(0.0, 8.0);
+    }
     if (random->Whole(0, 5) == 0) request.full_events.insert(event);
   }
   return request;
@@ -57,8 +62,9 @@ PlanRequest RandomAsk(RandomTeam* random) {
 
 std::set<std::string> EarnedBy(const Pathlet& pathlet) {
   std::set<std::string> earned;
-  for (const Visit& visit : pathlet.visits)
+  for (const Visit& visit : pathlet.visits) {
     earned.insert(visit.events.begin(), visit.events.end());
+  }
   return earned;
 }
 

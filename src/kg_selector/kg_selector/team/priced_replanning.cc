@@ -83,8 +83,9 @@ const char* NoPathNote(const bool alone) {
 }
 
 SeamRules OpenRules(const SeamRules& rules, const PlanRequest& request) {
-  for (const auto& [event, price] : request.event_prices)
+  for (const auto& [event, price] : request.event_prices) {
     CheckPrice(event, price);
+  }
   SeamRules open = CloseEvents(rules, request.full_events);
   for (auto& window : open.windows) {
     auto& events = window.events;
@@ -102,18 +103,22 @@ SeamRules OpenRules(const SeamRules& rules, const PlanRequest& request) {
 Trellis PricedTrellis(const SeamRules& open, const NavGraphs& graphs,
                       const PlanRequest& request) {
   SeamRules priced = open;
-  for (auto& window : priced.windows)
-    for (kg_compiler::EventRule& event : window.events)
+  for (auto& window : priced.windows) {
+    for (kg_compiler::EventRule& event : window.events) {
       event.reward -= FindPrice(request.event_prices, event.iri);
+    }
+  }
   Trellis trellis = ToTrellis(priced, graphs);
   std::vector<std::map<int, double>> paid(graphs.size());
-  for (const WaypointPrice& price : request.waypoint_prices)
+  for (const WaypointPrice& price : request.waypoint_prices) {
     paid[FindPricedStage(graphs, price)][price.waypoint] += price.price;
-  for (std::size_t s = 0; s < graphs.size(); ++s)
+  }
+  for (std::size_t s = 0; s < graphs.size(); ++s) {
     for (kg_planner::Seam& seam : trellis.stages[s].seams) {
       const auto price = paid[s].find(seam.to);
       if (price != paid[s].end()) seam.cost += price->second;
     }
+  }
   return trellis;
 }
 
@@ -126,8 +131,9 @@ kg_planner::Path Unpriced(const Trellis& unpriced, kg_planner::Path path) {
     const std::size_t seam = TakenSeam(unpriced, path, s);
     for (const int node : VisitedNodes(stage, seam)) {
       path.reward += stage.nodes[node].reward;
-      for (const auto& token : stage.nodes[node].tokens)
+      for (const auto& token : stage.nodes[node].tokens) {
         tokens[token.token] = std::max(tokens[token.token], token.reward);
+      }
     }
     path.cost += stage.seams[seam].cost;
   }
@@ -149,14 +155,16 @@ AgentOffer PlanPriced(const TeamRules& team, const TeamMember& member,
   AgentOffer candidates;
   candidates.proven = best.proven;
   candidates.bound = best.bound;
-  for (const kg_planner::Path& path : best.paths)
+  for (const kg_planner::Path& path : best.paths) {
     candidates.pathlets.push_back(
         ToPathlet(open, graphs, priced ? Unpriced(unpriced, path) : path,
                   static_cast<int>(candidates.pathlets.size())));
+  }
   for (Pathlet& pathlet : candidates.pathlets) pathlet.agent = NameOf(member);
   if (best.paths.empty()) candidates.note = BudgetNote(rules, best);
-  if (best.paths.empty() && candidates.note.empty())
+  if (best.paths.empty() && candidates.note.empty()) {
     candidates.note = NoPathNote(request.around.empty());
+  }
   return candidates;
 }
 

@@ -23,8 +23,9 @@ void PricedSearch::Drop(int agent) {
   displaced_.erase(agent);
   prices_.Drop(agent);
   groups_.Drop(agent);
-  for (TeamChoice* choice : {&best_, &current_, &partial_})
+  for (TeamChoice* choice : {&best_, &current_, &partial_}) {
     if (!choice->empty()) (*choice)[agent] = kNobody;
+  }
 }
 
 ColumnRequests PricedSearch::Next(const TeamColumns& pool,
@@ -52,8 +53,9 @@ ColumnRequests PricedSearch::AfterPrices(const TeamColumns& pool,
   FitColumns(pool, answers);
   KeepIfBetter(pool, partial_, kFewColumns);
   if (IsCloseEnough(pool)) return RequestUnserved();
-  if (rounds_ < kPriceShare * options_.max_rounds && !prices_.settled())
+  if (rounds_ < kPriceShare * options_.max_rounds && !prices_.settled()) {
     return RequestAtPrices(pool);
+  }
   return AfterRepair(pool, {});
 }
 
@@ -63,8 +65,9 @@ ColumnRequests PricedSearch::AfterRepair(const TeamColumns& pool,
   if (!displaced_.empty() && rounds_ + 1 < options_.max_rounds) {
     phase_ = Phase::kRepair;
     ColumnRequests requests;
-    for (const int agent : displaced_)
+    for (const int agent : displaced_) {
       requests[agent] = {prices_.prices(), ChosenColumns(partial_)};
+    }
     return requests;
   }
   KeepIfBetter(pool, partial_, kManyColumns);
@@ -88,21 +91,24 @@ ColumnRequests PricedSearch::AfterGroups(const TeamColumns& pool,
 void PricedSearch::FitColumns(const TeamColumns& pool,
                               const ColumnAnswers& answers) {
   std::vector<std::pair<double, int>> order;
-  for (const auto& [agent, answer] : answers)
-    if (!answer.columns.empty())
+  for (const auto& [agent, answer] : answers) {
+    if (!answer.columns.empty()) {
       order.emplace_back(
           -pool.Reduced(answer.columns.front(), prices_.prices()),
           answer.columns.front());
+    }
+  }
   std::sort(order.begin(), order.end());
   if (!answers.empty()) displaced_.clear();
   for (const auto& [value, column] : order) {
     const int agent = pool.columns()[column].agent;
     TeamChoice with = partial_;
     with[agent] = column;
-    if (pool.IsAllowed(with))
+    if (pool.IsAllowed(with)) {
       partial_ = std::move(with);
-    else
+    } else {
       displaced_.insert(agent);
+    }
   }
 }
 
@@ -137,8 +143,9 @@ ColumnRequests PricedSearch::RequestGroups(const TeamColumns& pool) {
 
 ColumnRequests PricedSearch::RequestUnserved() {
   phase_ = Phase::kUnserved;
-  if (rounds_ >= options_.max_rounds || !asked_unserved_.insert(best_).second)
+  if (rounds_ >= options_.max_rounds || !asked_unserved_.insert(best_).second) {
     return {};
+  }
   return RequestUnservedBeside(best_, dropped_);
 }
 

@@ -50,8 +50,9 @@ void TeamColumns::Drop(int agent) { of_agent_[agent].clear(); }
 double TeamColumns::Reduced(int column,
                             const std::vector<double>& prices) const {
   double value = columns_[column].score;
-  for (const int row : columns_[column].rows)
+  for (const int row : columns_[column].rows) {
     if (row < static_cast<int>(prices.size())) value -= prices[row];
+  }
   return value;
 }
 
@@ -60,8 +61,9 @@ double TeamColumns::Score(const TeamChoice& choice) const {
   for (std::size_t a = 0; a < choice.size(); ++a) {
     if (choice[a] == kNobody) continue;
     sum += columns_[choice[a]].score;
-    for (std::size_t b = 0; penalty && b < a; ++b)
+    for (std::size_t b = 0; penalty && b < a; ++b) {
       if (choice[b] != kNobody) sum -= penalty(choice[b], choice[a]);
+    }
   }
   return sum;
 }
@@ -84,10 +86,11 @@ TeamWorth TeamColumns::Worth(const TeamChoice& choice) const {
     max_value = std::max(max_value, load);
   }
   if (fairness == Fairness::kNone || !std::isfinite(min_value)) return worth;
-  if (fairness == Fairness::kMaxMin)
+  if (fairness == Fairness::kMaxMin) {
     worth.first = min_value;
-  else
+  } else {
     worth.second -= fairness_weight * (max_value - min_value);
+  }
   return worth;
 }
 
@@ -95,10 +98,12 @@ bool TeamColumns::IsAllowed(const TeamChoice& choice) const {
   std::vector<int> used(capacities_.size(), 0);
   for (std::size_t a = 0; a < choice.size(); ++a) {
     if (choice[a] == kNobody) continue;
-    for (const int row : columns_[choice[a]].rows)
+    for (const int row : columns_[choice[a]].rows) {
       if (++used[row] > capacities_[row]) return false;
-    for (std::size_t b = 0; conflict && b < a; ++b)
+    }
+    for (std::size_t b = 0; conflict && b < a; ++b) {
       if (choice[b] != kNobody && conflict(choice[b], choice[a])) return false;
+    }
   }
   return true;
 }
@@ -112,32 +117,37 @@ class ChoiceTable {
       : pool_(pool),
         choice_(pool.agents(), kNobody),
         users_(pool.capacities().size()) {
-    for (const int column : choice)
+    for (const int column : choice) {
       if (column != kNobody) Put(column);
+    }
   }
 
   const TeamChoice& choice() const { return choice_; }
 
   bool Fits(int column) const {
-    for (const int row : pool_.columns()[column].rows)
+    for (const int row : pool_.columns()[column].rows) {
       if (IsFull(row)) return false;
-    for (const int other : choice_)
+    }
+    for (const int other : choice_) {
       if (other != kNobody && pool_.Conflict(other, column)) return false;
+    }
     return true;
   }
 
   void Put(int column) {
     choice_[pool_.columns()[column].agent] = column;
-    for (const int row : pool_.columns()[column].rows)
+    for (const int row : pool_.columns()[column].rows) {
       users_[row].push_back(column);
+    }
   }
 
   void Remove(int agent) {
     const int column = std::exchange(choice_[agent], kNobody);
     if (column == kNobody) return;
-    for (const int row : pool_.columns()[column].rows)
+    for (const int row : pool_.columns()[column].rows) {
       users_[row].erase(
           std::find(users_[row].begin(), users_[row].end(), column));
+    }
   }
 
   // Puts it, whoever is in its way; who had to go. False if it never fits.
@@ -146,9 +156,11 @@ class ChoiceTable {
       if (pool_.capacities()[row] < 1) return false;
       while (IsFull(row)) RemoveInto(FindWorst(users_[row]), displaced);
     }
-    for (const int other : TeamChoice(choice_))
-      if (other != kNobody && pool_.Conflict(other, column))
+    for (const int other : TeamChoice(choice_)) {
+      if (other != kNobody && pool_.Conflict(other, column)) {
         RemoveInto(other, displaced);
+      }
+    }
     Put(column);
     return true;
   }
@@ -185,9 +197,11 @@ class ChoiceTable {
   }
   double TotalPenalty(int column) const {
     double sum = 0.0;
-    for (const int other : choice_)
-      if (pool_.penalty && other != kNobody)
+    for (const int other : choice_) {
+      if (pool_.penalty && other != kNobody) {
         sum += pool_.Penalty(other, column);
+      }
+    }
     return sum;
   }
 
@@ -202,8 +216,9 @@ std::vector<std::vector<int>> Shortlists(const TeamColumns& pool,
                                          std::size_t length) {
   std::vector<std::vector<int>> lists;
   std::vector<double> reduced;
-  for (std::size_t c = 0; c < pool.columns().size(); ++c)
+  for (std::size_t c = 0; c < pool.columns().size(); ++c) {
     reduced.push_back(pool.Reduced(static_cast<int>(c), prices));
+  }
   const auto better = [&](int a, int b) {
     return reduced[a] != reduced[b] ? reduced[a] > reduced[b] : a < b;
   };
@@ -229,9 +244,11 @@ class ColumnExchanger {
   // True if anything was exchanged.
   bool Pass() {
     bool changed = Fill();
-    for (int agent = 0; agent < pool_.agents(); ++agent)
-      for (const int column : lists_[agent])
+    for (int agent = 0; agent < pool_.agents(); ++agent) {
+      for (const int column : lists_[agent]) {
         if (column != table_.choice()[agent] && Try(column)) changed = true;
+      }
+    }
     return changed;
   }
   const TeamChoice& choice() const { return table_.choice(); }
@@ -272,11 +289,14 @@ class ColumnExchanger {
   }
 
   void Restore(const TeamChoice& before) {
-    for (int agent = 0; agent < pool_.agents(); ++agent)
+    for (int agent = 0; agent < pool_.agents(); ++agent) {
       if (table_.choice()[agent] != before[agent]) table_.Remove(agent);
-    for (int agent = 0; agent < pool_.agents(); ++agent)
-      if (table_.choice()[agent] != before[agent] && before[agent] != kNobody)
+    }
+    for (int agent = 0; agent < pool_.agents(); ++agent) {
+      if (table_.choice()[agent] != before[agent] && before[agent] != kNobody) {
         table_.Put(before[agent]);
+      }
+    }
   }
 
   const TeamColumns& pool_;
@@ -290,15 +310,19 @@ class ColumnExchanger {
 TeamChoice ChooseGreedily(const TeamColumns& pool,
                           const std::vector<double>& prices) {
   std::vector<std::pair<double, int>> order;
-  for (int agent = 0; agent < pool.agents(); ++agent)
-    for (const int column : pool.columns_of(agent))
+  for (int agent = 0; agent < pool.agents(); ++agent) {
+    for (const int column : pool.columns_of(agent)) {
       order.emplace_back(-pool.Reduced(column, prices), column);
+    }
+  }
   std::sort(order.begin(), order.end());
   ChoiceTable table(pool, TeamChoice(pool.agents(), kNobody));
-  for (const auto& [value, column] : order)
+  for (const auto& [value, column] : order) {
     if (table.choice()[pool.columns()[column].agent] == kNobody &&
-        table.Fits(column))
+        table.Fits(column)) {
       table.Put(column);
+    }
+  }
   return table.choice();
 }
 
@@ -306,8 +330,9 @@ TeamChoice Exchange(const TeamColumns& pool, const std::vector<double>& prices,
                     TeamChoice choice, const ExchangeOptions& options) {
   choice.resize(pool.agents(), kNobody);
   ColumnExchanger exchanger(pool, prices, choice, options);
-  for (int pass = 0; pass < options.passes; ++pass)
+  for (int pass = 0; pass < options.passes; ++pass) {
     if (!exchanger.Pass()) break;
+  }
   return exchanger.choice();
 }
 

@@ -35,8 +35,9 @@ std::map<std::string, int> PlacesOf(const TeamRules& rules,
     }
   }
   std::map<std::string, int> places;
-  for (const Pathlet& pathlet : team->outcome().committed)
+  for (const Pathlet& pathlet : team->outcome().committed) {
     places[pathlet.agent] = pathlet.visits[0].waypoint;
+  }
   return places;
 }
 

@@ -23,17 +23,22 @@ void CheckStage(const TeamFlow& flow, std::size_t s) {
                          ? flow.agents
                          : static_cast<int>(flow.stages[s - 1].rewards.size());
   const int nodes = static_cast<int>(stage.rewards.size());
-  if (stage.capacities.size() != stage.rewards.size())
+  if (stage.capacities.size() != stage.rewards.size()) {
     throw std::invalid_argument(where + ": one capacity a node expected");
-  for (const double reward : stage.rewards)
-    if (!std::isfinite(reward))
+  }
+  for (const double reward : stage.rewards) {
+    if (!std::isfinite(reward)) {
       throw std::invalid_argument(where + ": a reward is not finite");
-  for (const FlowSeam& seam : stage.seams)
+    }
+  }
+  for (const FlowSeam& seam : stage.seams) {
     if (seam.from < 0 || seam.from >= before || seam.to < 0 ||
-        seam.to >= nodes || !std::isfinite(seam.cost))
+        seam.to >= nodes || !std::isfinite(seam.cost)) {
       throw std::invalid_argument(where + ": seam " +
                                   std::to_string(seam.from) + " -> " +
                                   std::to_string(seam.to));
+    }
+  }
 }
 
 // The seams into one stage, by where they come from, and the flow into it.
@@ -56,8 +61,9 @@ FlowLayer ToLayer(const FlowStage& stage, int before, int first_node) {
   const auto earlier = [](const FlowSeam& a, const FlowSeam& b) {
     return a.from < b.from;
   };
-  if (!std::is_sorted(layer.seams.begin(), layer.seams.end(), earlier))
+  if (!std::is_sorted(layer.seams.begin(), layer.seams.end(), earlier)) {
     std::stable_sort(layer.seams.begin(), layer.seams.end(), earlier);
+  }
   layer.first.assign(before + 1, 0);
   for (const FlowSeam& seam : layer.seams) ++layer.first[seam.from + 1];
   for (int u = 0; u < before; ++u) layer.first[u + 1] += layer.first[u];
@@ -82,10 +88,12 @@ class FlowSolver {
     used_.assign(agents_, 0);
     potential_.assign(vertices + 1, kUnreached);
     layer_of_.assign(vertices + 1, kNone);
-    for (std::size_t s = 0; s < layers_.size(); ++s)
-      for (std::size_t v = 0; v < layers_[s].gain.size(); ++v)
+    for (std::size_t s = 0; s < layers_.size(); ++s) {
+      for (std::size_t v = 0; v < layers_[s].gain.size(); ++v) {
         layer_of_[layers_[s].in(v)] = layer_of_[layers_[s].out(v)] =
             static_cast<int>(s);
+      }
+    }
     StartPotentials();
   }
 
@@ -94,8 +102,9 @@ class FlowSolver {
     Search();
     const double length = cost_[exit_];
     if (!(length < kUnreached)) return false;
-    for (std::size_t x = 0; x < potential_.size(); ++x)
+    for (std::size_t x = 0; x < potential_.size(); ++x) {
       potential_[x] += std::min(cost_[x], length);
+    }
     Push();
     return true;
   }
@@ -107,7 +116,7 @@ class FlowSolver {
     for (int a = 0; a < agents_; ++a) at[a] = {a};
     for (const FlowLayer& layer : layers_) {
       std::vector<std::vector<int>> next(layer.gain.size());
-      for (std::size_t v = 0; v < next.size(); ++v)
+      for (std::size_t v = 0; v < next.size(); ++v) {
         for (const int seam : layer.flow_in[v]) {
           std::vector<int>& waiting = at[layer.seams[seam].from];
           const int agent = waiting.back();
@@ -115,6 +124,7 @@ class FlowSolver {
           paths[agent].push_back(static_cast<int>(v));
           next[v].push_back(agent);
         }
+      }
       at = std::move(next);
     }
     return paths;
@@ -122,10 +132,13 @@ class FlowSolver {
 
   double Value() const {
     double value = 0.0;
-    for (const FlowLayer& layer : layers_)
-      for (std::size_t v = 0; v < layer.gain.size(); ++v)
-        for (const int seam : layer.flow_in[v])
+    for (const FlowLayer& layer : layers_) {
+      for (std::size_t v = 0; v < layer.gain.size(); ++v) {
+        for (const int seam : layer.flow_in[v]) {
           value += layer.gain[v] - layer.seams[seam].cost;
+        }
+      }
+    }
     return value;
   }
 
@@ -147,13 +160,16 @@ class FlowSolver {
             in, potential_[OutVertex(static_cast<int>(s) - 1, seam.from)] +
                     seam.cost);
       }
-      for (std::size_t v = 0; v < layer.gain.size(); ++v)
-        if (layer.capacity_left[v] > 0)
+      for (std::size_t v = 0; v < layer.gain.size(); ++v) {
+        if (layer.capacity_left[v] > 0) {
           potential_[layer.out(v)] = potential_[layer.in(v)] - layer.gain[v];
+        }
+      }
     }
     const FlowLayer& last = layers_.back();
-    for (std::size_t v = 0; v < last.gain.size(); ++v)
+    for (std::size_t v = 0; v < last.gain.size(); ++v) {
       potential_[exit_] = std::min(potential_[exit_], potential_[last.out(v)]);
+    }
   }
 
   // What is not nearer than the exit does not matter.
@@ -167,24 +183,28 @@ class FlowSolver {
   }
 
   void LeaveOut(int vertex, int layer, int u) {
-    if (layer >= 0 && !layers_[layer].flow_in[u].empty())
+    if (layer >= 0 && !layers_[layer].flow_in[u].empty()) {
       Reach(vertex, layers_[layer].in(u), layers_[layer].gain[u], kThroughNode);
+    }
     if (layer + 1 == static_cast<int>(layers_.size())) {
       Reach(vertex, exit_, 0.0, u);
       return;
     }
     const FlowLayer& next = layers_[layer + 1];
-    for (int e = next.first[u]; e < next.first[u + 1]; ++e)
+    for (int e = next.first[u]; e < next.first[u + 1]; ++e) {
       Reach(vertex, next.in(next.seams[e].to), next.seams[e].cost, e);
+    }
   }
 
   void LeaveIn(int vertex, int layer, int v) {
     const FlowLayer& here = layers_[layer];
-    if (here.capacity_left[v] > 0)
+    if (here.capacity_left[v] > 0) {
       Reach(vertex, here.out(v), -here.gain[v], kThroughNode);
-    for (const int e : here.flow_in[v])
+    }
+    for (const int e : here.flow_in[v]) {
       Reach(vertex, OutVertex(layer - 1, here.seams[e].from),
             -here.seams[e].cost, e);
+    }
   }
 
   // Dijkstra's algorithm from the agents that are free, to the exit.
@@ -205,10 +225,11 @@ class FlowSolver {
       const int layer = layer_of_[vertex];
       const int nodes = layer < 0 ? 0 : layers_[layer].nodes();
       const int at = layer < 0 ? vertex : vertex - layers_[layer].first_node;
-      if (at >= nodes)
+      if (at >= nodes) {
         LeaveOut(vertex, layer, at - nodes);
-      else
+      } else {
         LeaveIn(vertex, layer, at);
+      }
     }
   }
 

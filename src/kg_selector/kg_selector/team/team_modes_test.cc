@@ -31,13 +31,14 @@ std::vector<PathOption> OptionsOf(const std::vector<EveryPath>& paths) {
   for (const EveryPath& path : paths) {
     options.push_back({path.score, {}, &path});
     const std::size_t first = options.size() - 1;
-    for (const auto& [event, reward] : path.events)
+    for (const auto& [event, reward] : path.events) {
       for (std::size_t i = first, end = options.size(); i < end; ++i) {
         PathOption earned = options[i];
         earned.score += reward;
         earned.events.insert(event);
         options.push_back(earned);
       }
+    }
   }
   std::sort(options.begin(), options.end(),
             [](const PathOption& a, const PathOption& b) {
@@ -52,8 +53,9 @@ class BestPlan {
   BestPlan(const TeamRules& rules, const std::vector<TeamMember>& members,
            double unserved)
       : rules_(rules), unserved_(unserved) {
-    for (const TeamMember& member : members)
+    for (const TeamMember& member : members) {
       paths_.push_back(EnumeratePaths(member));
+    }
     for (const auto& paths : paths_) options_.push_back(OptionsOf(paths));
     Extend(0, 0.0);
   }
@@ -62,9 +64,10 @@ class BestPlan {
  private:
   bool Apart(const EveryPath& a, const EveryPath& b) {
     const auto [known, is_new] = apart_.emplace(std::pair(&a, &b), false);
-    if (is_new)
+    if (is_new) {
       known->second = ClosestApproach(a.track, b.track)->distance_m >=
                       std::max(1.0, rules_.separation_m);
+    }
     return known->second;
   }
   bool Allowed(const PathOption& option) {
@@ -82,10 +85,11 @@ class BestPlan {
   }
   double MostFrom(std::size_t agent) const {
     double max_value = 0.0;
-    for (std::size_t a = agent; a < options_.size(); ++a)
+    for (std::size_t a = agent; a < options_.size(); ++a) {
       max_value += options_[a].empty()
                        ? unserved_
                        : std::max(unserved_, options_[a].front().score);
+    }
     return max_value;
   }
   void Extend(std::size_t agent, double sum) {
@@ -114,12 +118,13 @@ class BestPlan {
 
 double WorstPath(const std::vector<TeamMember>& members) {
   double worst = 0.0;
-  for (const TeamMember& member : members)
+  for (const TeamMember& member : members) {
     for (const EveryPath& path : EnumeratePaths(member)) {
       double score = path.score;
       for (const auto& [event, reward] : path.events) score += reward;
       worst = std::min(worst, score);
     }
+  }
   return worst;
 }
 

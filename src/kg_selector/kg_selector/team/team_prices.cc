@@ -39,15 +39,18 @@ void TeamPrices::Learn(const std::vector<int>& capacities,
   capacities_ = capacities;
   Grow(capacities.size());
   double rows = 0.0;
-  for (std::size_t r = 0; r < capacities.size(); ++r)
+  for (std::size_t r = 0; r < capacities.size(); ++r) {
     rows += prices_[r] * capacities[r];
+  }
   std::vector<double> agents;
-  for (const double bound : answers.bounds)
+  for (const double bound : answers.bounds) {
     agents.push_back(AtLeastZero(bound));
+  }
   const double value = std::accumulate(agents.begin(), agents.end(), rows);
   const double share = std::max(kLeastShare, 1.0 / (1.0 + bounds_.size()));
-  for (std::size_t r = 0; r < capacities.size(); ++r)
+  for (std::size_t r = 0; r < capacities.size(); ++r) {
     average_usage_[r] += share * (answers.usage[r] - average_usage_[r]);
+  }
   if (value < bound()) {
     rows_part_ = rows;
     agents_part_ = std::move(agents);
@@ -79,8 +82,9 @@ void TeamPrices::Step(double plan) {
   const double gap = std::min(bound() - plan, kLikelyGap * std::abs(bound()));
   if (!(squared > 0.0) || !std::isfinite(gap)) return;
   const double length = step_ * std::max(gap, 0.0) / squared;
-  for (std::size_t r = 0; r < prices_.size(); ++r)
+  for (std::size_t r = 0; r < prices_.size(); ++r) {
     prices_[r] = std::max(0.0, best_prices_[r] + length * excess[r]);
+  }
 }
 
 TeamPrices::Answers SummarizeAnswers(const TeamColumns& pool,
@@ -91,8 +95,9 @@ TeamPrices::Answers SummarizeAnswers(const TeamColumns& pool,
   for (const auto& [agent, answer] : answers) {
     summary.bounds[agent] = answer.bound;
     if (answer.columns.empty()) continue;
-    for (const int row : pool.columns()[answer.columns.front()].rows)
+    for (const int row : pool.columns()[answer.columns.front()].rows) {
       ++summary.usage[row];
+    }
   }
   return summary;
 }

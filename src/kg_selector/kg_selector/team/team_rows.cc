@@ -38,8 +38,9 @@ bool TeamRows::HoldsStation(const Pathlet& pathlet, const Visit& visit) const {
                          return point.time_s < time_s;
                        });
   if (after == pathlet.track.end()) return false;
-  if (after->time_s > end->second && after == pathlet.track.begin())
+  if (after->time_s > end->second && after == pathlet.track.begin()) {
     return false;
+  }
   const bool before_there =
       after->time_s == end->second ||
       SamePosition(std::prev(after)->position, visit.position);
@@ -64,9 +65,11 @@ void TeamRows::AddToClique(int row, int place) {
 }
 
 void TeamRows::JoinCliques(int window, int place) {
-  for (const auto& [row, clique] : cliques_)
-    if (clique.window == window && FitsInto(place, clique))
+  for (const auto& [row, clique] : cliques_) {
+    if (clique.window == window && FitsInto(place, clique)) {
       AddToClique(row, place);
+    }
+  }
 }
 
 // A row for every place close to this one (itself, too) that shares none yet.
@@ -78,23 +81,28 @@ void TeamRows::AddMissingRows(int window, int place) {
     const std::vector<int>& its = places_.at(window)[other].rows;
     if (std::any_of(mine.begin(), mine.end(), [&](int row) {
           return std::count(its.begin(), its.end(), row) > 0;
-        }))
+        })) {
       continue;
+    }
     const int row = static_cast<int>(capacities_.size());
     capacities_.push_back(1);
     cliques_[row] = {window, {}};
     AddToClique(row, place);
     if (other != place) AddToClique(row, other);
-    for (int third = 0; third < count; ++third)
-      if (third != place && third != other && FitsInto(third, cliques_.at(row)))
+    for (int third = 0; third < count; ++third) {
+      if (third != place && third != other &&
+          FitsInto(third, cliques_.at(row))) {
         AddToClique(row, third);
+      }
+    }
   }
 }
 
 int TeamRows::AddPlace(int window, kg_core::LonLat position) {
   std::vector<Place>& places = places_[window];
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < places.size(); ++i) {
     if (SamePosition(places[i].position, position)) return static_cast<int>(i);
+  }
   places.push_back({position, {}, {}});
   const int place = static_cast<int>(places.size()) - 1;
   JoinCliques(window, place);
@@ -120,11 +128,12 @@ std::vector<int> TeamRows::UsedRows(const Pathlet& pathlet) const {
     }
     const auto places = places_.find(visit.window);
     if (places == places_.end() || !HoldsStation(pathlet, visit)) continue;
-    for (const Place& place : places->second)
+    for (const Place& place : places->second) {
       if (SamePosition(place.position, visit.position)) {
         rows.insert(place.rows.begin(), place.rows.end());
         break;
       }
+    }
   }
   return {rows.begin(), rows.end()};
 }
@@ -135,17 +144,21 @@ void TeamRows::PutPrices(const std::string& agent,
   const auto price_of = [&](int row) {
     return row < static_cast<int>(prices.size()) ? prices[row] : 0.0;
   };
-  for (const auto& [event, row] : events_)
+  for (const auto& [event, row] : events_) {
     if (price_of(row) > 0.0) request->event_prices[event] = price_of(row);
-  for (const auto& [window, places] : places_)
+  }
+  for (const auto& [window, places] : places_) {
     for (const Place& place : places) {
       double sum = 0.0;
       for (const int row : place.rows) sum += price_of(row);
       if (!(sum > 0.0)) continue;
-      for (const auto& [owner, waypoint] : place.waypoints)
-        if (owner == agent)
+      for (const auto& [owner, waypoint] : place.waypoints) {
+        if (owner == agent) {
           request->waypoint_prices.push_back({window, waypoint, sum});
+        }
+      }
     }
+  }
 }
 
 }  // namespace kg_selector

@@ -28,26 +28,31 @@ struct MissionRules {
 int TooCloseOnes(const MissionRules& mission,
                  const std::vector<Pathlet>& plan) {
   int count = 0;
-  for (std::size_t i = 0; i < plan.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
       count += LeastDistance_m(plan[i], plan[k], {mission.from_s, 120.0}) <
                0.9999 * mission.separation_m;
+    }
+  }
   return count;
 }
 
 int BadVisits(const MissionRules& mission, const std::vector<Pathlet>& plan) {
   int count = 0;
   std::map<std::string, std::set<std::string>> users;
-  for (const Pathlet& pathlet : plan)
-    for (const Visit& visit : pathlet.visits)
+  for (const Pathlet& pathlet : plan) {
+    for (const Visit& visit : pathlet.visits) {
       for (const std::string& event : visit.events) {
         users[event].insert(pathlet.agent);
         const auto open = mission.open.find(event);
         count +=
             open != mission.open.end() && open->second.count(visit.window) == 0;
       }
-  for (const auto& [event, agents] : users)
+    }
+  }
+  for (const auto& [event, agents] : users) {
     count += static_cast<int>(agents.size()) > mission.capacity.at(event);
+  }
   return count;
 }
 
@@ -61,11 +66,12 @@ int WrongSums(const MissionRules& mission, const std::vector<Pathlet>& plan) {
     int from = 0;
     for (std::size_t w = 0; w < pathlet.visits.size(); ++w) {
       const int to = pathlet.visits[w].waypoint;
-      for (const auto& edge : member.graphs[w].edges)
+      for (const auto& edge : member.graphs[w].edges) {
         if (edge.from == from && edge.to == to) {
           cost += edge.seam_cost;
           energy_j += edge.flight.energy_j;
         }
+      }
       from = to;
     }
     count += energy_j > member.rules.energy_budget_j;
@@ -105,8 +111,9 @@ TestScene MakeScene(unsigned seed) {
   scene.rules.max_rounds = 12;
   scene.members = random.MakeMembers();
   if (seed % 2 == 0) scene.rules.event_windows["ex:event0"] = {0};
-  for (const TeamMember& member : scene.members)
+  for (const TeamMember& member : scene.members) {
     scene.rules.energy_budget_j[NameOf(member)] = member.rules.energy_budget_j;
+  }
   scene.members.back().rules.energy_budget_j = 1e9;
   scene.rules.energy_budget_j[NameOf(scene.members.back())] = 9000.0;
   scene.mission.separation_m = std::max(1.0, scene.rules.separation_m);
@@ -114,8 +121,9 @@ TestScene MakeScene(unsigned seed) {
   scene.mission.open = scene.rules.event_windows;
   const auto& first = scene.members[0].rules.windows[0];
   scene.mission.from_s = options.same_start ? first.end_s : first.begin_s;
-  for (const TeamMember& member : scene.members)
+  for (const TeamMember& member : scene.members) {
     scene.mission.members[NameOf(member)] = &member;
+  }
   return scene;
 }
 
@@ -141,9 +149,10 @@ TEST_P(RulesOfMode, AreKeptInTwoHundredRandomMissions) {
       if (!found.pathlets.empty()) selfish.push_back(found.pathlets.front());
     }
     would_violate += Violations(scene.mission, selfish) > 0;
-    for (const RejectedPath& rejection : plan.rejections)
+    for (const RejectedPath& rejection : plan.rejections) {
       turned_away += rejection.conflict.kind == ConflictKind::kEnergy ||
                      rejection.conflict.kind == ConflictKind::kExpired;
+    }
   }
   EXPECT_GT(would_violate, 100);  // Else nothing was tested.
   EXPECT_GT(turned_away, 50);
@@ -195,8 +204,9 @@ void ExpectSame(const TeamOutcome& a, const TeamOutcome& b) {
   EXPECT_EQ(a.bound, b.bound);
   EXPECT_EQ(a.unassigned, b.unassigned);
   ASSERT_EQ(a.rejections.size(), b.rejections.size());
-  for (std::size_t k = 0; k < a.rejections.size(); ++k)
+  for (std::size_t k = 0; k < a.rejections.size(); ++k) {
     EXPECT_EQ(a.rejections[k].reason, b.rejections[k].reason);
+  }
 }
 
 TEST_P(RulesOfMode, TheOrderOfAnswersDoesNotMatter) {
@@ -210,11 +220,13 @@ TEST_P(RulesOfMode, TheOrderOfAnswersDoesNotMatter) {
     rules.gap_goal = 0.001;
     rules.time_limit_s = 1e9;
     const auto members = random.MakeMembers();
-    for (const auto& window : members[0].rules.windows)
+    for (const auto& window : members[0].rules.windows) {
       rules.window_end_s[window.window] = window.end_s;
+    }
     const TeamPlan plan = PlanTeam(rules, members);
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i) {
       ExpectSame(plan, InRandomOrder(rules, members, &random.prng()));
+    }
   }
 }
 
@@ -232,16 +244,18 @@ TEST_P(RulesOfMode, ADeadAgentIsPlannedWithout) {
     const auto team = MakeCoordinator(rules, agents);
     for (int round = 0; !team->Advance(); ++round) {
       const std::set<std::string> waiting = team->waiting_for();
-      for (const TeamMember& member : members)
+      for (const TeamMember& member : members) {
         if (waiting.count(NameOf(member)) > 0) {
           if (NameOf(member) == agents[1] &&
-              round >= static_cast<int>(seed % 4))
+              round >= static_cast<int>(seed % 4)) {
             team->Drop(agents[1], "dead");
-          else
+          } else {
             team->Offer(
                 NameOf(member),
                 PlanPriced(rules, member, team->RequestFor(NameOf(member))));
+          }
         }
+      }
     }
     const TeamOutcome& outcome = team->outcome();
     EXPECT_EQ(outcome.committed.size() + outcome.unassigned.size(), 4u);
@@ -254,8 +268,9 @@ TEST_P(RulesOfMode, ADeadAgentIsPlannedWithout) {
       EXPECT_TRUE(dead);
     }
     if (dead) {
-      for (const Pathlet& pathlet : outcome.committed)
+      for (const Pathlet& pathlet : outcome.committed) {
         EXPECT_NE(pathlet.agent, agents[1]);
+      }
     }
   }
 }
@@ -267,8 +282,9 @@ TEST_P(RulesOfMode, NonsenseIsTurnedAwayWithAReason) {
   TeamRules rules;
   rules.mode = GetParam();
   const auto members = random.MakeMembers();
-  for (const auto& window : members[0].rules.windows)
+  for (const auto& window : members[0].rules.windows) {
     rules.window_end_s[window.window] = window.end_s;
+  }
   const Pathlet sound = PlanPriced(rules, members[0], {}).pathlets.front();
   std::vector<Pathlet> bad(6, sound);
   bad[0].reward = std::nan("");
@@ -281,14 +297,16 @@ TEST_P(RulesOfMode, NonsenseIsTurnedAwayWithAReason) {
   candidates.pathlets = bad;
   candidates.pathlets.push_back(sound);
   const auto team = MakeCoordinator(rules, {"ex:agent0"});
-  for (int i = 0; i < 20 && !team->Advance(); ++i)
+  for (int i = 0; i < 20 && !team->Advance(); ++i) {
     team->Offer("ex:agent0", candidates);
+  }
   ASSERT_TRUE(team->Advance());
   ASSERT_EQ(team->outcome().committed.size(), 1u);
   EXPECT_EQ(team->outcome().committed[0].rank, sound.rank);
   ASSERT_GE(team->outcome().rejections.size(), 6u);
-  for (std::size_t i = 0; i < 6; ++i)
+  for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(team->outcome().rejections[i].reason.rfind("malformed: ", 0), 0u);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(AllModes, RulesOfMode,

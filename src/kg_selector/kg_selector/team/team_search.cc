@@ -4,8 +4,9 @@ namespace kg_selector {
 
 std::vector<int> ChosenColumns(const TeamChoice& choice) {
   std::vector<int> columns;
-  for (const int column : choice)
+  for (const int column : choice) {
     if (column != kNobody) columns.push_back(column);
+  }
   return columns;
 }
 
@@ -14,8 +15,9 @@ ColumnRequests RequestUnservedBeside(const TeamChoice& choice,
   ColumnRequests requests;
   for (std::size_t a = 0; a < choice.size(); ++a) {
     const int agent = static_cast<int>(a);
-    if (choice[a] == kNobody && dropped.count(agent) == 0)
+    if (choice[a] == kNobody && dropped.count(agent) == 0) {
       requests[agent] = {{}, ChosenColumns(choice)};
+    }
   }
   return requests;
 }
@@ -23,8 +25,9 @@ ColumnRequests RequestUnservedBeside(const TeamChoice& choice,
 ColumnRequests RequestAll(const std::vector<double>& prices, int agents,
                           const std::set<int>& dropped) {
   ColumnRequests requests;
-  for (int agent = 0; agent < agents; ++agent)
+  for (int agent = 0; agent < agents; ++agent) {
     if (dropped.count(agent) == 0) requests[agent] = {prices, {}};
+  }
   return requests;
 }
 

@@ -39,10 +39,13 @@ inline void ExtendPath(const TeamMember& member, const EveryPath& path,
     longer.energy_j += edge.flight.energy_j;
     longer.track.insert(longer.track.end(), edge.flight.track.begin(),
                         edge.flight.track.end());
-    for (const auto& rule : member.rules.windows[stage].events)
-      if (std::count(waypoint.events.begin(), waypoint.events.end(), rule.iri))
+    for (const auto& rule : member.rules.windows[stage].events) {
+      if (std::count(waypoint.events.begin(), waypoint.events.end(),
+                     rule.iri)) {
         longer.events[rule.iri] =
             std::max(longer.events[rule.iri], rule.reward);
+      }
+    }
     ExtendPath(member, longer, all);
   }
 }

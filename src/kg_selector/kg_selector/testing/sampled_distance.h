@@ -35,9 +35,10 @@ inline double LeastDistance_m(const Pathlet& a, const Pathlet& b,
                               const SampleTimes& sampling) {
   double least_m = 1e12;
   const double end_s = a.track.back().time_s;
-  for (double t_s = sampling.from_s; t_s <= end_s; t_s += sampling.step_s)
+  for (double t_s = sampling.from_s; t_s <= end_s; t_s += sampling.step_s) {
     least_m = std::min(least_m, kg_core::Distance_m(PlaceAt(a.track, t_s),
                                                     PlaceAt(b.track, t_s)));
+  }
   return least_m;
 }
 

@@ -33,15 +33,18 @@ double ProcessorSeconds(const std::function<void()>& work) {
 TeamChoice PlanGreedily(const TrellisTeam& team, TeamColumns* pool) {
   TeamChoice choice(team.options().agents, kNobody);
   std::vector<int> wish;
-  for (int a = 0; a < team.options().agents; ++a)
+  for (int a = 0; a < team.options().agents; ++a) {
     wish.push_back(team.Answer(a, {}, pool).columns.front());
+  }
   for (std::size_t left = wish.size(); left > 0;) {
     int first = kNobody;
-    for (const int column : wish)
+    for (const int column : wish) {
       if (column != kNobody &&
           (first == kNobody ||
-           pool->columns()[column].score > pool->columns()[first].score))
+           pool->columns()[column].score > pool->columns()[first].score)) {
         first = column;
+      }
+    }
     if (first == kNobody) break;
     const int agent = pool->columns()[first].agent;
     choice[agent] = first;
@@ -66,14 +69,17 @@ TeamFlow ToFlow(const TrellisTeam& team) {
   for (int t = 0; t < options.stages; ++t) {
     FlowStage stage;
     const int before = t == 0 ? options.agents : options.nodes;
-    for (int v = 0; v < options.nodes; ++v)
+    for (int v = 0; v < options.nodes; ++v) {
       stage.rewards.push_back(static_cast<double>(team.Reward(0, t, v)));
+    }
     stage.capacities.assign(options.nodes, options.capacity);
-    for (int u = 0; u < before; ++u)
-      for (int v = 0; v < options.nodes; ++v)
+    for (int u = 0; u < before; ++u) {
+      for (int v = 0; v < options.nodes; ++v) {
         stage.seams.push_back(
             {u, v,
              static_cast<double>(team.SeamCost(t == 0 ? u : 0, t, u, v))});
+      }
+    }
     flow.stages.push_back(std::move(stage));
   }
   return flow;
@@ -155,12 +161,14 @@ void Heterogeneous(const TeamSize& size) {
   SearchOptions auction = options;
   auction.epsilon = 0.02;
   auction.max_rounds = 20 * options.max_rounds;
-  if (size.team.agents <= 50)
+  if (size.team.agents <= 50) {
     Print("auction", RunMode<AuctionSearch>(team, auction), priced.bound);
+  }
   Print("priced", priced, priced.bound);
   options.time_limit_s = 10.0;
-  if (size.team.agents <= 20)
+  if (size.team.agents <= 20) {
     Print("exact", RunMode<ExactSearch>(team, options), priced.bound);
+  }
   kg_compiler::Report(
       {11, "priced, of own bound, " + NameOf(size.team), size.goal, true, "%"},
       100.0 * priced.score / priced.bound);
@@ -176,14 +184,16 @@ int Main(bool quick) {
       {{3, 20, 7, 1}, 200, 99.0},    {{10, 20, 7, 1}, 600, 99.0},
       {{20, 20, 7, 2}, 600, 99.0},   {{20, 40, 24, 1}, 4000, 99.0},
       {{50, 40, 24, 2}, 3000, 98.0}, {{100, 200, 24, 1}, 4000, 98.0}};
-  for (const TeamSize& size : alike)
+  for (const TeamSize& size : alike) {
     if (!quick || size.team.agents != 50) {
       TeamSize shorter = size;
       if (quick) shorter.rounds = std::min(size.rounds, 300);
       Homogeneous(shorter);
     }
-  for (const TeamSize& size : own)
+  }
+  for (const TeamSize& size : own) {
     if (!quick || size.rounds <= 600) Heterogeneous(size);
+  }
   return 0;
 }
 

@@ -54,8 +54,9 @@ class TrellisTeam {
 
   float Reward(int agent, int stage, int node) const {
     float sum = 0.0F;
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k) {
       sum += agents_[agent].blend[k] * layers_[k][stage][node];
+    }
     return sum;
   }
   // From 0, the start, if it is the first.
@@ -67,8 +68,9 @@ class TrellisTeam {
 
   TeamColumns MakePool() const {
     TeamColumns pool(options_.agents);
-    for (int r = 0; r < options_.stages * options_.nodes; ++r)
+    for (int r = 0; r < options_.stages * options_.nodes; ++r) {
       pool.AddRow(options_.capacity);
+    }
     return pool;
   }
 
@@ -122,17 +124,20 @@ class TrellisTeam {
                                 const TeamColumns& pool) const {
     const std::size_t rows = pool.capacities().size();
     std::vector<int> used(rows, 0);
-    for (const int column : request.around)
+    for (const int column : request.around) {
       for (const int r : pool.columns()[column].rows) ++used[r];
+    }
     std::vector<float> value(rows);
-    for (int t = 0; t < options_.stages; ++t)
+    for (int t = 0; t < options_.stages; ++t) {
       for (int v = 0; v < options_.nodes; ++v) {
         const int r = row(t, v);
         value[r] = Reward(agent, t, v);
-        if (r < static_cast<int>(request.prices.size()))
+        if (r < static_cast<int>(request.prices.size())) {
           value[r] -= static_cast<float>(request.prices[r]);
+        }
         if (used[r] >= pool.capacities()[r]) value[r] = -kNever;
       }
+    }
     return value;
   }
 
@@ -173,8 +178,9 @@ inline void RunSearch(const TrellisTeam& team, TeamSearch* search,
   for (int a = 0; a < team.options().agents; ++a) requests[a] = {};
   while (!requests.empty()) {
     ColumnAnswers answers;
-    for (const auto& [agent, request] : requests)
+    for (const auto& [agent, request] : requests) {
       answers[agent] = team.Answer(agent, request, pool);
+    }
     requests = search->Next(*pool, answers);
   }
 }
