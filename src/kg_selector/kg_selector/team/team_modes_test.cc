@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -163,6 +165,25 @@ TEST_P(OfMode, StaysBetweenWhatIsPossibleAndItsBound) {
   std::printf("%s: %.3f %% of the optimum, below it in %d of 1000\n",
               GetParam().c_str(), 100.0 * share, below);
   EXPECT_GT(share, GetParam() == "greedy" ? 0.92 : 0.985);
+}
+
+// The shapes check ex:teamMode of a mission: their list and the table are one.
+TEST(TeamModes, AreThoseThatTheShapesAllow) {
+  std::string text;
+  for (const char* folder : {"../kg_mission", "../kg_core"}) {
+    std::ifstream file(std::string(folder) + "/ontology/shapes.ttl");
+    text += std::string(std::istreambuf_iterator<char>(file), {});
+  }
+  ASSERT_FALSE(text.empty());
+  std::string list = "sh:in ( ";
+  for (const std::string& name : TeamModeNames()) list += "\"" + name + "\" ";
+  EXPECT_NE(std::string::npos, text.find(list + ")")) << list;
+}
+
+TEST(TeamModes, AreNamedInErrors) {
+  EXPECT_EQ("greedy, auction, priced or exact", TeamModeChoices());
+  EXPECT_EQ("'greedy', 'auction', 'priced' or 'exact'", TeamModeChoices("'"));
+  EXPECT_EQ(nullptr, FindTeamMode("lottery"));
 }
 
 INSTANTIATE_TEST_SUITE_P(AllModes, OfMode, testing::ValuesIn(TeamModeNames()));
