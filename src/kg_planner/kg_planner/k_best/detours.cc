@@ -49,10 +49,12 @@ void DetourSearch::AddSeams(const ScoreGrid& grid, const Prices& prices,
   for (std::size_t v = 0; v < kept.nodes.size(); ++v) {
     place[kept.nodes[v]] = static_cast<int>(v);
   }
+  // Before the first stage there is only the start, node 0.
   const std::vector<int> start{0};
   const std::vector<int>& before = s == 0 ? start : stages_[s - 1].nodes;
   const Seam* end = stage.seams + stage.seam_count;
   for (std::size_t u = 0; u < before.size(); ++u) {
+    // Seams are sorted by `from`: those of a kept node are one range.
     const Seam* seam =
         std::lower_bound(stage.seams, end, before[u],
                          [](const Seam& a, int from) { return a.from < from; });
@@ -78,6 +80,8 @@ void DetourSearch::CountPath(const std::vector<int>& nodes) {
 }
 
 std::vector<int> DetourSearch::Best(double penalty) const {
+  // Forward Viterbi pass over the kept seams. A node pays its penalty once the
+  // best way into it is known, which does not change that way.
   std::vector<std::vector<int>> into(stages_.size());  // Kept seam, by node.
   std::vector<double> best{0.0};
   for (std::size_t s = 0; s < stages_.size(); ++s) {
@@ -98,6 +102,7 @@ std::vector<int> DetourSearch::Best(double penalty) const {
   }
   const auto max_value = std::max_element(best.begin(), best.end());
   if (max_value == best.end() || !(*max_value > kNone)) return {};
+  // Trace back from the best last node.
   int node = static_cast<int>(max_value - best.begin());
   std::vector<int> seams(stages_.size());
   for (std::size_t s = stages_.size(); s-- > 0;) {

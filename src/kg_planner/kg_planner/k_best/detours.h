@@ -1,4 +1,4 @@
-// Paths that leave the beaten tracks: the best path of a thinned trellis under
+// Paths unlike those already chosen: the best path of a thinned trellis under
 // a penalty for every node, times the number of paths taken that end a stage
 // there, as in the diverse M best of Batra et al. (ECCV 2012). Thinned: only
 // the nodes of the largest max-marginals, so that a search costs next to
@@ -34,11 +34,11 @@ class DetourSearch {
   struct KeptSeam {
     int from = 0;
     int to = 0;
-    int seam = 0;  // Of the search.
+    int seam = 0;  // Index in the search trellis.
     double weight = 0.0;
   };
   struct KeptStage {
-    std::vector<int> nodes;  // Of the search, ascending.
+    std::vector<int> nodes;  // Nodes of the search trellis, ascending.
     std::vector<KeptSeam> seams;
     std::vector<int> times_taken;  // By kept node.
   };

@@ -18,9 +18,11 @@ namespace {
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-// Of the dual prices; the last so high that only thrift counts.
-// Between penalties that are tried.
+
+// Ratio of the penalties that are tried one after the other.
 constexpr double kPenaltyStep = 1.1;
+// Multiples of the dual prices that are tried; under the last only the use of
+// resources counts.
 constexpr double kPriceFactors[] = {0.0, 1.0, 2.0, 4.0, 1e4};
 
 // The best path through a node of the caller's trellis.
@@ -28,8 +30,8 @@ struct NodeCandidate {
   double score = kNone;
   std::size_t stage = 0;
   int origin_node = 0;
-  int node = 0;           // Of the search: of nodes split from one, the best.
-  std::size_t table = 0;  // Of the prices it was found under.
+  int node = 0;           // In the search trellis: the best of its split nodes.
+  std::size_t table = 0;  // Index of the prices it was found under.
 };
 
 bool ComesFirst(const NodeCandidate& a, const NodeCandidate& b) {
@@ -88,6 +90,8 @@ class DiverseSearch {
     for (int node = 0; node < stage.nodes; ++node) {
       NodeCandidate candidate = find(node);
       NodeCandidate& known = best[candidate.origin_node];
+      // Of the nodes split from one, the best path through any of them; of
+      // equal scores the first in the order of ties.
       if (candidate.score > known.score ||
           (candidate.score > kNone && candidate.score == known.score &&
            IsBetter(Value(candidate), Value(known)))) {
@@ -202,6 +206,8 @@ class DiverseSearch {
     const std::size_t t = tables_.size() > 1 ? 1 : 0;
     DetourSearch detours(limited_.search, grids_[t], prices_[t], tables_[t]);
     for (const ValuedPath& value : chosen_) detours.CountPath(value.path.nodes);
+    // Starts at 1/256 of a mean stage: too weak to change the path at first.
+    // Grows in steps of a tenth until the path differs enough.
     double penalty = limited_.largest_total * 0x1p-8 /
                      static_cast<double>(trellis_.stages.size());
     while (chosen_.size() < paths_) {
@@ -251,7 +257,8 @@ class DiverseSearch {
   std::vector<ScoreGrid> grids_;
   std::vector<MaxMarginals> tables_;
   std::vector<NodeCandidate> candidates_;
-  double most_uncertain_ = kNone;  // Of nodes whose best path is not known.
+  double most_uncertain_ =
+      kNone;  // Best bound of a node whose best path is unknown.
   std::vector<ValuedPath> chosen_;
   KBest found_;
 };

@@ -20,7 +20,7 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 // Looked at before the resources get prices.
 constexpr std::size_t kUnpricedPaths = 500;
 
-// The best of those looked at, at most `paths`.
+// The best paths found so far, at most `paths`.
 class PathShortlist {
  public:
   explicit PathShortlist(int paths) : paths_(paths) {}
@@ -39,7 +39,7 @@ class PathShortlist {
     if (bound != last.score) return bound < last.score;
     return last.places < found.places;
   }
-  // `bound`: of the paths that were not looked at.
+  // `bound`: upper bound of the paths that were not enumerated.
   KBest Result(bool proven, double bound) {
     KBest best;
     best.proven = proven;

@@ -29,6 +29,7 @@ MaxMarginals::MaxMarginals(const SearchTrellis& search, const ScoreGrid& grid,
     }
     level.closed.assign(nodes, 0);
   }
+  // Backward pass, unless the caller has its result.
   std::vector<double> weights;
   for (std::size_t s = stages; s-- > 0 && levels.empty();) {
     Weigh(search.stages[s], grid, prices, &weights);
@@ -38,6 +39,7 @@ MaxMarginals::MaxMarginals(const SearchTrellis& search, const ScoreGrid& grid,
     levels_[s].behind = levels[s].best;
     first_seam_[s] = levels[s].first_seam;
   }
+  // Forward pass, visiting nodes in the order of ties.
   std::vector<int> order{0};
   for (std::size_t s = 0; s < stages; ++s) {
     Weigh(search.stages[s], grid, prices, &weights);
@@ -61,6 +63,7 @@ void MaxMarginals::RelaxBackward(const std::vector<double>& weights,
     int best = -1;
     for (; i < stage.seam_count && stage.seams[i].from == u; ++i) {
       const double score = behind[stage.seams[i].to] + weights[i];
+      // Not >=: of equal scores the first seam stays.
       if (!(score > max_value)) continue;
       max_value = score;
       best = i;
@@ -156,6 +159,7 @@ void MaxMarginals::CloseNear(const std::vector<int>& nodes,
   const auto differs = [&](std::size_t s, int v) {
     return search_.stages[s].OriginNode(v) != nodes[s] ? 1 : 0;
   };
+  // Stages that differ on the best rest from each node.
   std::vector<std::vector<int>> behind(stages + 1);
   behind[stages].assign(search_.NodesBefore(stages), 0);
   for (std::size_t s = stages; s-- > 1;) {
@@ -165,6 +169,7 @@ void MaxMarginals::CloseNear(const std::vector<int>& nodes,
       if (v >= 0) behind[s][u] = behind[s + 1][v] + differs(s, v);
     }
   }
+  // Stages that differ on the best way into each node, and both together.
   std::vector<int> before{0};
   for (std::size_t s = 0; s < stages; ++s) {
     Level& level = levels_[s + 1];

@@ -40,7 +40,7 @@ class PathEnumerator {
     std::vector<Rest> heap;  // Candidates for the next.
     bool expanded = false;
   };
-  // Of the nodes before a stage.
+  // Rests of the nodes before one stage.
   struct LevelRests {
     std::vector<int> index;  // By node, in `pool`; -1 = none yet.
     std::vector<NodeRests> pool;

@@ -117,7 +117,7 @@ class PlainPasser {
       if (length == 0) continue;
       const Seam* row = &stage.seams[begin];
       if (row->to < 0 || stage.seams[end - 1].to >= rest.nodes) return false;
-      // Where the next row ends, which is looked at before the row is read.
+      // The end of the next row is compared before that row is read.
       const std::size_t next_end = std::min(end + length, stage.seams.size());
       __builtin_prefetch(stage.seams.data() + next_end - 1);
       __builtin_prefetch(stage.seams.data() + next_end);
@@ -130,7 +130,8 @@ class PlainPasser {
     return begin == stage.seams.size();
   }
 
-  // Of the seams from u, if they are in order; rows are mostly of one length.
+  // The end of the seams from u, if they are in order; rows mostly have the
+  // same length.
   static std::size_t EndOfRow(const std::vector<Seam>& seams, int u,
                               std::size_t begin, std::size_t length) {
     const std::size_t likely = begin + length;

@@ -68,7 +68,8 @@ void KeepSeams(const std::vector<char>& keep, SearchStage* stage) {
   stage->UseOwn();
 }
 
-// Sums in another order than a path's own differ by rounding: a hair is left.
+// Sums in another order than a path's own differ by rounding: a relative slack
+// of 1e-9 is left.
 void DropAbove(double limit, std::size_t r, SearchTrellis* search) {
   const Levels before = LeastBefore(*search, r);
   const Levels behind = LeastBehind(*search, r);

@@ -75,6 +75,9 @@ class PriceFinder {
   }
 
   void SearchBySecants(std::size_t r, PricedPath over_limit) {
+    // A bracket: a price too low (over the limit) and one high enough, found by
+    // doubling. The first is the largest total over the use: of the size that
+    // takes off all a path is worth.
     const double limit = search_.limits[r];
     double price = search_.largest_total / over_limit.use[r];
     PricedPath within_limit = BestAt(r, price);
@@ -83,11 +86,15 @@ class PriceFinder {
     }
     for (int i = 0; i < kMaxSecants && within_limit.use[r] < over_limit.use[r];
          ++i) {
+      // Where the two paths are worth the same: the corner of the dual between
+      // them, by secants.
       price = (over_limit.value - within_limit.value) /
               (over_limit.use[r] - within_limit.use[r]);
       const PricedPath best = BestAt(r, price);
       const double gain = best.value - within_limit.value -
                           price * (best.use[r] - within_limit.use[r]);
+      // No path is better there: the corner is the minimum. 1e-9 of the largest
+      // total is rounding.
       if (!(gain > 1e-9 * search_.largest_total)) break;
       (best.use[r] <= limit ? within_limit : over_limit) = best;
     }
@@ -120,7 +127,11 @@ class PriceFinder {
     Prices prices(search_.limits.size(), 0.0);
     found_.prices = prices;
     double min_value = at.bound;
-    double reach = 0.25 * search_.largest_total;  // Of the level, below least.
+    // The target level lies a quarter of the largest total below the best bound
+    // at first, and is halved after three steps without gain.
+    double reach =
+        0.25 *
+        search_.largest_total;  // From the best bound down to the target level.
     int idle = 0;
     for (int i = 0; i < kMaxSteps && !found_.none_allowed; ++i) {
       const Prices next = Step(prices, at, min_value - reach);

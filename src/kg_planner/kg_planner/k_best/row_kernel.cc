@@ -82,6 +82,8 @@ struct VectorLanes {
 // `onward`: of seams 1, 0, 3, 2.
 KG_INLINE void AddFour(const Seam* seams, const Reals& onward, double shift,
                        VectorLanes* lanes) {
+  // Each vector of words is compared with the one a seam (24 bytes) before it:
+  // ends must ascend, costs and resources be finite and >= 0.
   const char* bytes = reinterpret_cast<const char*>(seams);
   Reals reals[3];
   for (int i = 0; i < 3; ++i) {
@@ -94,6 +96,8 @@ KG_INLINE void AddFour(const Seam* seams, const Reals& onward, double shift,
     lanes->max_value[i] =
         reals[i] > lanes->max_value[i] ? reals[i] : lanes->max_value[i];
   }
+  // The costs of seams 1, 0, 3, 2 lie in lanes c1 | c0 | c3 | c2 of the three
+  // vectors.
   const Reals costs_102 =
       __builtin_shufflevector(reals[0], reals[1], 4, 1, 2, 7);
   const Reals costs = __builtin_shufflevector(costs_102, reals[2], 0, 1, 6, 3);

@@ -182,6 +182,7 @@ SearchTrellis ToSearch(const Trellis& trellis, const std::vector<char>& sorted,
     made.nodes = static_cast<int>(stage.nodes.size());
     made.seams = stage.seams.data();
     made.seam_count = static_cast<int>(stage.seams.size());
+    // Seams are copied only where some are dropped or out of order.
     if (masked || !sorted[s]) {
       KeepSome(InOrder(stage, sorted[s]), s > 0 ? &by_stage[s - 1] : nullptr,
                by_stage[s], &made);
@@ -190,6 +191,7 @@ SearchTrellis ToSearch(const Trellis& trellis, const std::vector<char>& sorted,
       made.node_gain.push_back(grid.Round(node.reward) +
                                Gain(grid, Distinct(node.tokens)));
     }
+    // Without stops the gain of a seam is that of its end.
     if (stage.via.empty()) continue;
     for (int i = 0; i < made.seam_count; ++i) {
       made.seam_gain.push_back(SeamGain(grid, stage, made.Origin(i)));

@@ -80,6 +80,7 @@ std::vector<bool> FindStaging(const Trellis& trellis, const PathMasks& masks,
   for (std::size_t s = 0; s < path.seams.size(); ++s) {
     const Stage& stage = trellis.stages[s];
     const SearchStage& search = allowed.stages[s];
+    // Would another allowed seam from here have brought more at once?
     const double taken = earnings.ImmediateGain(stage, path.seams[s]);
     bool more = false;
     for (int i = 0; i < search.seam_count; ++i) {

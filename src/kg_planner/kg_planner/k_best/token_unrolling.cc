@@ -132,14 +132,14 @@ struct SplitNodes {
 
 SplitNodes ToSplitNodes(const std::vector<StageUnroller::Key>& keys) {
   std::map<Earned, std::size_t> known;
-  SplitNodes split_before;
+  SplitNodes split;
   for (const auto& [node, earned] : keys) {
     const auto place = known.emplace(earned, known.size());
-    if (place.second) split_before.states.push_back(earned);
-    split_before.origin.push_back(node);
-    split_before.state.push_back(place.first->second);
+    if (place.second) split.states.push_back(earned);
+    split.origin.push_back(node);
+    split.state.push_back(place.first->second);
   }
-  return split_before;
+  return split;
 }
 
 // Where the seams of each of `nodes` nodes begin; they ascend by `from`.
@@ -161,6 +161,8 @@ double Sum(const Earned& offer) {
 bool UnrollStage(const SearchStage& stage, const StageOffers& offers,
                  const SplitNodes& split_before, std::size_t max_seams,
                  StageUnroller* unroller, SearchStage* split) {
+  // Nodes of the stage before as numbers go: split ones and those that seams
+  // name.
   int nodes = 0;
   for (const int origin : split_before.origin) {
     nodes = std::max(nodes, origin + 1);
@@ -172,6 +174,7 @@ bool UnrollStage(const SearchStage& stage, const StageOffers& offers,
   for (std::size_t u = 0; u < split_before.origin.size(); ++u) {
     const int origin = split_before.origin[u];
     for (int i = first[origin]; i < first[origin + 1]; ++i) {
+      // The number of earned sets can double with every stage: give up early.
       if (split->own.size() >= max_seams) return false;
       Seam seam = stage.seams[i];
       const int offer = offers.of_seam[i];
@@ -181,6 +184,7 @@ bool UnrollStage(const SearchStage& stage, const StageOffers& offers,
       split->own.push_back(seam);
       split->origin.push_back(stage.Origin(i));
       split->place.push_back(stage.Place(i));
+      // The gain had every token met; now only what was not earned before.
       split->seam_gain.push_back(stage.Gain(i) - Sum(offers.offers[offer]) +
                                  target.gain);
     }
@@ -198,6 +202,7 @@ std::vector<int> RepeatedTokens(const SearchTrellis& search) {
   };
   std::map<int, Sum> sums;
   for (const SearchStage& stage : search.stages) {
+    // Within one stage a path earns a token once, so its best offer counts.
     std::map<int, double> best;
     for (const Node& node : stage.stage->nodes) {
       for (const TokenReward& token : node.tokens) {
@@ -213,6 +218,7 @@ std::vector<int> RepeatedTokens(const SearchTrellis& search) {
   for (const auto& [token, sum] : sums) {
     if (sum.excess() > 0.0) tokens.push_back(token);
   }
+  // Excess: how much the Viterbi bound can count too much for the token.
   std::stable_sort(tokens.begin(), tokens.end(), [&](int a, int b) {
     return sums[a].excess() > sums[b].excess();
   });
@@ -225,6 +231,7 @@ std::optional<SearchTrellis> UnrollTokens(const SearchTrellis& search,
                                           std::size_t max_seams) {
   const std::vector<StageOffers> offers = FindOffers(search, tokens, grid);
   SearchTrellis unrolled;
+  // At the start nothing is earned.
   SplitNodes split_before{{0}, {0}, {Earned(tokens.size(), 0.0)}};
   std::size_t left = max_seams;
   for (std::size_t s = 0; s < search.stages.size(); ++s) {
@@ -234,6 +241,7 @@ std::optional<SearchTrellis> UnrollTokens(const SearchTrellis& search,
     if (!UnrollStage(stage, offers[s], split_before, left, &unroller, &split)) {
       return std::nullopt;
     }
+    // The limit holds for all stages together.
     left -= split.own.size();
     split.stage = stage.stage;
     split.UseOwn();

@@ -145,6 +145,8 @@ double MeanDifference(const std::vector<Path>& paths) {
 
 // A quarter of the stages must differ; half of them do on the average.
 void MeasureDiverse(const Trellis& trellis, const BenchCase& one, int rounds) {
+  // Timed in turn with a plain Viterbi pass, so that load on the machine
+  // touches both alike.
   KBest found;
   std::vector<double> passes;
   for (int i = 0; i < rounds; ++i) {

@@ -18,7 +18,7 @@ namespace kg_planner {
 
 class ListViterbi {
  public:
-  // Of a trellis without tokens, stops and limits, seams ascending by `from`.
+  // For a trellis without tokens, stops and limits, seams ascending by `from`.
   ListViterbi(const Trellis& trellis, std::size_t paths)
       : trellis_(trellis), paths_(paths), levels_(trellis.stages.size() + 1) {
     const std::size_t stages = trellis.stages.size();

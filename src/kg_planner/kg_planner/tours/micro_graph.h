@@ -36,7 +36,8 @@ class MicroGraph {
   bool has_tokens_ = false;
 };
 
-// Of the same set of nodes and end: is `a` to be given rather than `b`?
+// Whether `a` is preferred to `b`, which visits the same set and ends at the
+// same node.
 bool BetterOrder(const MicroPath& a, const MicroPath& b);
 
 }  // namespace kg_planner

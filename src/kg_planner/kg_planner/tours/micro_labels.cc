@@ -76,6 +76,7 @@ class LabelSetting {
       const auto place =
           std::lower_bound(label.set.begin(), label.set.end(), leg->to);
       if (place != label.set.end() && *place == leg->to) continue;
+      // Counted whether or not it will be dominated: the count bounds time.
       if (++made_ > options_.max_labels) {
         stopped_ = true;
         return;
@@ -114,7 +115,8 @@ class LabelSetting {
     }
   }
 
-  // Of each end the best, and the quickest: it may lead where no other can.
+  // Keeps the best labels of each end, and the quickest: it may reach nodes
+  // that no other can.
   void CutToBeam(std::vector<MicroLabel>* level) {
     std::sort(level->begin(), level->end(), ByEndThenScore);
     std::vector<MicroLabel> kept;
@@ -125,6 +127,8 @@ class LabelSetting {
       }
       const std::size_t cut = std::min(end, begin + options_.beam);
       const auto first = level->begin();
+      // The quickest is kept beyond the beam: only it may still have time for
+      // another node.
       const auto quickest =
           std::min_element(first + begin, first + end,
                            [](const MicroLabel& a, const MicroLabel& b) {

@@ -38,11 +38,11 @@ struct MicroPath {
 
 struct MicroPathOptions {
   int per_end = 3;  // Paths per end node, at most; a direct leg comes on top.
-  // Of the best score of the same end, at least: in [0, 1].
+  // A path must have this share of the best score of its end; in [0, 1].
   double good_enough = 0.9;
   int max_nodes = 8;  // Of one path, with its end.
   std::size_t exact_labels = 20000;
-  std::size_t max_steps = 2000;  // Of the search beyond that.
+  std::size_t max_steps = 2000;  // Of the anytime search.
   double deadline_s = std::numeric_limits<double>::infinity();  // Wall clock.
   unsigned seed = 1;
 };
@@ -51,7 +51,7 @@ struct MicroPaths {
   // By end node; of the same end the best first. A direct leg that keeps the
   // limit is always among them, however poor.
   std::vector<MicroPath> paths;
-  bool proven = true;  // False: not all labels were looked at.
+  bool proven = true;  // False: the search was not exhaustive.
 };
 
 }  // namespace kg_planner

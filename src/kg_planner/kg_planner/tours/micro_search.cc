@@ -182,6 +182,7 @@ class MicroSearch {
     const std::size_t last = path->nodes.size() - 1;
     for (std::size_t i = 0; i < last; ++i) {
       for (std::size_t j = i + 1; j < last; ++j) {
+        // Three moves: reverse [i, j], move i behind j, move j before i.
         std::vector<int> reversed = path->nodes;
         std::reverse(reversed.begin() + i, reversed.begin() + j + 1);
         std::vector<int> later = path->nodes;

@@ -117,6 +117,7 @@ class TourLabeling {
       return true;
     }
     for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
+      // A copy: adding labels may move `labels_`.
       const TourLabel from = labels_[at];
       if (from.closed.Has(i)) continue;
       TourLabel to = from;
@@ -126,6 +127,7 @@ class TourLabeling {
       to.before = at;
       const double length =
           to.length + problem_.length(points_[i], problem_.size() - 1);
+      // The end must stay within reach.
       if (!(length <= problem_.limit)) continue;
       to.closed.Add(i);
       Bound(&to);

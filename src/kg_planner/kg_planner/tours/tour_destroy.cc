@@ -51,6 +51,8 @@ void TourSearch::RemoveStrings(int points) {
     if (t < 0 || done[t] != 0) continue;
     done[t] = 1;
     const auto& tour = now_.tours[t];
+    // A string of random length that contains p, as far as the tour has room
+    // around it.
     const int inner = static_cast<int>(tour.size()) - 2;
     const int count =
         1 + static_cast<int>(RandomBelow(std::min(inner, points)));

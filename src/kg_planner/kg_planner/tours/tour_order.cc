@@ -7,7 +7,7 @@
 namespace kg_planner {
 namespace {
 
-constexpr double kLengthTolerance = 1e-9;  // Of lengths, relative to the limit.
+constexpr double kLengthTolerance = 1e-9;  // Relative to the limit.
 
 }  // namespace
 
@@ -29,6 +29,8 @@ bool TourSearch::Reverse(int tour) {
     double forth = 0.0;
     double back = 0.0;
     for (int j = i + 1; j < last; ++j) {
+      // Length of the run i..j in both directions, kept up as j grows: lengths
+      // may be asymmetric.
       forth += Length(p[j - 1], p[j]);
       back += Length(p[j], p[j - 1]);
       const double saved = Length(p[i - 1], p[i]) + forth +
@@ -50,6 +52,8 @@ bool TourSearch::Move(int tour, int count) {
   const double min_value = kLengthTolerance * problem_.limit;
   for (int i = 1; i + count <= last; ++i) {
     const int j = i + count;  // The run is [i, j).
+    // What is saved by taking the run out, then what putting it in before k
+    // costs.
     const double closed = Length(p[i - 1], p[i]) + Length(p[j - 1], p[j]) -
                           Length(p[i - 1], p[j]);
     if (!(closed > min_value)) continue;

@@ -10,9 +10,9 @@ namespace kg_planner {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLengthTolerance = 1e-9;  // Of lengths, relative to the limit.
-constexpr double kMaxExcess =
-    0.4;  // Of the limit, at most, before points leave.
+constexpr double kLengthTolerance = 1e-9;  // Relative to the limit.
+constexpr double kMaxExcess = 0.4;  // Share of the limit that a tour may exceed
+                                    // before points are removed.
 constexpr double kFavourShare = 0.6;  // Steps that favour a neighbourhood.
 constexpr double kMaxFavour = 3.0;    // What is added to its weight, at most.
 
@@ -55,7 +55,8 @@ void TourSearch::FavourNeighbourhood() {
   }
 }
 
-// Of a tour beyond the limit, takes out what weighs least for the length saved.
+// Removes points from a tour beyond the limit: first what weighs least for the
+// length it saves.
 void TourSearch::Drop(int tour) {
   const std::vector<int>& p = now_.tours[tour];
   const double grain = kLengthTolerance * problem_.limit + 1e-300;
@@ -136,6 +137,7 @@ void TourSearch::Fill(double limit) {
     for (int p : open_) places_[t][p] = BestPlace(p, t);
   }
   while (true) {
+    // Rates weight / detour are compared by cross multiplication.
     double best_weight = 0.0;  // The best rate, as a fraction.
     double best_detour = 1.0;
     std::size_t best_at = 0;
@@ -158,6 +160,7 @@ void TourSearch::Fill(double limit) {
     }
     if (best_tour < 0) break;
     const int point = open_[best_at];
+    // Only places beside the insertion change: update instead of search.
     const int at = places_[best_tour][point].before;
     open_.erase(open_.begin() + best_at);
     Insert(point, best_tour);

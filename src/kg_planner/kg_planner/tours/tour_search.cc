@@ -25,6 +25,7 @@ TourSearch::TourSearch(const OrienteeringProblem& problem, unsigned seed)
     for (int j = 0; j < size_; ++j) to_[j * size_ + i] = Length(i, j);
   }
   const int end = size_ - 1;
+  // Points worth something that a tour can visit at all.
   for (int p = 1; p < end; ++p) {
     if (problem_.rewards[p] > 0.0 &&
         Length(0, p) + Length(p, end) <= problem_.limit) {
@@ -37,9 +38,11 @@ TourSearch::TourSearch(const OrienteeringProblem& problem, unsigned seed)
       return std::make_pair(Length(p, a), a) < std::make_pair(Length(p, b), b);
     });
   }
+  // Zobrist keys: a set of points is hashed by the xor of theirs.
   for (int p = 0; p < size_; ++p) {
     keys_.push_back((static_cast<std::uint64_t>(prng_()) << 32) | prng_());
   }
+  // The first solution: greedy insertion into empty tours.
   Clear(&now_);
   IndexPoints();
   best_ = kept_ = now_;

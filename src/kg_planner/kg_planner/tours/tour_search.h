@@ -48,7 +48,7 @@ class TourSearch {
   void Restart(const std::vector<Tour>& tours);
 
   std::vector<Tour> best() const;
-  double reward() const { return best_.reward; }  // Of the best.
+  double reward() const { return best_.reward; }  // Of the best solution.
 
   // Of each set of points met the shortest order, best context first, ties by
   // points; at most so many.

@@ -47,9 +47,10 @@ struct Stage {
 
 struct Trellis {
   std::vector<Stage> stages;
-  // Of the sum over a path's seams, in their order.
+  // Limit of the sum over a path's seams, in their order.
   double resource_limit = std::numeric_limits<double>::infinity();
-  std::vector<double> more_limits = {};  // Of the resources after the first.
+  std::vector<double> more_limits =
+      {};  // Limits of the resources after the first.
 };
 
 }  // namespace kg_planner

@@ -126,6 +126,7 @@ void CheckMoreResources(std::size_t s, const Stage& stage, std::size_t limits) {
            std::to_string(resources.size()) + " resources, expected " +
                std::to_string(limits) + " as in more_limits");
   }
+  // Resource 0 is in the seams themselves, so these count from 1.
   for (std::size_t r = 0; r < resources.size(); ++r) {
     const std::string name = "resource " + std::to_string(r + 1);
     if (resources[r].size() != stage.seams.size()) {

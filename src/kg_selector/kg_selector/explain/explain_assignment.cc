@@ -28,7 +28,7 @@ std::string PlannedAround(const PlannedWorld& world, const Agent& agent) {
   for (const Pathlet& other : CommittedBefore(world, agent.iri)) {
     names += (names.empty() ? "" : ", ") + AbbreviateIri(other.agent);
   }
-  return names.empty() ? " It was chosen first, around nobody."
+  return names.empty() ? " It was chosen first, before all others."
                        : " It was planned around " + names + ".";
 }
 
@@ -89,6 +89,7 @@ class StepExplainer {
              ? ""
              : " around waypoint " + std::to_string(waypoint.id)) +
         ")";
+    // The sum over the cells of the footprint, term by term.
     for (auto part : score.parts) {
       part.text += cells;
       explanation_.parts.push_back(std::move(part));
@@ -181,6 +182,7 @@ Explanation ExplainAssignment(const PlannedWorld& world, const Agent& agent,
   const Pathlet& path = NeedPath(world, agent);
   const TeamMember& member = FindMember(world, agent);
   Explanation explanation;
+  // Without a window the whole path is explained.
   if (window < 0) {
     explanation = ExplainPath(world, member, path);
   } else {

@@ -57,9 +57,10 @@ class RejectionExplainer {
  private:
   std::string Instead() const {
     const Pathlet* got = FindPath(world_, rejection_.pathlet.agent);
-    if (got == nullptr) return " It got no path in its place.";
-    return " What it got in its place is worth " +
-           Signed(got->score() - rejection_.pathlet.score()) + " beside it.";
+    if (got == nullptr) return " It has no other path.";
+    return " The path it has instead is worth " +
+           Signed(got->score() - rejection_.pathlet.score()) +
+           " compared with it.";
   }
 
   Facts Winner() const {

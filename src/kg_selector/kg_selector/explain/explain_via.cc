@@ -111,6 +111,7 @@ class ViaExplainer {
 
   Explanation Conflict(const Pathlet& path) const {
     const auto conflict = FindConflict(world_.rules, before_, path);
+    // Nobody is too close after all: no way leads on.
     if (!conflict) return DeadEnd();
     const double least_m = HardSeparation_m(world_.rules);
     const std::string other = AbbreviateIri(conflict->with_agent);
@@ -158,6 +159,7 @@ class ViaExplainer {
            "window " + std::to_string(path.visits[s].window) + ": " +
                Short(energy_j / kg_core::kJoulesPerWh) + " Wh"});
     }
+    // The margin: what all windows take, less the budget.
     const double needed_wh = explanation.value / kg_core::kJoulesPerWh;
     explanation.value -= budget_j;
     explanation.parts.push_back(

@@ -93,7 +93,7 @@ Facts MotionFacts(const PlannedWorld& world, const kg_core::Agent& agent,
       world.facts());
 }
 
-bool SamePath(const Pathlet& a, const Pathlet& b) {
+bool SameStops(const Pathlet& a, const Pathlet& b) {
   return std::equal(a.visits.begin(), a.visits.end(), b.visits.begin(),
                     b.visits.end(), [](const Visit& x, const Visit& y) {
                       return x.window == y.window && StopsOf(x) == StopsOf(y);
@@ -116,6 +116,7 @@ std::vector<PathTerm> ListTerms(const PlannedWorld& world,
   for (std::size_t s = 0; s < pathlet.visits.size(); ++s) {
     const Visit& visit = pathlet.visits[s];
     const std::vector<int> stops = StopsOf(visit);
+    // What the waypoints visited are worth; the rest of the reward is events.
     double score = 0.0;
     for (const int stop : stops) {
       score += member.graphs[s].waypoints.at(stop).score;
@@ -151,6 +152,7 @@ Facts TermFacts(const PlannedWorld& world, const kg_core::Agent& agent,
                         {"ex:minimumSeparationKm", "ex:separationIsHard",
                          "ex:separationWeight"}});
   }
+  // Every other term belongs to a window, whose confidence weighs it.
   const Facts window =
       facts.Window(world.compilation->mission.windows.at(term.window),
                    {"ex:index", "ex:confidence"});
@@ -218,6 +220,7 @@ Explanation Difference(const PlannedWorld& world, const TeamMember& member,
     add(a, b == theirs.end() ? nullptr : &*b);
     if (b != theirs.end()) theirs.erase(b);
   }
+  // What is left has no counterpart among ours.
   for (PathTerm rest : theirs) {  // A soft separation only the other breaks.
     const PathTerm theirs_alone = rest;
     rest.value = 0.0;
@@ -239,6 +242,8 @@ FoundPath FindBest(const PlannedWorld& world, const TeamMember& member,
   masks.seams.insert(masks.seams.end(), search.masks.seams.begin(),
                      search.masks.seams.end());
   kg_planner::KBestOptions options;
+  // Two paths, as one may be excluded; with soft separation all candidates,
+  // since the penalty can change which is best.
   options.paths =
       std::max(world.rules.separation_is_hard ? 2 : open.candidates, 2);
   const kg_planner::KBest best =
@@ -248,7 +253,7 @@ FoundPath FindBest(const PlannedWorld& world, const TeamMember& member,
   double max_value = 0.0;
   for (const kg_planner::Path& path : best.paths) {
     Pathlet pathlet = ToPathlet(open, member.graphs, path, 0);
-    if (search.except && SamePath(pathlet, *search.except)) continue;
+    if (search.except && SameStops(pathlet, *search.except)) continue;
     const double value =
         pathlet.score() - SoftPenalty(world.rules, before, pathlet);
     if (found.pathlet && !(value > max_value)) continue;

@@ -22,6 +22,7 @@ void NameAgentsByIri(PlannedWorld* world) {
     rename(&rejection.pathlet.agent);
     rename(&rejection.conflict.with_agent);
   }
+  // Keys of a map cannot change in place.
   std::map<std::string, std::string> unassigned;
   for (const auto& [agent, why] : world->plan.unassigned) {
     std::string name = agent;
@@ -56,12 +57,11 @@ const TeamMember& FindMember(const PlannedWorld& world,
   for (const TeamMember& member : world.members) {
     if (member.rules.agent_iri != agent.iri) continue;
     if (member.graphs.size() == member.rules.windows.size()) return member;
-    throw InputError("of the waypoint graphs of " + agent.id + " only " +
-                     std::to_string(member.graphs.size()) + " of " +
+    throw InputError("only " + std::to_string(member.graphs.size()) + " of " +
                      std::to_string(member.rules.windows.size()) +
-                     " have come yet");
+                     " waypoint graphs of " + agent.id + " have been received");
   }
-  throw InputError("no waypoint graphs of " + agent.id + " are here");
+  throw InputError("no waypoint graphs of " + agent.id + " have been received");
 }
 
 std::size_t FindStage(const TeamMember& member, int window) {
@@ -71,7 +71,7 @@ std::size_t FindStage(const TeamMember& member, int window) {
   const std::string who =
       "window " + std::to_string(window) + " of " + member.rules.agent_id;
   if (member.graphs.empty()) {
-    throw InputError(who + ": no waypoint graphs are here");
+    throw InputError(who + ": no waypoint graphs have been received");
   }
   throw InputError(who + " is not planned: the windows are " +
                    std::to_string(member.graphs.front().window) + " to " +

@@ -136,6 +136,7 @@ class EventQuestion {
           {-1.0, "- " + name, holder.facts, name + " has it, " + holder.when});
       names += (names.empty() ? "" : ", ") + name + " " + holder.when;
     }
+    // With the agent itself one too many: the margin is negative.
     explanation.parts.push_back({-1.0, "- itself",
                                  facts_.Quote({agent_.iri, {"ex:id"}}),
                                  agent_.id + " would be one more"});
@@ -173,6 +174,7 @@ class EventQuestion {
     const Facts when =
         facts_.Window(Window(window), {"ex:index", "time:hasBeginning"});
     if (event_.windows.empty()) return NoWindow();
+    // Either before the first window of the event, or after its expiry.
     const bool is_early = window < event_.windows.front();
     const double edge_s =
         is_early ? Window(event_.windows.front()).begin_s : Expiry_s();
@@ -224,6 +226,7 @@ class EventQuestion {
         all.push_back(InStage(s));
       }
     }
+    // The event is in no window that is planned: before, or after.
     if (all.empty()) {
       return event_.windows.empty()
                  ? NoWindow()

@@ -124,6 +124,7 @@ class NotSampled {
                                                       agent_, graph_.window);
     Explanation response =
         kg_compiler::TensorExplainer(inputs, facts_).ExplainSum(CellsLeft());
+    // Negative if the place would see more than the weakest waypoint.
     const double margin = min_value->score - response.value;
     Explanation explanation = Named(
         "reward",

@@ -14,7 +14,7 @@ using kg_planner::OrienteeringProblem;
 using kg_planner::Tour;
 using kg_planner::TourSearch;
 
-constexpr std::size_t kSteps = 50;  // Between looks at the clock.
+constexpr std::size_t kSteps = 50;  // Between readings of the clock.
 constexpr std::size_t kMaxLabels = 20000;
 
 double ThreadNow_s() {
@@ -130,6 +130,7 @@ std::string FindFault(const OrienteeringProblem& problem,
     double length = 0.0;
     int at = 0;
     for (int point : tour.points) {
+      // Start and end are no points to visit.
       const std::string name = "point " + std::to_string(point);
       if (point <= 0 || point + 1 >= problem.size()) return name + ": none";
       if (!seen.insert(point).second) return name + ": visited twice";
@@ -143,6 +144,7 @@ std::string FindFault(const OrienteeringProblem& problem,
              " above the limit of " + std::to_string(problem.limit);
     }
   }
+  // Sums in another order may differ by rounding.
   if (!(std::abs(value - team.value) <= 1e-9 * (1.0 + value))) {
     return "a value that is not that of its tours";
   }

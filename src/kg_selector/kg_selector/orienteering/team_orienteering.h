@@ -17,9 +17,8 @@
 // than  agents v(p) + sum of p: a bound wherever v(p) is known exactly.
 //
 // [1] D. P. Bertsekas, "Auction algorithms for network flow problems: A
-// tutorial
-//     introduction", Computational Optimization and Applications 1 (1992),
-//     7-66.
+//     tutorial introduction", Computational Optimization and Applications 1
+//     (1992), 7-66.
 // [2] M. L. Fisher, "The Lagrangian Relaxation Method for Solving Integer
 //     Programming Problems", Management Science 27 (1981), 1-18.
 

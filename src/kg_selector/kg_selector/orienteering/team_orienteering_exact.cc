@@ -16,8 +16,8 @@ using kg_planner::PooledTour;
 using kg_planner::Tour;
 using kg_planner::TourSearch;
 
-constexpr std::size_t kColumns = 300;        // Of the search over all tours,
-constexpr std::size_t kPricedColumns = 100;  // and of planning under prices.
+constexpr std::size_t kColumns = 300;        // From the search over all tours,
+constexpr std::size_t kPricedColumns = 100;  // and from planning under prices.
 
 // Shares of a round's time, each the end of its part.
 constexpr double kSearched = 0.80;

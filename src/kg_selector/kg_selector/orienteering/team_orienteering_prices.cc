@@ -21,7 +21,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = 0.1;  // Least raise, of the mean reward.
 constexpr int kChunks = 6;        // Of steps, for one agent's tour.
 constexpr std::size_t kSteps = 40;
-constexpr double kBoundShare = 0.15;  // Of the time, kept for the bound.
+constexpr double kBoundShare = 0.15;  // Share of the time kept for the bound.
 constexpr int kMaxFailedRounds = 8;   // Rounds before a smaller step.
 
 double Sum(const std::vector<double>& values) {
@@ -108,7 +108,7 @@ class TourAuction {
  private:
   double Until_s() const { return (1.0 - kBoundShare) * budget_.seconds(); }
 
-  // Bids until nobody wants to change.
+  // Bids until no agent wants to change.
   void RunBids() {
     std::deque<int> bidders(problem_.tours);
     std::iota(bidders.begin(), bidders.end(), 0);
@@ -119,7 +119,7 @@ class TourAuction {
     }
   }
 
-  // What nobody holds in the end is free again. False if there is none.
+  // Points that no agent holds cost nothing again. False if there are none.
   bool FreePrices() {
     bool any = false;
     for (int p = 0; p < problem_.size(); ++p) {
@@ -164,7 +164,8 @@ class TourAuction {
                  points.end());
     tours_[agent] = kg_planner::MakeTour(problem_, std::move(points));
     if (tours_[agent].length <= problem_.limit) return;
-    // Lengths of no plane: without the point it is too long. It starts anew.
+    // Lengths that are no metric: without the point the tour is too long. The
+    // agent starts again from an empty tour.
     for (int held : tours_[agent].points) holders_[held] = -1;
     tours_[agent] = {};
   }
@@ -174,7 +175,7 @@ class TourAuction {
   const TimeBudget budget_;
   double epsilon_ = 1.0;
   std::vector<double> prices_;
-  std::vector<int> holders_;  // By point; -1 = nobody.
+  std::vector<int> holders_;  // By point; -1 = none.
   std::vector<Tour> tours_;   // By agent.
 };
 
@@ -216,7 +217,7 @@ class TourPricing {
   }
 
   // Who comes first has what it wants, the others plan under the same prices
-  // around it; at last each looks what is left over without them.
+  // around it; then each plans for what is left, without prices.
   void Assign(std::vector<double> net, const Tour& wanted) {
     std::vector<Tour> tours;
     for (int agent = 0; agent < problem_.tours; ++agent) {
@@ -240,6 +241,8 @@ class TourPricing {
       share_ *= 0.5;
       failed_rounds_ = 0;
     }
+    // Subgradient: visitors (all agents want the same tour) less the capacity
+    // of 1. A price of 0 cannot fall.
     std::vector<double> excess(problem_.size(), -1.0);
     for (int point : wanted.points) excess[point] += problem_.tours;
     double square = 0.0;

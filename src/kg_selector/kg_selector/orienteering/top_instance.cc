@@ -127,6 +127,7 @@ TopInstance ReadTopInstance(const std::string& path) {
   if (!(instance.limit >= 0.0)) {
     reader.Refuse(reader.lines()[2], "tmax not below 0");
   }
+  // A line a point; more or fewer than announced are refused.
   for (std::size_t i = kHeaders; i < reader.lines().size(); ++i) {
     const FileLine& line = reader.lines()[i];
     if (static_cast<int>(i - kHeaders) == points) {

@@ -36,10 +36,8 @@ TopScore ScoreTeam(const TeamTours& team, double reference, double seconds) {
   TopScore score;
   score.seconds = seconds;
   if (team.value > reference + 1e-6) ++score.above;
-  if (!(reference > 0.0)) {
-    ++score.empty;
-    return score;
-  }
+  // A share of a reference of 0 is not defined: not counted.
+  if (!(reference > 0.0)) return score;
   ++score.instances;
   if (team.value > reference - 1e-6) ++score.hits;
   score.value = team.value;
@@ -76,7 +74,6 @@ void TopScore::Add(const TopScore& other) {
   instances += other.instances;
   hits += other.hits;
   above += other.above;
-  empty += other.empty;
   value += other.value;
   reference += other.reference;
   shares += other.shares;
@@ -99,6 +96,7 @@ std::vector<std::string> ListInstances(const std::string& folder,
     std::error_code ignored;
     const std::string name = it->path().filename().string();
     if (name[0] == '.' || !it->is_regular_file(ignored)) continue;
+    // The reference file may lie in the same folder.
     if (fs::equivalent(it->path(), reference_file, ignored)) continue;
     names.push_back(name);
   }
@@ -130,6 +128,7 @@ std::map<std::string, TopScore> RunTop(const std::string& folder,
            << ", no reference, not counted\n";
       continue;
     }
+    // Sums by set, e.g. "p4" of "p4.2.a.txt".
     sets[SetName(names[i])].Add(ScoreTeam(team, reference->second, seconds));
   }
   for (const auto& [set, score] : sets) *out << FormatLine(set, score) << '\n';

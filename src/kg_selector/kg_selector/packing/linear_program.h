@@ -41,7 +41,7 @@ struct BinaryOptions {
 };
 struct BinarySolution {
   std::vector<bool> chosen;  // By binary; empty: nothing better was found.
-  bool finished = false;     // All was looked at.
+  bool finished = false;     // The search was exhaustive.
   double bound = std::numeric_limits<double>::infinity();
 };
 BinarySolution SolveBinary(const LinearProgram& program,

@@ -53,6 +53,7 @@ LinearProgram ToProgram(const Packing& packing) {
   for (int count : packing.agent_counts) {
     program.rows.push_back({{}, static_cast<double>(count)});
   }
+  // A column is 1 in each row it uses and in the row of its agent.
   for (int c = 0; c < columns; ++c) {
     const Column& column = packing.columns[c];
     program.objective.push_back(column.score);
@@ -80,6 +81,7 @@ void AddBalance(const Packing& packing, LinearProgram* program) {
   program->objective.push_back(-packing.weight);
   program->objective.push_back(packing.weight);
   for (const auto& [agent, terms] : loads) {
+    // load <= largest, and least <= load, as rows with 0 on the right.
     LinearRow below{terms, 0.0};
     below.terms.push_back({largest, -1.0});
     LinearRow above{{}, 0.0};
@@ -99,6 +101,9 @@ LinearProgram Reduced(const LinearProgram& program,
   std::vector<int> renumbered(program.objective.size(), -1);
   for (int j = 0; j < static_cast<int>(program.objective.size()); ++j) {
     const bool binary = j < program.binaries;
+    // Reduced cost fixing: with x_j = 1 the program is worth at most relaxation
+    // + reduced cost. The slack keeps columns that rounding of Clp would drop
+    // (its tolerance is 1e-7).
     const double slack = 1e-7 * (1.0 + std::abs(value));
     if (binary && relaxed.solved &&
         relaxed.value + relaxed.reduced_costs[j] < value - slack) {
@@ -109,6 +114,7 @@ LinearProgram Reduced(const LinearProgram& program,
     if (binary) kept->push_back(j);
   }
   reduced.binaries = static_cast<int>(kept->size());
+  // Rows without the dropped columns.
   for (const LinearRow& row : program.rows) {
     LinearRow shorter{{}, row.at_most};
     for (const auto& [j, coefficient] : row.terms) {
@@ -146,7 +152,7 @@ std::vector<int> WholeColumns(const LinearRelaxation& relaxed, int binaries) {
   return chosen;
 }
 
-// A packing to improve. `everybody`: every agent that columns name must have a
+// A packing to improve. `all_served`: every agent that columns name must have a
 // column.
 struct PackingTask {
   const Packing& packing;
@@ -195,8 +201,10 @@ void Solve(const PackingTask& task, const SolveDeadline& deadline,
     best->bound = relaxed.value;
     AcceptIfBetter(task, WholeColumns(relaxed, program.binaries), best);
   }
+  // Step 1: the relaxation gives a bound, and perhaps a whole solution.
   best->optimal = IsProven(*best);
   if (best->optimal || deadline.left_s() <= 0.0) return;
+  // Step 2: branch and cut on the columns that can still matter.
   std::vector<int> kept;
   const LinearProgram reduced =
       Reduced(program, relaxed, best->objective, &kept);
@@ -240,7 +248,7 @@ struct LoadAttempt {
   bool proven = false;
 };
 
-// Can everybody have a column of at least this load?
+// Can every agent have a column of at least this load?
 LoadAttempt TryLoad(const Packing& packing, double load,
                     const SolveDeadline& deadline) {
   std::vector<int> kept;
@@ -292,7 +300,7 @@ bool IsFairer(const Packing& packing, const PackingChoice& a,
          ComputeObjective(packing, b.chosen);
 }
 
-// The largest load that everybody can have, by halving; then the best score
+// The largest load that every agent can have, by bisection; then the best score
 // with it.
 PackingChoice SolveMaxMin(const Packing& packing, const std::vector<int>& start,
                           const SolveDeadline& deadline) {

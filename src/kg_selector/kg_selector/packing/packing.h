@@ -38,7 +38,7 @@ namespace kg_selector {
 struct Column {
   int agent = 0;
   double score = 0.0;
-  std::vector<int> rows = {};  // Of each it uses one unit; none twice.
+  std::vector<int> rows = {};  // Uses one unit of each; none twice.
   double load = 0.0;           // Read only for fairness.
 };
 
@@ -63,7 +63,7 @@ struct PackingOptions {
 struct PackingChoice {
   std::vector<int> chosen;  // Columns, ascending.
   double objective = 0.0;   // What is maximised; with kMaxMin the score.
-  double min_load = 0.0;    // Of the agents that columns name.
+  double min_load = 0.0;    // Over the agents that columns name.
   bool optimal = false;     // Proven; false: the time limit was hit first.
   // No choice has a larger objective; with kMaxMin none whose least load is as
   // large as this one's.

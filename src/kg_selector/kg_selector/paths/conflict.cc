@@ -59,6 +59,8 @@ std::optional<Conflict> SeparationConflict(
   const double separation_m = HardSeparation_m(rules);
   std::optional<Conflict> worst;
   for (const Pathlet& other : committed) {
+    // In the first window agents may begin too close together (launched from
+    // one ship): the rule holds from when they are apart.
     TimeSpan span = window.span;
     if (window.is_first) {
       span.from_s = std::max(
@@ -68,6 +70,7 @@ std::optional<Conflict> SeparationConflict(
     if (!ComeCloserThan(pathlet.track, other.track, separation_m, span)) {
       continue;
     }
+    // Of all others the one it comes closest to.
     const double missing_m =
         separation_m -
         ClosestApproach(pathlet.track, other.track, span)->distance_m;
@@ -89,6 +92,7 @@ std::optional<Conflict> CapacityConflict(const TeamRules& rules,
     const std::vector<std::string> agents =
         place == rewarded.end() ? std::vector<std::string>() : place->second;
     if (std::count(agents.begin(), agents.end(), agent) > 0) continue;
+    // Places left once this agent counts, too.
     const int left = capacity->second - static_cast<int>(agents.size()) - 1;
     if (left < 0) {
       return Conflict{ConflictKind::kCapacity,

@@ -45,7 +45,8 @@ struct TeamRules {
   double auction_epsilon = 0.05;      // Least raise of a price [reward].
   double time_limit_s = 2.0;          // Of choosing among the candidates.
   std::string fairness = "scarcity";  // "scarcity", "balance", "max_min".
-  double fairness_weight = 0.0;       // Of what "balance" evens out [reward].
+  double fairness_weight =
+      0.0;  // Weight of the spread of loads in "balance" [reward].
   // What an agent may use up; absent = not limited. By its name in the team.
   std::map<std::string, double> energy_budget_j;
   // Windows in which an event rewards; absent = any.
@@ -90,7 +91,7 @@ double SeparationBegins_s(const TeamRules& rules, int first_window,
                           const std::vector<kg_compiler::TimedPoint>& a,
                           const std::vector<kg_compiler::TimedPoint>& b);
 
-// Events that reward nobody beyond those committed.
+// Events whose capacity the committed paths use up.
 std::set<std::string> FullEvents(const TeamRules& rules,
                                  const std::vector<Pathlet>& committed);
 

@@ -97,7 +97,8 @@ std::vector<TimedPoint> SeamTrack(const NavGraphs& graphs,
   return track;
 }
 
-// Of a path's stage: seams are the graph's edges, in their order.
+// The edge a path takes into a stage: seams are the graph's edges, in their
+// order.
 const TraverseEdge& TakenEdge(const NavGraphs& graphs,
                               const kg_planner::Path& path, std::size_t stage) {
   return graphs[stage].edges.at(path.seams.at(stage));
@@ -172,6 +173,7 @@ kg_planner::Trellis ToTrellis(const SeamRules& rules, const NavGraphs& graphs) {
       stage.seams.push_back(
           {edge.from, edge.to, edge.seam_cost, edge.flight.energy_j});
     }
+    // `via` stays empty where no edge has stops: the searches are faster.
     if (!HasWalks(graph)) continue;
     for (const TraverseEdge& edge : graph.edges) stage.via.push_back(edge.via);
   }
@@ -190,6 +192,7 @@ kg_planner::PathMasks MaskCommitted(const TeamRules& rules,
     for (const TraverseEdge& edge : graphs[s].edges) {
       const auto track = SeamTrack(graphs, ends_s, s, edge);
       const auto too_close = [&](const Pathlet& other) {
+        // Agents may begin closer than the separation.
         TimeSpan span;
         if (s == 0) {
           span.from_s =
@@ -221,6 +224,7 @@ Pathlet ToPathlet(const SeamRules& rules, const NavGraphs& graphs,
     const auto track = SeamTrack(graphs, ends_s, s, edge);
     pathlet.track.insert(pathlet.track.end(), track.begin(), track.end());
   }
+  // Each event once, in the window that rewards it most.
   for (const auto& [event, s] : EarnedWhere(rules, graphs, path)) {
     pathlet.visits[s].events.push_back(event);
     pathlet.visits[s].reward += OpenEvents(rules, graphs[s].window).at(event);

@@ -84,7 +84,7 @@ double SmallestMagnitude(double begin, double end) {
 
 // Not more than the approach, from differences of latitude and longitude alone:
 // a degree is at least 110574 m northward and 111319 m cos(lat) eastward, and
-// cos(x) >= 1 - x^2 / 2. A hair is taken off for rounding.
+// cos(x) >= 1 - x^2 / 2. A share of 1e-6 is taken off for rounding.
 double LeastPossible_m(const TrackInterval& interval) {
   const double north_deg =
       SmallestMagnitude(interval.b_begin.lat_deg - interval.a_begin.lat_deg,
@@ -149,6 +149,7 @@ void ForEachInterval(const Track& a, const Track& b, const TimeSpan& span,
   TrackPiece of_b(b, common.from_s);
   double begin_s = common.from_s;
   for (bool more = true; more;) {
+    // Up to where the first of the two pieces, or the span, ends.
     const double end_s =
         std::max(begin_s, of_b.EndBefore(of_a.EndBefore(common.to_s)));
     const TrackInterval interval{begin_s,
@@ -159,6 +160,7 @@ void ForEachInterval(const Track& a, const Track& b, const TimeSpan& span,
                                  PositionAt(of_b.from(), of_b.to(), end_s)};
     if (!visit(interval)) return;
     begin_s = end_s;
+    // Both must advance, so no short cut of the `or`.
     const bool a_moved = of_a.Advance(end_s);
     more = of_b.Advance(end_s) || a_moved;
   }

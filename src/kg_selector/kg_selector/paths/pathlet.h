@@ -32,7 +32,7 @@ std::vector<int> WaypointsVia(const Visit& visit);  // Waypoints on the way.
 std::vector<int> StopsOf(const Visit& visit);       // And where it ends.
 
 struct Pathlet {
-  std::string agent;  // Its name in the team (NameOf in plan_team.h).
+  std::string agent;  // Its name in the team (NameOf(), priced_replanning.h).
   int rank = 0;       // In the agent's own order, 0 = best,
   int round = 0;      // of the offer that it was part of.
   double reward = 0.0;

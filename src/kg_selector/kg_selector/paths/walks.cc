@@ -1,7 +1,6 @@
 #include "kg_selector/paths/walks.h"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <optional>
 #include <set>
@@ -25,7 +24,7 @@ using kg_compiler::TraverseEdge;
 using kg_compiler::Waypoint;
 using kg_compiler::WindowWorld;
 
-// Of the best score of the same end, a walk must have so much.
+// A walk must have this share of the best score of its end.
 constexpr double kGoodEnough = 0.5;
 constexpr std::size_t kExactLabels = 4000;
 constexpr std::size_t kMaxSteps = 400;
@@ -102,6 +101,7 @@ class WindowWalks {
     double isolation_s = 0.0;
     int at = from;
     for (const int stop : stops) {
+      // The first leg leads into the window, the others are within it.
       const auto& edges = legs.empty() ? entries_ : inner_;
       const auto way = edges.find({at, stop});
       if (way == edges.end()) return std::nullopt;
@@ -244,6 +244,8 @@ class WindowWalks {
     micro.exact_labels = kExactLabels;
     micro.max_steps = kMaxSteps;
     std::set<std::vector<int>> candidates;
+    // Durations are estimates: legs as if flown when the window begins. So
+    // walks a little too long are looked at, too.
     for (const TravelPace pace : Paces()) {
       kg_planner::StageProblem problem = ProblemFrom(from, pace, with_events);
       const double limit_s = problem.duration_limit;
@@ -273,6 +275,7 @@ class WindowWalks {
       const std::map<std::vector<int>, std::optional<TraverseEdge>>& flown,
       std::set<std::vector<int>>* kept) const {
     const std::vector<kg_planner::Node> nodes = Nodes(with_events);
+    // A walk must be worth more than flying straight to its end.
     std::map<int, double> direct;
     for (const TraverseEdge& edge : in_.graph->edges) {
       if (edge.from == from && edge.via.empty()) {
@@ -344,11 +347,11 @@ NavGraphs CompileWalkedGraphs(const SeamRules& rules,
     if (cache) cache->walked.clear();
     return plain;
   }
-  const auto begin = std::chrono::steady_clock::now();
   NavGraphs walked;
   int searched = 0;
   std::vector<kg_core::LonLat> sources = {rules.start};
   for (std::size_t t = 0; t < plain.size(); ++t) {
+    // The hash names the graph without walks, which decides them.
     const auto known =
         cache ? FindGraph(cache->walked, plain[t].hash) : nullptr;
     if (known) {
@@ -363,9 +366,6 @@ NavGraphs CompileWalkedGraphs(const SeamRules& rules,
   if (cache) {
     cache->walked = walked;
     cache->windows_walked = searched;
-    cache->walks_s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-            .count();
   }
   return walked;
 }

@@ -85,6 +85,7 @@ ProgramArguments Parse(const std::vector<std::string>& words) {
     if (words[i] != "--mode" && words[i] != "--seconds") {
       throw kg_core::InputError(words[i] + ": no such option; see --help");
     }
+    // Every option has a value.
     if (i + 1 == words.size()) {
       throw kg_core::InputError(words[i] + ": expected a value after it");
     }

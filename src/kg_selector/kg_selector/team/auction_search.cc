@@ -6,9 +6,9 @@
 namespace kg_selector {
 namespace {
 
-// Of the rounds, how many may go into bids.
+// Share of the rounds that may be spent on bids.
 constexpr double kBidShare = 0.6;
-// Waves of groups that find nothing better, before they are given up.
+// Waves of groups without gain before they are given up.
 constexpr int kMaxFailedWaves = 10;
 
 }  // namespace
@@ -25,6 +25,7 @@ void AuctionSearch::Drop(int agent) {
 ColumnRequests AuctionSearch::Next(const TeamColumns& pool,
                                    const ColumnAnswers& answers) {
   prices_.resize(pool.capacities().size(), 0.0);
+  // Round 0 was asked without prices: its bounds count for prices 0.
   if (rounds_++ == 0) {
     held_.assign(pool.agents(), kNobody);
     best_ = held_;
@@ -132,7 +133,8 @@ std::vector<int> AuctionSearch::FullRows(const TeamColumns& pool,
   return full;
 }
 
-// By somebody who shares no full row: then it has to be planned around.
+// Whether an agent that shares no full row is in the way of the column: then
+// the bidder has to plan around it.
 bool AuctionSearch::IsBlocked(const TeamColumns& pool, int column) {
   const int agent = pool.columns()[column].agent;
   bool blocked = false;
@@ -190,7 +192,7 @@ void AuctionSearch::ProcessBid(const TeamColumns& pool, int agent,
   for (const int row : full) {
     prices_[row] +=
         std::max(options_.epsilon, raise / static_cast<double>(full.size()));
-    int min_value = kNobody;  // Of those who hold it: who bid least for it.
+    int min_value = kNobody;  // The holder of the row with the lowest score.
     for (const int other : ChosenColumns(held_)) {
       const std::vector<int>& rows = pool.columns()[other].rows;
       if (std::binary_search(rows.begin(), rows.end(), row) &&

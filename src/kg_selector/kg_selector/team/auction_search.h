@@ -49,7 +49,6 @@ class AuctionSearch : public TeamSearch {
   const TeamChoice& choice() const override { return best_; }
   double bound() const override { return relaxation_.bound(); }
   const std::vector<double>& prices() const override { return prices_; }
-  int rounds() const { return rounds_; }
 
  private:
   enum class Phase { kBids, kFinal, kGroups, kUnserved };
@@ -76,9 +75,9 @@ class AuctionSearch : public TeamSearch {
   std::vector<double> prices_;
   TeamChoice held_;
   TeamChoice best_;
-  std::set<int> retired_;  // Nothing is worth its price to them.
+  std::set<int> retired_;  // Agents for which no column is worth its price.
   std::set<int> dropped_;
-  std::set<std::pair<int, int>> blocked_;  // Agent, and who is in its way.
+  std::set<std::pair<int, int>> blocked_;  // (agent, agent that is in its way).
   std::set<TeamChoice> asked_unserved_;
   Phase phase_ = Phase::kBids;
   int rounds_ = 0;

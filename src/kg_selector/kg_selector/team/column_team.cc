@@ -94,6 +94,7 @@ ColumnAnswers ColumnTeam::CollectOffers() {
   ColumnAnswers answers;
   for (auto& [name, candidates] : offers_) {
     const int agent = FindIndex(name);
+    // Nothing found, and proven: the agent adds 0 to any plan.
     const bool has_none = candidates.pathlets.empty() && candidates.proven;
     ScreenedOffer screened =
         ScreenOffer(rules_, name, std::move(candidates.pathlets), round_);
@@ -182,6 +183,7 @@ void ColumnTeam::Finish() {
               return a.score() != b.score() ? a.score() > b.score()
                                             : a.agent < b.agent;
             });
+  // Why the others have no path, as far as is known.
   for (std::size_t a = 0; a < names_.size(); ++a) {
     const bool served =
         a < search_->choice().size() && search_->choice()[a] != kNobody;
@@ -205,6 +207,7 @@ void ColumnTeam::RejectFavourites() {
     }
     const Pathlet& favourite = pathlets_[column];
     const double kept = chosen == kNobody ? 0.0 : pathlets_[chosen].score();
+    // Without a hard conflict with the plan it was outbid.
     Conflict conflict{ConflictKind::kOutbid, "", -1, "",
                       favourite.score() - kept};
     if (const auto hard = FindConflict(rules_, others, favourite)) {

@@ -1,6 +1,6 @@
 // Every mode with columns, as the team sees it: answers become columns over the
-// rows of team_rows.h, a TeamSearch says whom to ask what, and what it chooses
-// is the plan. Beyond rows two paths conflict if they come too close
+// rows of team_rows.h, a TeamSearch makes the requests, and what it chooses is
+// the plan. Beyond rows two paths conflict if they come too close
 // (conflict.h); where separation is soft a pair costs SoftPenalty().
 //
 // Who offered a path but got another, or none, has its first favourite among
@@ -56,10 +56,10 @@ class ColumnTeam : public Coordinator {
   std::unique_ptr<TeamSearch> search_;
 
   std::set<std::string> waiting_;
-  std::map<std::string, AgentOffer> offers_;  // Of the round under way.
+  std::map<std::string, AgentOffer> offers_;  // Of the current round.
   ColumnRequests requests_;
   std::map<int, int> favourites_;  // Column by agent, of round 0.
-  std::map<int, bool> refused_;    // Whether all it offered was turned away.
+  std::map<int, bool> refused_;    // Whether all it offered was rejected.
   std::unordered_map<std::size_t, bool> too_close_;  // By pair of columns.
   TeamOutcome outcome_;
   int round_ = 0;

@@ -3,10 +3,10 @@
 // answer, and names the agents that must plan again, with their requests.
 //
 //   const auto team = MakeCoordinator(rules, {"a", "b", "c"});  // team_modes.h
-//   team->Offer("a", candidates_a); ...        // Round 0: nothing asked.
+//   team->Offer("a", offer_a); ...             // Round 0: without requests.
 //   while (!team->Advance()) {
 //     for (agent : copy of team->waiting_for())
-//       team->Offer(agent, PlanUnder(rules, member, team->AskOf(agent)));
+//       team->Offer(agent, PlanPriced(rules, member, team->RequestFor(agent)));
 //   }
 //   team->outcome()
 //
@@ -32,7 +32,7 @@ class Coordinator {
   // Gives up on an agent (dead, or past the deadline): planned without it.
   virtual void Drop(const std::string& agent, const std::string& why) = 0;
 
-  // Goes on as far as it can. True when nobody is waited for any more.
+  // Goes on as far as it can. True when the plan is complete.
   virtual bool Advance() = 0;
 
   // Who must offer (again) before Advance() can go on, and under what.

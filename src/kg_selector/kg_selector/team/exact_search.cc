@@ -10,9 +10,9 @@
 namespace kg_selector {
 namespace {
 
-// How close to its bound a plan need not be bettered.
+// Relative gap below which a plan counts as optimal.
 constexpr double kNoGap = 1e-9;
-// As many columns as are compared each with each.
+// Up to this many columns all pairs are compared.
 constexpr int kFewColumns = 300;
 
 double SecondsSince(std::chrono::steady_clock::time_point begin) {
@@ -109,7 +109,7 @@ bool AddConflicts(const TeamColumns& pool, const std::vector<int>& chosen,
   return any;
 }
 
-// All pairs that come too close, if they are few enough to look at.
+// Adds all pairs that come too close, if there are few enough columns.
 void AddAllConflicts(const TeamColumns& pool, ChoiceProblem* problem) {
   const int count = static_cast<int>(problem->pool_columns.size());
   if (count > kFewColumns) return;
@@ -135,6 +135,8 @@ ExactChoice ChooseExactly(const TeamColumns& pool, const TeamChoice& start,
   if (ToStart(problem, start).size() == problem.pool_columns.size()) {
     return {start, true};
   }
+  // Conflicts by distance are costly to find: all at once only for small pools,
+  // else those of each solution, until one has none (lazy constraints).
   AddAllConflicts(pool, &problem);
   PackingOptions options;
   options.start = ToStart(problem, start);
@@ -174,7 +176,6 @@ ColumnRequests ExactSearch::Next(const TeamColumns& pool,
   if (best_.empty()) best_ = priced_.choice();
   const ExactChoice exact =
       ChooseExactly(pool, best_, prices(), options_.time_limit_s);
-  optimal_ = exact.optimal;
   const TeamChoice filled = Exchange(pool, prices(), exact.choice, {});
   if (IsMore(pool.Worth(filled), pool.Worth(best_))) best_ = filled;
   if (priced_.rounds() >= options_.max_rounds || asked_unserved_) return {};

@@ -118,7 +118,7 @@ void GreedyTeam::DropAgentsWithoutPath() {
   }
 }
 
-// Whoever's favourite is ruled out must plan again.
+// An agent whose favourite conflicts with a committed path must plan again.
 void GreedyTeam::RequestAgain() {
   for (const auto& [agent, offer] : offers_) {
     if (waiting_.count(agent) > 0) continue;
@@ -171,6 +171,7 @@ void GreedyTeam::Commit(const std::string& agent, std::size_t index) {
 // nobody.
 void GreedyTeam::CommitFromOffers() {
   while (true) {
+    // Value, agent, index of the path in its offer.
     std::tuple<double, std::string, std::size_t> best(kNoValue, "", 0);
     for (const auto& [agent, offer] : offers_) {
       for (std::size_t i = 0; i < offer.size(); ++i) {

@@ -2,7 +2,7 @@
 // rules out is masked, the others plan again around it, and so on.
 //
 // Planning is done by the agents' planners, wherever they run, so this is a
-// state machine: hand it every answer, it says who must plan again around what.
+// state machine: it takes every answer and returns the requests to plan again.
 // The result does not depend on the order of answers. An agent whose best path
 // conflicts with nobody needs no new plan (masks only take paths away), so a
 // team of A agents needs at most A rounds.
@@ -14,9 +14,8 @@
 // minus SoftPenalty() to those committed, and agents are ranked by that. With
 // hard separation the favourite is simply the best.
 //
-// Everybody who has a path gets one, even if it is worth less than nothing: an
-// agent must be somewhere. So the bound counts 0 for an agent whose own is
-// less.
+// Every agent that has a path gets one, even if its value is negative: an agent
+// must be somewhere. So the bound counts 0 for an agent whose own is negative.
 //
 // An agent that waits keeps others back only if its last offer, which its next
 // cannot beat, ranks as high as theirs. After rules.max_rounds the rest is
@@ -70,7 +69,7 @@ class GreedyTeam : public Coordinator {
 
   TeamRules rules_;
   std::map<std::string, std::vector<Pathlet>> offers_;  // Not committed.
-  // What the door turned away of the offers since the last Advance(), by agent.
+  // Paths that screening rejected since the last Advance(), by agent.
   std::map<std::string, std::vector<RejectedPath>> rejected_;
   std::set<std::string> waiting_;
   std::map<std::string, double> bounds_;  // Of round 0, by agent.

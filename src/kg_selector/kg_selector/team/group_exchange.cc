@@ -7,7 +7,7 @@
 namespace kg_selector {
 namespace {
 
-// What an agent would like most: its best column under prices.
+// The best column of an agent under prices; kNobody = it has none.
 int FindWish(const TeamColumns& pool, int agent,
              const std::vector<double>& prices) {
   int wish = kNobody;
@@ -66,6 +66,7 @@ void GroupExchange::MakeGroups(const TeamColumns& pool) {
   for (int agent = 0; agent < pool.agents(); ++agent) {
     if (dropped_.count(agent) == 0) free.insert(agent);
   }
+  // Groups of 2 to 4: larger ones seldom find anything better.
   const int size = 2 + Random(3);
   groups_.clear();
   while (!free.empty()) {
@@ -77,11 +78,13 @@ void GroupExchange::MakeGroups(const TeamColumns& pool) {
     if (static_cast<int>(group.members.size()) > size) {
       group.members.resize(size);
     }
+    // Fisher-Yates, with this class's random numbers.
     for (std::size_t i = group.members.size(); i > 1; --i) {
       std::swap(group.members[i - 1],
                 group.members[Random(static_cast<int>(i))]);
     }
     for (const int member : group.members) free.erase(member);
+    // 0 to 1.2 of the prices: above 1 to leave contested rows to the last.
     group.share = 0.012 * Random(101);
     groups_.push_back(std::move(group));
   }
@@ -102,11 +105,13 @@ ColumnRequests GroupExchange::RequestMembers() const {
   for (const Group& group : groups_) {
     if (member_ >= group.members.size()) continue;
     ColumnRequest request;
+    // The last member pays nothing.
     if (member_ + 1 < group.members.size()) {
       for (const double price : prices_) {
         request.prices.push_back(group.share * price);
       }
     }
+    // Around everybody outside the group, and the members that answered.
     TeamChoice others = choice_;
     for (const int member : group.members) others[member] = kNobody;
     for (const int column : others) {

@@ -139,6 +139,7 @@ TeamRules ToTeamRules(const Compilation& compilation) {
     team.energy_budget_j[rules.agent_id] = rules.energy_budget_j;
   }
   for (const kg_core::TimeWindow& window : compilation.mission.windows) {
+    // Windows before are over.
     if (window.index >= compilation.first_window) {
       team.window_end_s[window.index] = window.end_s;
     }
@@ -154,6 +155,7 @@ std::vector<WindowWorld> FindWorlds(const Compilation& compilation,
 PlannedMission PlanMission(const Compilation& compilation,
                            const PlannedMission* previous) {
   PlannedMission planned;
+  // Waypoints and seams of all agents, in parallel.
   const auto begin = std::chrono::steady_clock::now();
   std::vector<AgentGraphs> graphs = CompileAll(compilation, previous);
   planned.stage_seconds["graphs"] = SecondsSince(begin);

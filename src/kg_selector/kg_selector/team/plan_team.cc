@@ -27,6 +27,7 @@ TeamPlan PlanTeam(TeamRules rules, const std::vector<TeamMember>& members) {
   TeamPlan plan;
   const std::unique_ptr<Coordinator> team = MakeCoordinator(rules, agents);
   while (!team->Advance()) {
+    // A copy: Offer() changes the set.
     const std::set<std::string> waiting = team->waiting_for();
     for (const std::string& agent : waiting) {
       AgentOffer found =

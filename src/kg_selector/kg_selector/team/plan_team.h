@@ -1,4 +1,4 @@
-// The whole way from everybody's NavGraphs to a team plan, in one process: what
+// From the NavGraphs of all agents to a team plan, in one process: what
 // planner and selector nodes do together, for what-ifs and benchmarks.
 
 #ifndef KG_SELECTOR_TEAM_PLAN_TEAM_H_
@@ -24,7 +24,7 @@ struct TeamPlan : TeamOutcome {
   double score() const;
 };
 
-// rules.window_end_s as far as it is missing is taken from the members.
+// Missing entries of rules.window_end_s are taken from the members.
 TeamPlan PlanTeam(TeamRules rules, const std::vector<TeamMember>& members);
 
 }  // namespace kg_selector

@@ -109,6 +109,8 @@ Trellis PricedTrellis(const SeamRules& open, const NavGraphs& graphs,
     }
   }
   Trellis trellis = ToTrellis(priced, graphs);
+  // Prices of one waypoint add up. They are paid on the seam that ends there,
+  // so that stops on the way are free.
   std::vector<std::map<int, double>> paid(graphs.size());
   for (const WaypointPrice& price : request.waypoint_prices) {
     paid[FindPricedStage(graphs, price)][price.waypoint] += price.price;
@@ -154,6 +156,7 @@ AgentOffer PlanPriced(const TeamRules& team, const TeamMember& member,
       MaskCommitted(team, graphs, request.around), member.memory.get());
   AgentOffer candidates;
   candidates.proven = best.proven;
+  // The bound counts prices, the pathlets do not.
   candidates.bound = best.bound;
   for (const kg_planner::Path& path : best.paths) {
     candidates.pathlets.push_back(

@@ -7,13 +7,15 @@
 namespace kg_selector {
 namespace {
 
-// Of the rounds, how many may go into prices.
+// Share of the rounds that may be spent on prices.
 constexpr double kPriceShare = 0.5;
-// Columns of an agent that are tried: every round, and at the end of a phase.
+// Columns of an agent that Exchange() tries: in every round, and at the end of
+// a phase.
 constexpr int kFewColumns = 15;
 constexpr int kManyColumns = 100;
-// Groups may lead so far below the best plan, at first: of the plan's score,
-// over the square of the number of agents. In large teams better moves abound.
+// Groups may lead to plans this much worse than the best, at first: a share of
+// its score, over the square of the number of agents. In large teams better
+// moves abound.
 constexpr double kSlack = 0.3;
 
 }  // namespace
@@ -99,6 +101,7 @@ void PricedSearch::FitColumns(const TeamColumns& pool,
     }
   }
   std::sort(order.begin(), order.end());
+  // Most valuable under the prices first: it has the most to lose.
   if (!answers.empty()) displaced_.clear();
   for (const auto& [value, column] : order) {
     const int agent = pool.columns()[column].agent;

@@ -1,6 +1,6 @@
-// The door that every mode's candidates pass: what cannot be part of any plan
-// is turned away with the reason, so that nothing behind it need expect
-// nonsense.
+// The check that offers pass in every mode: a path that cannot be part of any
+// plan is rejected with the reason, so that the modes need not handle malformed
+// input.
 
 #ifndef KG_SELECTOR_TEAM_SCREENING_H_
 #define KG_SELECTOR_TEAM_SCREENING_H_

@@ -78,6 +78,7 @@ TeamWorth TeamColumns::Worth(const TeamChoice& choice) const {
   double min_value = std::numeric_limits<double>::infinity();
   double max_value = 0.0;
   for (std::size_t a = 0; a < choice.size(); ++a) {
+    // Agents that never offered anything count nothing.
     if (of_agent_[a].empty()) continue;
     const bool served = choice[a] != kNobody;
     if (!served) worth.second += unserved_;
@@ -210,11 +211,12 @@ class ChoiceTable {
   std::vector<std::vector<int>> users_;  // By row: columns.
 };
 
-// Of every agent the columns worth trying, best first under prices.
+// The columns of every agent that are worth trying, best first under prices.
 std::vector<std::vector<int>> Shortlists(const TeamColumns& pool,
                                          const std::vector<double>& prices,
                                          std::size_t length) {
   std::vector<std::vector<int>> lists;
+  // Reduced values once: sorting reads them often.
   std::vector<double> reduced;
   for (std::size_t c = 0; c < pool.columns().size(); ++c) {
     reduced.push_back(pool.Reduced(static_cast<int>(c), prices));

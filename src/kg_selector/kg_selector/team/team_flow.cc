@@ -19,6 +19,7 @@ constexpr int kThroughNode = -2;  // Parent: the other half of the node.
 void CheckStage(const TeamFlow& flow, std::size_t s) {
   const FlowStage& stage = flow.stages[s];
   const std::string where = "stage " + std::to_string(s);
+  // Seams of the first stage come from the agents themselves.
   const int before = s == 0
                          ? flow.agents
                          : static_cast<int>(flow.stages[s - 1].rewards.size());
@@ -88,6 +89,7 @@ class FlowSolver {
     used_.assign(agents_, 0);
     potential_.assign(vertices + 1, kUnreached);
     layer_of_.assign(vertices + 1, kNone);
+    // Vertex numbers: agents, then in and out halves stage by stage.
     for (std::size_t s = 0; s < layers_.size(); ++s) {
       for (std::size_t v = 0; v < layers_[s].gain.size(); ++v) {
         layer_of_[layers_[s].in(v)] = layer_of_[layers_[s].out(v)] =
@@ -97,7 +99,8 @@ class FlowSolver {
     StartPotentials();
   }
 
-  // One agent more, if there is room: the cheapest way in what is left.
+  // Serves one more agent, if capacities allow it: the cheapest augmenting
+  // path.
   bool Augment() {
     Search();
     const double length = cost_[exit_];
@@ -154,6 +157,8 @@ class FlowSolver {
     for (int a = 0; a < agents_; ++a) potential_[a] = 0.0;
     for (std::size_t s = 0; s < layers_.size(); ++s) {
       const FlowLayer& layer = layers_[s];
+      // The trellis has no cycles: one pass gives exact distances, although
+      // costs are negative where rewards are.
       for (const FlowSeam& seam : layer.seams) {
         double& in = potential_[layer.in(seam.to)];
         in = std::min(
@@ -220,7 +225,9 @@ class FlowSolver {
     while (!queue_.empty()) {
       const auto [cost, vertex] = queue_.top();
       queue_.pop();
+      // What lies beyond the exit is not needed: potentials are capped there.
       if (vertex == exit_) return;
+      // An outdated entry of the queue.
       if (cost > cost_[vertex]) continue;
       const int layer = layer_of_[vertex];
       const int nodes = layer < 0 ? 0 : layers_[layer].nodes();
@@ -268,8 +275,8 @@ class FlowSolver {
   std::vector<int> layer_of_;      // By vertex; of an agent kNone.
   std::vector<double> potential_;  // By vertex.
 
-  // Of the search under way, by vertex: reduced cost, and how it was reached:
-  // by which seam, or kThroughNode. The exit's parent is a node.
+  // State of the current search, by vertex: reduced cost, and how it was
+  // reached: by which seam, or kThroughNode. The exit's parent is a node.
   std::vector<double> cost_;
   std::vector<int> parent_;
   std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>>

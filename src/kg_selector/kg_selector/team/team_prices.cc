@@ -8,9 +8,12 @@
 namespace kg_selector {
 namespace {
 
-constexpr double kLeastShare = 0.1;  // Of the newest answers in the average.
-constexpr int kMaxFailedSteps = 2;   // Steps in vain before they get shorter.
-// Of the bound: where the best plan will be, if none so good is known yet.
+constexpr double kLeastShare =
+    0.1;  // Least weight of the newest answers in the average.
+constexpr int kMaxFailedSteps =
+    2;  // Steps without gain before they get shorter.
+// Expected gap of the best plan, as a share of the bound, while no plan so good
+// is known.
 constexpr double kLikelyGap = 0.05;
 // Settled: the bound fell by less than this share in so many rounds.
 constexpr double kSettledShare = 2e-4;
@@ -38,6 +41,7 @@ void TeamPrices::Learn(const std::vector<int>& capacities,
                        const Answers& answers) {
   capacities_ = capacities;
   Grow(capacities.size());
+  // L at the prices asked: rows' part and agents' part.
   double rows = 0.0;
   for (std::size_t r = 0; r < capacities.size(); ++r) {
     rows += prices_[r] * capacities[r];
@@ -47,10 +51,12 @@ void TeamPrices::Learn(const std::vector<int>& capacities,
     agents.push_back(AtLeastZero(bound));
   }
   const double value = std::accumulate(agents.begin(), agents.end(), rows);
+  // A running mean of the first answers, later an exponential one.
   const double share = std::max(kLeastShare, 1.0 / (1.0 + bounds_.size()));
   for (std::size_t r = 0; r < capacities.size(); ++r) {
     average_usage_[r] += share * (answers.usage[r] - average_usage_[r]);
   }
+  // Better: longer steps from here. Two steps without gain: shorter ones.
   if (value < bound()) {
     rows_part_ = rows;
     agents_part_ = std::move(agents);

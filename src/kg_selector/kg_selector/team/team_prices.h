@@ -34,7 +34,7 @@ namespace kg_selector {
 
 class TeamPrices {
  public:
-  // What everybody answered under prices().
+  // The answers of all agents under prices().
   struct Answers {
     std::vector<double> bounds;  // By agent, prices taken off; NaN = unknown.
     std::vector<int> usage;      // By row: agents whose best path uses it.
@@ -63,7 +63,7 @@ class TeamPrices {
   std::vector<int> capacities_;
   std::vector<double> prices_;         // Asked for.
   std::vector<double> best_prices_;    // Of the least L.
-  std::vector<double> average_usage_;  // Of past answers.
+  std::vector<double> average_usage_;  // Of past answers, by row.
   double rows_part_ =
       std::numeric_limits<double>::infinity();  // Of the least L.
   std::vector<double> agents_part_;

@@ -77,6 +77,7 @@ void TeamRows::AddMissingRows(int window, int place) {
   const int count = static_cast<int>(places_.at(window).size());
   for (int other = 0; other < count; ++other) {
     if (!AreClose(window, place, other)) continue;
+    // They have a row in common already.
     const std::vector<int>& mine = places_.at(window)[place].rows;
     const std::vector<int>& its = places_.at(window)[other].rows;
     if (std::any_of(mine.begin(), mine.end(), [&](int row) {
@@ -84,6 +85,7 @@ void TeamRows::AddMissingRows(int window, int place) {
         })) {
       continue;
     }
+    // A maximal clique around the pair, grown greedily.
     const int row = static_cast<int>(capacities_.size());
     capacities_.push_back(1);
     cliques_[row] = {window, {}};
@@ -141,6 +143,7 @@ std::vector<int> TeamRows::UsedRows(const Pathlet& pathlet) const {
 void TeamRows::PutPrices(const std::string& agent,
                          const std::vector<double>& prices,
                          PlanRequest* request) const {
+  // Rows added since the prices were made cost nothing.
   const auto price_of = [&](int row) {
     return row < static_cast<int>(prices.size()) ? prices[row] : 0.0;
   };
@@ -152,6 +155,7 @@ void TeamRows::PutPrices(const std::string& agent,
       double sum = 0.0;
       for (const int row : place.rows) sum += price_of(row);
       if (!(sum > 0.0)) continue;
+      // In the numbering of the agent's own graph.
       for (const auto& [owner, waypoint] : place.waypoints) {
         if (owner == agent) {
           request->waypoint_prices.push_back({window, waypoint, sum});

@@ -5,7 +5,8 @@
 // Places: of agents that hold station at a window's end, only one may be among
 // places that all lie closer to each other than the separation. Rows are made
 // as places are seen (relax and cut); a new place joins every row it fits into.
-// They are said with a hair to spare, so two paths of one row surely conflict.
+// The separation is taken 0.1 % shorter for them, so that two paths of one row
+// always conflict.
 
 #ifndef KG_SELECTOR_TEAM_TEAM_ROWS_H_
 #define KG_SELECTOR_TEAM_TEAM_ROWS_H_

@@ -1,10 +1,10 @@
-// How a mode looks for a team plan, in columns over rows: the part of it that
-// knows neither missions nor messages. Rounds of questions to agents:
+// How a mode with columns searches for a team plan, in columns over rows: the
+// part of it that knows neither missions nor messages. Rounds of requests:
 //
-//   asks = search.Next(round)        // Round 0: everybody, nothing asked.
-//   for (agent, ask : asks)          // None = done: search.choice().
-//     the best columns of `agent` under the prices of `ask.prices`, beside the
-//     columns `ask.around`, go to the pool and into the next round
+//   requests = search.Next(round)         // Round 0: all agents, no request.
+//   for (agent, request : requests)       // None = done: search.choice().
+//     the best columns of `agent` under the prices of `request.prices`, beside
+//     the columns `request.around`, go to the pool and into the next round
 //
 // Answers of one round are taken together, by agent: the order in which they
 // come does not matter.
@@ -30,7 +30,8 @@ struct ColumnRequest {
 
 struct ColumnAnswer {
   std::vector<int> columns;  // In the pool, best first, prices counted.
-  // No column beside those of the ask is worth more, prices taken off.
+  // Upper bound of the value of any column beside those of the request, less
+  // prices.
   double bound = std::numeric_limits<double>::quiet_NaN();  // NaN = not known.
 };
 
@@ -42,9 +43,9 @@ class TeamSearch {
  public:
   virtual ~TeamSearch() = default;
 
-  // Takes the answers to the asks of before; whom to ask next. Rows may have
-  // been added to the pool since. No more than a number of rounds that the mode
-  // states.
+  // Takes the answers to the last requests; returns the next ones. Rows may
+  // have been added to the pool since. No more than a number of rounds that the
+  // mode states.
   virtual ColumnRequests Next(const TeamColumns& pool,
                               const ColumnAnswers& answers) = 0;
   virtual void Drop(int agent) = 0;
@@ -52,7 +53,7 @@ class TeamSearch {
   // The best plan so far, and what no plan is worth more than.
   virtual const TeamChoice& choice() const = 0;
   virtual double bound() const = 0;
-  // Of rows, at the end: what was asked for them last.
+  // Final price of each row.
   virtual const std::vector<double>& prices() const = 0;
 };
 
@@ -60,15 +61,16 @@ struct SearchOptions {
   int max_rounds = 8;  // Of asking, the first included.
   double gap_goal = 0.01;
   double epsilon = 0.05;      // Least raise of a price.
-  double time_limit_s = 2.0;  // Of an exact choice.
+  double time_limit_s = 2.0;  // Of the exact choice [s].
 };
 
 // The columns that are chosen.
 std::vector<int> ChosenColumns(const TeamChoice& choice);
-// What everybody without a column is asked: the best beside all that have one.
+// Requests for every agent without a column: its best one beside all columns
+// that are chosen.
 ColumnRequests RequestUnservedBeside(const TeamChoice& choice,
                                      const std::set<int>& dropped);
-// Everybody, at the same prices.
+// Requests for all agents, at the same prices.
 ColumnRequests RequestAll(const std::vector<double>& prices, int agents,
                           const std::set<int>& dropped);
 

@@ -33,6 +33,7 @@ inline void ExtendPath(const TeamMember& member, const EveryPath& path,
   for (const auto& edge : member.graphs[stage].edges) {
     if (edge.from != (stage == 0 ? 0 : path.nodes.back())) continue;
     const auto& waypoint = member.graphs[stage].waypoints[edge.to];
+    // Events are met, not earned: which ones count is decided by capacity.
     EveryPath longer = path;
     longer.nodes.push_back(edge.to);
     longer.score += waypoint.score - edge.seam_cost;

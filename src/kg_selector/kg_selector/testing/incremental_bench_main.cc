@@ -32,7 +32,7 @@ struct BenchTeam {
   int agents = 3;
   int windows = 7;
   int classes = 3;  // Policies; and as many speeds.
-  int slices = 2;   // Of each window's field, its end not counted.
+  int slices = 2;   // Of each window's field, without its end.
 };
 
 // Slices of one window, from time 0.
@@ -233,6 +233,7 @@ bool Measure(const BenchTrial& trial, const BenchWorld& base,
   for (int i = 0; i < trial.rounds; ++i) {
     const kg_core::Mission after =
         WithArea(before, MiddleOf(trial.where, before, &rng));
+    // Once from nothing, once with what the mission before left.
     const BenchWorld full = PlanAll(empty, after, nullptr);
     const BenchWorld step = PlanAll(base.compiler, after, &base.planned);
     Show("full", full);

@@ -107,6 +107,7 @@ class RandomTeam {
     kg_compiler::NavGraph graph;
     graph.agent_iri = member.rules.agent_iri;
     graph.window = w;
+    // Each window offers another sample of the shared places.
     std::vector<int> places(places_.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
       places[i] = static_cast<int>(i);

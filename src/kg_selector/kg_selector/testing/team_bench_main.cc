@@ -49,6 +49,7 @@ TeamChoice PlanGreedily(const TrellisTeam& team, TeamColumns* pool) {
     const int agent = pool->columns()[first].agent;
     choice[agent] = first;
     wish[agent] = kNobody;
+    // No conflict: committed.
     if (pool->IsAllowed(choice)) {
       --left;
       continue;
@@ -68,6 +69,8 @@ TeamFlow ToFlow(const TrellisTeam& team) {
   flow.agents = options.agents;
   for (int t = 0; t < options.stages; ++t) {
     FlowStage stage;
+    // The agents differ by where they start only: seams of later stages are
+    // those of agent 0.
     const int before = t == 0 ? options.agents : options.nodes;
     for (int v = 0; v < options.nodes; ++v) {
       stage.rewards.push_back(static_cast<double>(team.Reward(0, t, v)));
@@ -113,7 +116,7 @@ SearchRun RunMode(const TrellisTeam& team, const SearchOptions& options) {
 struct TeamSize {
   TrellisTeamOptions team;
   int rounds = 1000;
-  double goal = 99.0;  // Of the bound, per cent.
+  double goal = 99.0;  // Share of the bound [%].
 };
 
 std::string NameOf(const TrellisTeamOptions& o) {

@@ -84,6 +84,7 @@ class TrellisTeam {
     const float weight = agents_[agent].weight;
     std::vector<float> best(n);
     for (int t = 1; t < options_.stages; ++t) {
+      // The inner loop runs over targets so that the compiler vectorises it.
       const float* from = &value[row(t - 1, 0)];
       std::fill(best.begin(), best.end(), -kNever);
       int* came = &before[row(t, 0)];
@@ -123,6 +124,7 @@ class TrellisTeam {
   std::vector<float> NodeValues(int agent, const ColumnRequest& request,
                                 const TeamColumns& pool) const {
     const std::size_t rows = pool.capacities().size();
+    // Full nodes are priced out of reach.
     std::vector<int> used(rows, 0);
     for (const int column : request.around) {
       for (const int r : pool.columns()[column].rows) ++used[r];
@@ -149,6 +151,7 @@ class TrellisTeam {
         static_cast<int>(std::max_element(ends, ends + options_.nodes) - ends);
     ColumnAnswer answer;
     answer.bound = static_cast<double>(ends[node]);
+    // Every path leads through a full node.
     if (ends[node] < -0.5F * kNever) return {{}, 0.0};
     Column column;
     column.agent = agent;
