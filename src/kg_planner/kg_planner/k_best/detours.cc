@@ -15,13 +15,14 @@ constexpr std::size_t kKeptNodes = 12;  // A stage.
 std::vector<int> NodesToKeep(const MaxMarginals& marginals, std::size_t s,
                              int count) {
   std::vector<int> nodes;
-  for (int v = 0; v < count; ++v)
-    if (marginals.Of(s, v) > kNone) nodes.push_back(v);
+  for (int v = 0; v < count; ++v) {
+    if (marginals.Score(s, v) > kNone) nodes.push_back(v);
+  }
   const std::size_t kept = std::min(nodes.size(), kKeptNodes);
   std::partial_sort(nodes.begin(), nodes.begin() + kept, nodes.end(),
                     [&](int a, int b) {
-                      const double more = marginals.Of(s, a);
-                      const double less = marginals.Of(s, b);
+                      const double more = marginals.Score(s, a);
+                      const double less = marginals.Score(s, b);
                       return more != less ? more > less : a < b;
                     });
   nodes.resize(kept);
@@ -31,27 +32,30 @@ std::vector<int> NodesToKeep(const MaxMarginals& marginals, std::size_t s,
 
 }  // namespace
 
-Detours::Detours(const SearchTrellis& search, const ScoreGrid& grid,
-                 const Prices& prices, const MaxMarginals& marginals)
+DetourSearch::DetourSearch(const SearchTrellis& search, const ScoreGrid& grid,
+                           const Prices& prices, const MaxMarginals& marginals)
     : search_(search), stages_(search.stages.size()) {
   for (std::size_t s = 0; s < stages_.size(); ++s) {
     stages_[s].nodes = NodesToKeep(marginals, s, search.stages[s].nodes);
-    stages_[s].taken.assign(stages_[s].nodes.size(), 0);
+    stages_[s].times_taken.assign(stages_[s].nodes.size(), 0);
     AddSeams(grid, prices, s);
   }
 }
 
-void Detours::AddSeams(const ScoreGrid& grid, const Prices& prices,
-                       std::size_t s) {
+void DetourSearch::AddSeams(const ScoreGrid& grid, const Prices& prices,
+                            std::size_t s) {
   const SearchStage& stage = search_.stages[s];
   KeptStage& kept = stages_[s];
   std::vector<int> place(stage.nodes, -1);
-  for (std::size_t v = 0; v < kept.nodes.size(); ++v)
+  for (std::size_t v = 0; v < kept.nodes.size(); ++v) {
     place[kept.nodes[v]] = static_cast<int>(v);
+  }
+  // Before the first stage there is only the start, node 0.
   const std::vector<int> start{0};
   const std::vector<int>& before = s == 0 ? start : stages_[s - 1].nodes;
   const Seam* end = stage.seams + stage.seam_count;
   for (std::size_t u = 0; u < before.size(); ++u) {
+    // Seams are sorted by `from`: those of a kept node are one range.
     const Seam* seam =
         std::lower_bound(stage.seams, end, before[u],
                          [](const Seam& a, int from) { return a.from < from; });
@@ -65,16 +69,20 @@ void Detours::AddSeams(const ScoreGrid& grid, const Prices& prices,
   }
 }
 
-void Detours::Take(const std::vector<int>& nodes) {
+void DetourSearch::CountPath(const std::vector<int>& nodes) {
   for (std::size_t s = 0; s < stages_.size(); ++s) {
     KeptStage& kept = stages_[s];
-    for (std::size_t v = 0; v < kept.nodes.size(); ++v)
-      if (search_.stages[s].OriginNode(kept.nodes[v]) == nodes[s])
-        ++kept.taken[v];
+    for (std::size_t v = 0; v < kept.nodes.size(); ++v) {
+      if (search_.stages[s].OriginNode(kept.nodes[v]) == nodes[s]) {
+        ++kept.times_taken[v];
+      }
+    }
   }
 }
 
-std::vector<int> Detours::Best(double penalty) const {
+std::vector<int> DetourSearch::Best(double penalty) const {
+  // Forward Viterbi pass over the kept seams. A node pays its penalty once the
+  // best way into it is known, which does not change that way.
   std::vector<std::vector<int>> into(stages_.size());  // Kept seam, by node.
   std::vector<double> best{0.0};
   for (std::size_t s = 0; s < stages_.size(); ++s) {
@@ -88,13 +96,15 @@ std::vector<int> Detours::Best(double penalty) const {
       next[seam.to] = score;
       into[s][seam.to] = static_cast<int>(i);
     }
-    for (std::size_t v = 0; v < next.size(); ++v)
-      next[v] -= penalty * kept.taken[v];
+    for (std::size_t v = 0; v < next.size(); ++v) {
+      next[v] -= penalty * kept.times_taken[v];
+    }
     best = std::move(next);
   }
-  const auto most = std::max_element(best.begin(), best.end());
-  if (most == best.end() || !(*most > kNone)) return {};
-  int node = static_cast<int>(most - best.begin());
+  const auto max_value = std::max_element(best.begin(), best.end());
+  if (max_value == best.end() || !(*max_value > kNone)) return {};
+  // Trace back from the best last node.
+  int node = static_cast<int>(max_value - best.begin());
   std::vector<int> seams(stages_.size());
   for (std::size_t s = stages_.size(); s-- > 0;) {
     const KeptSeam& seam = stages_[s].seams[into[s][node]];

@@ -1,4 +1,4 @@
-// Paths that leave the beaten tracks: the best path of a thinned trellis under
+// Paths unlike those already chosen: the best path of a thinned trellis under
 // a penalty for every node, times the number of paths taken that end a stage
 // there, as in the diverse M best of Batra et al. (ECCV 2012). Thinned: only
 // the nodes of the largest max-marginals, so that a search costs next to
@@ -16,15 +16,15 @@
 
 namespace kg_planner {
 
-class Detours {
+class DetourSearch {
  public:
   // `marginals`: of the same trellis, grid and prices. `search` must outlive
   // this.
-  Detours(const SearchTrellis& search, const ScoreGrid& grid,
-          const Prices& prices, const MaxMarginals& marginals);
+  DetourSearch(const SearchTrellis& search, const ScoreGrid& grid,
+               const Prices& prices, const MaxMarginals& marginals);
 
   // A path that was taken: nodes of the caller's trellis.
-  void Take(const std::vector<int>& nodes);
+  void CountPath(const std::vector<int>& nodes);
 
   // The seams of the best path; of equal ones the first of the search.
   std::vector<int> Best(double penalty) const;
@@ -34,13 +34,13 @@ class Detours {
   struct KeptSeam {
     int from = 0;
     int to = 0;
-    int seam = 0;  // Of the search.
+    int seam = 0;  // Index in the search trellis.
     double weight = 0.0;
   };
   struct KeptStage {
-    std::vector<int> nodes;  // Of the search, ascending.
+    std::vector<int> nodes;  // Nodes of the search trellis, ascending.
     std::vector<KeptSeam> seams;
-    std::vector<int> taken;  // By kept node.
+    std::vector<int> times_taken;  // By kept node.
   };
 
   void AddSeams(const ScoreGrid& grid, const Prices& prices, std::size_t s);

@@ -10,28 +10,31 @@
 #include "kg_planner/k_best/detours.h"
 #include "kg_planner/k_best/limited_search.h"
 #include "kg_planner/k_best/max_marginals.h"
-#include "kg_planner/k_best/no_value.h"
 #include "kg_planner/k_best/path_value.h"
 #include "kg_planner/k_best/resource_prices.h"
 
 namespace kg_planner {
 namespace {
 
-// Of the dual prices; the last so high that only thrift counts.
-// Between penalties that are tried.
+constexpr double kNone = -std::numeric_limits<double>::infinity();
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+// Ratio of the penalties that are tried one after the other.
 constexpr double kPenaltyStep = 1.1;
+// Multiples of the dual prices that are tried; under the last only the use of
+// resources counts.
 constexpr double kPriceFactors[] = {0.0, 1.0, 2.0, 4.0, 1e4};
 
 // The best path through a node of the caller's trellis.
-struct Candidate {
+struct NodeCandidate {
   double score = kNone;
   std::size_t stage = 0;
   int origin_node = 0;
-  int node = 0;           // Of the search: of nodes split from one, the best.
-  std::size_t table = 0;  // Of the prices it was found under.
+  int node = 0;           // In the search trellis: the best of its split nodes.
+  std::size_t table = 0;  // Index of the prices it was found under.
 };
 
-bool ComesFirst(const Candidate& a, const Candidate& b) {
+bool ComesFirst(const NodeCandidate& a, const NodeCandidate& b) {
   if (a.score != b.score) return a.score > b.score;
   if (a.stage != b.stage) return a.stage < b.stage;
   return a.origin_node < b.origin_node;
@@ -51,26 +54,28 @@ class DiverseSearch {
   // Without limits and with exact tokens.
   KBest FindExact() {
     MakeTable({});
-    for (std::size_t s = 0; s < limited_.search.stages.size(); ++s)
+    for (std::size_t s = 0; s < limited_.search.stages.size(); ++s) {
       AddCandidates(s, [&](int node) { return Exact(s, node); });
-    Take();
-    if (taken_.empty()) return std::move(found_);
-    found_.bound = taken_.front().path.score();
+    }
+    AddCandidatePaths();
+    if (chosen_.empty()) return std::move(found_);
+    found_.bound = chosen_.front().path.score();
     AddDetours();
     return Result();
   }
 
   // After the best path of all.
-  KBest FindBehind(KBest best) {
+  KBest FindBelowBest(KBest best) {
     found_ = std::move(best);
     if (found_.paths.empty()) return std::move(found_);
     MakePricedTables();
-    for (std::size_t s = 0; s < limited_.search.stages.size(); ++s)
+    for (std::size_t s = 0; s < limited_.search.stages.size(); ++s) {
       AddCandidates(s, [&](int node) { return Allowed(s, node); });
-    TakeThis(ValueOf(found_.paths.front()));
-    Take();
+    }
+    AddPath(BestOfAll(found_.paths.front()));
+    AddCandidatePaths();
     const double last =
-        taken_.size() < paths_ ? Floor() : taken_.back().path.score();
+        chosen_.size() < paths_ ? MinimumScore() : chosen_.back().path.score();
     found_.proven =
         found_.proven && limited_.tokens_are_exact && !(most_uncertain_ > last);
     AddDetours();
@@ -81,31 +86,35 @@ class DiverseSearch {
   template <typename Function>
   void AddCandidates(std::size_t s, const Function& find) {
     const SearchStage& stage = limited_.search.stages[s];
-    std::vector<Candidate> best(stage.stage->nodes.size());
+    std::vector<NodeCandidate> best(stage.stage->nodes.size());
     for (int node = 0; node < stage.nodes; ++node) {
-      Candidate candidate = find(node);
-      Candidate& known = best[candidate.origin_node];
+      NodeCandidate candidate = find(node);
+      NodeCandidate& known = best[candidate.origin_node];
+      // Of the nodes split from one, the best path through any of them; of
+      // equal scores the first in the order of ties.
       if (candidate.score > known.score ||
           (candidate.score > kNone && candidate.score == known.score &&
-           IsBetter(Value(candidate), Value(known))))
+           IsBetter(Value(candidate), Value(known)))) {
         known = candidate;
+      }
     }
-    for (const Candidate& candidate : best)
+    for (const NodeCandidate& candidate : best) {
       if (candidate.score > kNone) candidates_.push_back(candidate);
+    }
   }
 
-  Candidate At(std::size_t s, int node) const {
+  NodeCandidate At(std::size_t s, int node) const {
     return {kNone, s, limited_.search.stages[s].OriginNode(node), node, 0};
   }
-  Candidate Exact(std::size_t s, int node) const {
-    Candidate candidate = At(s, node);
-    candidate.score = tables_.front().Of(s, node);
+  NodeCandidate Exact(std::size_t s, int node) const {
+    NodeCandidate candidate = At(s, node);
+    candidate.score = tables_.front().Score(s, node);
     return candidate;
   }
-  Candidate Allowed(std::size_t s, int node) {
-    Candidate candidate = At(s, node);
-    const double most = tables_.front().Of(s, node);
-    if (!(most > kNone)) return candidate;
+  NodeCandidate Allowed(std::size_t s, int node) {
+    NodeCandidate candidate = At(s, node);
+    const double max_value = tables_.front().Score(s, node);
+    if (!(max_value > kNone)) return candidate;
     for (std::size_t t = 0; t < tables_.size(); ++t) {
       candidate.table = t;
       const ValuedPath value = Value(candidate);
@@ -113,11 +122,12 @@ class DiverseSearch {
       candidate.score = value.score;
       break;
     }
-    if (candidate.score < most)
-      most_uncertain_ = std::max(most_uncertain_, most);
+    if (candidate.score < max_value) {
+      most_uncertain_ = std::max(most_uncertain_, max_value);
+    }
     return candidate;
   }
-  ValuedPath Value(const Candidate& candidate) const {
+  ValuedPath Value(const NodeCandidate& candidate) const {
     return Evaluate(
         trellis_, limited_.grid, limited_.search,
         tables_[candidate.table].Seams(candidate.stage, candidate.node));
@@ -134,11 +144,14 @@ class DiverseSearch {
   void MakePricedTables() {
     Prices dual = FindPrices(limited_).prices;
     dual.resize(limited_.limits.size(), 0.0);
-    if (*std::max_element(dual.begin(), dual.end()) == 0.0)
-      for (std::size_t r = 0; r < dual.size(); ++r)
-        if (limited_.limits[r] < kNoLimit)
+    if (*std::max_element(dual.begin(), dual.end()) == 0.0) {
+      for (std::size_t r = 0; r < dual.size(); ++r) {
+        if (limited_.limits[r] < kNoLimit) {
           dual[r] =
               0.1 * limited_.largest_total / std::max(limited_.limits[r], 1e-9);
+        }
+      }
+    }
     for (const double factor : kPriceFactors) {
       Prices prices = dual;
       for (double& price : prices) price *= factor;
@@ -148,82 +161,89 @@ class DiverseSearch {
 
   // Of a path of the caller's trellis; where it stands among equals does not
   // matter, as it is the best.
-  ValuedPath ValueOf(const Path& path) const {
+  ValuedPath BestOfAll(const Path& path) const {
     return {kNoLimit, std::vector<int>(path.nodes.size(), -1), path};
   }
 
   // What a path must score.
-  double Floor() const {
-    if (taken_.empty() || !(good_enough_ > kNone)) return kNone;
-    const double best = taken_.front().path.score();
+  double MinimumScore() const {
+    if (chosen_.empty() || !(good_enough_ > kNone)) return kNone;
+    const double best = chosen_.front().path.score();
     return best - (1.0 - good_enough_) * std::abs(best);
   }
 
-  void TakeThis(ValuedPath value) {
-    for (MaxMarginals& table : tables_)
+  void AddPath(ValuedPath value) {
+    for (MaxMarginals& table : tables_) {
       table.CloseNear(value.path.nodes, minimum_difference_);
-    taken_.push_back(std::move(value));
+    }
+    chosen_.push_back(std::move(value));
   }
 
   // Takes candidates that differ enough, best first.
-  void Take() {
+  void AddCandidatePaths() {
     std::sort(candidates_.begin(), candidates_.end(), ComesFirst);
-    for (const Candidate& candidate : candidates_) {
-      if (taken_.size() >= paths_ || candidate.score < Floor()) return;
-      if (!tables_[candidate.table].IsClosed(candidate.stage, candidate.node))
-        TakeThis(Value(candidate));
+    for (const NodeCandidate& candidate : candidates_) {
+      if (chosen_.size() >= paths_ || candidate.score < MinimumScore()) return;
+      if (!tables_[candidate.table].IsClosed(candidate.stage, candidate.node)) {
+        AddPath(Value(candidate));
+      }
     }
   }
 
   bool Differs(const Path& path) const {
-    return std::all_of(taken_.begin(), taken_.end(),
+    return std::all_of(chosen_.begin(), chosen_.end(),
                        [&](const ValuedPath& other) {
                          int stages = 0;
-                         for (std::size_t s = 0; s < path.nodes.size(); ++s)
+                         for (std::size_t s = 0; s < path.nodes.size(); ++s) {
                            stages += path.nodes[s] != other.path.nodes[s];
+                         }
                          return stages >= minimum_difference_;
                        });
   }
 
   void AddDetours() {
-    if (!detours_ || taken_.size() >= paths_) return;
+    if (!detours_ || chosen_.size() >= paths_) return;
     const std::size_t t = tables_.size() > 1 ? 1 : 0;
-    Detours detours(limited_.search, grids_[t], prices_[t], tables_[t]);
-    for (const ValuedPath& value : taken_) detours.Take(value.path.nodes);
+    DetourSearch detours(limited_.search, grids_[t], prices_[t], tables_[t]);
+    for (const ValuedPath& value : chosen_) detours.CountPath(value.path.nodes);
+    // Starts at 1/256 of a mean stage: too weak to change the path at first.
+    // Grows in steps of a tenth until the path differs enough.
     double penalty = limited_.largest_total * 0x1p-8 /
                      static_cast<double>(trellis_.stages.size());
-    while (taken_.size() < paths_) {
+    while (chosen_.size() < paths_) {
       auto detour = NextDetour(detours, &penalty);
       if (!detour) return;
-      detours.Take(detour->path.nodes);
-      taken_.push_back(std::move(*detour));
+      detours.CountPath(detour->path.nodes);
+      chosen_.push_back(std::move(*detour));
     }
   }
 
   // From a little below the last penalty on: the more there are to differ from,
   // the less each has to weigh.
-  std::optional<ValuedPath> NextDetour(const Detours& detours,
+  std::optional<ValuedPath> NextDetour(const DetourSearch& detours,
                                        double* penalty) const {
-    const double floor = Floor();
+    const double minimum = MinimumScore();
     for (*penalty /= kPenaltyStep * kPenaltyStep;
          *penalty < limited_.largest_total; *penalty *= kPenaltyStep) {
       ValuedPath value = Evaluate(trellis_, limited_.grid, limited_.search,
                                   detours.Best(*penalty));
-      if (value.path.score() < floor) return std::nullopt;
-      if (IsWithinLimits(trellis_, value.path) && Differs(value.path))
+      if (value.path.score() < minimum) return std::nullopt;
+      if (IsWithinLimits(trellis_, value.path) && Differs(value.path)) {
         return value;
+      }
     }
     return std::nullopt;
   }
 
   KBest Result() {
-    std::stable_sort(taken_.begin(), taken_.end(),
+    std::stable_sort(chosen_.begin(), chosen_.end(),
                      [](const ValuedPath& a, const ValuedPath& b) {
                        return a.score > b.score;
                      });
     found_.paths.clear();
-    for (ValuedPath& value : taken_)
+    for (ValuedPath& value : chosen_) {
       found_.paths.push_back(std::move(value.path));
+    }
     return std::move(found_);
   }
 
@@ -236,22 +256,23 @@ class DiverseSearch {
   std::vector<Prices> prices_;  // Tried, and what is found under them.
   std::vector<ScoreGrid> grids_;
   std::vector<MaxMarginals> tables_;
-  std::vector<Candidate> candidates_;
-  double most_uncertain_ = kNone;  // Of nodes whose best path is not known.
-  std::vector<ValuedPath> taken_;
+  std::vector<NodeCandidate> candidates_;
+  double most_uncertain_ =
+      kNone;  // Best bound of a node whose best path is unknown.
+  std::vector<ValuedPath> chosen_;
   KBest found_;
 };
 
 }  // namespace
 
-KBest FindDiverse(const Trellis& trellis, const Masks& masks,
+KBest FindDiverse(const Trellis& trellis, const PathMasks& masks,
                   const DiverseOptions& options) {
   const LimitedSearch limited = MakeSearch(trellis, masks);
   if (trellis.stages.empty()) return {};
   DiverseSearch search(trellis, limited, options);
   KBest found = !limited.IsLimited() && limited.tokens_are_exact
                     ? search.FindExact()
-                    : search.FindBehind(FindKBest(
+                    : search.FindBelowBest(FindKBest(
                           trellis, masks, {1, options.enumeration_limit}));
   if (options.paths <= 0) found.paths.clear();
   return found;

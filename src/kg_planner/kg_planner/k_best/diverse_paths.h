@@ -47,7 +47,7 @@ struct DiverseOptions {
 // Best first; fewer than asked if no more are found. Throws as FindKBest()
 // does. `bound` and `above_limits` are those of the best path; `proven` does
 // not speak of detours.
-KBest FindDiverse(const Trellis& trellis, const Masks& masks,
+KBest FindDiverse(const Trellis& trellis, const PathMasks& masks,
                   const DiverseOptions& options);
 
 }  // namespace kg_planner

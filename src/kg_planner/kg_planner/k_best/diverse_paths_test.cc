@@ -9,7 +9,7 @@
 #include "gtest/gtest.h"
 #include "kg_planner/k_best/limited_search.h"
 #include "kg_planner/k_best/max_marginals.h"
-#include "kg_planner/k_best/random_trellis.h"
+#include "kg_planner/testing/random_trellis.h"
 
 namespace kg_planner {
 namespace {
@@ -19,8 +19,9 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 int Difference(const Path& a, const Path& b) {
   int stages = 0;
-  for (std::size_t s = 0; s < a.nodes.size(); ++s)
+  for (std::size_t s = 0; s < a.nodes.size(); ++s) {
     stages += a.nodes[s] != b.nodes[s];
+  }
   return stages;
 }
 
@@ -49,10 +50,12 @@ std::vector<Path> DiverseByExhaustion(const Trellis& trellis,
       through.begin(), through.end(),
       [](const Path& a, const Path& b) { return a.score() > b.score(); });
   std::vector<Path> taken;
-  for (const Path& path : through)
+  for (const Path& path : through) {
     if (static_cast<int>(taken.size()) < options.paths &&
-        DiffersFromAll(taken, path, options.minimum_difference))
+        DiffersFromAll(taken, path, options.minimum_difference)) {
       taken.push_back(path);
+    }
+  }
   return taken;
 }
 
@@ -65,19 +68,19 @@ void ExpectSame(const std::vector<Path>& a, const std::vector<Path>& b) {
   }
 }
 
-struct Seen {
+struct PathCounts {
   int several = 0;   // Paths.
   int rejected = 0;  // For being too near.
 };
 
-Seen CompareWithExhaustion(const RandomOptions& random_options, unsigned seed,
-                           int cases) {
+PathCounts CompareWithExhaustion(const RandomOptions& random_options,
+                                 unsigned seed, int cases) {
   RandomTrellis random(random_options, seed);
-  Seen seen;
+  PathCounts seen;
   for (int i = 0; i < cases; ++i) {
     const Trellis trellis = random.Make();
-    const Masks masks = random.MakeMasks(trellis);
-    const Exhaustion exhaustion(trellis, masks);
+    const PathMasks masks = random.MakeMasks(trellis);
+    const ExhaustiveSearch exhaustion(trellis, masks);
     DiverseOptions options{random.Whole(1, 12), random.Whole(1, 4)};
     options.detours = false;
     const KBest found = FindDiverse(trellis, masks, options);
@@ -102,7 +105,7 @@ Seen CompareWithExhaustion(const RandomOptions& random_options, unsigned seed,
 }
 
 TEST(DiversePathsTest, AreTheBestThroughEveryNodeThatDifferEnough) {
-  const Seen seen = CompareWithExhaustion({}, 42, 1000);
+  const PathCounts seen = CompareWithExhaustion({}, 42, 1000);
   EXPECT_GT(seen.several, 300);
   EXPECT_GT(seen.rejected, 300);
 }
@@ -138,7 +141,7 @@ TEST(DiversePathsTest, KeepTheLimitsAndSayWhatIsProven) {
   int unproven = 0;
   for (int i = 0; i < 1000; ++i) {
     const Trellis trellis = random.Make();
-    const Exhaustion exhaustion(trellis, {});
+    const ExhaustiveSearch exhaustion(trellis, {});
     const std::vector<Path>& all = exhaustion.paths();
     DiverseOptions options{random.Whole(1, 8), random.Whole(1, 3)};
     options.detours = i % 2 == 0;
@@ -153,11 +156,12 @@ TEST(DiversePathsTest, KeepTheLimitsAndSayWhatIsProven) {
       const std::vector<Path> before(found.paths.begin(),
                                      found.paths.begin() + k);
       EXPECT_TRUE(DiffersFromAll(before, path, options.minimum_difference));
-      const double most = k == 0 ? found.bound : before.back().score();
-      EXPECT_LE(path.score(), most + kTolerance);
+      const double max_value = k == 0 ? found.bound : before.back().score();
+      EXPECT_LE(path.score(), max_value + kTolerance);
     }
-    if (found.proven && !options.detours)
+    if (found.proven && !options.detours) {
       ExpectSame(found.paths, DiverseByExhaustion(trellis, all, options));
+    }
     if (HasFailure()) FAIL() << "case " << i;
     ++(found.proven ? proven : unproven);
   }
@@ -173,9 +177,11 @@ Trellis Dense(int stages, int nodes, unsigned seed) {
     Stage& stage = trellis.stages.emplace_back();
     stage.nodes.resize(nodes);
     for (Node& node : stage.nodes) node.reward = share(prng);
-    for (int u = 0; u < (s == 0 ? 1 : nodes); ++u)
-      for (int v = 0; v < nodes; ++v)
+    for (int u = 0; u < (s == 0 ? 1 : nodes); ++u) {
+      for (int v = 0; v < nodes; ++v) {
         stage.seams.push_back({u, v, 0.5 * share(prng), share(prng)});
+      }
+    }
   }
   return trellis;
 }
@@ -236,16 +242,17 @@ TEST(MaxMarginalsTest, AreTheBestScoresThroughEveryNode) {
     const Trellis trellis = random.Make();
     const LimitedSearch limited = MakeSearch(trellis, {});
     const MaxMarginals marginals(limited.search, limited.grid, {});
-    const Exhaustion exhaustion(trellis, {});
+    const ExhaustiveSearch exhaustion(trellis, {});
     for (std::size_t s = 0; s < trellis.stages.size(); ++s) {
       std::vector<double> best(trellis.stages[s].nodes.size(), -1e300);
       std::vector<double> found = best;
-      for (const Path& path : exhaustion.paths())
+      for (const Path& path : exhaustion.paths()) {
         best[path.nodes[s]] = std::max(best[path.nodes[s]], path.score());
+      }
       const SearchStage& stage = limited.search.stages[s];
       for (int v = 0; v < stage.nodes; ++v) {
         double& value = found[stage.OriginNode(v)];
-        value = std::max(value, marginals.Of(s, v));
+        value = std::max(value, marginals.Score(s, v));
       }
       for (std::size_t v = 0; v < best.size(); ++v) {
         EXPECT_NEAR(found[v], best[v], kTolerance);

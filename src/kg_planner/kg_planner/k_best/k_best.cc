@@ -11,7 +11,7 @@
 #include "kg_planner/k_best/path_value.h"
 #include "kg_planner/k_best/resource_prices.h"
 #include "kg_planner/trellis/score_grid.h"
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
@@ -19,10 +19,10 @@ namespace {
 // Looked at before the resources get prices.
 constexpr std::size_t kUnpricedPaths = 500;
 
-// The best of those looked at, at most `paths`.
-class Shortlist {
+// The best paths found so far, at most `paths`.
+class PathShortlist {
  public:
-  explicit Shortlist(int paths) : paths_(paths) {}
+  explicit PathShortlist(int paths) : paths_(paths) {}
 
   void Add(ValuedPath found) {
     const auto place =
@@ -32,13 +32,13 @@ class Shortlist {
     if (found_.size() > paths_) found_.pop_back();
   }
   // Nothing from here on, in order of bounds, can enter the list.
-  bool ClosedTo(double bound, const ValuedPath& found) const {
+  bool IsClosedTo(double bound, const ValuedPath& found) const {
     if (found_.size() < paths_) return false;
     const ValuedPath& last = found_.back();
     if (bound != last.score) return bound < last.score;
     return last.places < found.places;
   }
-  // `bound`: of the paths that were not looked at.
+  // `bound`: upper bound of the paths that were not enumerated.
   KBest Result(bool proven, double bound) {
     KBest best;
     best.proven = proven;
@@ -55,11 +55,11 @@ class Shortlist {
   std::vector<ValuedPath> found_;
 };
 
-class Search {
+class KBestSearch {
  public:
   // `memory` may be null.
-  Search(const Trellis& trellis, LimitedSearch limited, int paths,
-         KBestMemory* memory)
+  KBestSearch(const Trellis& trellis, LimitedSearch limited, int paths,
+              KBestMemory* memory)
       : trellis_(trellis),
         limited_(std::move(limited)),
         shortlist_(paths),
@@ -72,9 +72,9 @@ class Search {
     const auto left = EnumerateUnpriced(unpriced);
     if (!left) return shortlist_.Result(true, kNone);
     if (unpriced == enumeration_limit) return shortlist_.Result(false, *left);
-    const PricedSearch priced = FindPrices(limited_);
+    const ResourcePrices priced = FindPrices(limited_);
     if (priced.none_allowed) return shortlist_.Result(true, kNone);
-    for (const std::vector<int>& seams : priced.tried) Look(seams);
+    for (const std::vector<int>& seams : priced.tried) AddIfAllowed(seams);
     const auto rest =
         EnumerateUnder(priced.prices, enumeration_limit - unpriced);
     if (!rest) return shortlist_.Result(true, kNone);
@@ -85,7 +85,7 @@ class Search {
   ValuedPath Value(const std::vector<int>& seams) const {
     return Evaluate(trellis_, limited_.grid, limited_.search, seams);
   }
-  void Look(const std::vector<int>& seams) {
+  void AddIfAllowed(const std::vector<int>& seams) {
     ValuedPath found = Value(seams);
     if (IsWithinLimits(trellis_, found.path)) shortlist_.Add(std::move(found));
   }
@@ -114,10 +114,11 @@ class Search {
       if (!next) return std::nullopt;
       ValuedPath found = Value(next->seams);
       const double bound = next->bound + offset;
-      if (shortlist_.ClosedTo(bound, found)) return std::nullopt;
+      if (shortlist_.IsClosedTo(bound, found)) return std::nullopt;
       if (looked_at >= limit) return bound + Slack();
-      if (IsWithinLimits(trellis_, found.path))
+      if (IsWithinLimits(trellis_, found.path)) {
         shortlist_.Add(std::move(found));
+      }
     }
   }
   // What a score may be above its sum on the grid.
@@ -128,42 +129,44 @@ class Search {
 
   const Trellis& trellis_;
   LimitedSearch limited_;
-  Shortlist shortlist_;
+  PathShortlist shortlist_;
   KBestMemory* memory_;
 };
 
-KBest FindWithinLimits(const Trellis& trellis, const Masks& masks,
+KBest FindWithinLimits(const Trellis& trellis, const PathMasks& masks,
                        const KBestOptions& options, KBestMemory* memory) {
   LimitedSearch limited = MakeSearch(trellis, masks);
   if (trellis.stages.empty()) return {};
-  KBest found =
-      Search(trellis, std::move(limited), std::max(options.paths, 1), memory)
-          .Find(options.enumeration_limit);
+  KBest found = KBestSearch(trellis, std::move(limited),
+                            std::max(options.paths, 1), memory)
+                    .Find(options.enumeration_limit);
   if (options.paths <= 0) found.paths.clear();
   return found;
 }
 
 // The same without limit r, every path worth minus what it uses of r.
-Trellis ThriftOf(const Trellis& trellis, std::size_t r) {
+Trellis ThriftTrellis(const Trellis& trellis, std::size_t r) {
   Trellis thrift = trellis;
   for (Stage& stage : thrift.stages) {
     for (Node& node : stage.nodes) node = {};
-    for (std::size_t i = 0; i < stage.seams.size(); ++i)
-      stage.seams[i].cost = ResourceOf(stage, i, r);
+    for (std::size_t i = 0; i < stage.seams.size(); ++i) {
+      stage.seams[i].cost = SeamResource(stage, i, r);
+    }
   }
   (r == 0 ? thrift.resource_limit : thrift.more_limits[r - 1]) = kNoLimit;
   return thrift;
 }
 
-std::vector<double> AboveLimits(const Trellis& trellis, const Masks& masks,
+std::vector<double> AboveLimits(const Trellis& trellis, const PathMasks& masks,
                                 const KBestOptions& options) {
-  const std::vector<double> limits = LimitsOf(trellis);
+  const std::vector<double> limits = ResourceLimits(trellis);
   std::vector<double> above(limits.size(), kNoLimit);
   bool any = false;
   for (std::size_t r = 0; r < limits.size(); ++r) {
     if (!(limits[r] < kNoLimit)) continue;
-    const KBest thriftiest = FindWithinLimits(
-        ThriftOf(trellis, r), masks, {1, options.enumeration_limit}, nullptr);
+    const KBest thriftiest =
+        FindWithinLimits(ThriftTrellis(trellis, r), masks,
+                         {1, options.enumeration_limit}, nullptr);
     if (!(thriftiest.bound > kNone)) continue;
     above[r] = -thriftiest.bound - limits[r];
     any = true;
@@ -174,16 +177,17 @@ std::vector<double> AboveLimits(const Trellis& trellis, const Masks& masks,
 
 }  // namespace
 
-KBest FindKBest(const Trellis& trellis, const Masks& masks,
+KBest FindKBest(const Trellis& trellis, const PathMasks& masks,
                 const KBestOptions& options) {
   return FindKBest(trellis, masks, options, nullptr);
 }
 
-KBest FindKBest(const Trellis& trellis, const Masks& masks,
+KBest FindKBest(const Trellis& trellis, const PathMasks& masks,
                 const KBestOptions& options, KBestMemory* memory) {
   KBest found = FindWithinLimits(trellis, masks, options, memory);
-  if (found.bound == kNone)
+  if (found.bound == kNone) {
     found.above_limits = AboveLimits(trellis, masks, options);
+  }
   return found;
 }
 

@@ -23,36 +23,10 @@
 #include <limits>
 #include <vector>
 
+#include "kg_planner/k_best/path.h"
 #include "kg_planner/trellis/trellis.h"
 
 namespace kg_planner {
-
-struct Path {
-  std::vector<int> nodes;  // One a stage.
-  double reward = 0.0;     // With stops on the way; each token earned once.
-  double cost = 0.0;
-  double resource = 0.0;
-  std::vector<double> more_resources = {};
-  std::vector<int> seams = {};  // Index in the stage's seams, one a stage.
-  double score() const { return reward - cost; }
-};
-
-// Nodes and seams a path may not use. A node is not used as a stop, either; of
-// parallel seams the one over exactly `via` is meant.
-struct NodeMask {
-  int stage = 0;
-  int node = 0;
-};
-struct SeamMask {
-  int stage = 0;  // The stage the seam leads into.
-  int from = 0;
-  int to = 0;
-  std::vector<int> via = {};
-};
-struct Masks {
-  std::vector<NodeMask> nodes;
-  std::vector<SeamMask> seams;
-};
 
 struct KBestOptions {
   int paths = 10;
@@ -70,15 +44,15 @@ struct KBest {
   std::vector<double> above_limits = {};
 };
 
-// Empty if no path crosses all stages, or there are none. Throws as Check()
-// does, and if a mask names a node that is not there.
-KBest FindKBest(const Trellis& trellis, const Masks& masks,
+// Empty if no path crosses all stages, or there are none. Throws as
+// CheckTrellis() does, and if a mask names a node that is not there.
+KBest FindKBest(const Trellis& trellis, const PathMasks& masks,
                 const KBestOptions& options);
 
 // The same, to the bit, with what `memory` keeps of the last such call
 // (k_best_memory.h): for a trellis whose end did not change since.
 class KBestMemory;
-KBest FindKBest(const Trellis& trellis, const Masks& masks,
+KBest FindKBest(const Trellis& trellis, const PathMasks& masks,
                 const KBestOptions& options, KBestMemory* memory);
 
 }  // namespace kg_planner

@@ -7,6 +7,7 @@ namespace kg_planner {
 
 PathEnumerator::Tables KBestMemory::Recall(const SearchTrellis& search,
                                            const ScoreGrid& grid) {
+  // What this search reads, stage by stage.
   std::vector<StageRecord> stages(search.stages.size());
   for (std::size_t s = 0; s < stages.size(); ++s) {
     const SearchStage& stage = search.stages[s];
@@ -17,12 +18,18 @@ PathEnumerator::Tables KBestMemory::Recall(const SearchTrellis& search,
     }
     Weigh(stage, grid, {}, &stages[s].weights);
   }
+  // Stages that are equal, counted from the end. On another grid every score
+  // differs, so nothing is reused.
   const std::size_t both = std::min(stages.size(), stages_.size());
   std::size_t same = 0;
-  if (grid.step() == step_ && tables_.levels.size() == stages_.size() + 1)
+  if (grid.step() == step_ && tables_.levels.size() == stages_.size() + 1) {
     while (same < both && stages[stages.size() - 1 - same] ==
-                              stages_[stages_.size() - 1 - same])
+                              stages_[stages_.size() - 1 - same]) {
       ++same;
+    }
+  }
+  // Level s depends on the stages from s on only, so the levels of the equal
+  // stages are moved over; the others stay empty.
   PathEnumerator::Tables recalled;
   recalled.levels.resize(stages.size() + 1);
   recalled.rests.resize(stages.size() + 1);

@@ -42,7 +42,7 @@ class KBestMemory {
     }
   };
 
-  double step_ = 0.0;  // Of the grid.
+  double step_ = 0.0;  // Step of the grid.
   std::vector<StageRecord> stages_;
   PathEnumerator::Tables tables_;
   int reused_stages_ = 0;

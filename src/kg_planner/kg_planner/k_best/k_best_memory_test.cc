@@ -6,7 +6,7 @@
 
 #include "gtest/gtest.h"
 #include "kg_planner/k_best/k_best.h"
-#include "kg_planner/k_best/random_trellis.h"
+#include "kg_planner/testing/random_trellis.h"
 
 namespace kg_planner {
 namespace {
@@ -33,9 +33,10 @@ std::size_t Change(RandomTrellis* random, Trellis* trellis) {
   Stage& stage = trellis->stages[s];
   const double number = random->Whole(0, 300) / 100.0;
   const int kind = random->Whole(0, 3);
-  if (kind <= 1 && !stage.nodes.empty())
+  if (kind <= 1 && !stage.nodes.empty()) {
     stage.nodes[random->Whole(0, static_cast<int>(stage.nodes.size()) - 1)]
         .reward = number;
+  }
   if (kind >= 2 && !stage.seams.empty()) {
     Seam& seam =
         stage.seams[random->Whole(0, static_cast<int>(stage.seams.size()) - 1)];
@@ -44,18 +45,18 @@ std::size_t Change(RandomTrellis* random, Trellis* trellis) {
   return s;
 }
 
-struct Reused {
+struct ReuseCounts {
   int stages = 0;
   int of = 0;
 };
 
-Reused CompareSequences(const RandomOptions& options, unsigned seed,
-                        int sequences) {
+ReuseCounts CompareSequences(const RandomOptions& options, unsigned seed,
+                             int sequences) {
   RandomTrellis random(options, seed);
-  Reused reused;
+  ReuseCounts reused;
   for (int i = 0; i < sequences; ++i) {
     Trellis trellis = random.Make();
-    const Masks masks = random.MakeMasks(trellis);
+    const PathMasks masks = random.MakeMasks(trellis);
     KBestMemory memory;
     for (int change = 0; change < 8; ++change) {
       const KBestOptions k_best{random.Whole(1, 30), 100000};
@@ -83,7 +84,7 @@ TEST(KBestMemoryTest, NeverChangesTheResult) {
     options.stops = choice & 16;
     options.more_resources = choice & 4 ? 1 : 0;
     SCOPED_TRACE(choice);
-    const Reused reused = CompareSequences(options, 200 + choice, 40);
+    const ReuseCounts reused = CompareSequences(options, 200 + choice, 40);
     if (HasFailure()) return;
     EXPECT_GT(reused.stages, reused.of / 10);
   }
@@ -101,8 +102,9 @@ TEST(KBestMemoryTest, ReusesExactlyTheStagesBehindTheChange) {
     trellis.stages.back().nodes = {{1500.0, {}}};
     const int last = static_cast<int>(
         trellis.stages[trellis.stages.size() - 2].nodes.size());
-    for (int u = 0; u < last; ++u)
+    for (int u = 0; u < last; ++u) {
       trellis.stages.back().seams.push_back({u, 0, 0.0, 0.0});
+    }
     KBestMemory memory;
     if (FindKBest(trellis, {}, {20}, &memory).paths.empty()) continue;
     EXPECT_EQ(memory.reused_stages(), 0);
@@ -135,8 +137,9 @@ TEST(KBestMemoryTest, KeepsTheEndWhenStagesAreOver) {
       trellis.stages.erase(trellis.stages.begin());
       auto& seams = trellis.stages.front().seams;
       std::vector<Seam> first;
-      for (const Seam& seam : seams)
+      for (const Seam& seam : seams) {
         if (seam.from == 0) first.push_back(seam);
+      }
       seams = first;
       ExpectIdentical(FindKBest(trellis, {}, {20}, &memory),
                       FindKBest(trellis, {}, {20}));

@@ -6,9 +6,9 @@
 
 #include "gtest/gtest.h"
 #include "kg_planner/k_best/path_enumerator.h"
-#include "kg_planner/k_best/random_trellis.h"
 #include "kg_planner/k_best/search_trellis.h"
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/testing/random_trellis.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
@@ -31,7 +31,8 @@ void ExpectSame(const std::vector<Path>& found, const std::vector<Path>& all,
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // By how much the thriftiest path that keeps the other limits is above a limit.
-std::vector<double> AboveLimits(const Trellis& trellis, const Masks& masks) {
+std::vector<double> AboveLimits(const Trellis& trellis,
+                                const PathMasks& masks) {
   std::vector<double> above;
   bool any = false;
   for (std::size_t r = 0; r <= trellis.more_limits.size(); ++r) {
@@ -41,7 +42,7 @@ std::vector<double> AboveLimits(const Trellis& trellis, const Masks& masks) {
     limit = kInfinity;
     above.push_back(kInfinity);
     if (!(lifted < kInfinity)) continue;
-    const Exhaustion exhaustion(open, masks);
+    const ExhaustiveSearch exhaustion(open, masks);
     for (const Path& path : exhaustion.paths()) {
       const double use = r == 0 ? path.resource : path.more_resources[r - 1];
       above.back() = std::min(above.back(), use - lifted);
@@ -55,15 +56,16 @@ void ExpectSameAbove(const std::vector<double>& a,
                      const std::vector<double>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t r = 0; r < a.size(); ++r) {
-    if (b[r] < kInfinity)
+    if (b[r] < kInfinity) {
       EXPECT_NEAR(a[r], b[r], kTolerance);
-    else
+    } else {
       EXPECT_EQ(a[r], kInfinity);
+    }
   }
 }
 
 // How often each case of interest was met, lest a test check nothing.
-struct Seen {
+struct CaseCounts {
   int none = 0;
   int ties = 0;
   int fewer = 0;
@@ -73,7 +75,7 @@ struct Seen {
 };
 
 void Count(const Trellis& trellis, const std::vector<Path>& all, int asked,
-           Seen* seen) {
+           CaseCounts* seen) {
   seen->none += all.empty();
   seen->fewer += all.size() < static_cast<std::size_t>(asked);
   if (!all.empty()) {
@@ -84,11 +86,12 @@ void Count(const Trellis& trellis, const std::vector<Path>& all, int asked,
       break;
     }
   }
-  for (std::size_t i = 1; i < all.size(); ++i)
+  for (std::size_t i = 1; i < all.size(); ++i) {
     if (all[i].score() == all[i - 1].score()) {
       ++seen->ties;
       break;
     }
+  }
   for (const Path& path : all) {
     double plain = 0.0;
     for (std::size_t s = 0; s < path.nodes.size(); ++s) {
@@ -103,14 +106,14 @@ void Count(const Trellis& trellis, const std::vector<Path>& all, int asked,
   }
 }
 
-Seen CompareWithExhaustion(const RandomOptions& options, unsigned seed,
-                           int cases) {
+CaseCounts CompareWithExhaustion(const RandomOptions& options, unsigned seed,
+                                 int cases) {
   RandomTrellis random(options, seed);
-  Seen seen;
+  CaseCounts seen;
   for (int i = 0; i < cases; ++i) {
     const Trellis trellis = random.Make();
-    const Masks masks = random.MakeMasks(trellis);
-    const Exhaustion exhaustion(trellis, masks);
+    const PathMasks masks = random.MakeMasks(trellis);
+    const ExhaustiveSearch exhaustion(trellis, masks);
     const int asked = random.Whole(1, 40);
     const KBest found = FindKBest(trellis, masks, {asked, 100000});
     EXPECT_TRUE(found.proven);
@@ -118,14 +121,16 @@ Seen CompareWithExhaustion(const RandomOptions& options, unsigned seed,
     const double best = exhaustion.paths().empty()
                             ? -kInfinity
                             : exhaustion.paths().front().score();
-    if (best > -kInfinity)
+    if (best > -kInfinity) {
       EXPECT_NEAR(found.bound, best, kTolerance);
-    else
+    } else {
       EXPECT_EQ(found.bound, best);
-    if (exhaustion.paths().empty())
+    }
+    if (exhaustion.paths().empty()) {
       ExpectSameAbove(found.above_limits, AboveLimits(trellis, masks));
-    else
+    } else {
       EXPECT_TRUE(found.above_limits.empty());
+    }
     seen.above_limit += !found.above_limits.empty();
     if (testing::Test::HasFailure()) {
       ADD_FAILURE() << "case " << i;
@@ -137,7 +142,7 @@ Seen CompareWithExhaustion(const RandomOptions& options, unsigned seed,
 }
 
 TEST(KBestTest, EqualsExhaustionOnRandomTrellises) {
-  const Seen seen = CompareWithExhaustion({}, 42, 1000);
+  const CaseCounts seen = CompareWithExhaustion({}, 42, 1000);
   EXPECT_GT(seen.none, 20);
   EXPECT_GT(seen.fewer, 100);
 }
@@ -175,7 +180,7 @@ TEST(KBestTest, EqualsExhaustionWithEverythingAtOnce) {
 // Every combination of tokens, limits, masks, stops and further resources, real
 // numbers and whole ones.
 TEST(KBestTest, EqualsExhaustionWhateverIsCombined) {
-  Seen seen;
+  CaseCounts seen;
   for (int choice = 0; choice < 64; ++choice) {
     RandomOptions options;
     options.whole_numbers = choice & 1;
@@ -187,7 +192,7 @@ TEST(KBestTest, EqualsExhaustionWhateverIsCombined) {
     options.max_stages = 4;
     options.max_nodes = 4;
     SCOPED_TRACE(choice);
-    const Seen more = CompareWithExhaustion(options, 100 + choice, 60);
+    const CaseCounts more = CompareWithExhaustion(options, 100 + choice, 60);
     if (HasFailure()) return;
     seen.none += more.none;
     seen.ties += more.ties;
@@ -212,7 +217,7 @@ TEST(KBestTest, KeepsSeveralLimits) {
   RandomOptions options;
   options.limited = true;
   options.more_resources = 3;
-  const Seen seen = CompareWithExhaustion(options, 55, 1000);
+  const CaseCounts seen = CompareWithExhaustion(options, 55, 1000);
   EXPECT_GT(seen.none, 100);
   EXPECT_GT(seen.above_limit, 100);
 }
@@ -232,9 +237,10 @@ TEST(KBestTest, EqualsExhaustionWhenTheLimitIsTight) {
   for (int i = 0; i < 300; ++i) {
     Trellis trellis = random.Make();
     trellis.resource_limit = 1.5 * static_cast<double>(trellis.stages.size());
-    for (Stage& stage : trellis.stages)
+    for (Stage& stage : trellis.stages) {
       for (Seam& seam : stage.seams) seam.cost = 6.0 - seam.resource;
-    const Exhaustion exhaustion(trellis, {});
+    }
+    const ExhaustiveSearch exhaustion(trellis, {});
     ExpectSame(FindKBest(trellis, {}, {20, 100000}).paths, exhaustion.paths(),
                20);
     priced += !FindKBest(trellis, {}, {20, 500}).proven;
@@ -247,8 +253,9 @@ Trellis Uniform(int stages, int nodes) {
   for (int s = 0; s < stages; ++s) {
     Stage& stage = trellis.stages.emplace_back();
     stage.nodes.resize(nodes);
-    for (int u = 0; u < (s == 0 ? 1 : nodes); ++u)
+    for (int u = 0; u < (s == 0 ? 1 : nodes); ++u) {
       for (int v = 0; v < nodes; ++v) stage.seams.push_back({u, v, 0.1, 1.0});
+    }
   }
   return trellis;
 }
@@ -268,14 +275,17 @@ TEST(KBestTest, AMillionMillionEqualPathsComeInOrderWithoutLookingAtThemAll) {
 TEST(KBestTest, RoundingDoesNotDecideTies) {
   Trellis trellis = Uniform(3, 3);
   const double costs[3] = {0.1, 0.2, 0.3};
-  for (Stage& stage : trellis.stages)
+  for (Stage& stage : trellis.stages) {
     for (Seam& seam : stage.seams) seam.cost = costs[seam.to];
+  }
   const std::vector<std::vector<int>> permutations = {
       {0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
   std::vector<std::vector<int>> found;
-  for (const Path& path : FindKBest(trellis, {}, {27, 1000}).paths)
-    if (std::count(permutations.begin(), permutations.end(), path.nodes) > 0)
+  for (const Path& path : FindKBest(trellis, {}, {27, 1000}).paths) {
+    if (std::count(permutations.begin(), permutations.end(), path.nodes) > 0) {
       found.push_back(path.nodes);
+    }
+  }
   EXPECT_EQ(found, permutations);
 }
 
@@ -286,11 +296,12 @@ TEST(KBestTest, SaysWhenTheEnumerationLimitWasHit) {
     Trellis trellis = random.Make();
     trellis.resource_limit = 1.5 * static_cast<double>(trellis.stages.size());
     const KBest found = FindKBest(trellis, {}, {5, 3});
-    const std::vector<Path> all = Exhaustion(trellis, {}).paths();
+    const std::vector<Path> all = ExhaustiveSearch(trellis, {}).paths();
     if (found.proven) ExpectSame(found.paths, all, 5);
     hit += !found.proven;
-    for (const Path& path : found.paths)
+    for (const Path& path : found.paths) {
       EXPECT_LE(path.resource, trellis.resource_limit);
+    }
     for (const Path& path : all) EXPECT_GE(found.bound, path.score());
   }
   EXPECT_GT(hit, 50);
@@ -308,13 +319,15 @@ TEST(KBestTest, BoundsEveryAllowedPathHoweverFewItLooksAt) {
     const double limit = 2.3 * static_cast<double>(trellis.stages.size());
     trellis.resource_limit = limit;
     trellis.more_limits = {limit, limit};
-    for (Stage& stage : trellis.stages)
-      for (std::size_t s = 0; s < stage.seams.size(); ++s)
+    for (Stage& stage : trellis.stages) {
+      for (std::size_t s = 0; s < stage.seams.size(); ++s) {
         stage.seams[s].cost =
             6.0 - (stage.seams[s].resource + stage.more_resources[0][s] +
                    stage.more_resources[1][s]) /
                       3.0;
-    const std::vector<Path> all = Exhaustion(trellis, {}).paths();
+      }
+    }
+    const std::vector<Path> all = ExhaustiveSearch(trellis, {}).paths();
     const KBest found = FindKBest(trellis, {}, {20, 510});
     unproven += !found.proven;
     found_one += !found.proven && !found.paths.empty();
@@ -370,11 +383,12 @@ TEST(KBestTest, ATokenNamedTwiceAtANodeIsEarnedOnce) {
 // and 5^7 paths lie between it and the truth.
 TEST(KBestTest, TokensOnOfferInEveryStageAreFoundOutWithoutEnumeration) {
   Trellis trellis = Uniform(7, 10);
-  for (Stage& stage : trellis.stages)
+  for (Stage& stage : trellis.stages) {
     for (int v = 0; v < 10; ++v) {
       stage.nodes[v].reward = 0.01 * v;
       if (v < 5) stage.nodes[v].tokens = {{v % 2, 100.0}};
     }
+  }
   const KBest found = FindKBest(trellis, {}, {3, 100});
   EXPECT_TRUE(found.proven);
   ASSERT_EQ(found.paths.size(), 3u);
@@ -403,8 +417,9 @@ TEST(KBestTest, SaysByHowMuchTheThriftiestPathIsAboveTheLimit) {
   trellis.resource_limit = 2.25;
   EXPECT_EQ(FindKBest(trellis, {}, {5, 100}).above_limits,
             std::vector<double>{0.75});
-  for (Stage& stage : trellis.stages)
+  for (Stage& stage : trellis.stages) {
     stage.more_resources = {std::vector<double>(stage.seams.size(), 2.0)};
+  }
   trellis.more_limits = {5.0};
   EXPECT_TRUE(FindKBest(trellis, {}, {5, 100}).above_limits.empty());
   trellis.resource_limit = 3.0;
@@ -424,7 +439,7 @@ TEST(PathEnumeratorTest, YieldsEveryPathOnceInOrderOfItsBound) {
     const Trellis trellis = random.Make();
     const ScoreGrid grid(1000.0);
     const SearchTrellis search =
-        ToSearch(trellis, CheckAndSurvey(trellis).sorted, {}, grid);
+        ToSearch(trellis, CheckTrellis(trellis).sorted, {}, grid);
     PathEnumerator enumerator(search, grid, {0.5, 0.25});
     std::vector<std::vector<int>> found;
     double last = kInfinity;
@@ -436,7 +451,7 @@ TEST(PathEnumeratorTest, YieldsEveryPathOnceInOrderOfItsBound) {
     EXPECT_FALSE(enumerator.Next());
     std::sort(found.begin(), found.end());
     EXPECT_EQ(std::unique(found.begin(), found.end()), found.end());
-    EXPECT_EQ(found.size(), Exhaustion(trellis, {}).paths().size());
+    EXPECT_EQ(found.size(), ExhaustiveSearch(trellis, {}).paths().size());
   }
 }
 

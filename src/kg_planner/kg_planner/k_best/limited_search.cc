@@ -7,7 +7,7 @@
 
 #include "kg_planner/k_best/reduction.h"
 #include "kg_planner/k_best/token_unrolling.h"
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
@@ -35,7 +35,7 @@ LimitedSearch MakePlain(const Trellis& trellis, PlainPass pass) {
   return {ToSearch(trellis, sorted, {}, grid),
           grid,
           pass.largest_total,
-          LimitsOf(trellis),
+          ResourceLimits(trellis),
           true,
           std::move(pass.levels)};
 }
@@ -48,14 +48,16 @@ bool LimitedSearch::IsLimited() const {
   });
 }
 
-LimitedSearch MakeSearch(const Trellis& trellis, const Masks& masks) {
-  if (masks.nodes.empty() && masks.seams.empty())
-    if (auto pass = PassPlain(trellis))
+LimitedSearch MakeSearch(const Trellis& trellis, const PathMasks& masks) {
+  if (masks.nodes.empty() && masks.seams.empty()) {
+    if (auto pass = PassPlain(trellis)) {
       return MakePlain(trellis, std::move(*pass));
-  const Survey survey = CheckAndSurvey(trellis);
-  const ScoreGrid grid(survey.largest_total);
-  LimitedSearch limited{ToSearch(trellis, survey.sorted, masks, grid), grid,
-                        survey.largest_total, LimitsOf(trellis), true};
+    }
+  }
+  const TrellisSummary summary = CheckTrellis(trellis);
+  const ScoreGrid grid(summary.largest_total);
+  LimitedSearch limited{ToSearch(trellis, summary.sorted, masks, grid), grid,
+                        summary.largest_total, ResourceLimits(trellis), true};
   DropUnaffordable(limited.limits, &limited.search);
   Unroll(&limited);
   return limited;

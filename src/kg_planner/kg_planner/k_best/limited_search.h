@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "kg_planner/k_best/k_best.h"
+#include "kg_planner/k_best/path.h"
 #include "kg_planner/k_best/plain_pass.h"
 #include "kg_planner/k_best/search_trellis.h"
 #include "kg_planner/trellis/score_grid.h"
@@ -28,9 +28,9 @@ struct LimitedSearch {
   bool IsLimited() const;
 };
 
-// Throws as Check() does, and if a mask names what is not there. `trellis` must
-// outlive the result.
-LimitedSearch MakeSearch(const Trellis& trellis, const Masks& masks);
+// Throws as CheckTrellis() does, and if a mask names what is not there.
+// `trellis` must outlive the result.
+LimitedSearch MakeSearch(const Trellis& trellis, const PathMasks& masks);
 
 }  // namespace kg_planner
 

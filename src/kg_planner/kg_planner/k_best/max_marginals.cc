@@ -20,10 +20,12 @@ MaxMarginals::MaxMarginals(const SearchTrellis& search, const ScoreGrid& grid,
     level.before.assign(nodes, s == 0 ? 0.0 : kNone);
     level.behind.assign(nodes, s == stages ? 0.0 : kNone);
     for (auto* seams : {&level.seam_into, &level.node_before, &level.seam_on,
-                        &level.node_behind})
+                        &level.node_behind}) {
       seams->assign(nodes, -1);
+    }
     level.closed.assign(nodes, 0);
   }
+  // Backward pass, unless the caller has its result.
   std::vector<double> weights;
   for (std::size_t s = stages; s-- > 0 && levels.empty();) {
     Weigh(search.stages[s], grid, prices, &weights);
@@ -33,6 +35,7 @@ MaxMarginals::MaxMarginals(const SearchTrellis& search, const ScoreGrid& grid,
     levels_[s].behind = levels[s].best;
     first_seam_[s] = levels[s].first_seam;
   }
+  // Forward pass, visiting nodes in the order of ties.
   std::vector<int> order{0};
   for (std::size_t s = 0; s < stages; ++s) {
     Weigh(search.stages[s], grid, prices, &weights);
@@ -52,15 +55,16 @@ void MaxMarginals::RelaxBackward(const std::vector<double>& weights,
   int i = 0;
   for (int u = 0; u < nodes; ++u) {
     first_seam_[s].push_back(i);
-    double most = kNone;
+    double max_value = kNone;
     int best = -1;
     for (; i < stage.seam_count && stage.seams[i].from == u; ++i) {
       const double score = behind[stage.seams[i].to] + weights[i];
-      if (!(score > most)) continue;
-      most = score;
+      // Not >=: of equal scores the first seam stays.
+      if (!(score > max_value)) continue;
+      max_value = score;
       best = i;
     }
-    level.behind[u] = most;
+    level.behind[u] = max_value;
     level.seam_on[u] = best;
     if (best >= 0) level.node_behind[u] = stage.seams[best].to;
   }
@@ -107,11 +111,13 @@ std::vector<int> MaxMarginals::OrderOfTies(
     std::size_t s, const std::vector<int>& order_before) const {
   const Level& level = levels_[s + 1];
   std::vector<int> rank(search_.NodesBefore(s), 0);
-  for (std::size_t i = 0; i < order_before.size(); ++i)
+  for (std::size_t i = 0; i < order_before.size(); ++i) {
     rank[order_before[i]] = static_cast<int>(i);
+  }
   std::vector<int> order;
-  for (int v = 0; v < search_.stages[s].nodes; ++v)
+  for (int v = 0; v < search_.stages[s].nodes; ++v) {
     if (level.seam_into[v] >= 0) order.push_back(v);
+  }
   std::sort(order.begin(), order.end(), [&](int a, int b) {
     const int rank_a = rank[level.node_before[a]];
     const int rank_b = rank[level.node_before[b]];
@@ -121,7 +127,7 @@ std::vector<int> MaxMarginals::OrderOfTies(
   return order;
 }
 
-double MaxMarginals::Of(std::size_t stage, int node) const {
+double MaxMarginals::Score(std::size_t stage, int node) const {
   const Level& level = levels_[stage + 1];
   return level.before[node] + level.behind[node];
 }
@@ -149,6 +155,7 @@ void MaxMarginals::CloseNear(const std::vector<int>& nodes,
   const auto differs = [&](std::size_t s, int v) {
     return search_.stages[s].OriginNode(v) != nodes[s] ? 1 : 0;
   };
+  // Stages that differ on the best rest from each node.
   std::vector<std::vector<int>> behind(stages + 1);
   behind[stages].assign(search_.NodesBefore(stages), 0);
   for (std::size_t s = stages; s-- > 1;) {
@@ -158,6 +165,7 @@ void MaxMarginals::CloseNear(const std::vector<int>& nodes,
       if (v >= 0) behind[s][u] = behind[s + 1][v] + differs(s, v);
     }
   }
+  // Stages that differ on the best way into each node, and both together.
   std::vector<int> before{0};
   for (std::size_t s = 0; s < stages; ++s) {
     Level& level = levels_[s + 1];

@@ -26,7 +26,7 @@ class MaxMarginals {
                const std::vector<ViterbiLevel>& levels = {});
 
   // -infinity if no path leads through the node.
-  double Of(std::size_t stage, int node) const;
+  double Score(std::size_t stage, int node) const;
 
   // The seams of the best path through the node.
   std::vector<int> Seams(std::size_t stage, int node) const;
@@ -39,11 +39,11 @@ class MaxMarginals {
   }
 
  private:
-  // Of the nodes before a stage; a seam is -1 where there is none.
+  // The nodes before one stage; a seam is -1 where there is none.
   struct Level {
     std::vector<double> before;    // Best bound from the start.
     std::vector<double> behind;    // Best bound to the end.
-    std::vector<int> seam_into;    // Of the stage before.
+    std::vector<int> seam_into;    // Index in the stage before.
     std::vector<int> node_before;  // Where that seam comes from.
     std::vector<int> seam_on;
     std::vector<int> node_behind;

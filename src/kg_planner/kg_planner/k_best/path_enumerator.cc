@@ -17,12 +17,15 @@ PathEnumerator::PathEnumerator(const SearchTrellis& search,
   const std::size_t stages = search.stages.size();
   tables_.levels.resize(stages + 1);
   tables_.rests.resize(stages + 1);
-  for (std::size_t s = 0; s <= stages; ++s)
-    if (tables_.rests[s].index.empty())
+  for (std::size_t s = 0; s <= stages; ++s) {
+    if (tables_.rests[s].index.empty()) {
       tables_.rests[s].index.assign(search.NodesBefore(s), -1);
+    }
+  }
   tables_.levels[stages].best.assign(search.NodesBefore(stages), 0.0);
-  for (std::size_t s = stages; s-- > 0;)
+  for (std::size_t s = stages; s-- > 0;) {
     if (tables_.levels[s].best.empty()) RelaxStage(s);
+  }
 }
 
 // The best rest from every node before the stage.
@@ -35,10 +38,11 @@ void PathEnumerator::RelaxStage(std::size_t s) {
   int i = 0;
   for (int u = 0; u < nodes; ++u) {
     level.first_seam[u] = i;
-    double most = kNone;
-    for (; i < stage.seam_count && stage.seams[i].from == u; ++i)
-      most = std::max(most, Onward(s, i));
-    level.best[u] = most;
+    double max_value = kNone;
+    for (; i < stage.seam_count && stage.seams[i].from == u; ++i) {
+      max_value = std::max(max_value, ScoreOver(s, i));
+    }
+    level.best[u] = max_value;
   }
   level.first_seam[nodes] = i;
 }
@@ -62,7 +66,7 @@ PathEnumerator::NodeRests* PathEnumerator::Rests(std::size_t s, int node) {
   rests.best.push_back({best, -1, 0});
   if (s == search_.stages.size()) return &rests;
   int seam = level.first_seam[node];
-  while (Onward(s, seam) != best) ++seam;
+  while (ScoreOver(s, seam) != best) ++seam;
   rests.best.front().seam = seam;
   return &rests;
 }
@@ -89,7 +93,7 @@ void PathEnumerator::Expand(std::size_t s, int node, NodeRests* rests) {
   const int begin = tables_.levels[s].first_seam[node];
   rests->heap.reserve(end - begin);
   for (int i = begin; i < end; ++i) {
-    const double score = Onward(s, i);
+    const double score = ScoreOver(s, i);
     if (i != taken && score > kNone) rests->heap.push_back({score, i, 0});
   }
   std::make_heap(rests->heap.begin(), rests->heap.end(), Worse);

@@ -40,7 +40,7 @@ class PathEnumerator {
     std::vector<Rest> heap;  // Candidates for the next.
     bool expanded = false;
   };
-  // Of the nodes before a stage.
+  // Rests of the nodes before one stage.
   struct LevelRests {
     std::vector<int> index;  // By node, in `pool`; -1 = none yet.
     std::vector<NodeRests> pool;
@@ -67,7 +67,7 @@ class PathEnumerator {
   double Weight(const SearchStage& stage, int seam) const {
     return stage.Gain(seam) - PricedCost(stage, seam, grid_, prices_);
   }
-  double Onward(std::size_t s, int seam) const {
+  double ScoreOver(std::size_t s, int seam) const {
     const SearchStage& stage = search_.stages[s];
     return tables_.levels[s + 1].best[stage.seams[seam].to] +
            Weight(stage, seam);

@@ -3,14 +3,14 @@
 #include <cstddef>
 #include <utility>
 
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
 
-class Valuation {
+class PathValuation {
  public:
-  Valuation(const Trellis& trellis, const ScoreGrid& grid)
+  PathValuation(const Trellis& trellis, const ScoreGrid& grid)
       : trellis_(trellis), grid_(grid) {
     value_.path.more_resources.assign(trellis.more_limits.size(), 0.0);
     value_.path.nodes.reserve(trellis.stages.size());
@@ -21,7 +21,7 @@ class Valuation {
   void AddSeam(std::size_t s, int index, int place) {
     const Stage& stage = trellis_.stages[s];
     const Seam& seam = stage.seams[index];
-    for (const int node : ViaOf(stage, index)) AddNode(stage.nodes[node]);
+    for (const int node : NodesVia(stage, index)) AddNode(stage.nodes[node]);
     AddNode(stage.nodes[seam.to]);
     value_.path.nodes.push_back(seam.to);
     value_.path.seams.push_back(index);
@@ -29,8 +29,9 @@ class Valuation {
     value_.path.cost += seam.cost;
     value_.score -= grid_.Round(seam.cost);
     value_.path.resource += seam.resource;
-    for (std::size_t r = 0; r < value_.path.more_resources.size(); ++r)
+    for (std::size_t r = 0; r < value_.path.more_resources.size(); ++r) {
       value_.path.more_resources[r] += stage.more_resources[r][index];
+    }
   }
 
   ValuedPath Finish() {
@@ -64,7 +65,7 @@ bool IsBetter(const ValuedPath& a, const ValuedPath& b) {
 ValuedPath Evaluate(const Trellis& trellis, const ScoreGrid& grid,
                     const SearchTrellis& search,
                     const std::vector<int>& seams) {
-  Valuation valuation(trellis, grid);
+  PathValuation valuation(trellis, grid);
   for (std::size_t s = 0; s < seams.size(); ++s) {
     const SearchStage& stage = search.stages[s];
     valuation.AddSeam(s, stage.Origin(seams[s]), stage.Place(seams[s]));
@@ -74,8 +75,9 @@ ValuedPath Evaluate(const Trellis& trellis, const ScoreGrid& grid,
 
 bool IsWithinLimits(const Trellis& trellis, const Path& path) {
   if (!(path.resource <= trellis.resource_limit)) return false;
-  for (std::size_t r = 0; r < path.more_resources.size(); ++r)
+  for (std::size_t r = 0; r < path.more_resources.size(); ++r) {
     if (!(path.more_resources[r] <= trellis.more_limits[r])) return false;
+  }
   return true;
 }
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "kg_planner/k_best/k_best.h"
+#include "kg_planner/k_best/path.h"
 #include "kg_planner/k_best/search_trellis.h"
 #include "kg_planner/trellis/score_grid.h"
 #include "kg_planner/trellis/trellis.h"
@@ -21,7 +21,7 @@ struct ValuedPath {
 // Larger score, then first in the order of ties.
 bool IsBetter(const ValuedPath& a, const ValuedPath& b);
 
-// Of the path over these seams of `search`, which is made of `trellis`.
+// The value of the path over these seams of `search`, made of `trellis`.
 ValuedPath Evaluate(const Trellis& trellis, const ScoreGrid& grid,
                     const SearchTrellis& search, const std::vector<int>& seams);
 

@@ -9,7 +9,7 @@
 #include "kg_planner/k_best/no_value.h"
 #include "kg_planner/k_best/row_kernel.h"
 #include "kg_planner/trellis/score_grid.h"
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
@@ -40,14 +40,15 @@ std::optional<double> LargestReward(const Stage& stage) {
 double GuessCost(const Stage& stage) {
   double largest = 0.0;
   const std::size_t count = std::min(stage.seams.size(), kSample);
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
     largest = std::max(largest, stage.seams[i].cost);
+  }
   return largest;
 }
 
-class Passer {
+class PlainPasser {
  public:
-  explicit Passer(const Trellis& trellis)
+  explicit PlainPasser(const Trellis& trellis)
       : trellis_(trellis), costs_(trellis.stages.size(), 0.0) {}
 
   std::optional<PlainPass> Pass() {
@@ -61,23 +62,26 @@ class Passer {
     // right: all that counts is the power of two.
     double guess = Total();
     for (int attempt = 0; attempt < 2; ++attempt) {
-      if (!std::isfinite(guess) || !Relax(ScoreGrid(guess)))
+      if (!std::isfinite(guess) || !Relax(ScoreGrid(guess))) {
         return std::nullopt;
+      }
       const double total = Total();
       if (!std::isfinite(total)) return std::nullopt;
-      if (ScoreGrid(total).step() == ScoreGrid(guess).step())
+      if (ScoreGrid(total).step() == ScoreGrid(guess).step()) {
         return PlainPass{total, std::move(levels_)};
+      }
       guess = total;
     }
     return std::nullopt;
   }
 
  private:
-  // In the order of the survey, to the bit.
+  // Summed in the order of CheckTrellis(): the same bits.
   double Total() const {
     double total = 0.0;
-    for (std::size_t s = 0; s < costs_.size(); ++s)
+    for (std::size_t s = 0; s < costs_.size(); ++s) {
       total += rewards_[s] + costs_[s];
+    }
     return total;
   }
 
@@ -85,18 +89,20 @@ class Passer {
     const std::size_t stages = trellis_.stages.size();
     levels_.assign(stages + 1, {});
     levels_[stages].best.assign(NodesBefore(trellis_, stages), 0.0);
-    for (std::size_t s = stages; s-- > 0;)
+    for (std::size_t s = stages; s-- > 0;) {
       if (!RelaxStage(grid, s)) return false;
+    }
     return true;
   }
 
   bool RelaxStage(const ScoreGrid& grid, std::size_t s) {
     const Stage& stage = trellis_.stages[s];
     std::vector<double> onward = levels_[s + 1].best;
-    for (std::size_t v = 0; v < onward.size(); ++v)
+    for (std::size_t v = 0; v < onward.size(); ++v) {
       onward[v] += grid.Round(stage.nodes[v].reward);
-    const Onward rest{onward.data(), static_cast<int>(onward.size()),
-                      grid.shift()};
+    }
+    const OnwardScores rest{onward.data(), static_cast<int>(onward.size()),
+                            grid.shift()};
     const int nodes = NodesBefore(trellis_, s);
     ViterbiLevel& level = levels_[s];
     level.best.assign(nodes, kNone);
@@ -110,7 +116,7 @@ class Passer {
       if (length == 0) continue;
       const Seam* row = &stage.seams[begin];
       if (row->to < 0 || stage.seams[end - 1].to >= rest.nodes) return false;
-      // Where the next row ends, which is looked at before the row is read.
+      // The end of the next row is compared before that row is read.
       const std::size_t next_end = std::min(end + length, stage.seams.size());
       __builtin_prefetch(stage.seams.data() + next_end - 1);
       __builtin_prefetch(stage.seams.data() + next_end);
@@ -123,13 +129,15 @@ class Passer {
     return begin == stage.seams.size();
   }
 
-  // Of the seams from u, if they are in order; rows are mostly of one length.
+  // The end of the seams from u, if they are in order; rows mostly have the
+  // same length.
   static std::size_t EndOfRow(const std::vector<Seam>& seams, int u,
                               std::size_t begin, std::size_t length) {
     const std::size_t likely = begin + length;
     if (length > 0 && likely <= seams.size() && seams[likely - 1].from == u &&
-        (likely == seams.size() || seams[likely].from != u))
+        (likely == seams.size() || seams[likely].from != u)) {
       return likely;
+    }
     std::size_t end = begin;
     while (end < seams.size() && seams[end].from == u) ++end;
     return end;
@@ -145,7 +153,7 @@ class Passer {
 
 std::optional<PlainPass> PassPlain(const Trellis& trellis) {
   if (!IsPlain(trellis)) return std::nullopt;
-  return Passer(trellis).Pass();
+  return PlainPasser(trellis).Pass();
 }
 
 }  // namespace kg_planner

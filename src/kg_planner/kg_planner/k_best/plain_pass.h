@@ -19,7 +19,7 @@ struct ViterbiLevel {
 };
 
 struct PlainPass {
-  double largest_total = 0.0;        // As in Survey.
+  double largest_total = 0.0;        // As in TrellisSummary.
   std::vector<ViterbiLevel> levels;  // One more than stages.
 };
 

@@ -8,7 +8,7 @@
 
 #include "gtest/gtest.h"
 #include "kg_planner/trellis/score_grid.h"
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
@@ -30,9 +30,11 @@ Trellis RandomRows(std::mt19937* prng) {
     for (Node& node : stage.nodes) node.reward = number(*prng) - 4.0;
     for (int u = 0; u < before; ++u) {
       const int missing = std::max(0, whole(-3, 3));
-      for (int v = 0; v < static_cast<int>(stage.nodes.size()); ++v)
-        if (whole(0, 3) >= missing)
+      for (int v = 0; v < static_cast<int>(stage.nodes.size()); ++v) {
+        if (whole(0, 3) >= missing) {
           stage.seams.push_back({u, v, number(*prng), number(*prng)});
+        }
+      }
     }
     before = static_cast<int>(stage.nodes.size());
   }
@@ -42,16 +44,17 @@ Trellis RandomRows(std::mt19937* prng) {
 std::vector<double> BestBefore(const Stage& stage, const ScoreGrid& grid,
                                int nodes, const std::vector<double>& behind) {
   std::vector<double> best(nodes, kNone);
-  for (const Seam& seam : stage.seams)
+  for (const Seam& seam : stage.seams) {
     best[seam.from] =
         std::max(best[seam.from], behind[seam.to] +
                                       grid.Round(stage.nodes[seam.to].reward) -
                                       grid.Round(seam.cost));
+  }
   return best;
 }
 
 void ExpectRight(const Trellis& trellis, const PlainPass& pass) {
-  EXPECT_EQ(pass.largest_total, CheckAndSurvey(trellis).largest_total);
+  EXPECT_EQ(pass.largest_total, CheckTrellis(trellis).largest_total);
   const ScoreGrid grid(pass.largest_total);
   ASSERT_EQ(pass.levels.size(), trellis.stages.size() + 1);
   std::vector<double> best(trellis.stages.back().nodes.size(), 0.0);
@@ -64,9 +67,11 @@ void ExpectRight(const Trellis& trellis, const PlainPass& pass) {
     const std::vector<int>& first = pass.levels[s].first_seam;
     ASSERT_EQ(first.size(), nodes + 1u);
     EXPECT_EQ(first.back(), static_cast<int>(stage.seams.size()));
-    for (int u = 0; u < nodes; ++u)
-      for (int i = first[u]; i < first[u + 1]; ++i)
+    for (int u = 0; u < nodes; ++u) {
+      for (int i = first[u]; i < first[u + 1]; ++i) {
         EXPECT_EQ(stage.seams[i].from, u);
+      }
+    }
   }
 }
 
@@ -126,8 +131,9 @@ TEST(PlainPassTest, AWrongGuessOfTheScaleIsMadeGood) {
   Trellis trellis;
   trellis.stages.resize(1);
   trellis.stages[0].nodes.resize(2000);
-  for (int v = 0; v < 2000; ++v)
+  for (int v = 0; v < 2000; ++v) {
     trellis.stages[0].seams.push_back({0, v, v < 1900 ? 0.1 : 1e6, 0.0});
+  }
   const auto pass = PassPlain(trellis);
   ASSERT_TRUE(pass);
   ExpectRight(trellis, *pass);

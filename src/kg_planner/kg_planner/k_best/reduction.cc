@@ -13,65 +13,68 @@ using Levels = std::vector<std::vector<double>>;
 
 // Least resource from the start to every node.
 Levels LeastBefore(const SearchTrellis& search, std::size_t r) {
-  Levels least{{0.0}};
+  Levels min_value{{0.0}};
   for (const SearchStage& stage : search.stages) {
     std::vector<double> next(stage.nodes, kNever);
     for (int i = 0; i < stage.seam_count; ++i) {
       const Seam& seam = stage.seams[i];
-      next[seam.to] = std::min(next[seam.to],
-                               least.back()[seam.from] + stage.Resource(i, r));
+      next[seam.to] = std::min(
+          next[seam.to], min_value.back()[seam.from] + stage.Resource(i, r));
     }
-    least.push_back(std::move(next));
+    min_value.push_back(std::move(next));
   }
-  return least;
+  return min_value;
 }
 
 // Least resource from every node to the end; level 0 = the start.
 Levels LeastBehind(const SearchTrellis& search, std::size_t r) {
   const std::size_t stages = search.stages.size();
-  Levels least(stages + 1);
-  least[stages].assign(search.NodesBefore(stages), 0.0);
+  Levels min_value(stages + 1);
+  min_value[stages].assign(search.NodesBefore(stages), 0.0);
   for (std::size_t s = stages; s-- > 0;) {
     const SearchStage& stage = search.stages[s];
-    least[s].assign(search.NodesBefore(s), kNever);
+    min_value[s].assign(search.NodesBefore(s), kNever);
     for (int i = 0; i < stage.seam_count; ++i) {
       const Seam& seam = stage.seams[i];
-      least[s][seam.from] = std::min(
-          least[s][seam.from], stage.Resource(i, r) + least[s + 1][seam.to]);
+      min_value[s][seam.from] =
+          std::min(min_value[s][seam.from],
+                   stage.Resource(i, r) + min_value[s + 1][seam.to]);
     }
   }
-  return least;
+  return min_value;
 }
 
 template <typename Value>
-void KeepIn(const std::vector<char>& keep, std::vector<Value>* values) {
+void KeepValues(const std::vector<char>& keep, std::vector<Value>* values) {
   if (values->empty()) return;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < keep.size(); ++i)
+  for (std::size_t i = 0; i < keep.size(); ++i) {
     if (keep[i]) (*values)[kept++] = (*values)[i];
+  }
   values->resize(kept);
 }
 
-void Keep(const std::vector<char>& keep, SearchStage* stage) {
+void KeepSeams(const std::vector<char>& keep, SearchStage* stage) {
   if (std::count(keep.begin(), keep.end(), 0) == 0) return;
   if (stage->origin.empty()) {
     stage->own.assign(stage->seams, stage->seams + stage->seam_count);
     for (int i = 0; i < stage->seam_count; ++i) stage->origin.push_back(i);
     stage->place = stage->origin;
   }
-  KeepIn(keep, &stage->own);
-  KeepIn(keep, &stage->origin);
-  KeepIn(keep, &stage->place);
-  KeepIn(keep, &stage->seam_gain);
+  KeepValues(keep, &stage->own);
+  KeepValues(keep, &stage->origin);
+  KeepValues(keep, &stage->place);
+  KeepValues(keep, &stage->seam_gain);
   stage->UseOwn();
 }
 
-// Sums in another order than a path's own differ by rounding: a hair is left.
+// Sums in another order than a path's own differ by rounding: a relative slack
+// of 1e-9 is left.
 void DropAbove(double limit, std::size_t r, SearchTrellis* search) {
   const Levels before = LeastBefore(*search, r);
   const Levels behind = LeastBehind(*search, r);
-  const double most = limit < kNever ? limit + 1e-9 * std::max(limit, 0.0)
-                                     : std::numeric_limits<double>::max();
+  const double max_value = limit < kNever ? limit + 1e-9 * std::max(limit, 0.0)
+                                          : std::numeric_limits<double>::max();
   for (std::size_t s = 0; s < search->stages.size(); ++s) {
     SearchStage& stage = search->stages[s];
     std::vector<char> keep(stage.seam_count);
@@ -79,9 +82,9 @@ void DropAbove(double limit, std::size_t r, SearchTrellis* search) {
       const Seam& seam = stage.seams[i];
       keep[i] = before[s][seam.from] + stage.Resource(i, r) +
                     behind[s + 1][seam.to] <=
-                most;
+                max_value;
     }
-    Keep(keep, &stage);
+    KeepSeams(keep, &stage);
   }
 }
 
@@ -89,8 +92,9 @@ void DropAbove(double limit, std::size_t r, SearchTrellis* search) {
 
 void DropUnaffordable(const std::vector<double>& limits,
                       SearchTrellis* search) {
-  for (std::size_t r = 0; r < limits.size(); ++r)
+  for (std::size_t r = 0; r < limits.size(); ++r) {
     if (r == 0 || limits[r] < kNever) DropAbove(limits[r], r, search);
+  }
 }
 
 }  // namespace kg_planner

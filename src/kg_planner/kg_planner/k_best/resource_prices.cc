@@ -5,14 +5,13 @@
 #include <limits>
 #include <optional>
 
-#include "kg_planner/k_best/no_value.h"
-
 namespace kg_planner {
 namespace {
 
-constexpr int kSecants = 30;
-constexpr int kDoublings = 60;
-constexpr int kSteps = 120;
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+constexpr int kMaxSecants = 30;
+constexpr int kMaxDoublings = 60;
+constexpr int kMaxSteps = 120;
 
 // The best path under prices: what it is worth without them, what it uses, and
 // the bound that the prices give.
@@ -25,24 +24,27 @@ struct PricedPath {
 class PriceFinder {
  public:
   explicit PriceFinder(const LimitedSearch& search) : search_(search) {
-    for (std::size_t r = 0; r < search.limits.size(); ++r)
+    for (std::size_t r = 0; r < search.limits.size(); ++r) {
       if (search.limits[r] < kNoLimit) limited_.push_back(r);
+    }
   }
 
-  PricedSearch Find() {
+  ResourcePrices Find() {
     const auto free = BestUnder(Prices(search_.limits.size(), 0.0));
     if (!free || limited_.empty() || IsAllowed(*free)) return std::move(found_);
-    if (limited_.size() == 1)
-      Secants(limited_.front(), *free);
-    else
-      Steps(*free);
+    if (limited_.size() == 1) {
+      SearchBySecants(limited_.front(), *free);
+    } else {
+      SearchBySubgradient(*free);
+    }
     return std::move(found_);
   }
 
  private:
   bool IsAllowed(const PricedPath& path) const {
-    for (const std::size_t r : limited_)
+    for (const std::size_t r : limited_) {
       if (!(path.use[r] <= search_.limits[r])) return false;
+    }
     return true;
   }
 
@@ -54,8 +56,9 @@ class PriceFinder {
     path.use.assign(search_.limits.size(), 0.0);
     path.value = best->bound;
     for (const std::size_t r : limited_) {
-      for (std::size_t s = 0; s < best->seams.size(); ++s)
+      for (std::size_t s = 0; s < best->seams.size(); ++s) {
         path.use[r] += search_.search.stages[s].Resource(best->seams[s], r);
+      }
       path.value += prices[r] * path.use[r];
     }
     path.bound = best->bound + BoundOffset(search_, grid, prices);
@@ -71,19 +74,29 @@ class PriceFinder {
     return *BestUnder(prices);
   }
 
-  void Secants(std::size_t r, PricedPath dear) {
+  void SearchBySecants(std::size_t r, PricedPath over_limit) {
+    // A bracket: a price too low (over the limit) and one high enough, found by
+    // doubling. The first is the largest total over the use: of the size that
+    // takes off all a path is worth.
     const double limit = search_.limits[r];
-    double price = search_.largest_total / dear.use[r];
-    PricedPath cheap = BestAt(r, price);
-    for (int i = 0; i < kDoublings && !IsAllowed(cheap); ++i)
-      cheap = BestAt(r, price *= 2.0);
-    for (int i = 0; i < kSecants && cheap.use[r] < dear.use[r]; ++i) {
-      price = (dear.value - cheap.value) / (dear.use[r] - cheap.use[r]);
+    double price = search_.largest_total / over_limit.use[r];
+    PricedPath within_limit = BestAt(r, price);
+    for (int i = 0; i < kMaxDoublings && !IsAllowed(within_limit); ++i) {
+      within_limit = BestAt(r, price *= 2.0);
+    }
+    for (int i = 0; i < kMaxSecants && within_limit.use[r] < over_limit.use[r];
+         ++i) {
+      // Where the two paths are worth the same: the corner of the dual between
+      // them, by secants.
+      price = (over_limit.value - within_limit.value) /
+              (over_limit.use[r] - within_limit.use[r]);
       const PricedPath best = BestAt(r, price);
-      const double gain =
-          best.value - cheap.value - price * (best.use[r] - cheap.use[r]);
+      const double gain = best.value - within_limit.value -
+                          price * (best.use[r] - within_limit.use[r]);
+      // No path is better there: the corner is the minimum. 1e-9 of the largest
+      // total is rounding.
       if (!(gain > 1e-9 * search_.largest_total)) break;
-      (best.use[r] <= limit ? cheap : dear) = best;
+      (best.use[r] <= limit ? within_limit : over_limit) = best;
     }
     found_.prices.assign(search_.limits.size(), 0.0);
     found_.prices[r] = std::max(price, 0.0);
@@ -110,20 +123,24 @@ class PriceFinder {
     return next;
   }
 
-  void Steps(PricedPath at) {
+  void SearchBySubgradient(PricedPath at) {
     Prices prices(search_.limits.size(), 0.0);
     found_.prices = prices;
-    double least = at.bound;
-    double reach = 0.25 * search_.largest_total;  // Of the level, below least.
+    double min_value = at.bound;
+    // The target level lies a quarter of the largest total below the best bound
+    // at first, and is halved after three steps without gain.
+    double reach =
+        0.25 *
+        search_.largest_total;  // From the best bound down to the target level.
     int idle = 0;
-    for (int i = 0; i < kSteps && !found_.none_allowed; ++i) {
-      const Prices next = Step(prices, at, least - reach);
+    for (int i = 0; i < kMaxSteps && !found_.none_allowed; ++i) {
+      const Prices next = Step(prices, at, min_value - reach);
       if (next == prices) break;
       prices = next;
       at = *BestUnder(prices);
-      idle = at.bound < least ? 0 : idle + 1;
-      if (at.bound < least) {
-        least = at.bound;
+      idle = at.bound < min_value ? 0 : idle + 1;
+      if (at.bound < min_value) {
+        min_value = at.bound;
         found_.prices = prices;
       }
       if (idle < 3) continue;
@@ -134,7 +151,7 @@ class PriceFinder {
 
   const LimitedSearch& search_;
   std::vector<std::size_t> limited_;
-  PricedSearch found_;
+  ResourcePrices found_;
 };
 
 bool HasPrice(const Prices& prices) {
@@ -143,10 +160,11 @@ bool HasPrice(const Prices& prices) {
 }
 
 double LargestUse(const SearchStage& stage, std::size_t r) {
-  double most = 0.0;
-  for (int i = 0; i < stage.seam_count; ++i)
-    most = std::max(most, stage.Resource(i, r));
-  return most;
+  double max_value = 0.0;
+  for (int i = 0; i < stage.seam_count; ++i) {
+    max_value = std::max(max_value, stage.Resource(i, r));
+  }
+  return max_value;
 }
 
 }  // namespace
@@ -154,9 +172,11 @@ double LargestUse(const SearchStage& stage, std::size_t r) {
 ScoreGrid PricedGrid(const LimitedSearch& search, const Prices& prices) {
   if (!HasPrice(prices)) return search.grid;
   double largest = search.largest_total;
-  for (const SearchStage& stage : search.search.stages)
-    for (std::size_t r = 0; r < prices.size(); ++r)
+  for (const SearchStage& stage : search.search.stages) {
+    for (std::size_t r = 0; r < prices.size(); ++r) {
       if (prices[r] > 0.0) largest += prices[r] * LargestUse(stage, r);
+    }
+  }
   return ScoreGrid(largest);
 }
 
@@ -164,13 +184,14 @@ double BoundOffset(const LimitedSearch& search, const ScoreGrid& grid,
                    const Prices& prices) {
   if (!HasPrice(prices)) return 0.0;
   double worth = 0.0;
-  for (std::size_t r = 0; r < prices.size(); ++r)
+  for (std::size_t r = 0; r < prices.size(); ++r) {
     if (prices[r] > 0.0) worth += prices[r] * search.limits[r];
+  }
   const double stages = static_cast<double>(search.search.stages.size());
   return worth + 4.0 * (stages + 1.0) * grid.step() + 4e-16 * stages * worth;
 }
 
-PricedSearch FindPrices(const LimitedSearch& search) {
+ResourcePrices FindPrices(const LimitedSearch& search) {
   return PriceFinder(search).Find();
 }
 

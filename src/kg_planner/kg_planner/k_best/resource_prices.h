@@ -31,13 +31,13 @@ ScoreGrid PricedGrid(const LimitedSearch& search, const Prices& prices);
 double BoundOffset(const LimitedSearch& search, const ScoreGrid& grid,
                    const Prices& prices);
 
-struct PricedSearch {
+struct ResourcePrices {
   Prices prices;                        // Empty: no limit binds.
   std::vector<std::vector<int>> tried;  // Seams of the best path of each try.
   bool none_allowed = false;            // No path is within all limits.
 };
 
-PricedSearch FindPrices(const LimitedSearch& search);
+ResourcePrices FindPrices(const LimitedSearch& search);
 
 }  // namespace kg_planner
 

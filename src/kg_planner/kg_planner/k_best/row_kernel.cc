@@ -55,7 +55,7 @@ KG_INLINE std::uint64_t Ends(const Seam& seam) {
 
 // What is found so far: bit 63 of `bad`, and bits 63 and 31 to 0 of `ends`, are
 // 0 while all is sound.
-struct Sums {
+struct RowSums {
   double best = kNone;
   double largest_cost = 0.0;
   std::uint64_t bad = 0;
@@ -63,7 +63,7 @@ struct Sums {
 };
 
 KG_INLINE void AddOne(const Seam* seam, bool first, double onward, double shift,
-                      Sums* sums) {
+                      RowSums* sums) {
   sums->best = std::max(sums->best, onward - ((seam->cost + shift) - shift));
   sums->largest_cost = std::max(sums->largest_cost, seam->cost);
   const std::uint64_t cost = Bits(seam->cost);
@@ -73,16 +73,18 @@ KG_INLINE void AddOne(const Seam* seam, bool first, double onward, double shift,
   if (!first) sums->ends |= Ends(*seam) - Ends(seam[-1]) - kNextTo;
 }
 
-struct Lanes {
+struct VectorLanes {
   Words bad = {};
   Words ends[3] = {};
-  Reals most[3] = {};
+  Reals max_value[3] = {};
   Reals best = {kNone, kNone, kNone, kNone};
 };
 
 // `onward`: of seams 1, 0, 3, 2.
 KG_INLINE void AddFour(const Seam* seams, const Reals& onward, double shift,
-                       Lanes* lanes) {
+                       VectorLanes* lanes) {
+  // Each vector of words is compared with the one a seam (24 bytes) before it:
+  // ends must ascend, costs and resources be finite and >= 0.
   const char* bytes = reinterpret_cast<const char*>(seams);
   Reals reals[3];
   for (int i = 0; i < 3; ++i) {
@@ -92,8 +94,11 @@ KG_INLINE void AddFour(const Seam* seams, const Reals& onward, double shift,
     lanes->ends[i] |= words - before - kNextTo;
     lanes->bad |= words | (words + kExponentOne);
     reals[i] = reinterpret_cast<Reals>(words);
-    lanes->most[i] = reals[i] > lanes->most[i] ? reals[i] : lanes->most[i];
+    lanes->max_value[i] =
+        reals[i] > lanes->max_value[i] ? reals[i] : lanes->max_value[i];
   }
+  // The costs of seams 1, 0, 3, 2 lie in lanes c1 | c0 | c3 | c2 of the three
+  // vectors.
   const Reals costs_102 =
       __builtin_shufflevector(reals[0], reals[1], 4, 1, 2, 7);
   const Reals costs = __builtin_shufflevector(costs_102, reals[2], 0, 1, 6, 3);
@@ -101,7 +106,7 @@ KG_INLINE void AddFour(const Seam* seams, const Reals& onward, double shift,
   lanes->best = scores > lanes->best ? scores : lanes->best;
 }
 
-KG_INLINE RowScan Finish(const Lanes& lanes, Sums sums) {
+KG_INLINE RowScan Finish(const VectorLanes& lanes, RowSums sums) {
   for (int i = 0; i < 4; ++i) {
     sums.best = std::max(sums.best, lanes.best[i]);
     sums.bad |= lanes.bad[i];
@@ -109,8 +114,8 @@ KG_INLINE RowScan Finish(const Lanes& lanes, Sums sums) {
   sums.ends |=
       lanes.ends[0][0] | lanes.ends[0][3] | lanes.ends[1][2] | lanes.ends[2][1];
   sums.largest_cost =
-      std::max({sums.largest_cost, lanes.most[0][1], lanes.most[1][0],
-                lanes.most[1][3], lanes.most[2][2]});
+      std::max({sums.largest_cost, lanes.max_value[0][1], lanes.max_value[1][0],
+                lanes.max_value[1][3], lanes.max_value[2][2]});
   const bool sound = sums.bad >> 63 == 0 && sums.ends >> 63 == 0 &&
                      static_cast<std::uint32_t>(sums.ends) == 0;
   return {sums.best, sums.largest_cost, sound};
@@ -118,10 +123,10 @@ KG_INLINE RowScan Finish(const Lanes& lanes, Sums sums) {
 
 // Every node from the first `to` to the last.
 KG_INLINE RowScan ScanWhole(const Seam* seams, int count,
-                            const Onward& onward) {
+                            const OnwardScores& onward) {
   const double* by_seam = onward.by_node + seams->to;
-  Sums sums;
-  Lanes lanes;
+  RowSums sums;
+  VectorLanes lanes;
   AddOne(seams, true, by_seam[0], onward.shift, &sums);
   int i = 1;
   for (; i + 4 <= count; i += 4) {
@@ -129,20 +134,21 @@ KG_INLINE RowScan ScanWhole(const Seam* seams, int count,
     AddFour(seams + i, __builtin_shufflevector(four, four, 1, 0, 3, 2),
             onward.shift, &lanes);
   }
-  for (; i < count; ++i)
+  for (; i < count; ++i) {
     AddOne(seams + i, false, by_seam[i], onward.shift, &sums);
+  }
   return Finish(lanes, sums);
 }
 
-KG_INLINE double Look(const Onward& onward, const Seam& seam) {
+KG_INLINE double Look(const OnwardScores& onward, const Seam& seam) {
   const auto last = static_cast<std::uint32_t>(onward.nodes - 1);
   return onward.by_node[std::min(static_cast<std::uint32_t>(seam.to), last)];
 }
 
 KG_INLINE RowScan ScanSparse(const Seam* seams, int count,
-                             const Onward& onward) {
-  Sums sums;
-  Lanes lanes;
+                             const OnwardScores& onward) {
+  RowSums sums;
+  VectorLanes lanes;
   AddOne(seams, true, Look(onward, seams[0]), onward.shift, &sums);
   int i = 1;
   for (; i + 4 <= count; i += 4) {
@@ -151,14 +157,16 @@ KG_INLINE RowScan ScanSparse(const Seam* seams, int count,
                          Look(onward, four[3]), Look(onward, four[2])};
     AddFour(four, there, onward.shift, &lanes);
   }
-  for (; i < count; ++i)
+  for (; i < count; ++i) {
     AddOne(seams + i, false, Look(onward, seams[i]), onward.shift, &sums);
+  }
   return Finish(lanes, sums);
 }
 
 }  // namespace
 
-KG_WIDE RowScan ScanRow(const Seam* seams, int count, const Onward& onward) {
+KG_WIDE RowScan ScanRow(const Seam* seams, int count,
+                        const OnwardScores& onward) {
   const bool whole = seams[count - 1].to - seams[0].to == count - 1;
   return whole ? ScanWhole(seams, count, onward)
                : ScanSparse(seams, count, onward);

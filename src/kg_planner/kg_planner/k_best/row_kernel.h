@@ -17,7 +17,7 @@ struct RowScan {
   bool sound = false;
 };
 
-struct Onward {
+struct OnwardScores {
   const double* by_node = nullptr;
   int nodes = 0;
   double shift = 0.0;  // ScoreGrid::shift().
@@ -25,7 +25,7 @@ struct Onward {
 
 // The first `to` must be >= 0 and the last < nodes; what is between them is
 // checked here. `count` > 0.
-RowScan ScanRow(const Seam* seams, int count, const Onward& onward);
+RowScan ScanRow(const Seam* seams, int count, const OnwardScores& onward);
 
 }  // namespace kg_planner
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
@@ -18,7 +18,7 @@ void CheckIndex(const char* what, int index, std::size_t size) {
                               std::to_string(size));
 }
 
-void CheckMasks(const Trellis& trellis, const Masks& masks) {
+void CheckMasks(const Trellis& trellis, const PathMasks& masks) {
   const auto& stages = trellis.stages;
   for (const NodeMask& mask : masks.nodes) {
     CheckIndex("stage", mask.stage, stages.size());
@@ -28,8 +28,9 @@ void CheckMasks(const Trellis& trellis, const Masks& masks) {
     CheckIndex("stage", mask.stage, stages.size());
     CheckIndex("from", mask.from, NodesBefore(trellis, mask.stage));
     CheckIndex("to", mask.to, stages[mask.stage].nodes.size());
-    for (const int node : mask.via)
+    for (const int node : mask.via) {
       CheckIndex("via", node, stages[mask.stage].nodes.size());
+    }
   }
 }
 
@@ -40,16 +41,19 @@ struct StageMasks {
   std::vector<SeamName> seams;  // Ascending.
 };
 
-std::vector<StageMasks> ByStage(const Trellis& trellis, const Masks& masks) {
+std::vector<StageMasks> ByStage(const Trellis& trellis,
+                                const PathMasks& masks) {
   std::vector<StageMasks> by_stage(trellis.stages.size());
   for (const NodeMask& mask : masks.nodes) {
     by_stage[mask.stage].nodes.resize(trellis.stages[mask.stage].nodes.size());
     by_stage[mask.stage].nodes[mask.node] = 1;
   }
-  for (const SeamMask& mask : masks.seams)
+  for (const SeamMask& mask : masks.seams) {
     by_stage[mask.stage].seams.emplace_back(mask.from, mask.to, mask.via);
-  for (StageMasks& stage : by_stage)
+  }
+  for (StageMasks& stage : by_stage) {
     std::sort(stage.seams.begin(), stage.seams.end());
+  }
   return by_stage;
 }
 
@@ -59,21 +63,23 @@ bool IsForbidden(const Stage& stage, std::size_t i, const StageMasks* before,
   if (before && !before->nodes.empty() && before->nodes[seam.from]) return true;
   if (!here.nodes.empty()) {
     if (here.nodes[seam.to]) return true;
-    for (const int node : ViaOf(stage, i))
+    for (const int node : NodesVia(stage, i)) {
       if (here.nodes[node]) return true;
+    }
   }
   return !here.seams.empty() &&
          std::binary_search(here.seams.begin(), here.seams.end(),
-                            SeamName(seam.from, seam.to, ViaOf(stage, i)));
+                            SeamName(seam.from, seam.to, NodesVia(stage, i)));
 }
 
 // All seams in the order of ties.
 std::vector<int> InOrder(const Stage& stage, bool sorted) {
   std::vector<int> order(stage.seams.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  if (!sorted)
+  if (!sorted) {
     std::sort(order.begin(), order.end(),
               [&](int a, int b) { return StandsBefore(stage, a, b); });
+  }
   return order;
 }
 
@@ -85,8 +91,9 @@ double Gain(const ScoreGrid& grid, const std::vector<TokenReward>& tokens) {
 
 double SeamGain(const ScoreGrid& grid, const Stage& stage, int seam) {
   double gain = grid.Round(stage.nodes[stage.seams[seam].to].reward);
-  for (const int node : ViaOf(stage, seam))
+  for (const int node : NodesVia(stage, seam)) {
     gain += grid.Round(stage.nodes[node].reward);
+  }
   return gain + Gain(grid, TokensMet(stage, seam));
 }
 
@@ -120,17 +127,19 @@ void Weigh(const SearchStage& stage, const ScoreGrid& grid,
   weights->resize(stage.seam_count);
   double* weight = weights->data();
   if (!stage.seam_gain.empty() || !prices.empty()) {
-    for (int i = 0; i < stage.seam_count; ++i)
+    for (int i = 0; i < stage.seam_count; ++i) {
       weight[i] = stage.Gain(i) - PricedCost(stage, i, grid, prices);
+    }
     return;
   }
   const double* gain = stage.node_gain.data();
   const Seam* seams = stage.seams;
-  for (int i = 0; i < stage.seam_count; ++i)
+  for (int i = 0; i < stage.seam_count; ++i) {
     weight[i] = gain[seams[i].to] - grid.Round(seams[i].cost);
+  }
 }
 
-std::vector<double> LimitsOf(const Trellis& trellis) {
+std::vector<double> ResourceLimits(const Trellis& trellis) {
   std::vector<double> limits{trellis.resource_limit};
   limits.insert(limits.end(), trellis.more_limits.begin(),
                 trellis.more_limits.end());
@@ -153,7 +162,7 @@ std::vector<TokenReward> Distinct(std::vector<TokenReward> tokens) {
 
 std::vector<TokenReward> TokensMet(const Stage& stage, std::size_t i) {
   std::vector<TokenReward> tokens = stage.nodes[stage.seams[i].to].tokens;
-  for (const int node : ViaOf(stage, i)) {
+  for (const int node : NodesVia(stage, i)) {
     const auto& more = stage.nodes[node].tokens;
     tokens.insert(tokens.end(), more.begin(), more.end());
   }
@@ -161,7 +170,7 @@ std::vector<TokenReward> TokensMet(const Stage& stage, std::size_t i) {
 }
 
 SearchTrellis ToSearch(const Trellis& trellis, const std::vector<char>& sorted,
-                       const Masks& masks, const ScoreGrid& grid) {
+                       const PathMasks& masks, const ScoreGrid& grid) {
   CheckMasks(trellis, masks);
   const std::vector<StageMasks> by_stage = ByStage(trellis, masks);
   const bool masked = !masks.nodes.empty() || !masks.seams.empty();
@@ -173,15 +182,20 @@ SearchTrellis ToSearch(const Trellis& trellis, const std::vector<char>& sorted,
     made.nodes = static_cast<int>(stage.nodes.size());
     made.seams = stage.seams.data();
     made.seam_count = static_cast<int>(stage.seams.size());
-    if (masked || !sorted[s])
+    // Seams are copied only where some are dropped or out of order.
+    if (masked || !sorted[s]) {
       KeepSome(InOrder(stage, sorted[s]), s > 0 ? &by_stage[s - 1] : nullptr,
                by_stage[s], &made);
-    for (const Node& node : stage.nodes)
+    }
+    for (const Node& node : stage.nodes) {
       made.node_gain.push_back(grid.Round(node.reward) +
                                Gain(grid, Distinct(node.tokens)));
+    }
+    // Without stops the gain of a seam is that of its end.
     if (stage.via.empty()) continue;
-    for (int i = 0; i < made.seam_count; ++i)
+    for (int i = 0; i < made.seam_count; ++i) {
       made.seam_gain.push_back(SeamGain(grid, stage, made.Origin(i)));
+    }
   }
   return search;
 }

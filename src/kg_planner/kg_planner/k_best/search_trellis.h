@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "kg_planner/k_best/k_best.h"
+#include "kg_planner/k_best/path.h"
 #include "kg_planner/trellis/score_grid.h"
 #include "kg_planner/trellis/trellis.h"
 
@@ -58,8 +58,9 @@ using Prices = std::vector<double>;
 inline double PricedCost(const SearchStage& stage, int i, const ScoreGrid& grid,
                          const Prices& prices) {
   double cost = stage.seams[i].cost;
-  for (std::size_t r = 0; r < prices.size(); ++r)
+  for (std::size_t r = 0; r < prices.size(); ++r) {
     if (prices[r] > 0.0) cost += prices[r] * stage.Resource(i, r);
+  }
   return grid.Round(cost);
 }
 
@@ -77,7 +78,7 @@ struct SearchTrellis {
 };
 
 // By resource, the first being 0.
-std::vector<double> LimitsOf(const Trellis& trellis);
+std::vector<double> ResourceLimits(const Trellis& trellis);
 
 // A token's reward at a node that lists it more than once is the largest.
 // By token.
@@ -91,7 +92,7 @@ std::vector<TokenReward> TokensMet(const Stage& stage, std::size_t i);
 // std::invalid_argument if a mask names a stage or node that is not there; a
 // seam mask without a seam forbids nothing.
 SearchTrellis ToSearch(const Trellis& trellis, const std::vector<char>& sorted,
-                       const Masks& masks, const ScoreGrid& grid);
+                       const PathMasks& masks, const ScoreGrid& grid);
 
 }  // namespace kg_planner
 

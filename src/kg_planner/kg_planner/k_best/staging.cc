@@ -8,44 +8,48 @@
 
 #include "kg_planner/k_best/search_trellis.h"
 #include "kg_planner/trellis/score_grid.h"
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
 
 void CheckPath(const Trellis& trellis, const Path& path) {
-  if (path.seams.size() != trellis.stages.size())
+  if (path.seams.size() != trellis.stages.size()) {
     throw std::invalid_argument("path: " + std::to_string(path.seams.size()) +
                                 " seams, expected " +
                                 std::to_string(trellis.stages.size()));
+  }
   int at = 0;
   for (std::size_t s = 0; s < path.seams.size(); ++s) {
     const auto& seams = trellis.stages[s].seams;
     const int i = path.seams[s];
     if (i < 0 || static_cast<std::size_t>(i) >= seams.size() ||
-        seams[i].from != at)
+        seams[i].from != at) {
       throw std::invalid_argument(
           "path: seam " + std::to_string(i) + " of stage " + std::to_string(s) +
           " does not lead on from node " + std::to_string(at));
+    }
     at = seams[i].to;
   }
 }
 
-class Earnings {
+class TokenEarnings {
  public:
-  explicit Earnings(const ScoreGrid& grid) : grid_(grid) {}
+  explicit TokenEarnings(const ScoreGrid& grid) : grid_(grid) {}
 
   // What seam i of the stage brings at once.
-  double AtOnce(const Stage& stage, int i) const {
+  double ImmediateGain(const Stage& stage, int i) const {
     double gain = grid_.Round(stage.nodes[stage.seams[i].to].reward) -
                   grid_.Round(stage.seams[i].cost);
-    for (const int node : ViaOf(stage, i))
+    for (const int node : NodesVia(stage, i)) {
       gain += grid_.Round(stage.nodes[node].reward);
-    for (const TokenReward& token : TokensMet(stage, i))
+    }
+    for (const TokenReward& token : TokensMet(stage, i)) {
       gain += std::max(0.0, grid_.Round(token.reward) - Earned(token.token));
+    }
     return gain;
   }
-  void Take(const Stage& stage, int i) {
+  void Earn(const Stage& stage, int i) {
     for (const TokenReward& token : TokensMet(stage, i)) {
       double& earned = earned_[token.token];
       earned = std::max(earned, grid_.Round(token.reward));
@@ -64,25 +68,27 @@ class Earnings {
 
 }  // namespace
 
-std::vector<bool> FindStaging(const Trellis& trellis, const Masks& masks,
+std::vector<bool> FindStaging(const Trellis& trellis, const PathMasks& masks,
                               const Path& path) {
-  const Survey survey = CheckAndSurvey(trellis);
+  const TrellisSummary summary = CheckTrellis(trellis);
   CheckPath(trellis, path);
-  const ScoreGrid grid(survey.largest_total);
-  const SearchTrellis allowed = ToSearch(trellis, survey.sorted, masks, grid);
-  Earnings earnings(grid);
+  const ScoreGrid grid(summary.largest_total);
+  const SearchTrellis allowed = ToSearch(trellis, summary.sorted, masks, grid);
+  TokenEarnings earnings(grid);
   std::vector<bool> staging;
   int at = 0;
   for (std::size_t s = 0; s < path.seams.size(); ++s) {
     const Stage& stage = trellis.stages[s];
     const SearchStage& search = allowed.stages[s];
-    const double taken = earnings.AtOnce(stage, path.seams[s]);
+    // Would another allowed seam from here have brought more at once?
+    const double taken = earnings.ImmediateGain(stage, path.seams[s]);
     bool more = false;
-    for (int i = 0; i < search.seam_count; ++i)
+    for (int i = 0; i < search.seam_count; ++i) {
       more = more || (search.seams[i].from == at &&
-                      earnings.AtOnce(stage, search.Origin(i)) > taken);
+                      earnings.ImmediateGain(stage, search.Origin(i)) > taken);
+    }
     staging.push_back(more);
-    earnings.Take(stage, path.seams[s]);
+    earnings.Earn(stage, path.seams[s]);
     at = stage.seams[path.seams[s]].to;
   }
   return staging;

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "kg_planner/k_best/k_best.h"
+#include "kg_planner/k_best/path.h"
 #include "kg_planner/trellis/trellis.h"
 
 namespace kg_planner {
@@ -19,7 +19,7 @@ namespace kg_planner {
 // By stage, whether the path's seam into it is such a one. Seams that `masks`
 // forbid are not compared with. Throws as FindKBest() does, and if `path` does
 // not lead through `trellis`.
-std::vector<bool> FindStaging(const Trellis& trellis, const Masks& masks,
+std::vector<bool> FindStaging(const Trellis& trellis, const PathMasks& masks,
                               const Path& path);
 
 }  // namespace kg_planner

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gtest/gtest.h"
-#include "kg_planner/k_best/random_trellis.h"
+#include "kg_planner/testing/random_trellis.h"
 
 namespace kg_planner {
 namespace {
@@ -21,7 +21,8 @@ Trellis Detour() {
   return trellis;
 }
 
-std::vector<bool> OfTheBest(const Trellis& trellis, const Masks& masks = {}) {
+std::vector<bool> OfTheBest(const Trellis& trellis,
+                            const PathMasks& masks = {}) {
   return FindStaging(trellis, masks,
                      FindKBest(trellis, masks, {1}).paths.at(0));
 }
@@ -90,7 +91,7 @@ TEST(StagingTest, TheGreedyPathNeverStagesAndOthersDo) {
   int staging = 0;
   for (int i = 0; i < 1000; ++i) {
     const Trellis trellis = random.Make();
-    const Exhaustion exhaustion(trellis, {});
+    const ExhaustiveSearch exhaustion(trellis, {});
     for (const Path& path : exhaustion.paths()) {
       bool greedy = true;
       int at = 0;
@@ -99,9 +100,10 @@ TEST(StagingTest, TheGreedyPathNeverStagesAndOthersDo) {
         const auto gain = [&](const Seam& seam) {
           return stage.nodes[seam.to].reward - seam.cost;
         };
-        for (const Seam& seam : stage.seams)
+        for (const Seam& seam : stage.seams) {
           greedy = greedy && (seam.from != at ||
                               gain(seam) <= gain(stage.seams[path.seams[s]]));
+        }
         at = path.nodes[s];
       }
       const std::vector<bool> found = FindStaging(trellis, {}, path);

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
@@ -35,12 +35,13 @@ class OfferFinder {
 
   StageOffers Find(const SearchStage& search) const {
     StageOffers found;
-    for (const Node& node : search.stage->nodes)
+    for (const Node& node : search.stage->nodes) {
       found.offers.push_back(Offer(Distinct(node.tokens)));
+    }
     for (int i = 0; i < search.seam_count; ++i) {
       const std::size_t origin = search.Origin(i);
       found.of_seam.push_back(search.seams[i].to);
-      if (ViaOf(*search.stage, origin).empty()) continue;
+      if (NodesVia(*search.stage, origin).empty()) continue;
       found.of_seam.back() = static_cast<int>(found.offers.size());
       found.offers.push_back(Offer(TokensMet(*search.stage, origin)));
     }
@@ -52,8 +53,9 @@ class OfferFinder {
     Earned offer(places_.size(), 0.0);
     for (const TokenReward& token : tokens) {
       const auto place = places_.find(token.token);
-      if (place != places_.end())
+      if (place != places_.end()) {
         offer[place->second] = grid_.Round(token.reward);
+      }
     }
     return offer;
   }
@@ -71,9 +73,11 @@ std::vector<StageOffers> FindOffers(const SearchTrellis& search,
   for (std::size_t s = search.stages.size(); s-- > 0;) {
     offers[s] = finder.Find(search.stages[s]);
     offers[s].best_later = later;
-    for (const Earned& offer : offers[s].offers)
-      for (std::size_t i = 0; i < offer.size(); ++i)
+    for (const Earned& offer : offers[s].offers) {
+      for (std::size_t i = 0; i < offer.size(); ++i) {
         later[i] = std::max(later[i], offer[i]);
+      }
+    }
   }
   return offers;
 }
@@ -120,22 +124,22 @@ class StageUnroller {
 };
 
 // Split nodes of the stage before: which node, and which of the states.
-struct Front {
+struct SplitNodes {
   std::vector<int> origin;
   std::vector<std::size_t> state;
   std::vector<Earned> states;
 };
 
-Front FrontOf(const std::vector<StageUnroller::Key>& keys) {
+SplitNodes ToSplitNodes(const std::vector<StageUnroller::Key>& keys) {
   std::map<Earned, std::size_t> known;
-  Front front;
+  SplitNodes split;
   for (const auto& [node, earned] : keys) {
     const auto place = known.emplace(earned, known.size());
-    if (place.second) front.states.push_back(earned);
-    front.origin.push_back(node);
-    front.state.push_back(place.first->second);
+    if (place.second) split.states.push_back(earned);
+    split.origin.push_back(node);
+    split.state.push_back(place.first->second);
   }
-  return front;
+  return split;
 }
 
 // Where the seams of each of `nodes` nodes begin; they ascend by `from`.
@@ -155,25 +159,32 @@ double Sum(const Earned& offer) {
 // The split stage, its nodes as in `unroller`. False if there are too many
 // seams.
 bool UnrollStage(const SearchStage& stage, const StageOffers& offers,
-                 const Front& front, std::size_t max_seams,
+                 const SplitNodes& split_before, std::size_t max_seams,
                  StageUnroller* unroller, SearchStage* split) {
+  // Nodes of the stage before as numbers go: split ones and those that seams
+  // name.
   int nodes = 0;
-  for (const int origin : front.origin) nodes = std::max(nodes, origin + 1);
-  for (int i = 0; i < stage.seam_count; ++i)
+  for (const int origin : split_before.origin) {
+    nodes = std::max(nodes, origin + 1);
+  }
+  for (int i = 0; i < stage.seam_count; ++i) {
     nodes = std::max(nodes, stage.seams[i].from + 1);
+  }
   const std::vector<int> first = FirstSeams(stage, nodes);
-  for (std::size_t u = 0; u < front.origin.size(); ++u) {
-    const int origin = front.origin[u];
+  for (std::size_t u = 0; u < split_before.origin.size(); ++u) {
+    const int origin = split_before.origin[u];
     for (int i = first[origin]; i < first[origin + 1]; ++i) {
+      // The number of earned sets can double with every stage: give up early.
       if (split->own.size() >= max_seams) return false;
       Seam seam = stage.seams[i];
       const int offer = offers.of_seam[i];
-      const auto target = unroller->Reach(front.state[u], seam, offer);
+      const auto target = unroller->Reach(split_before.state[u], seam, offer);
       seam.from = static_cast<int>(u);
       seam.to = target.node;
       split->own.push_back(seam);
       split->origin.push_back(stage.Origin(i));
       split->place.push_back(stage.Place(i));
+      // The gain had every token met; now only what was not earned before.
       split->seam_gain.push_back(stage.Gain(i) - Sum(offers.offers[offer]) +
                                  target.gain);
     }
@@ -191,18 +202,23 @@ std::vector<int> RepeatedTokens(const SearchTrellis& search) {
   };
   std::map<int, Sum> sums;
   for (const SearchStage& stage : search.stages) {
+    // Within one stage a path earns a token once, so its best offer counts.
     std::map<int, double> best;
-    for (const Node& node : stage.stage->nodes)
-      for (const TokenReward& token : node.tokens)
+    for (const Node& node : stage.stage->nodes) {
+      for (const TokenReward& token : node.tokens) {
         best[token.token] = std::max(best[token.token], token.reward);
+      }
+    }
     for (const auto& [token, reward] : best) {
       sums[token].total += reward;
       sums[token].best = std::max(sums[token].best, reward);
     }
   }
   std::vector<int> tokens;
-  for (const auto& [token, sum] : sums)
+  for (const auto& [token, sum] : sums) {
     if (sum.excess() > 0.0) tokens.push_back(token);
+  }
+  // Excess: how much the Viterbi bound can count too much for the token.
   std::stable_sort(tokens.begin(), tokens.end(), [&](int a, int b) {
     return sums[a].excess() > sums[b].excess();
   });
@@ -215,20 +231,23 @@ std::optional<SearchTrellis> UnrollTokens(const SearchTrellis& search,
                                           std::size_t max_seams) {
   const std::vector<StageOffers> offers = FindOffers(search, tokens, grid);
   SearchTrellis unrolled;
-  Front front{{0}, {0}, {Earned(tokens.size(), 0.0)}};
+  // At the start nothing is earned.
+  SplitNodes split_before{{0}, {0}, {Earned(tokens.size(), 0.0)}};
   std::size_t left = max_seams;
   for (std::size_t s = 0; s < search.stages.size(); ++s) {
     const SearchStage& stage = search.stages[s];
-    StageUnroller unroller(offers[s], front.states);
+    StageUnroller unroller(offers[s], split_before.states);
     SearchStage& split = unrolled.stages.emplace_back();
-    if (!UnrollStage(stage, offers[s], front, left, &unroller, &split))
+    if (!UnrollStage(stage, offers[s], split_before, left, &unroller, &split)) {
       return std::nullopt;
+    }
+    // The limit holds for all stages together.
     left -= split.own.size();
     split.stage = stage.stage;
     split.UseOwn();
-    front = FrontOf(unroller.keys());
-    split.nodes = static_cast<int>(front.origin.size());
-    split.origin_node = front.origin;
+    split_before = ToSplitNodes(unroller.keys());
+    split.nodes = static_cast<int>(split_before.origin.size());
+    split.origin_node = split_before.origin;
   }
   return unrolled;
 }

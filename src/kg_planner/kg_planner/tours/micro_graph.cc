@@ -78,10 +78,12 @@ const Leg* MicroGraph::Find(int from, int to) const {
   return found != end(from) && found->to == to ? found : nullptr;
 }
 
-double MicroGraph::RewardOf(const std::vector<int>& set) const {
+double MicroGraph::TotalReward(const std::vector<int>& set) const {
   double reward = 0.0;
   for (int node : set) reward += nodes_[node].reward;
   if (!has_tokens_) return reward;
+  // Of each token the largest reward in the set: sorted by token, then by
+  // reward, descending, it is the first.
   std::vector<TokenReward> tokens;
   for (int node : set) {
     tokens.insert(tokens.end(), nodes_[node].tokens.begin(),
@@ -113,7 +115,7 @@ MicroPath MicroGraph::Walk(const std::vector<int>& nodes) const {
   if (!(path.duration <= duration_limit_)) return {};
   std::vector<int> set = nodes;
   std::sort(set.begin(), set.end());
-  path.reward = RewardOf(set);
+  path.reward = TotalReward(set);
   path.nodes = nodes;
   return path;
 }

@@ -1,5 +1,5 @@
-// A stage as micro_paths' searches read it: checked, legs in order and found by
-// their pair.
+// A stage as the searches of micro_paths.h read it: checked, its legs sorted by
+// (from, to) and found by that pair.
 
 #ifndef KG_PLANNER_TOURS_MICRO_GRAPH_H_
 #define KG_PLANNER_TOURS_MICRO_GRAPH_H_
@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "kg_planner/tours/micro_paths.h"
+#include "kg_planner/tours/micro_problem.h"
 
 namespace kg_planner {
 
@@ -24,7 +24,7 @@ class MicroGraph {
   const Leg* Find(int from, int to) const;  // nullptr: there is none.
 
   // What a set of nodes, in ascending order, earns: tokens once.
-  double RewardOf(const std::vector<int>& set) const;
+  double TotalReward(const std::vector<int>& set) const;
   // The path through `nodes`; empty if a leg is missing or the limit is broken.
   MicroPath Walk(const std::vector<int>& nodes) const;
 
@@ -36,7 +36,8 @@ class MicroGraph {
   bool has_tokens_ = false;
 };
 
-// Of the same set of nodes and end: is `a` to be given rather than `b`?
+// Whether `a` is preferred to `b`, which visits the same set and ends at the
+// same node.
 bool BetterOrder(const MicroPath& a, const MicroPath& b);
 
 }  // namespace kg_planner

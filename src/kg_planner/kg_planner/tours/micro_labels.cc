@@ -29,7 +29,7 @@ bool ByKeyThenOrder(const MicroLabel& a, const MicroLabel& b) {
   return BetterOrder(a.path, b.path);
 }
 
-bool LabelsByEndThenScore(const MicroLabel& a, const MicroLabel& b) {
+bool ByEndThenScore(const MicroLabel& a, const MicroLabel& b) {
   if (a.end() != b.end()) return a.end() < b.end();
   const double a_score = a.path.score();
   const double b_score = b.path.score();
@@ -37,28 +37,28 @@ bool LabelsByEndThenScore(const MicroLabel& a, const MicroLabel& b) {
   return BetterOrder(a.path, b.path);
 }
 
-class MicroLabels {
+class LabelSetting {
  public:
-  MicroLabels(const MicroGraph& graph, const LabelOptions& options)
+  LabelSetting(const MicroGraph& graph, const LabelOptions& options)
       : graph_(graph), options_(options) {}
 
   LabelSearch Search() {
     std::vector<MicroLabel> level;
     MicroLabel entry;
     Extend(entry, -1, &level);
-    for (int nodes = 1; !level.empty() && !given_up_; ++nodes) {
+    for (int nodes = 1; !level.empty() && !stopped_; ++nodes) {
       DropDominated(&level);
       Collect(level);
       if (nodes == options_.max_nodes) break;
-      if (options_.beam > 0) Cut(&level);
+      if (options_.beam > 0) CutToBeam(&level);
       std::vector<MicroLabel> next;
       for (const MicroLabel& label : level) {
-        if (TimeIsUp()) given_up_ = true;
+        if (TimeIsUp()) stopped_ = true;
         Extend(label, label.end(), &next);
       }
       level = std::move(next);
     }
-    search_.complete = search_.complete && !given_up_;
+    search_.complete = search_.complete && !stopped_;
     return std::move(search_);
   }
 
@@ -69,22 +69,23 @@ class MicroLabels {
   }
 
   void Extend(const MicroLabel& label, int at, std::vector<MicroLabel>* next) {
-    if (given_up_) return;
+    if (stopped_) return;
     for (const Leg* leg = graph_.begin(at); leg != graph_.end(at); ++leg) {
       const double duration = label.path.duration + leg->duration;
       if (!(duration <= graph_.duration_limit())) continue;
       const auto place =
           std::lower_bound(label.set.begin(), label.set.end(), leg->to);
       if (place != label.set.end() && *place == leg->to) continue;
+      // Counted whether or not it will be dominated: the count bounds time.
       if (++made_ > options_.max_labels) {
-        given_up_ = true;
+        stopped_ = true;
         return;
       }
       MicroLabel longer = label;
       longer.set.insert(longer.set.begin() + (place - label.set.begin()),
                         leg->to);
       longer.path.nodes.push_back(leg->to);
-      longer.path.reward = graph_.RewardOf(longer.set);
+      longer.path.reward = graph_.TotalReward(longer.set);
       longer.path.cost += leg->cost;
       longer.path.resource += leg->resource;
       longer.path.duration = duration;
@@ -114,9 +115,10 @@ class MicroLabels {
     }
   }
 
-  // Of each end the best, and the quickest: it may lead where no other can.
-  void Cut(std::vector<MicroLabel>* level) {
-    std::sort(level->begin(), level->end(), LabelsByEndThenScore);
+  // Keeps the best labels of each end, and the quickest: it may reach nodes
+  // that no other can.
+  void CutToBeam(std::vector<MicroLabel>* level) {
+    std::sort(level->begin(), level->end(), ByEndThenScore);
     std::vector<MicroLabel> kept;
     for (std::size_t begin = 0, end = 0; begin < level->size(); begin = end) {
       while (end < level->size() &&
@@ -125,6 +127,8 @@ class MicroLabels {
       }
       const std::size_t cut = std::min(end, begin + options_.beam);
       const auto first = level->begin();
+      // The quickest is kept beyond the beam: only it may still have time for
+      // another node.
       const auto quickest =
           std::min_element(first + begin, first + end,
                            [](const MicroLabel& a, const MicroLabel& b) {
@@ -141,14 +145,14 @@ class MicroLabels {
   const MicroGraph& graph_;
   const LabelOptions& options_;
   std::size_t made_ = 0;
-  bool given_up_ = false;
+  bool stopped_ = false;
   LabelSearch search_;
 };
 
 }  // namespace
 
 LabelSearch SearchLabels(const MicroGraph& graph, const LabelOptions& options) {
-  return MicroLabels(graph, options).Search();
+  return LabelSetting(graph, options).Search();
 }
 
 }  // namespace kg_planner

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kg_planner/tours/micro_graph.h"
+#include "kg_planner/tours/micro_problem.h"
 
 namespace kg_planner {
 

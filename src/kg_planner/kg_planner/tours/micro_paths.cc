@@ -35,17 +35,17 @@ std::vector<MicroPath> Select(std::vector<MicroPath> paths,
                               const MicroPathOptions& options) {
   std::sort(paths.begin(), paths.end(), ByEndThenScore);
   std::vector<MicroPath> kept;
-  int taken = 0;       // Of the end at hand.
-  double least = 0.0;  // Score that is good enough for it.
+  int taken = 0;           // Paths kept of the current end.
+  double min_value = 0.0;  // Score that is good enough for it.
   for (MicroPath& path : paths) {
     const bool first =
         kept.empty() || kept.back().nodes.back() != path.nodes.back();
     if (first) {
       taken = 0;
-      least =
+      min_value =
           path.score() - (1.0 - options.good_enough) * std::abs(path.score());
     }
-    const bool good = taken < options.per_end && path.score() >= least;
+    const bool good = taken < options.per_end && path.score() >= min_value;
     if (good) ++taken;
     if (good || path.nodes.size() == 1) kept.push_back(std::move(path));
   }
@@ -55,7 +55,7 @@ std::vector<MicroPath> Select(std::vector<MicroPath> paths,
 using Clock = std::chrono::steady_clock;
 
 // A deadline of more than a year is none.
-Clock::time_point DeadlineOf(const MicroPathOptions& options) {
+Clock::time_point ToDeadline(const MicroPathOptions& options) {
   if (!(options.deadline_s < 3.0e7)) return Clock::time_point::max();
   const std::chrono::duration<double> left(std::max(0.0, options.deadline_s));
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(left);
@@ -63,8 +63,8 @@ Clock::time_point DeadlineOf(const MicroPathOptions& options) {
 
 // So many that the beam makes about as many labels as were allowed; few, since
 // the search that follows does more with the time.
-std::size_t BeamOf(const StageProblem& problem,
-                   const MicroPathOptions& options) {
+std::size_t BeamWidth(const StageProblem& problem,
+                      const MicroPathOptions& options) {
   const std::size_t labels = problem.legs.size() * options.max_nodes;
   return std::clamp<std::size_t>(options.exact_labels / (labels + 1), 1, 8);
 }
@@ -78,12 +78,12 @@ MicroPaths FindMicroPaths(const StageProblem& problem,
   LabelOptions labels;
   labels.max_nodes = options.max_nodes;
   labels.max_labels = options.exact_labels;
-  labels.deadline = DeadlineOf(options);
+  labels.deadline = ToDeadline(options);
   LabelSearch search = SearchLabels(graph, labels);
   const bool proven = search.complete;
   if (!proven) {
     labels.max_labels = std::numeric_limits<std::size_t>::max();
-    labels.beam = BeamOf(problem, options);
+    labels.beam = BeamWidth(problem, options);
     search = SearchLabels(graph, labels);
     search.paths = ImproveMicroPaths(graph, std::move(search.paths), options,
                                      labels.deadline);

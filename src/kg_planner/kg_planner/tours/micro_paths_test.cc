@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-struct Shape {
+struct StageShape {
   int nodes = 6;
   bool tokens = true;
   bool whole_numbers = false;  // Many ties.
@@ -26,7 +26,8 @@ struct Shape {
 
 class RandomStage {
  public:
-  RandomStage(const Shape& shape, unsigned seed) : shape_(shape), prng_(seed) {}
+  RandomStage(const StageShape& shape, unsigned seed)
+      : shape_(shape), prng_(seed) {}
 
   StageProblem Make() {
     StageProblem problem;
@@ -60,14 +61,14 @@ class RandomStage {
     return std::uniform_real_distribution<double>(low, high)(prng_);
   }
 
-  Shape shape_;
+  StageShape shape_;
   std::mt19937 prng_;
 };
 
 // All paths within the limits, by exhaustion.
-class Exhaustion {
+class ExhaustiveSearch {
  public:
-  Exhaustion(const StageProblem& problem, int max_nodes)
+  ExhaustiveSearch(const StageProblem& problem, int max_nodes)
       : problem_(problem), max_nodes_(max_nodes) {
     Extend({}, -1);
   }
@@ -146,7 +147,7 @@ std::map<int, std::vector<double>> ScoresByEnd(
 // What every answer must be, proven or not.
 void ExpectValid(const MicroPaths& found, const StageProblem& problem,
                  const MicroPathOptions& options) {
-  const Exhaustion reference(problem, 1);
+  const ExhaustiveSearch reference(problem, 1);
   std::set<SetAndEnd> seen;
   std::set<int> direct;
   for (const MicroPath& path : found.paths) {
@@ -181,10 +182,10 @@ std::vector<double> Alternatives(const MicroPaths& found, int end,
     if (path.nodes.back() == end) scores.push_back(path.score());
   }
   EXPECT_TRUE(std::is_sorted(scores.rbegin(), scores.rend()));
-  const double least =
+  const double min_value =
       scores[0] - (1.0 - options.good_enough) * std::abs(scores[0]);
   while (static_cast<int>(scores.size()) > options.per_end ||
-         scores.back() < least) {
+         scores.back() < min_value) {
     scores.pop_back();
   }
   return scores;
@@ -201,7 +202,7 @@ MicroPathOptions RandomOptions(unsigned seed) {
 TEST(MicroPaths, EqualsExhaustionOnRandomStages) {
   std::size_t compared = 0;
   for (unsigned seed = 0; seed < 1000; ++seed) {
-    Shape shape;
+    StageShape shape;
     shape.nodes = 1 + seed % 6;
     shape.tokens = seed % 2 == 0;
     shape.whole_numbers = seed % 3 == 0;
@@ -210,17 +211,17 @@ TEST(MicroPaths, EqualsExhaustionOnRandomStages) {
     const MicroPaths found = FindMicroPaths(problem, options);
     EXPECT_TRUE(found.proven);
     ExpectValid(found, problem, options);
-    const Exhaustion all(problem, options.max_nodes);
+    const ExhaustiveSearch all(problem, options.max_nodes);
     std::set<int> ends;
     for (const MicroPath& path : found.paths) ends.insert(path.nodes.back());
     const auto expected = ScoresByEnd(all.paths());
     ASSERT_EQ(ends.size(), expected.size()) << "seed " << seed;
     for (const auto& [end, scores] : expected) {
       const auto kept = Alternatives(found, end, options);
-      const double least =
+      const double min_value =
           scores[0] - (1.0 - options.good_enough) * std::abs(scores[0]);
       std::size_t wanted = 0;
-      while (wanted < scores.size() && scores[wanted] >= least - 1e-9 &&
+      while (wanted < scores.size() && scores[wanted] >= min_value - 1e-9 &&
              static_cast<int>(wanted) < options.per_end) {
         ++wanted;
       }
@@ -240,7 +241,7 @@ TEST(MicroPaths, SearchBeyondTheLabelsComesClose) {
   int best_found = 0;
   int ends = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {
-    Shape shape;
+    StageShape shape;
     shape.nodes = 7;
     shape.missing = 0.1;
     shape.limit = 8.0;

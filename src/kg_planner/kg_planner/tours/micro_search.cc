@@ -17,10 +17,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kPoolPerEnd = 24;  // Starts of the search, by end.
 
-class Search {
+class MicroSearch {
  public:
-  Search(const MicroGraph& graph, const MicroPathOptions& options,
-         Clock::time_point deadline)
+  MicroSearch(const MicroGraph& graph, const MicroPathOptions& options,
+              Clock::time_point deadline)
       : graph_(graph),
         options_(options),
         deadline_(deadline),
@@ -45,7 +45,7 @@ class Search {
 
  private:
   // The same on every machine, unlike std::uniform_int_distribution.
-  std::size_t Below(std::size_t count) {
+  std::size_t RandomBelow(std::size_t count) {
     return static_cast<std::size_t>(
         (static_cast<std::uint64_t>(prng_()) * count) >> 32);
   }
@@ -86,13 +86,14 @@ class Search {
 
   // A path to the end with a gap, or a path to another end led on to this one.
   std::vector<int> Start(int end) {
-    const std::size_t other = Below(2 * pools_.size());
-    const bool lead_on = other < pools_.size() && !pools_[other].empty();
-    const Pool& pool = pools_[lead_on ? other : static_cast<std::size_t>(end)];
+    const std::size_t other = RandomBelow(2 * pools_.size());
+    const bool extend_other = other < pools_.size() && !pools_[other].empty();
+    const Pool& pool =
+        pools_[extend_other ? other : static_cast<std::size_t>(end)];
     auto start = pool.begin();
-    std::advance(start, Below(pool.size()));
+    std::advance(start, RandomBelow(pool.size()));
     std::vector<int> nodes = start->second.nodes;
-    if (!lead_on) {
+    if (!extend_other) {
       Destroy(&nodes);
       return nodes;
     }
@@ -105,9 +106,9 @@ class Search {
   // Takes a run of nodes out, never the end; the rest keeps its order.
   void Destroy(std::vector<int>* nodes) {
     if (nodes->size() < 2) return;
-    const std::size_t begin = Below(nodes->size() - 1);
+    const std::size_t begin = RandomBelow(nodes->size() - 1);
     const std::size_t count =
-        1 + Below(std::min<std::size_t>(3, nodes->size() - 1 - begin));
+        1 + RandomBelow(std::min<std::size_t>(3, nodes->size() - 1 - begin));
     nodes->erase(nodes->begin() + begin, nodes->begin() + begin + count);
   }
 
@@ -141,7 +142,7 @@ class Search {
       if (place != set.end() && *place == node) continue;
       std::vector<int> larger = set;
       larger.insert(larger.begin() + (place - set.begin()), node);
-      const double gain = graph_.RewardOf(larger) - path.reward;
+      const double gain = graph_.TotalReward(larger) - path.reward;
       Consider(path, node, gain, &best);
     }
     return best;
@@ -158,14 +159,15 @@ class Search {
       const double longer = in->duration + out->duration - old->duration;
       if (!(path.duration + longer <= graph_.duration_limit())) continue;
       if (!(net > 0.0)) continue;
-      const double blur = 0.5 + static_cast<double>(Below(1024)) / 1024.0;
-      const double rate = blur * net / (std::max(longer, 0.0) + Grain());
+      const double blur = 0.5 + static_cast<double>(RandomBelow(1024)) / 1024.0;
+      const double rate =
+          blur * net / (std::max(longer, 0.0) + MinimumDuration());
       if (rate > best->rate) *best = {node, at, rate};
     }
   }
 
   // A length that counts as none: keeps rates finite.
-  double Grain() const {
+  double MinimumDuration() const {
     return std::isfinite(graph_.duration_limit())
                ? 1e-3 * graph_.duration_limit() + 1e-12
                : 1.0;
@@ -180,6 +182,7 @@ class Search {
     const std::size_t last = path->nodes.size() - 1;
     for (std::size_t i = 0; i < last; ++i) {
       for (std::size_t j = i + 1; j < last; ++j) {
+        // Three moves: reverse [i, j], move i behind j, move j before i.
         std::vector<int> reversed = path->nodes;
         std::reverse(reversed.begin() + i, reversed.begin() + j + 1);
         std::vector<int> later = path->nodes;
@@ -223,7 +226,7 @@ std::vector<MicroPath> ImproveMicroPaths(const MicroGraph& graph,
                                          std::vector<MicroPath> paths,
                                          const MicroPathOptions& options,
                                          Clock::time_point deadline) {
-  return Search(graph, options, deadline).Run(std::move(paths));
+  return MicroSearch(graph, options, deadline).Run(std::move(paths));
 }
 
 }  // namespace kg_planner

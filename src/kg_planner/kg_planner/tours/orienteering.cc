@@ -7,7 +7,7 @@
 
 namespace kg_planner {
 
-void Check(const Orienteering& problem) {
+void Check(const OrienteeringProblem& problem) {
   const std::size_t size = problem.rewards.size();
   if (size < 2) throw std::invalid_argument("points: fewer than two");
   if (problem.lengths.size() != size * size) {
@@ -23,6 +23,7 @@ void Check(const Orienteering& problem) {
                                   ": reward not finite");
     }
   }
+  // Row by row: length i / size -> i % size.
   for (std::size_t i = 0; i < size * size; ++i) {
     if (!(problem.lengths[i] >= 0.0 && std::isfinite(problem.lengths[i]))) {
       throw std::invalid_argument(
@@ -32,7 +33,7 @@ void Check(const Orienteering& problem) {
   }
 }
 
-Tour MakeTour(const Orienteering& problem, std::vector<int> points) {
+Tour MakeTour(const OrienteeringProblem& problem, std::vector<int> points) {
   Tour tour;
   int at = 0;
   for (int point : points) {
@@ -45,7 +46,7 @@ Tour MakeTour(const Orienteering& problem, std::vector<int> points) {
   return tour;
 }
 
-bool IsPossible(const Orienteering& problem) {
+bool IsPossible(const OrienteeringProblem& problem) {
   return problem.length(0, problem.size() - 1) <= problem.limit;
 }
 

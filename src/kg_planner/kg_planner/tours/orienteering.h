@@ -25,7 +25,7 @@
 
 namespace kg_planner {
 
-struct Orienteering {
+struct OrienteeringProblem {
   std::vector<double> rewards;  // By point. 0 is the start, the last the end.
   std::vector<double> lengths;  // From point to point, row by row; >= 0.
   double limit = 0.0;           // >= 0.
@@ -46,13 +46,13 @@ struct Tour {
 // Throws std::invalid_argument that names the point if there are fewer than two
 // points, lengths are not the square of their number, a number is not finite, a
 // length is negative, or there is no tour to make.
-void Check(const Orienteering& problem);
+void Check(const OrienteeringProblem& problem);
 
 // Through `points` in this order.
-Tour MakeTour(const Orienteering& problem, std::vector<int> points);
+Tour MakeTour(const OrienteeringProblem& problem, std::vector<int> points);
 
 // Is the end within the limit from the start?
-bool IsPossible(const Orienteering& problem);
+bool IsPossible(const OrienteeringProblem& problem);
 
 struct ExactTour {
   Tour tour;            // The best found.
@@ -66,7 +66,7 @@ struct ExactTour {
 // any more). Gives up after `max_labels`, beyond 256 points worth visiting, and
 // at once where a detour may be a short cut; `known` is a tour to start from.
 // Nothing if the end is not within the limit from the start.
-std::optional<ExactTour> FindExactTour(const Orienteering& problem,
+std::optional<ExactTour> FindExactTour(const OrienteeringProblem& problem,
                                        std::size_t max_labels,
                                        const Tour& known = {});
 

@@ -33,7 +33,7 @@ class PointSet {
 };
 
 // No detour is a short cut.
-bool IsMetric(const Orienteering& problem) {
+bool IsMetric(const OrienteeringProblem& problem) {
   const double slack = 1e-12 * problem.limit;
   for (int i = 0; i < problem.size(); ++i) {
     for (int j = 0; j < problem.size(); ++j) {
@@ -58,10 +58,10 @@ struct TourLabel {
   bool dominated = false;
 };
 
-class TourLabels {
+class TourLabeling {
  public:
-  TourLabels(const Orienteering& problem, std::size_t max_labels,
-             const Tour& known)
+  TourLabeling(const OrienteeringProblem& problem, std::size_t max_labels,
+               const Tour& known)
       : problem_(problem), max_labels_(max_labels) {
     const int last = problem.size() - 1;
     for (int p = 1; p < last; ++p) {
@@ -93,7 +93,7 @@ class TourLabels {
   }
 
  private:
-  int PointOf(int end) const { return end < 0 ? 0 : points_[end]; }
+  int PointAt(int end) const { return end < 0 ? 0 : points_[end]; }
 
   // Closes what is out of reach, and adds up what is not.
   void Bound(TourLabel* label) const {
@@ -102,7 +102,7 @@ class TourLabels {
     for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
       if (label->closed.Has(i)) continue;
       const double length = label->length +
-                            problem_.length(PointOf(label->end), points_[i]) +
+                            problem_.length(PointAt(label->end), points_[i]) +
                             problem_.length(points_[i], last);
       if (length <= problem_.limit) {
         label->bound += problem_.rewards[points_[i]];
@@ -117,15 +117,17 @@ class TourLabels {
       return true;
     }
     for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
+      // A copy: adding labels may move `labels_`.
       const TourLabel from = labels_[at];
       if (from.closed.Has(i)) continue;
       TourLabel to = from;
-      to.length += problem_.length(PointOf(from.end), points_[i]);
+      to.length += problem_.length(PointAt(from.end), points_[i]);
       to.reward += problem_.rewards[points_[i]];
       to.end = i;
       to.before = at;
       const double length =
           to.length + problem_.length(points_[i], problem_.size() - 1);
+      // The end must stay within reach.
       if (!(length <= problem_.limit)) continue;
       to.closed.Add(i);
       Bound(&to);
@@ -150,7 +152,7 @@ class TourLabels {
     const int index = static_cast<int>(labels_.size());
     labels_.push_back(label);
     here.push_back(index);
-    if (label.reward > best_.tour.reward) best_.tour = TourOf(index);
+    if (label.reward > best_.tour.reward) best_.tour = ToTour(index);
     if (label.bound > best_.tour.reward) open_.push({label.length, index});
     return true;
   }
@@ -160,7 +162,7 @@ class TourLabels {
            a.closed.IsWithin(b.closed);
   }
 
-  Tour TourOf(int index) const {
+  Tour ToTour(int index) const {
     std::vector<int> points;
     for (int l = index; labels_[l].end >= 0; l = labels_[l].before) {
       points.push_back(points_[labels_[l].end]);
@@ -169,7 +171,7 @@ class TourLabels {
     return MakeTour(problem_, std::move(points));
   }
 
-  const Orienteering& problem_;
+  const OrienteeringProblem& problem_;
   const std::size_t max_labels_;
   std::vector<int> points_;
   std::vector<TourLabel> labels_;
@@ -181,12 +183,12 @@ class TourLabels {
 
 }  // namespace
 
-std::optional<ExactTour> FindExactTour(const Orienteering& problem,
+std::optional<ExactTour> FindExactTour(const OrienteeringProblem& problem,
                                        std::size_t max_labels,
                                        const Tour& known) {
   Check(problem);
   if (!IsPossible(problem)) return std::nullopt;
-  return TourLabels(problem, max_labels, known).Search();
+  return TourLabeling(problem, max_labels, known).Search();
 }
 
 }  // namespace kg_planner

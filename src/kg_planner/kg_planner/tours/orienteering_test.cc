@@ -16,17 +16,17 @@
 namespace kg_planner {
 namespace {
 
-struct Shape {
+struct ProblemShape {
   int points = 7;  // With start and end.
   int tours = 1;
   bool plane = true;  // Else any lengths, other ways forth than back.
   bool negative = false;
 };
 
-Orienteering RandomProblem(const Shape& shape, unsigned seed) {
+OrienteeringProblem RandomProblem(const ProblemShape& shape, unsigned seed) {
   std::mt19937 prng(seed);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  Orienteering problem;
+  OrienteeringProblem problem;
   std::vector<double> x, y;
   for (int i = 0; i < shape.points; ++i) {
     x.push_back(unit(prng));
@@ -47,9 +47,9 @@ Orienteering RandomProblem(const Shape& shape, unsigned seed) {
 }
 
 // Every set of points that one tour can visit, by going everywhere.
-class Exhaustion {
+class ExhaustiveSearch {
  public:
-  explicit Exhaustion(const Orienteering& problem)
+  explicit ExhaustiveSearch(const OrienteeringProblem& problem)
       : problem_(problem), possible_(std::size_t{1} << problem.size(), false) {
     Go(0, 0.0, 0);
   }
@@ -69,7 +69,7 @@ class Exhaustion {
       if (longer <= problem_.limit) Go(p, longer, set | 1u << p);
     }
   }
-  double RewardOf(unsigned set) const {
+  double TotalReward(unsigned set) const {
     double reward = 0.0;
     for (int p = 0; p < problem_.size(); ++p) {
       if ((set >> p & 1u) != 0) reward += problem_.rewards[p];
@@ -81,16 +81,17 @@ class Exhaustion {
     double best = 0.0;
     for (unsigned set = 0; set < possible_.size(); ++set) {
       if (!possible_[set] || (set & taken) != 0) continue;
-      best = std::max(best, RewardOf(set) + Best(tours - 1, taken | set));
+      best = std::max(best, TotalReward(set) + Best(tours - 1, taken | set));
     }
     return best;
   }
 
-  const Orienteering& problem_;
+  const OrienteeringProblem& problem_;
   std::vector<bool> possible_;  // By set of points.
 };
 
-void ExpectValid(const Orienteering& problem, const std::vector<Tour>& tours) {
+void ExpectValid(const OrienteeringProblem& problem,
+                 const std::vector<Tour>& tours) {
   std::set<int> seen;
   for (const Tour& tour : tours) {
     if (tour.points.empty()) continue;
@@ -108,16 +109,16 @@ void ExpectValid(const Orienteering& problem, const std::vector<Tour>& tours) {
 TEST(FindExactTour, EqualsExhaustion) {
   int interesting = 0;
   for (unsigned seed = 0; seed < 1000; ++seed) {
-    Shape shape;
+    ProblemShape shape;
     shape.points = 2 + seed % 8;
     shape.negative = seed % 2 == 0;
-    const Orienteering problem = RandomProblem(shape, seed);
+    const OrienteeringProblem problem = RandomProblem(shape, seed);
     const auto found = FindExactTour(problem, 1000000);
     ASSERT_EQ(found.has_value(), IsPossible(problem)) << "seed " << seed;
     if (!found) continue;
     EXPECT_TRUE(found->proven);
     ExpectValid(problem, {found->tour});
-    EXPECT_EQ(found->tour.reward, Exhaustion(problem).Best(1)) << seed;
+    EXPECT_EQ(found->tour.reward, ExhaustiveSearch(problem).Best(1)) << seed;
     EXPECT_EQ(found->bound, found->tour.reward);
     if (found->tour.points.size() > 1) ++interesting;
   }
@@ -125,9 +126,9 @@ TEST(FindExactTour, EqualsExhaustion) {
 }
 
 TEST(FindExactTour, SaysWhenItGaveUp) {
-  Shape shape;
+  ProblemShape shape;
   shape.points = 14;
-  Orienteering problem = RandomProblem(shape, 5);
+  OrienteeringProblem problem = RandomProblem(shape, 5);
   problem.limit = 2.0;
   TourSearch search(problem, 1);
   search.Run(100, 0.0);
@@ -140,29 +141,30 @@ TEST(FindExactTour, SaysWhenItGaveUp) {
 }
 
 TEST(FindExactTour, ProvesNothingWhereDetoursAreShortCuts) {
-  Shape shape;
+  ProblemShape shape;
   shape.plane = false;
-  Orienteering problem = RandomProblem(shape, 2);
+  OrienteeringProblem problem = RandomProblem(shape, 2);
   problem.limit = 2.0;
   const auto found = FindExactTour(problem, 1000000);
   ASSERT_TRUE(found.has_value());
   EXPECT_FALSE(found->proven);
-  EXPECT_GE(found->bound, Exhaustion(problem).Best(1));
+  EXPECT_GE(found->bound, ExhaustiveSearch(problem).Best(1));
 }
 
 TEST(TourSearch, FindsTheOptimumOfSmallProblems) {
   int optimal = 0;
   for (unsigned seed = 0; seed < 1000; ++seed) {
-    Shape shape;
+    ProblemShape shape;
     shape.points = 2 + seed % 6;
     shape.tours = 1 + seed % 3;
     shape.negative = seed % 2 == 0;
-    const Orienteering problem = RandomProblem(shape, seed);
+    const OrienteeringProblem problem = RandomProblem(shape, seed);
     TourSearch search(problem, seed);
     search.Run(100, 1.0);
     ExpectValid(problem, search.best());
-    const double best =
-        IsPossible(problem) ? Exhaustion(problem).Best(problem.tours) : 0.0;
+    const double best = IsPossible(problem)
+                            ? ExhaustiveSearch(problem).Best(problem.tours)
+                            : 0.0;
     double sum = 0.0;
     for (const Tour& tour : search.best()) sum += tour.reward;
     EXPECT_EQ(sum, search.reward());
@@ -174,26 +176,26 @@ TEST(TourSearch, FindsTheOptimumOfSmallProblems) {
 
 TEST(TourSearch, KeepsToLengthsThatAreNotOfAPlane) {
   for (unsigned seed = 0; seed < 100; ++seed) {
-    Shape shape;
+    ProblemShape shape;
     shape.points = 15;
     shape.tours = 2;
     shape.plane = false;
-    const Orienteering problem = RandomProblem(shape, seed);
+    const OrienteeringProblem problem = RandomProblem(shape, seed);
     TourSearch search(problem, seed);
     search.Run(50, 1.0);
     ExpectValid(problem, search.best());
   }
 }
 
-Orienteering LargeProblem() {
-  Shape shape;
+OrienteeringProblem LargeProblem() {
+  ProblemShape shape;
   shape.points = 60;
   shape.tours = 3;
   return RandomProblem(shape, 11);
 }
 
 TEST(TourSearch, IsTheSameForTheSameSeed) {
-  const Orienteering problem = LargeProblem();
+  const OrienteeringProblem problem = LargeProblem();
   TourSearch a(problem, 3);
   TourSearch b(problem, 3);
   a.Run(200, 2.0);
@@ -212,7 +214,7 @@ TEST(TourSearch, IsTheSameForTheSameSeed) {
 }
 
 TEST(TourSearch, PoolsToursThatKeepTheLimit) {
-  const Orienteering problem = LargeProblem();
+  const OrienteeringProblem problem = LargeProblem();
   TourSearch search(problem, 1);
   search.Run(500, 5.0);
   const auto pool = search.pool(1000);
@@ -230,7 +232,7 @@ TEST(TourSearch, PoolsToursThatKeepTheLimit) {
 }
 
 TEST(TourSearch, GoesOnFromWhereItIsTold) {
-  const Orienteering problem = LargeProblem();
+  const OrienteeringProblem problem = LargeProblem();
   TourSearch good(problem, 1);
   good.Run(500, 1.0);
   TourSearch other(problem, 2);
@@ -240,18 +242,18 @@ TEST(TourSearch, GoesOnFromWhereItIsTold) {
 
 TEST(Orienteering, RefusesWhatIsNoProblem) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<std::function<void(Orienteering*)>> damages = {
-      [](Orienteering* p) { p->rewards.resize(1); },
-      [](Orienteering* p) { p->lengths.pop_back(); },
-      [](Orienteering* p) { p->tours = 0; },
-      [=](Orienteering* p) { p->limit = nan; },
-      [](Orienteering* p) { p->limit = -1.0; },
-      [=](Orienteering* p) { p->rewards[1] = nan; },
-      [](Orienteering* p) { p->lengths[3] = -1.0; },
-      [=](Orienteering* p) { p->lengths[3] = nan; },
+  const std::vector<std::function<void(OrienteeringProblem*)>> damages = {
+      [](OrienteeringProblem* p) { p->rewards.resize(1); },
+      [](OrienteeringProblem* p) { p->lengths.pop_back(); },
+      [](OrienteeringProblem* p) { p->tours = 0; },
+      [=](OrienteeringProblem* p) { p->limit = nan; },
+      [](OrienteeringProblem* p) { p->limit = -1.0; },
+      [=](OrienteeringProblem* p) { p->rewards[1] = nan; },
+      [](OrienteeringProblem* p) { p->lengths[3] = -1.0; },
+      [=](OrienteeringProblem* p) { p->lengths[3] = nan; },
   };
   for (const auto& damage : damages) {
-    Orienteering problem = RandomProblem({}, 1);
+    OrienteeringProblem problem = RandomProblem({}, 1);
     Check(problem);
     damage(&problem);
     EXPECT_THROW(Check(problem), std::invalid_argument);

@@ -17,9 +17,9 @@ int TourSearch::Visited() const {
 void TourSearch::Destroy() {
   const int visited = Visited();
   if (visited == 0) return;
-  const int most = std::min(visited, 4 + visited / 2);
-  const int points = 1 + static_cast<int>(Below(most));
-  if (Below(3) > 0) {
+  const int max_value = std::min(visited, 4 + visited / 2);
+  const int points = 1 + static_cast<int>(RandomBelow(max_value));
+  if (RandomBelow(3) > 0) {
     RemoveStrings(points);
   } else {
     RemoveSingles(points);
@@ -42,7 +42,8 @@ void TourSearch::RemoveRun(int tour, int begin, int count) {
 
 // Around a point, a string of each tour near it, until so many are gone.
 void TourSearch::RemoveStrings(int points) {
-  const int around = useful_[Below(static_cast<std::uint32_t>(useful_.size()))];
+  const int around =
+      useful_[RandomBelow(static_cast<std::uint32_t>(useful_.size()))];
   std::vector<char> done(now_.tours.size(), 0);
   for (int p : near_[around]) {
     if (points <= 0) break;
@@ -50,13 +51,17 @@ void TourSearch::RemoveStrings(int points) {
     if (t < 0 || done[t] != 0) continue;
     done[t] = 1;
     const auto& tour = now_.tours[t];
+    // A string of random length that contains p, as far as the tour has room
+    // around it.
     const int inner = static_cast<int>(tour.size()) - 2;
-    const int count = 1 + static_cast<int>(Below(std::min(inner, points)));
+    const int count =
+        1 + static_cast<int>(RandomBelow(std::min(inner, points)));
     const int at =
         static_cast<int>(std::find(tour.begin(), tour.end(), p) - tour.begin());
     const int first = std::max(1, at - count + 1);
     const int last = std::min(at, inner - count + 1);
-    RemoveRun(t, first + static_cast<int>(Below(last - first + 1)), count);
+    RemoveRun(t, first + static_cast<int>(RandomBelow(last - first + 1)),
+              count);
     points -= count;
   }
 }
@@ -65,7 +70,7 @@ void TourSearch::RemoveSingles(int points) {
   for (; points > 0; --points) {
     const int visited = Visited();
     if (visited == 0) return;
-    int pick = static_cast<int>(Below(visited));
+    int pick = static_cast<int>(RandomBelow(visited));
     int t = 0;
     while (pick >= static_cast<int>(now_.tours[t].size()) - 2) {
       pick -= static_cast<int>(now_.tours[t].size()) - 2;

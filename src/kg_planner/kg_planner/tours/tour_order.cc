@@ -7,7 +7,7 @@
 namespace kg_planner {
 namespace {
 
-constexpr double kGrain = 1e-9;  // Of lengths, relative to the limit.
+constexpr double kLengthTolerance = 1e-9;  // Relative to the limit.
 
 }  // namespace
 
@@ -24,17 +24,19 @@ bool TourSearch::Shorten() {
 bool TourSearch::Reverse(int tour) {
   std::vector<int>& p = now_.tours[tour];
   const int last = static_cast<int>(p.size()) - 1;
-  const double least = kGrain * problem_.limit;
+  const double min_value = kLengthTolerance * problem_.limit;
   for (int i = 1; i < last; ++i) {
     double forth = 0.0;
     double back = 0.0;
     for (int j = i + 1; j < last; ++j) {
+      // Length of the run i..j in both directions, kept up as j grows: lengths
+      // may be asymmetric.
       forth += Length(p[j - 1], p[j]);
       back += Length(p[j], p[j - 1]);
       const double saved = Length(p[i - 1], p[i]) + forth +
                            Length(p[j], p[j + 1]) - Length(p[i - 1], p[j]) -
                            back - Length(p[i], p[j + 1]);
-      if (!(saved > least)) continue;
+      if (!(saved > min_value)) continue;
       std::reverse(p.begin() + i, p.begin() + j + 1);
       now_.lengths[tour] -= saved;
       return true;
@@ -47,17 +49,19 @@ bool TourSearch::Reverse(int tour) {
 bool TourSearch::Move(int tour, int count) {
   std::vector<int>& p = now_.tours[tour];
   const int last = static_cast<int>(p.size()) - 1;
-  const double least = kGrain * problem_.limit;
+  const double min_value = kLengthTolerance * problem_.limit;
   for (int i = 1; i + count <= last; ++i) {
     const int j = i + count;  // The run is [i, j).
+    // What is saved by taking the run out, then what putting it in before k
+    // costs.
     const double closed = Length(p[i - 1], p[i]) + Length(p[j - 1], p[j]) -
                           Length(p[i - 1], p[j]);
-    if (!(closed > least)) continue;
+    if (!(closed > min_value)) continue;
     for (int k = 1; k <= last; ++k) {
       if (k >= i && k <= j) continue;
       const double opened = Length(p[k - 1], p[i]) + Length(p[j - 1], p[k]) -
                             Length(p[k - 1], p[k]);
-      if (!(closed - opened > least)) continue;
+      if (!(closed - opened > min_value)) continue;
       const auto begin = p.begin();
       if (k < i) std::rotate(begin + k, begin + i, begin + j);
       if (k > j) std::rotate(begin + i, begin + j, begin + k);

@@ -10,17 +10,18 @@ namespace kg_planner {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRepairGrain = 1e-9;  // Of lengths, relative to the limit.
-constexpr double kBeyond = 0.4;  // Of the limit, at most, before points leave.
-constexpr double kFavoured = 0.6;  // Steps that favour a neighbourhood.
-constexpr double kFavour = 3.0;    // What is added to its weight, at most.
+constexpr double kLengthTolerance = 1e-9;  // Relative to the limit.
+constexpr double kMaxExcess = 0.4;  // Share of the limit that a tour may exceed
+                                    // before points are removed.
+constexpr double kFavourShare = 0.6;  // Steps that favour a neighbourhood.
+constexpr double kMaxFavour = 3.0;    // What is added to its weight, at most.
 
 }  // namespace
 
 void TourSearch::Repair() {
   Weigh();
-  if (Unit() < kFavoured) Favour();
-  Fill(problem_.limit * (1.0 + kBeyond * Unit()));
+  if (RandomUnit() < kFavourShare) FavourNeighbourhood();
+  Fill(problem_.limit * (1.0 + kMaxExcess * RandomUnit()));
   Shorten();
   for (int t = 0; t < problem_.tours; ++t) Drop(t);
   Shorten();
@@ -29,8 +30,8 @@ void TourSearch::Repair() {
 
 // What a point counts in this step: a power of its reward, blurred.
 void TourSearch::Weigh() {
-  const std::uint32_t power = Below(4);
-  const double blur = static_cast<double>(Below(4)) / 3.0;
+  const std::uint32_t power = RandomBelow(4);
+  const double blur = static_cast<double>(RandomBelow(4)) / 3.0;
   open_.clear();
   for (int p : useful_) {
     const double reward = problem_.rewards[p];
@@ -38,26 +39,27 @@ void TourSearch::Weigh() {
     if (power == 0) weight = std::sqrt(reward);
     if (power == 2) weight = reward * std::sqrt(reward);
     if (power == 3) weight = reward * reward;
-    weights_[p] = weight * (1.0 - blur * Unit());
+    weights_[p] = weight * (1.0 - blur * RandomUnit());
     if (tour_of_[p] < 0) open_.push_back(p);
   }
 }
 
 // Raises what a neighbourhood counts.
-void TourSearch::Favour() {
+void TourSearch::FavourNeighbourhood() {
   const std::uint32_t useful = static_cast<std::uint32_t>(useful_.size());
-  const int around = useful_[Below(useful)];
-  const std::uint32_t count = 2 + Below(std::max(1u, useful / 4));
-  const double factor = 1.0 + kFavour * Unit();
+  const int around = useful_[RandomBelow(useful)];
+  const std::uint32_t count = 2 + RandomBelow(std::max(1u, useful / 4));
+  const double factor = 1.0 + kMaxFavour * RandomUnit();
   for (std::uint32_t i = 0; i < std::min(count, useful); ++i) {
     weights_[near_[around][i]] *= factor;
   }
 }
 
-// Of a tour beyond the limit, takes out what weighs least for the length saved.
+// Removes points from a tour beyond the limit: first what weighs least for the
+// length it saves.
 void TourSearch::Drop(int tour) {
   const std::vector<int>& p = now_.tours[tour];
-  const double grain = kRepairGrain * problem_.limit + 1e-300;
+  const double grain = kLengthTolerance * problem_.limit + 1e-300;
   while (now_.lengths[tour] > problem_.limit && p.size() > 2) {
     double best_weight = kInfinity;  // The least rate, as a fraction.
     double best_saved = 1.0;
@@ -129,12 +131,13 @@ void TourSearch::Insert(int point, int tour) {
 
 // Inserts what weighs most for its detour, while anything fits.
 void TourSearch::Fill(double limit) {
-  const double grain = kRepairGrain * problem_.limit + 1e-300;
+  const double grain = kLengthTolerance * problem_.limit + 1e-300;
   for (int t = 0; t < problem_.tours; ++t) {
     Measure(t);
     for (int p : open_) places_[t][p] = BestPlace(p, t);
   }
   while (true) {
+    // Rates weight / detour are compared by cross multiplication.
     double best_weight = 0.0;  // The best rate, as a fraction.
     double best_detour = 1.0;
     std::size_t best_at = 0;
@@ -157,6 +160,7 @@ void TourSearch::Fill(double limit) {
     }
     if (best_tour < 0) break;
     const int point = open_[best_at];
+    // Only places beside the insertion change: update instead of search.
     const int at = places_[best_tour][point].before;
     open_.erase(open_.begin() + best_at);
     Insert(point, best_tour);

@@ -10,7 +10,7 @@ constexpr std::size_t kMaxPool = 30000;
 
 }  // namespace
 
-TourSearch::TourSearch(const Orienteering& problem, unsigned seed)
+TourSearch::TourSearch(const OrienteeringProblem& problem, unsigned seed)
     : problem_((Check(problem), problem)),
       size_(problem.size()),
       from_(problem.lengths),
@@ -25,6 +25,7 @@ TourSearch::TourSearch(const Orienteering& problem, unsigned seed)
     for (int j = 0; j < size_; ++j) to_[j * size_ + i] = Length(i, j);
   }
   const int end = size_ - 1;
+  // Points worth something that a tour can visit at all.
   for (int p = 1; p < end; ++p) {
     if (problem_.rewards[p] > 0.0 &&
         Length(0, p) + Length(p, end) <= problem_.limit) {
@@ -37,11 +38,13 @@ TourSearch::TourSearch(const Orienteering& problem, unsigned seed)
       return std::make_pair(Length(p, a), a) < std::make_pair(Length(p, b), b);
     });
   }
+  // Zobrist keys: a set of points is hashed by the xor of theirs.
   for (int p = 0; p < size_; ++p) {
     keys_.push_back((static_cast<std::uint64_t>(prng_()) << 32) | prng_());
   }
+  // The first solution: greedy insertion into empty tours.
   Clear(&now_);
-  Locate();
+  IndexPoints();
   best_ = kept_ = now_;
   if (!useful_.empty()) {
     Repair();
@@ -49,12 +52,14 @@ TourSearch::TourSearch(const Orienteering& problem, unsigned seed)
   }
 }
 
-std::uint32_t TourSearch::Below(std::uint32_t count) {
+std::uint32_t TourSearch::RandomBelow(std::uint32_t count) {
   return static_cast<std::uint32_t>(
       (static_cast<std::uint64_t>(prng_()) * count) >> 32);
 }
 
-double TourSearch::Unit() { return static_cast<double>(prng_()) * 0x1p-32; }
+double TourSearch::RandomUnit() {
+  return static_cast<double>(prng_()) * 0x1p-32;
+}
 
 void TourSearch::Clear(Solution* solution) const {
   solution->tours.assign(problem_.tours, {0, size_ - 1});
@@ -62,7 +67,7 @@ void TourSearch::Clear(Solution* solution) const {
   solution->reward = 0.0;
 }
 
-void TourSearch::Locate() {
+void TourSearch::IndexPoints() {
   std::fill(tour_of_.begin(), tour_of_.end(), -1);
   for (int t = 0; t < problem_.tours; ++t) {
     for (int p : now_.tours[t]) tour_of_[p] = t;
@@ -73,7 +78,7 @@ void TourSearch::Run(std::size_t steps, double tolerance) {
   if (useful_.empty()) return;
   for (std::size_t step = 0; step < steps; ++step) {
     now_ = kept_;
-    Locate();
+    IndexPoints();
     std::fill(touched_.begin(), touched_.end(), 0);
     Destroy();
     Repair();
@@ -89,7 +94,7 @@ void TourSearch::Restart(const std::vector<Tour>& tours) {
     now_.lengths[t] = tours[t].length;
     now_.reward += tours[t].reward;
   }
-  Locate();
+  IndexPoints();
   std::fill(touched_.begin(), touched_.end(), 1);
   kept_ = now_;
   Accept(0.0);
@@ -127,7 +132,7 @@ bool TourSearch::Remeasure() {
 // and now and then up to 4.
 void TourSearch::Accept(double tolerance) {
   if (!Remeasure()) return;
-  const double chance = Unit();
+  const double chance = RandomUnit();
   const double loss = tolerance * (1.0 - chance) / (chance + 0.25);
   if (now_.reward + loss < kept_.reward) return;
   kept_ = now_;

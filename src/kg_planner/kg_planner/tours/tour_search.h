@@ -40,7 +40,7 @@ struct PooledTour {
 class TourSearch {
  public:
   // Throws as Check() does. Without any tour within the limit all stay empty.
-  TourSearch(const Orienteering& problem, unsigned seed);
+  TourSearch(const OrienteeringProblem& problem, unsigned seed);
 
   // So many steps; `tolerance` is about what a step may lose [reward].
   void Run(std::size_t steps, double tolerance);
@@ -48,7 +48,7 @@ class TourSearch {
   void Restart(const std::vector<Tour>& tours);
 
   std::vector<Tour> best() const;
-  double reward() const { return best_.reward; }  // Of the best.
+  double reward() const { return best_.reward; }  // Of the best solution.
 
   // Of each set of points met the shortest order, best context first, ties by
   // points; at most so many.
@@ -66,10 +66,10 @@ class TourSearch {
   };
 
   double Length(int from, int to) const { return from_[from * size_ + to]; }
-  std::uint32_t Below(std::uint32_t count);
-  double Unit();
+  std::uint32_t RandomBelow(std::uint32_t count);
+  double RandomUnit();
   void Clear(Solution* solution) const;
-  void Locate();
+  void IndexPoints();
   bool Better(const Solution& a, const Solution& b) const;
   bool Remeasure();
   void Accept(double tolerance);
@@ -84,7 +84,7 @@ class TourSearch {
   void Fill(double limit);
   void Drop(int tour);
   void Weigh();
-  void Favour();
+  void FavourNeighbourhood();
   Place BestPlace(int point, int tour) const;
   void Update(int point, int tour, int inserted_before);
   void Measure(int tour);
@@ -95,7 +95,7 @@ class TourSearch {
   bool Move(int tour, int count);
   void Remember(const Solution& solution);
 
-  const Orienteering problem_;
+  const OrienteeringProblem problem_;
   const int size_;
   std::vector<double> from_;  // Lengths, row by row of where they begin,
   std::vector<double> to_;    // and of where they end.

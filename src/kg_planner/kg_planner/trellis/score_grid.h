@@ -26,7 +26,7 @@ class ScoreGrid {
   double shift() const { return shift_; }
 
  private:
-  // Of the power of two that is not less than x.
+  // Exponent of the smallest power of two that is not less than x.
   static int Exponent(double x) {
     int exponent = 0;
     std::frexp(std::max(x, 1e-280), &exponent);

@@ -47,16 +47,11 @@ struct Stage {
 
 struct Trellis {
   std::vector<Stage> stages;
-  // Of the sum over a path's seams, in their order.
+  // Limit of the sum over a path's seams, in their order.
   double resource_limit = std::numeric_limits<double>::infinity();
-  std::vector<double> more_limits = {};  // Of the resources after the first.
+  std::vector<double> more_limits =
+      {};  // Limits of the resources after the first.
 };
-
-// Throws std::invalid_argument naming stage and seam if indices are out of
-// range, a number is not finite, a cost is negative, a seam occurs twice, a
-// seam visits a node twice, or `via`, `more_resources` and `more_limits` are of
-// different lengths.
-void Check(const Trellis& trellis);
 
 }  // namespace kg_planner
 

@@ -1,5 +1,3 @@
-#include "kg_planner/trellis/trellis.h"
-
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -8,6 +6,7 @@
 
 #include "gtest/gtest.h"
 #include "kg_planner/trellis/score_grid.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 namespace kg_planner {
 namespace {
@@ -27,11 +26,11 @@ Trellis Sound() {
 }
 
 TEST(TrellisTest, SoundOnesPass) {
-  EXPECT_NO_THROW(Check(Sound()));
-  EXPECT_NO_THROW(Check({}));
+  EXPECT_NO_THROW(CheckTrellis(Sound()));
+  EXPECT_NO_THROW(CheckTrellis({}));
   Trellis empty_stage;
   empty_stage.stages.resize(2);
-  EXPECT_NO_THROW(Check(empty_stage));
+  EXPECT_NO_THROW(CheckTrellis(empty_stage));
 }
 
 TEST(TrellisTest, ParallelSeamsOverOtherStopsPass) {
@@ -40,22 +39,22 @@ TEST(TrellisTest, ParallelSeamsOverOtherStopsPass) {
   trellis.stages[1].seams[2] = {1, 1};
   trellis.stages[1].seams[0] = {1, 1};
   trellis.stages[1].via = {{2, 3}, {}, {3, 2}, {}};
-  EXPECT_NO_THROW(Check(trellis));
+  EXPECT_NO_THROW(CheckTrellis(trellis));
 }
 
-struct Mistake {
+struct TrellisMistake {
   const char* name;
   std::function<void(Trellis*)> make;
   const char* stage;  // What the message must name.
   const char* what;
 };
 
-Mistake OfSeam(const char* name, Seam seam) {
+TrellisMistake OfSeam(const char* name, Seam seam) {
   return {name, [seam](Trellis* t) { t->stages[1].seams[2] = seam; }, "stage 1",
           "seam 2"};
 }
 
-std::vector<Mistake> Mistakes() {
+std::vector<TrellisMistake> Mistakes() {
   return {
       OfSeam("from below", {-1, 1}),
       OfSeam("from beyond", {2, 1}),
@@ -144,11 +143,11 @@ std::vector<Mistake> Mistakes() {
 }
 
 TEST(TrellisTest, EveryMistakeIsNamedWithItsPlace) {
-  for (const Mistake& mistake : Mistakes()) {
+  for (const TrellisMistake& mistake : Mistakes()) {
     Trellis trellis = Sound();
     mistake.make(&trellis);
     try {
-      Check(trellis);
+      CheckTrellis(trellis);
       ADD_FAILURE() << mistake.name << " passed";
     } catch (const std::invalid_argument& error) {
       const std::string text = error.what();
@@ -161,13 +160,13 @@ TEST(TrellisTest, EveryMistakeIsNamedWithItsPlace) {
 TEST(TrellisTest, MinusZeroIsNotNegative) {
   Trellis trellis = Sound();
   trellis.stages[1].seams[2] = {0, 1, -0.0, -0.0};
-  EXPECT_NO_THROW(Check(trellis));
+  EXPECT_NO_THROW(CheckTrellis(trellis));
 }
 
 TEST(TrellisTest, RefusesSumsThatOverflow) {
   Trellis trellis = Sound();
   for (Stage& stage : trellis.stages) stage.nodes[0].reward = 1.7e308;
-  EXPECT_THROW(Check(trellis), std::invalid_argument);
+  EXPECT_THROW(CheckTrellis(trellis), std::invalid_argument);
 }
 
 TEST(ScoreGridTest, SumsOfRoundedNumbersAreExact) {

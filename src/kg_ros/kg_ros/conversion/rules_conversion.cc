@@ -2,13 +2,15 @@
 
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <limits>
 #include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "kg_core/base/input_error.h"
 #include "kg_ros/conversion/message_units.h"
+#include "kg_selector/team/team_modes.h"
 
 namespace kg_ros {
 namespace {
@@ -28,11 +30,11 @@ void RequireAtMost(double value, double most, const char* field) {
 }
 
 void RequireOneOf(const std::string& value,
-                  std::initializer_list<const char*> names, const char* field) {
+                  const std::vector<std::string>& names, const char* field) {
   std::string expected;
-  for (const char* name : names) {
+  for (const std::string& name : names) {
     if (value == name) return;
-    expected += std::string(expected.empty() ? "'" : ", '") + name + "'";
+    expected += (expected.empty() ? "'" : ", '") + name + "'";
   }
   throw InputError(std::string(field) + " '" + value + "': expected one of " +
                    expected);
@@ -129,7 +131,7 @@ void WritePathRules(const kg_compiler::SeamRules& rules,
 
 // Throws if the rules of choosing make no sense.
 void CheckChoice(const kg_msgs::CoordinationRules& message) {
-  RequireOneOf(message.mode, {"greedy", "auction", "priced", "exact"},
+  RequireOneOf(message.mode, kg_selector::TeamModeNames(),
                "CoordinationRules.mode");
   RequireAtLeast(message.gap_goal, 0.0, "CoordinationRules.gap_goal");
   RequireAtMost(message.gap_goal, 1.0, "CoordinationRules.gap_goal");

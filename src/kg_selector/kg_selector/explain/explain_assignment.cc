@@ -25,9 +25,10 @@ std::string WindowName(int window) {
 
 std::string PlannedAround(const PlannedWorld& world, const Agent& agent) {
   std::string names;
-  for (const Pathlet& other : CommittedBefore(world, agent.iri))
+  for (const Pathlet& other : CommittedBefore(world, agent.iri)) {
     names += (names.empty() ? "" : ", ") + AbbreviateIri(other.agent);
-  return names.empty() ? " It was chosen first, around nobody."
+  }
+  return names.empty() ? " It was chosen first, before all others."
                        : " It was planned around " + names + ".";
 }
 
@@ -38,8 +39,9 @@ std::string RunnerUp(const PlannedWorld& world, const TeamMember& member,
   const Explanation margin = Difference(world, member, path, *next.pathlet);
   std::string text =
       " The next best path is worth " + Short(margin.value) + " less";
-  for (const auto& part : margin.parts)
+  for (const auto& part : margin.parts) {
     text += (&part == &margin.parts.front() ? " (" : "; ") + part.text;
+  }
   return text + (margin.parts.empty() ? "." : ").") +
          (next.proven ? "" : " The search for it was cut short.");
 }
@@ -71,8 +73,9 @@ class StepExplainer {
 
   // Tensors are float32, and the search for waypoints rounds what it sums.
   void AddScores() {
-    for (const int stop : StopsOf(visit_))
+    for (const int stop : StopsOf(visit_)) {
       AddScore(member_.graphs[stage_].waypoints.at(stop));
+    }
   }
 
   void AddScore(const kg_compiler::Waypoint& waypoint) {
@@ -86,6 +89,7 @@ class StepExplainer {
              ? ""
              : " around waypoint " + std::to_string(waypoint.id)) +
         ")";
+    // The sum over the cells of the footprint, term by term.
     for (auto part : score.parts) {
       part.text += cells;
       explanation_.parts.push_back(std::move(part));
@@ -148,7 +152,7 @@ class StepExplainer {
 Explanation ExplainPath(const PlannedWorld& world, const TeamMember& member,
                         const Pathlet& path) {
   Explanation explanation;
-  explanation.value = Sum(TermsOf(world, member, path));
+  explanation.value = Sum(ListTerms(world, member, path));
   explanation.parts = PathContributions(world, member, path);
   explanation.text = "The path of " + member.rules.agent_id + " through " +
                      std::to_string(path.visits.size()) + " windows is worth " +
@@ -158,8 +162,9 @@ Explanation ExplainPath(const PlannedWorld& world, const TeamMember& member,
 
 std::string ByWay(const Visit& visit) {
   std::string text;
-  for (const int stop : ViaOf(visit))
+  for (const int stop : WaypointsVia(visit)) {
     text += (text.empty() ? ", by way of " : ", ") + std::to_string(stop);
+  }
   return text;
 }
 
@@ -177,6 +182,7 @@ Explanation ExplainAssignment(const PlannedWorld& world, const Agent& agent,
   const Pathlet& path = NeedPath(world, agent);
   const TeamMember& member = FindMember(world, agent);
   Explanation explanation;
+  // Without a window the whole path is explained.
   if (window < 0) {
     explanation = ExplainPath(world, member, path);
   } else {
@@ -186,8 +192,9 @@ Explanation ExplainAssignment(const PlannedWorld& world, const Agent& agent,
         StepText(agent, path.visits.at(stage), explanation.value);
   }
   explanation.unit = "reward";
-  for (const std::string& fact : world.facts().Policy(agent, {}))
+  for (const std::string& fact : world.facts().Policy(agent, {})) {
     explanation.text += " It follows from " + fact + ".";
+  }
   explanation.text +=
       PlannedAround(world, agent) + RunnerUp(world, member, path);
   return explanation;

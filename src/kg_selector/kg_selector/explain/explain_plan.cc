@@ -22,25 +22,27 @@ std::string PlanWindowName(int window) {
 
 std::string ByWay(const std::vector<int>& via) {
   std::string text;
-  for (const int stop : via)
+  for (const int stop : via) {
     text += (text.empty() ? " by way of " : ", ") + std::to_string(stop);
+  }
   return text;
 }
 
 Explanation ExplainCell(const PlannedWorld& world, const Agent& agent,
-                        const Question& question) {
+                        const PlanQuestion& question) {
   const auto inputs =
       kg_compiler::FindTensorInputs(*world.compilation, agent, question.window);
   const auto cell = inputs.rasters->grid.CellAt(question.place);
-  if (!cell)
+  if (!cell) {
     throw InputError(kg_core::PointWkt(question.place) +
                      " lies outside of the grid");
+  }
   const kg_compiler::CitedFacts facts = world.facts();
   return kg_compiler::TensorExplainer(inputs, facts).ExplainCell(*cell);
 }
 
 const kg_compiler::TraverseEdge& EdgeAsked(const TeamMember& member,
-                                           const Question& question) {
+                                           const PlanQuestion& question) {
   const kg_compiler::NavGraph& graph =
       member.graphs[FindStage(member, question.window)];
   const auto* edge =
@@ -55,7 +57,7 @@ const kg_compiler::TraverseEdge& EdgeAsked(const TeamMember& member,
 }
 
 Explanation ExplainEdge(const PlannedWorld& world, const Agent& agent,
-                        const Question& question) {
+                        const PlanQuestion& question) {
   const TeamMember& member = FindMember(world, agent);
   const kg_compiler::TraverseEdge& edge = EdgeAsked(member, question);
   const kg_compiler::CitedFacts facts = world.facts();
@@ -90,25 +92,26 @@ void NeedPlan(const PlannedWorld& world) {
 
 }  // namespace
 
-Explanation Explain(const PlannedWorld& world, const Question& question) {
-  if (question.what != Why::kTensorCell) NeedPlan(world);
-  if (question.what == Why::kRejection)
+Explanation Explain(const PlannedWorld& world, const PlanQuestion& question) {
+  if (question.what != QuestionKind::kTensorCell) NeedPlan(world);
+  if (question.what == QuestionKind::kRejection) {
     return ExplainRejection(world, RejectionNumber(world, question.id));
+  }
   const Agent& agent = FindAgent(world, question.agent);
   switch (question.what) {
-    case Why::kAssignment:
+    case QuestionKind::kAssignment:
       return ExplainAssignment(world, agent, question.window);
-    case Why::kTensorCell:
+    case QuestionKind::kTensorCell:
       return ExplainCell(world, agent, question);
-    case Why::kEdge:
+    case QuestionKind::kEdge:
       return ExplainEdge(world, agent, question);
-    case Why::kWaypoint:
+    case QuestionKind::kWaypoint:
       return WhyNotWaypoint(world, agent, {question.window, question.to});
-    case Why::kEvent:
+    case QuestionKind::kEvent:
       return WhyNotEvent(world, agent, question.id, question.window);
-    case Why::kPlace:
+    case QuestionKind::kPlace:
       return WhyNotPlace(world, agent, question.place, question.window);
-    case Why::kRejection:
+    case QuestionKind::kRejection:
       break;
   }
   throw InputError("unknown question");

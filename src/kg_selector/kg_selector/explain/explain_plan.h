@@ -29,7 +29,7 @@
 
 namespace kg_selector {
 
-enum class Why {
+enum class QuestionKind {
   kAssignment,
   kTensorCell,
   kEdge,
@@ -39,8 +39,8 @@ enum class Why {
   kPlace
 };
 
-struct Question {
-  Why what = Why::kAssignment;
+struct PlanQuestion {
+  QuestionKind what = QuestionKind::kAssignment;
   std::string agent;  // ex:id or IRI. Unused for rejections.
   int window = -1;
   int from = 0;           // kEdge.
@@ -53,7 +53,7 @@ struct Question {
 // Throws kg_core::InputError if there is nothing of the kind to explain, saying
 // what there is.
 kg_compiler::Explanation Explain(const PlannedWorld& world,
-                                 const Question& question);
+                                 const PlanQuestion& question);
 
 // As Explain(), by kind. `agent` is of the world.
 kg_compiler::Explanation ExplainAssignment(const PlannedWorld& world,

@@ -11,8 +11,11 @@
 #include "gtest/gtest.h"
 #include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/base/input_error.h"
-#include "kg_selector/explain/planned_test_world.h"
+#include "kg_core/rdf/namespaces.h"
+#include "kg_core/rdf/store.h"
+#include "kg_selector/explain/path_terms.h"
 #include "kg_selector/paths/masking.h"
+#include "kg_selector/testing/planned_test_world.h"
 
 namespace kg_selector {
 namespace {
@@ -27,8 +30,8 @@ void ExpectSums(const Explanation& explanation) {
   EXPECT_FALSE(explanation.text.empty());
 }
 
-Question About(Why what, const std::string& agent, int window) {
-  Question question;
+PlanQuestion About(QuestionKind what, const std::string& agent, int window) {
+  PlanQuestion question;
   question.what = what;
   question.agent = agent;
   question.window = window;
@@ -48,10 +51,13 @@ class EveryPath {
         member_(member),
         before_(CommittedBefore(world, member.rules.agent_iri)),
         full_(FullEvents(world.rules, before_)) {
-    for (const auto& window : member.rules.windows)
-      for (const auto& event : window.events)
-        if (full_.count(event.iri) == 0)
+    for (const auto& window : member.rules.windows) {
+      for (const auto& event : window.events) {
+        if (full_.count(event.iri) == 0) {
           open_[window.window][event.iri] = event.reward;
+        }
+      }
+    }
   }
 
   // The best score of those that are accepted and break no rule.
@@ -70,8 +76,9 @@ class EveryPath {
     if (s == member_.graphs.size()) {
       const double whole = score + EventReward();
       if (energy_j <= member_.rules.energy_budget_j && (*accepts_)(stops_) &&
-          (!best_ || whole > *best_) && IsApart(track))
+          (!best_ || whole > *best_) && IsApart(track)) {
         best_ = whole;
+      }
       return;
     }
     for (const auto& edge : member_.graphs[s].edges) {
@@ -81,8 +88,9 @@ class EveryPath {
                     edge.flight.track.end());
       stops_.push_back(StopsOf(edge));
       double more = -edge.seam_cost;
-      for (const int stop : stops_.back())
+      for (const int stop : stops_.back()) {
         more += member_.graphs[s].waypoints[stop].score;
+      }
       Extend(score + more, energy_j + edge.flight.energy_j, std::move(longer));
       stops_.pop_back();
     }
@@ -94,10 +102,13 @@ class EveryPath {
       const NavGraph& graph = member_.graphs[s];
       const auto open = open_.find(graph.window);
       if (open == open_.end()) continue;
-      for (const int stop : stops_[s])
-        for (const std::string& event : graph.waypoints[stop].events)
-          if (open->second.count(event))
+      for (const int stop : stops_[s]) {
+        for (const std::string& event : graph.waypoints[stop].events) {
+          if (open->second.count(event)) {
             best[event] = std::max(best[event], open->second.at(event));
+          }
+        }
+      }
     }
     double sum = 0.0;
     for (const auto& [event, reward] : best) sum += reward;
@@ -107,8 +118,9 @@ class EveryPath {
   bool IsApart(const std::vector<kg_compiler::TimedPoint>& track) const {
     Pathlet pathlet;
     pathlet.track = track;
-    for (const NavGraph& graph : member_.graphs)
+    for (const NavGraph& graph : member_.graphs) {
       pathlet.visits.push_back({graph.window, 0, {}, 0.0, {}});
+    }
     return !FindConflict(world_.rules, before_, pathlet);
   }
 
@@ -143,8 +155,9 @@ void ForEachWorld(int seeds,
 PlannedWorld Bound(PlannedWorld world) {
   for (TeamMember& member : world.members) {
     member.rules.churn_weight = 1.5;
-    for (auto& window : member.rules.windows)
+    for (auto& window : member.rules.windows) {
       window.committed = member.rules.start;
+    }
   }
   world.plan = PlanTeam(world.rules, world.members);
   NameAgentsByIri(&world);
@@ -158,8 +171,8 @@ TEST(ExplainPlan, LeavingThePlanInForceIsATermOfItsOwn) {
     for (const Pathlet& path : world.plan.committed) {
       double sum = 0.0;
       for (const Visit& visit : path.visits) {
-        const Explanation step =
-            Explain(world, About(Why::kAssignment, path.agent, visit.window));
+        const Explanation step = Explain(
+            world, About(QuestionKind::kAssignment, path.agent, visit.window));
         ExpectSums(step);
         sum += step.value;
         charged += std::count_if(
@@ -168,7 +181,7 @@ TEST(ExplainPlan, LeavingThePlanInForceIsATermOfItsOwn) {
             });
       }
       const Explanation whole =
-          Explain(world, About(Why::kAssignment, path.agent, -1));
+          Explain(world, About(QuestionKind::kAssignment, path.agent, -1));
       ExpectSums(whole);
       EXPECT_NEAR(path.score(), whole.value, 1e-9);
       EXPECT_NEAR(sum, whole.value, 1e-9);
@@ -186,21 +199,22 @@ TEST(ExplainPlan, AssignmentsSumToTheStepsAndStepsToThePath) {
       double sum = 0.0;
       for (std::size_t s = 0; s < path.visits.size(); ++s) {
         const Visit& visit = path.visits[s];
-        const Explanation step =
-            Explain(world, About(Why::kAssignment, path.agent, visit.window));
+        const Explanation step = Explain(
+            world, About(QuestionKind::kAssignment, path.agent, visit.window));
         ExpectSums(step);
         EXPECT_NEAR(visit.reward - EdgeTaken(member, path, s).seam_cost,
                     step.value, 1e-9);
         with_stops += !visit.via.empty();
-        for (const auto& part : step.parts)
+        for (const auto& part : step.parts) {
           if (part.term == "rounding") {
             EXPECT_LT(std::abs(part.value), 2e-5);
           }
+        }
         sum += step.value;
         ++steps;
       }
       const Explanation whole =
-          Explain(world, About(Why::kAssignment, path.agent, -1));
+          Explain(world, About(QuestionKind::kAssignment, path.agent, -1));
       ExpectSums(whole);
       EXPECT_NEAR(path.score(), whole.value, 1e-9);
       EXPECT_NEAR(sum, whole.value, 1e-9);
@@ -210,13 +224,59 @@ TEST(ExplainPlan, AssignmentsSumToTheStepsAndStepsToThePath) {
   EXPECT_GT(with_stops, 5);
 }
 
+// Events whose IRIs begin with one another's, abbreviated and in full.
+TEST(ExplainPlan, AnEventsTermCitesTheEventsEarnedAndNoOthers) {
+  const std::string ex = kg_core::kEx;
+  const std::vector<std::string> iris = {ex + "ember_10", ex + "ember_1",
+                                         "http://sites.org/spot/north",
+                                         "http://sites.org/spot"};
+  kg_core::Store store("");
+  kg_core::Transaction change = store.Begin();
+  for (const std::string& iri : iris) {
+    change.Add({kg_core::Iri(iri), kg_core::Iri(ex + "capacity"),
+                kg_core::IntegerLiteral(1),
+                kg_core::Iri(kg_core::kFactsGraph)});
+  }
+  change.Commit(kg_core::WorldChange::kYes);
+  std::map<std::string, int> earned;
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    PlannedTestWorld random(seed);
+    for (std::size_t i = 0; i < iris.size(); ++i) {
+      random.mission.events[i].iri = iris[i];
+    }
+    PlannedWorld world = random.Plan();
+    world.view = store.Read();
+    for (const Pathlet& path : world.plan.committed) {
+      const kg_core::Agent& agent = FindAgent(world, path.agent);
+      for (const PathTerm& term :
+           ListTerms(world, FindMember(world, agent), path)) {
+        if (term.kind != TermKind::kEvents) continue;
+        std::set<std::string> expected;
+        for (const Visit& visit : path.visits) {
+          if (visit.window != term.window) continue;
+          for (const std::string& iri : visit.events) {
+            ++earned[iri];
+            for (const std::string& fact : world.facts().Event(iri)) {
+              expected.insert(fact);
+            }
+          }
+        }
+        const auto facts = TermFacts(world, agent, term);
+        EXPECT_EQ(expected, std::set<std::string>(facts.begin(), facts.end()));
+      }
+    }
+  }
+  EXPECT_GT(earned[iris[0]], 0);
+  EXPECT_GT(earned[iris[2]], 0);
+}
+
 TEST(ExplainPlan, EdgesSumToTheirSeamCosts) {
   ForEachWorld(4, [](const PlannedWorld& world) {
-    for (const TeamMember& member : world.members)
-      for (const NavGraph& graph : member.graphs)
+    for (const TeamMember& member : world.members) {
+      for (const NavGraph& graph : member.graphs) {
         for (const auto& edge : graph.edges) {
-          Question question =
-              About(Why::kEdge, member.rules.agent_id, graph.window);
+          PlanQuestion question =
+              About(QuestionKind::kEdge, member.rules.agent_id, graph.window);
           question.from = edge.from;
           question.to = edge.to;
           question.via = edge.via;
@@ -224,6 +284,8 @@ TEST(ExplainPlan, EdgesSumToTheirSeamCosts) {
           ExpectSums(explanation);
           EXPECT_EQ(edge.seam_cost, explanation.value);
         }
+      }
+    }
   });
 }
 
@@ -231,7 +293,7 @@ TEST(ExplainPlan, RejectionsSumToTheirMargins) {
   int separations = 0, capacities = 0;
   ForEachWorld(20, [&](const PlannedWorld& world) {
     for (std::size_t i = 0; i < world.plan.rejections.size(); ++i) {
-      Question question = About(Why::kRejection, "", -1);
+      PlanQuestion question = About(QuestionKind::kRejection, "", -1);
       question.id = std::to_string(i);
       const Explanation explanation = Explain(world, question);
       ExpectSums(explanation);
@@ -260,23 +322,23 @@ TEST(ExplainPlan, PathsTurnedAwayForOtherReasonsSumToTheirMargins) {
     for (const auto& [kind, margin] : margins) {
       Conflict conflict{kind, "", -1, "", margin};
       world.plan.rejections = {{path, conflict, conflict.Line(), 1}};
-      Question question = About(Why::kRejection, "", -1);
+      PlanQuestion question = About(QuestionKind::kRejection, "", -1);
       question.id = "0";
       const Explanation explanation = Explain(world, question);
       ExpectSums(explanation);
       EXPECT_EQ(margin, explanation.value);
       EXPECT_EQ(Name(kind), explanation.verdict);
-      EXPECT_EQ(kind, ConflictKindOf(Name(kind)));
+      EXPECT_EQ(kind, ParseConflictKind(Name(kind)));
     }
   });
 }
 
 TEST(ExplainPlan, TensorCellsAreTheCompiledOnes) {
   ForEachWorld(3, [](const PlannedWorld& world) {
-    for (const auto& tensor : world.compilation->tensors)
+    for (const auto& tensor : world.compilation->tensors) {
       for (int i = 0; i < static_cast<int>(tensor->grid.size()); i += 7) {
-        Question question =
-            About(Why::kTensorCell, tensor->agent_iri, tensor->window);
+        PlanQuestion question =
+            About(QuestionKind::kTensorCell, tensor->agent_iri, tensor->window);
         const int cols = tensor->grid.cols();
         question.place = tensor->grid.Centre({i / cols, i % cols});
         const Explanation explanation = Explain(world, question);
@@ -284,6 +346,7 @@ TEST(ExplainPlan, TensorCellsAreTheCompiledOnes) {
         const double compiled = tensor->At(kg_compiler::Layer::kFused, i);
         EXPECT_NEAR(compiled, explanation.value, 2e-7);
       }
+    }
   });
 }
 
@@ -296,8 +359,8 @@ TEST(ExplainPlan, WaypointVerdictsAreThoseOfExhaustion) {
       EveryPath every(world, member);
       for (std::size_t s = 0; s < member.graphs.size(); ++s) {
         for (const auto& waypoint : member.graphs[s].waypoints) {
-          Question question =
-              About(Why::kWaypoint, path.agent, member.graphs[s].window);
+          PlanQuestion question = About(QuestionKind::kWaypoint, path.agent,
+                                        member.graphs[s].window);
           question.to = waypoint.id;
           const Explanation explanation = Explain(world, question);
           ++verdicts[explanation.verdict];
@@ -337,17 +400,20 @@ TEST(ExplainPlan, SaysWhatABudgetLacks) {
             least_j = std::min(least_j, energy_j);
             return;
           }
-          for (const auto& edge : graphs[s].edges)
-            if (edge.from == from)
+          for (const auto& edge : graphs[s].edges) {
+            if (edge.from == from) {
               walk(s + 1, edge.to, energy_j + edge.flight.energy_j);
+            }
+          }
         };
     walk(0, 0, 0.0);
     random.mission.agents[0].capabilities.energy_budget_j = least_j * 1.02;
     const PlannedWorld world = random.Plan();
     if (FindPath(world, "ex:alpha") == nullptr) continue;
-    for (const NavGraph& graph : world.members[0].graphs)
+    for (const NavGraph& graph : world.members[0].graphs) {
       for (const auto& waypoint : graph.waypoints) {
-        Question question = About(Why::kWaypoint, "alpha", graph.window);
+        PlanQuestion question =
+            About(QuestionKind::kWaypoint, "alpha", graph.window);
         question.to = waypoint.id;
         const Explanation explanation = Explain(world, question);
         ExpectSums(explanation);
@@ -356,6 +422,7 @@ TEST(ExplainPlan, SaysWhatABudgetLacks) {
         EXPECT_GT(explanation.value, 0.0);
         ++lacking;
       }
+    }
   }
   EXPECT_GT(lacking, 8);
 }
@@ -368,7 +435,7 @@ TEST(ExplainPlan, EventVerdictsAreThoseOfExhaustion) {
           FindMember(world, FindAgent(world, path.agent));
       EveryPath every(world, member);
       for (const kg_core::Event& event : world.compilation->mission.events) {
-        Question question = About(Why::kEvent, path.agent, -1);
+        PlanQuestion question = About(QuestionKind::kEvent, path.agent, -1);
         question.id = event.iri;
         const Explanation explanation = Explain(world, question);
         ++verdicts[explanation.verdict];
@@ -390,12 +457,14 @@ TEST(ExplainPlan, EventVerdictsAreThoseOfExhaustion) {
         const auto best = every.Best([&](const EveryPath::Stops& stops) {
           for (std::size_t s = 0; s < stops.size(); ++s) {
             if (std::count(event.windows.begin(), event.windows.end(),
-                           member.graphs[s].window) == 0)
+                           member.graphs[s].window) == 0) {
               continue;
+            }
             for (const int stop : stops[s]) {
               const auto& events = member.graphs[s].waypoints[stop].events;
-              if (std::count(events.begin(), events.end(), event.iri) > 0)
+              if (std::count(events.begin(), events.end(), event.iri) > 0) {
                 return true;
+              }
             }
           }
           return false;
@@ -419,13 +488,13 @@ TEST(ExplainPlan, AnEventOutOfItsTimeMissesTheWindowByItsDistance) {
                            {"ex:early", {-90.5, 24.5}, 2.0, 1, 9000.0, {0}}};
   for (auto& event : random.mission.events) event.value = 0.0;
   const PlannedWorld world = random.Plan();
-  Question question = About(Why::kEvent, "alpha", 0);
+  PlanQuestion question = About(QuestionKind::kEvent, "alpha", 0);
   question.id = "ex:late";
   Explanation explanation = Explain(world, question);
   EXPECT_EQ("not_active", explanation.verdict);
   EXPECT_EQ(2 * 86400.0, explanation.value);
   ExpectSums(explanation);
-  question = About(Why::kEvent, "alpha", 2);
+  question = About(QuestionKind::kEvent, "alpha", 2);
   question.id = "ex:early";
   explanation = Explain(world, question);
   EXPECT_EQ("expired", explanation.verdict);
@@ -438,7 +507,7 @@ TEST(ExplainPlan, PlacesAreForbiddenFarOrNotSampledAndAlwaysSaySo) {
   ForEachWorld(3, [&](const PlannedWorld& world) {
     PlannedTestWorld places(99);
     for (int i = 0; i < 40; ++i) {
-      Question question = About(Why::kPlace, "bravo", i % 3);
+      PlanQuestion question = About(QuestionKind::kPlace, "bravo", i % 3);
       question.place = places.AnyPlace();
       const Explanation explanation = Explain(world, question);
       ++verdicts[explanation.verdict];
@@ -461,7 +530,7 @@ TEST(ExplainPlan, PlacesAreForbiddenFarOrNotSampledAndAlwaysSaySo) {
 
 TEST(ExplainPlan, RefusesWhatIsNotThereWithWhatIs) {
   const PlannedWorld world = PlannedTestWorld(2).Plan();
-  const auto refused = [&](const Question& question) -> std::string {
+  const auto refused = [&](const PlanQuestion& question) -> std::string {
     try {
       Explain(world, question);
     } catch (const kg_core::InputError& error) {
@@ -470,26 +539,26 @@ TEST(ExplainPlan, RefusesWhatIsNotThereWithWhatIs) {
     return "";
   };
   EXPECT_EQ("agent 'nobody' is not known; there are alpha, bravo, charlie",
-            refused(About(Why::kAssignment, "nobody", 0)));
+            refused(About(QuestionKind::kAssignment, "nobody", 0)));
   EXPECT_EQ("window 7 of alpha is not planned: the windows are 0 to 2",
-            refused(About(Why::kAssignment, "alpha", 7)));
-  Question question = About(Why::kWaypoint, "alpha", 1);
+            refused(About(QuestionKind::kAssignment, "alpha", 7)));
+  PlanQuestion question = About(QuestionKind::kWaypoint, "alpha", 1);
   question.to = 99;
   EXPECT_NE("", refused(question));
-  question = About(Why::kEvent, "alpha", 1);
+  question = About(QuestionKind::kEvent, "alpha", 1);
   question.id = "ex:nothing";
   EXPECT_NE(std::string::npos, refused(question).find("is not known"));
-  question = About(Why::kRejection, "", 0);
+  question = About(QuestionKind::kRejection, "", 0);
   for (const char* id : {"", "-1", "x", "999", "1x"}) {
     question.id = id;
     EXPECT_NE("", refused(question)) << id;
   }
-  question = About(Why::kTensorCell, "alpha", 0);
+  question = About(QuestionKind::kTensorCell, "alpha", 0);
   question.place = {0.0, 0.0};
   EXPECT_NE("", refused(question));
   PlannedWorld early = world;
   early.members[0].graphs.pop_back();
-  EXPECT_THROW(Explain(early, About(Why::kAssignment, "alpha", 0)),
+  EXPECT_THROW(Explain(early, About(QuestionKind::kAssignment, "alpha", 0)),
                kg_core::InputError);
   PlannedWorld strange = world;
   kg_compiler::NavGraphs odd;
@@ -498,11 +567,11 @@ TEST(ExplainPlan, RefusesWhatIsNotThereWithWhatIs) {
     odd.push_back(graph);
   }
   strange.members[0].graphs = odd;
-  EXPECT_THROW(Explain(strange, About(Why::kAssignment, "alpha", 0)),
+  EXPECT_THROW(Explain(strange, About(QuestionKind::kAssignment, "alpha", 0)),
                kg_core::InputError);
   PlannedWorld unplanned = world;
   unplanned.has_plan = false;
-  EXPECT_THROW(Explain(unplanned, About(Why::kAssignment, "alpha", 0)),
+  EXPECT_THROW(Explain(unplanned, About(QuestionKind::kAssignment, "alpha", 0)),
                kg_core::InputError);
 }
 

@@ -15,7 +15,7 @@ using kg_core::Agent;
 
 class RejectionExplainer {
  public:
-  RejectionExplainer(const PlannedWorld& world, const Rejection& rejection)
+  RejectionExplainer(const PlannedWorld& world, const RejectedPath& rejection)
       : world_(world),
         rejection_(rejection),
         conflict_(rejection.conflict),
@@ -57,15 +57,17 @@ class RejectionExplainer {
  private:
   std::string Instead() const {
     const Pathlet* got = FindPath(world_, rejection_.pathlet.agent);
-    if (got == nullptr) return " It got no path in its place.";
-    return " What it got in its place is worth " +
-           Signed(got->score() - rejection_.pathlet.score()) + " beside it.";
+    if (got == nullptr) return " It has no other path.";
+    return " The path it has instead is worth " +
+           Signed(got->score() - rejection_.pathlet.score()) +
+           " compared with it.";
   }
 
   Facts Winner() const {
     const std::string run = world_.run_iri;
-    if (run.empty() || conflict_.window < 0 || conflict_.with_agent.empty())
+    if (run.empty() || conflict_.window < 0 || conflict_.with_agent.empty()) {
       return {};
+    }
     const Agent& agent = FindAgent(world_, conflict_.with_agent);
     return facts_.Quote(
         {run + "/" + agent.id + "/w" + std::to_string(conflict_.window),
@@ -134,7 +136,7 @@ class RejectionExplainer {
   }
 
   const PlannedWorld& world_;
-  const Rejection& rejection_;
+  const RejectedPath& rejection_;
   const Conflict& conflict_;
   kg_compiler::CitedFacts facts_;
   Explanation explanation_;

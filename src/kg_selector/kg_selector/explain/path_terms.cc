@@ -23,15 +23,17 @@ using kg_compiler::Short;
 // "waypoint 3", "waypoints 1, 3".
 std::string StopNames(const std::vector<int>& stops) {
   std::string names;
-  for (const int stop : stops)
+  for (const int stop : stops) {
     names += (names.empty() ? "" : ", ") + std::to_string(stop);
+  }
   return (stops.size() == 1 ? "waypoint " : "waypoints ") + names;
 }
 
 std::string EventNames(const Visit& visit) {
   std::string names;
-  for (const std::string& event : visit.events)
+  for (const std::string& event : visit.events) {
     names += (names.empty() ? "" : ", ") + kg_core::AbbreviateIri(event);
+  }
   return names;
 }
 
@@ -68,9 +70,11 @@ const std::vector<const char*>& PolicyProperties(TermKind kind) {
 
 Facts EventFacts(const PlannedWorld& world, const PathTerm& term) {
   Facts facts;
-  for (const kg_core::Event& event : world.compilation->mission.events)
-    if (term.where.find(kg_core::AbbreviateIri(event.iri)) != std::string::npos)
+  for (const kg_core::Event& event : world.compilation->mission.events) {
+    if (std::count(term.events.begin(), term.events.end(), event.iri) > 0) {
       facts = std::move(facts) + world.facts().Event(event.iri);
+    }
+  }
   return facts;
 }
 
@@ -89,7 +93,7 @@ Facts MotionFacts(const PlannedWorld& world, const kg_core::Agent& agent,
       world.facts());
 }
 
-bool SamePath(const Pathlet& a, const Pathlet& b) {
+bool SameStops(const Pathlet& a, const Pathlet& b) {
   return std::equal(a.visits.begin(), a.visits.end(), b.visits.begin(),
                     b.visits.end(), [](const Visit& x, const Visit& y) {
                       return x.window == y.window && StopsOf(x) == StopsOf(y);
@@ -105,19 +109,21 @@ const char* Name(TermKind kind) {
   return names[static_cast<int>(kind)];
 }
 
-std::vector<PathTerm> TermsOf(const PlannedWorld& world,
-                              const TeamMember& member,
-                              const Pathlet& pathlet) {
+std::vector<PathTerm> ListTerms(const PlannedWorld& world,
+                                const TeamMember& member,
+                                const Pathlet& pathlet) {
   std::vector<PathTerm> terms;
   for (std::size_t s = 0; s < pathlet.visits.size(); ++s) {
     const Visit& visit = pathlet.visits[s];
     const std::vector<int> stops = StopsOf(visit);
+    // What the waypoints visited are worth; the rest of the reward is events.
     double score = 0.0;
-    for (const int stop : stops)
+    for (const int stop : stops) {
       score += member.graphs[s].waypoints.at(stop).score;
+    }
     terms.push_back({visit.window, TermKind::kValue, score, StopNames(stops)});
     terms.push_back({visit.window, TermKind::kEvents, visit.reward - score,
-                     EventNames(visit)});
+                     EventNames(visit), visit.events});
     AddSeam(member, s, EdgeTaken(member, pathlet, s), &terms);
     terms.push_back({visit.window, TermKind::kChurn,
                      -ChurnCost(member.rules, visit.window, visit.position),
@@ -125,8 +131,9 @@ std::vector<PathTerm> TermsOf(const PlannedWorld& world,
   }
   const double penalty =
       SoftPenalty(world.rules, CommittedBefore(world, pathlet.agent), pathlet);
-  if (penalty != 0.0)
+  if (penalty != 0.0) {
     terms.push_back({-1, TermKind::kSeparation, -penalty, ""});
+  }
   return terms;
 }
 
@@ -140,10 +147,12 @@ Facts TermFacts(const PlannedWorld& world, const kg_core::Agent& agent,
                 const PathTerm& term) {
   const kg_compiler::CitedFacts facts = world.facts();
   const Facts policy = facts.Policy(agent, PolicyProperties(term.kind));
-  if (term.kind == TermKind::kSeparation)
+  if (term.kind == TermKind::kSeparation) {
     return facts.Quote({world.compilation->mission.iri,
                         {"ex:minimumSeparationKm", "ex:separationIsHard",
                          "ex:separationWeight"}});
+  }
+  // Every other term belongs to a window, whose confidence weighs it.
   const Facts window =
       facts.Window(world.compilation->mission.windows.at(term.window),
                    {"ex:index", "ex:confidence"});
@@ -177,7 +186,7 @@ std::vector<Contribution> PathContributions(const PlannedWorld& world,
                                             const Pathlet& pathlet) {
   const kg_core::Agent& agent = FindAgent(world, pathlet.agent);
   std::vector<Contribution> parts;
-  for (const PathTerm& term : TermsOf(world, member, pathlet)) {
+  for (const PathTerm& term : ListTerms(world, member, pathlet)) {
     if (term.value == 0.0) continue;
     parts.push_back({term.value, Name(term.kind), TermFacts(world, agent, term),
                      Describe(term)});
@@ -188,8 +197,8 @@ std::vector<Contribution> PathContributions(const PlannedWorld& world,
 Explanation Difference(const PlannedWorld& world, const TeamMember& member,
                        const Pathlet& chosen, const Pathlet& other) {
   const kg_core::Agent& agent = FindAgent(world, chosen.agent);
-  std::vector<PathTerm> ours = TermsOf(world, member, chosen);
-  std::vector<PathTerm> theirs = TermsOf(world, member, other);
+  std::vector<PathTerm> ours = ListTerms(world, member, chosen);
+  std::vector<PathTerm> theirs = ListTerms(world, member, other);
   Explanation explanation;
   explanation.unit = "reward";
   explanation.value = Sum(ours) - Sum(theirs);
@@ -211,6 +220,7 @@ Explanation Difference(const PlannedWorld& world, const TeamMember& member,
     add(a, b == theirs.end() ? nullptr : &*b);
     if (b != theirs.end()) theirs.erase(b);
   }
+  // What is left has no counterpart among ours.
   for (PathTerm rest : theirs) {  // A soft separation only the other breaks.
     const PathTerm theirs_alone = rest;
     rest.value = 0.0;
@@ -225,26 +235,29 @@ FoundPath FindBest(const PlannedWorld& world, const TeamMember& member,
       CommittedBefore(world, member.rules.agent_iri);
   const kg_compiler::SeamRules open =
       CloseEvents(member.rules, FullEvents(world.rules, before));
-  kg_planner::Masks masks = MaskCommitted(world.rules, member.graphs, before);
+  kg_planner::PathMasks masks =
+      MaskCommitted(world.rules, member.graphs, before);
   masks.nodes.insert(masks.nodes.end(), search.masks.nodes.begin(),
                      search.masks.nodes.end());
   masks.seams.insert(masks.seams.end(), search.masks.seams.begin(),
                      search.masks.seams.end());
   kg_planner::KBestOptions options;
+  // Two paths, as one may be excluded; with soft separation all candidates,
+  // since the penalty can change which is best.
   options.paths =
       std::max(world.rules.separation_is_hard ? 2 : open.candidates, 2);
   const kg_planner::KBest best =
       kg_planner::FindKBest(ToTrellis(open, member.graphs), masks, options);
   FoundPath found;
   found.proven = best.proven;
-  double most = 0.0;
+  double max_value = 0.0;
   for (const kg_planner::Path& path : best.paths) {
     Pathlet pathlet = ToPathlet(open, member.graphs, path, 0);
-    if (search.except && SamePath(pathlet, *search.except)) continue;
+    if (search.except && SameStops(pathlet, *search.except)) continue;
     const double value =
         pathlet.score() - SoftPenalty(world.rules, before, pathlet);
-    if (found.pathlet && !(value > most)) continue;
-    most = value;
+    if (found.pathlet && !(value > max_value)) continue;
+    max_value = value;
     found.pathlet = std::move(pathlet);
   }
   return found;

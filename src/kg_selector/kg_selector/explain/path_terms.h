@@ -34,12 +34,14 @@ struct PathTerm {
   int window = -1;
   TermKind kind = TermKind::kValue;
   double value = 0.0;  // Costs are negative.
-  std::string where;   // The waypoints, or the events' names.
+  std::string where;   // For a person: the waypoints, or the events' names.
+  std::vector<std::string> events = {};  // kEvents: the IRIs of those earned.
 };
 
 // In order of windows and kinds, all kinds of each window.
-std::vector<PathTerm> TermsOf(const PlannedWorld& world,
-                              const TeamMember& member, const Pathlet& pathlet);
+std::vector<PathTerm> ListTerms(const PlannedWorld& world,
+                                const TeamMember& member,
+                                const Pathlet& pathlet);
 double Sum(const std::vector<PathTerm>& terms);
 
 // The facts that a term goes back to.
@@ -60,7 +62,7 @@ kg_compiler::Explanation Difference(const PlannedWorld& world,
 // With soft separation: the best of its K best, penalties counted. `except`:
 // not this one.
 struct PathSearch {
-  kg_planner::Masks masks;
+  kg_planner::PathMasks masks;
   const Pathlet* except = nullptr;
 };
 struct FoundPath {

@@ -12,15 +12,17 @@ using kg_core::InputError;
 
 void NameAgentsByIri(PlannedWorld* world) {
   const auto rename = [&](std::string* agent) {
-    for (const kg_core::Agent& known : world->compilation->mission.agents)
+    for (const kg_core::Agent& known : world->compilation->mission.agents) {
       if (*agent == known.id) *agent = known.iri;
+    }
   };
   for (TeamMember& member : world->members) rename(&member.rules.agent_iri);
   for (Pathlet& pathlet : world->plan.committed) rename(&pathlet.agent);
-  for (Rejection& rejection : world->plan.rejections) {
+  for (RejectedPath& rejection : world->plan.rejections) {
     rename(&rejection.pathlet.agent);
     rename(&rejection.conflict.with_agent);
   }
+  // Keys of a map cannot change in place.
   std::map<std::string, std::string> unassigned;
   for (const auto& [agent, why] : world->plan.unassigned) {
     std::string name = agent;
@@ -42,8 +44,9 @@ const kg_core::Agent& FindAgent(const PlannedWorld& world,
   std::string known;
   for (const kg_core::Agent& agent : world.compilation->mission.agents) {
     if (name == agent.id || name == agent.iri ||
-        name == kg_core::AbbreviateIri(agent.iri))
+        name == kg_core::AbbreviateIri(agent.iri)) {
       return agent;
+    }
     known += (known.empty() ? "" : ", ") + agent.id;
   }
   throw InputError("agent '" + name + "' is not known; there are " + known);
@@ -54,21 +57,22 @@ const TeamMember& FindMember(const PlannedWorld& world,
   for (const TeamMember& member : world.members) {
     if (member.rules.agent_iri != agent.iri) continue;
     if (member.graphs.size() == member.rules.windows.size()) return member;
-    throw InputError("of the waypoint graphs of " + agent.id + " only " +
-                     std::to_string(member.graphs.size()) + " of " +
+    throw InputError("only " + std::to_string(member.graphs.size()) + " of " +
                      std::to_string(member.rules.windows.size()) +
-                     " have come yet");
+                     " waypoint graphs of " + agent.id + " have been received");
   }
-  throw InputError("no waypoint graphs of " + agent.id + " are here");
+  throw InputError("no waypoint graphs of " + agent.id + " have been received");
 }
 
 std::size_t FindStage(const TeamMember& member, int window) {
-  for (std::size_t s = 0; s < member.graphs.size(); ++s)
+  for (std::size_t s = 0; s < member.graphs.size(); ++s) {
     if (member.graphs[s].window == window) return s;
+  }
   const std::string who =
       "window " + std::to_string(window) + " of " + member.rules.agent_id;
-  if (member.graphs.empty())
-    throw InputError(who + ": no waypoint graphs are here");
+  if (member.graphs.empty()) {
+    throw InputError(who + ": no waypoint graphs have been received");
+  }
   throw InputError(who + " is not planned: the windows are " +
                    std::to_string(member.graphs.front().window) + " to " +
                    std::to_string(member.graphs.back().window));
@@ -76,8 +80,9 @@ std::size_t FindStage(const TeamMember& member, int window) {
 
 const Pathlet* FindPath(const PlannedWorld& world,
                         const std::string& agent_iri) {
-  for (const Pathlet& pathlet : world.plan.committed)
+  for (const Pathlet& pathlet : world.plan.committed) {
     if (pathlet.agent == agent_iri) return &pathlet;
+  }
   return nullptr;
 }
 
@@ -107,7 +112,7 @@ const kg_compiler::TraverseEdge& EdgeTaken(const TeamMember& member,
   const int from = stage == 0 ? 0 : pathlet.visits[stage - 1].waypoint;
   const Visit& visit = pathlet.visits[stage];
   const auto* edge = kg_compiler::FindEdge(member.graphs[stage], from,
-                                           visit.waypoint, ViaOf(visit));
+                                           visit.waypoint, WaypointsVia(visit));
   if (edge) return *edge;
   throw std::logic_error("a path takes an edge that its graph does not have");
 }

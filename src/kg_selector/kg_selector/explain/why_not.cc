@@ -6,7 +6,7 @@
 
 #include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/base/input_error.h"
-#include "kg_selector/explain/way_round.h"
+#include "kg_selector/explain/explain_via.h"
 #include "kg_selector/explain/why_not_place.h"
 
 namespace kg_selector {
@@ -24,14 +24,16 @@ Explanation WhyNotWaypoint(const PlannedWorld& world, const Agent& agent,
   const std::size_t count = member.graphs[stage].waypoints.size();
   const std::string name = "waypoint " + std::to_string(waypoint.id) + " of " +
                            "window " + std::to_string(waypoint.window);
-  if (waypoint.id < 0 || waypoint.id >= static_cast<int>(count))
+  if (waypoint.id < 0 || waypoint.id >= static_cast<int>(count)) {
     throw InputError(agent.id + " has no " + name + ": there are " +
                      std::to_string(count) + ", numbered from 0");
+  }
   const Visit& visit = NeedPath(world, agent).visits.at(stage);
   const std::vector<int> stops = StopsOf(visit);
-  if (std::count(stops.begin(), stops.end(), waypoint.id) > 0)
+  if (std::count(stops.begin(), stops.end(), waypoint.id) > 0) {
     return ExplainTaken(world, agent, visit, name);
-  return ExplainWayRound(world, agent, {stage, {waypoint.id}, name});
+  }
+  return ExplainPathVia(world, agent, {stage, {waypoint.id}, name});
 }
 
 Explanation WhyNotPlace(const PlannedWorld& world, const Agent& agent,
@@ -44,8 +46,9 @@ Explanation WhyNotPlace(const PlannedWorld& world, const Agent& agent,
   const auto cell = tensor.grid.CellAt(place);
   for (const Waypoint& waypoint : member.graphs[stage].waypoints) {
     const auto other = tensor.grid.CellAt(waypoint.position);
-    if (cell && other && *cell == *other)
+    if (cell && other && *cell == *other) {
       return WhyNotWaypoint(world, agent, {window, waypoint.id});
+    }
   }
   return NoWaypointThere(world, agent, place, stage);
 }

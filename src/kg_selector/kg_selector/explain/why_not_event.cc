@@ -5,9 +5,9 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/units.h"
-#include "kg_core/facts/literals.h"
+#include "kg_core/mission/literals.h"
 #include "kg_core/rdf/namespaces.h"
-#include "kg_selector/explain/way_round.h"
+#include "kg_selector/explain/explain_via.h"
 #include "kg_selector/explain/why_not.h"
 #include "kg_selector/explain/why_not_place.h"
 
@@ -23,7 +23,7 @@ using kg_core::Agent;
 using kg_core::Event;
 using kg_core::InputError;
 
-std::string EventWindowName(int window) {
+std::string WindowName(int window) {
   return "window " + std::to_string(window);
 }
 
@@ -43,9 +43,11 @@ class EventQuestion {
         facts_(world.facts()) {}
 
   Explanation Explain(int window) const {
-    for (const Visit& visit : NeedPath(world_, agent_).visits)
-      if (Names(visit.events))
+    for (const Visit& visit : NeedPath(world_, agent_).visits) {
+      if (Names(visit.events)) {
         return ExplainTaken(world_, agent_, visit, name_);
+      }
+    }
     if (HasVisited()) return Visited();
     if (window >= 0) {
       const std::size_t stage = FindStage(member_, window);
@@ -97,15 +99,18 @@ class EventQuestion {
   };
   std::vector<Holder> Holders() const {
     std::vector<Holder> holders;
-    for (const std::string& agent : PastVisitors())
+    for (const std::string& agent : PastVisitors()) {
       holders.push_back({agent, facts_.Quote({agent, {"ex:id"}}),
                          "in a window that is over"});
-    for (const Pathlet& other : CommittedBefore(world_, agent_.iri))
-      for (const Visit& visit : other.visits)
-        if (Names(visit.events)) holders.push_back(HolderOf(other, visit));
+    }
+    for (const Pathlet& other : CommittedBefore(world_, agent_.iri)) {
+      for (const Visit& visit : other.visits) {
+        if (Names(visit.events)) holders.push_back(ToHolder(other, visit));
+      }
+    }
     return holders;
   }
-  Holder HolderOf(const Pathlet& other, const Visit& visit) const {
+  Holder ToHolder(const Pathlet& other, const Visit& visit) const {
     const std::string assignment = world_.run_iri + "/" +
                                    FindAgent(world_, other.agent).id + "/w" +
                                    std::to_string(visit.window);
@@ -113,8 +118,7 @@ class EventQuestion {
                       ? Facts()
                       : facts_.QuoteTriple(assignment, "ex:visits", event_.iri);
     if (facts.empty()) facts = facts_.Quote({other.agent, {"ex:id"}});
-    return {other.agent, std::move(facts),
-            "in " + EventWindowName(visit.window)};
+    return {other.agent, std::move(facts), "in " + WindowName(visit.window)};
   }
 
   bool IsFull() const {
@@ -132,6 +136,7 @@ class EventQuestion {
           {-1.0, "- " + name, holder.facts, name + " has it, " + holder.when});
       names += (names.empty() ? "" : ", ") + name + " " + holder.when;
     }
+    // With the agent itself one too many: the margin is negative.
     explanation.parts.push_back({-1.0, "- itself",
                                  facts_.Quote({agent_.iri, {"ex:id"}}),
                                  agent_.id + " would be one more"});
@@ -154,8 +159,9 @@ class EventQuestion {
     if (stated) {
       if (const auto time_s = kg_core::UnixSeconds(*stated)) return *time_s;
       const auto duration_s = kg_core::DurationSeconds(*stated);
-      if (duration_s)
+      if (duration_s) {
         return Window(event_.windows.front()).begin_s + *duration_s;
+      }
     }
     return Window(event_.windows.back()).end_s;
   }
@@ -168,19 +174,19 @@ class EventQuestion {
     const Facts when =
         facts_.Window(Window(window), {"ex:index", "time:hasBeginning"});
     if (event_.windows.empty()) return NoWindow();
+    // Either before the first window of the event, or after its expiry.
     const bool is_early = window < event_.windows.front();
     const double edge_s =
         is_early ? Window(event_.windows.front()).begin_s : Expiry_s();
     const double sign = is_early ? -1.0 : 1.0;
-    Explanation explanation =
-        Named(is_early ? "not_active" : "expired", "s",
-              EventWindowName(window) + " begins " +
-                  Hours(sign * (begin_s - edge_s)) +
-                  (is_early ? " before it does." : " after it has expired."));
+    Explanation explanation = Named(
+        is_early ? "not_active" : "expired", "s",
+        WindowName(window) + " begins " + Hours(sign * (begin_s - edge_s)) +
+            (is_early ? " before it does." : " after it has expired."));
     explanation.value = sign * (begin_s - edge_s);
     explanation.parts = {
         {sign * (begin_s - zero_s), "begin of the window", when,
-         EventWindowName(window) + " begins " + Hours(begin_s - zero_s) +
+         WindowName(window) + " begins " + Hours(begin_s - zero_s) +
              " into the mission"},
         {-sign * (edge_s - zero_s),
          is_early ? "- begin of the event" : "- expiry", facts,
@@ -200,31 +206,35 @@ class EventQuestion {
   // Paths ---------------------------------------------------------------------
 
   Explanation InStage(std::size_t stage) const {
-    ByWayOf by;
+    ViaWaypoints by;
     by.stage = stage;
-    by.name = name_ + " in " + EventWindowName(member_.graphs[stage].window);
-    for (const Waypoint& waypoint : member_.graphs[stage].waypoints)
+    by.name = name_ + " in " + WindowName(member_.graphs[stage].window);
+    for (const Waypoint& waypoint : member_.graphs[stage].waypoints) {
       if (Names(waypoint.events)) by.waypoints.insert(waypoint.id);
+    }
     return by.waypoints.empty()
                ? NoWaypointThere(world_, agent_, event_.position, stage)
-               : ExplainWayRound(world_, agent_, by);
+               : ExplainPathVia(world_, agent_, by);
   }
 
   // What misses least, if a path is possible in any window.
   Explanation InAnyWindow() const {
     std::vector<Explanation> all;
-    for (std::size_t s = 0; s < member_.graphs.size(); ++s)
+    for (std::size_t s = 0; s < member_.graphs.size(); ++s) {
       if (IsActive(member_.graphs[s].window)) {
         if (IsFull()) return Full();
         all.push_back(InStage(s));
       }
-    if (all.empty())
+    }
+    // The event is in no window that is planned: before, or after.
+    if (all.empty()) {
       return event_.windows.empty()
                  ? NoWindow()
                  : NotActive(event_.windows.back() <
                                      member_.graphs.front().window
                                  ? member_.graphs.front().window
                                  : member_.graphs.back().window);
+    }
     const auto key = [](const Explanation& e) {
       return std::make_pair(e.verdict != "worth_less", e.value);
     };
@@ -245,19 +255,22 @@ class EventQuestion {
 }  // namespace
 
 const Event* FindEvent(const PlannedWorld& world, const std::string& name) {
-  for (const Event& event : world.compilation->mission.events)
+  for (const Event& event : world.compilation->mission.events) {
     if (event.iri == name || AbbreviateIri(event.iri) == name) return &event;
+  }
   return nullptr;
 }
 
 Explanation WhyNotEvent(const PlannedWorld& world, const Agent& agent,
                         const std::string& name, int window) {
   const Event* event = FindEvent(world, name);
-  if (event != nullptr)
+  if (event != nullptr) {
     return EventQuestion(world, agent, *event).Explain(window);
+  }
   std::string known;
-  for (const Event& one : world.compilation->mission.events)
+  for (const Event& one : world.compilation->mission.events) {
     known += (known.empty() ? "" : ", ") + AbbreviateIri(one.iri);
+  }
   throw InputError("event '" + name + "' is not known; there are " +
                    (known.empty() ? "none" : known));
 }

@@ -106,8 +106,9 @@ class NotSampled {
                              rules_.sensor_radius_m)
             .footprint;
     std::set<int> counted;
-    for (const Waypoint& waypoint : graph_.waypoints)
+    for (const Waypoint& waypoint : graph_.waypoints) {
       counted.insert(waypoint.footprint.begin(), waypoint.footprint.end());
+    }
     cells.erase(std::remove_if(cells.begin(), cells.end(),
                                [&](int i) { return counted.count(i) > 0; }),
                 cells.end());
@@ -115,28 +116,30 @@ class NotSampled {
   }
 
   Explanation LessResponse() const {
-    const Waypoint* least = &graph_.waypoints.front();
-    for (const Waypoint& waypoint : graph_.waypoints)
-      if (waypoint.score < least->score) least = &waypoint;
+    const Waypoint* min_value = &graph_.waypoints.front();
+    for (const Waypoint& waypoint : graph_.waypoints) {
+      if (waypoint.score < min_value->score) min_value = &waypoint;
+    }
     const auto inputs = kg_compiler::FindTensorInputs(*world_.compilation,
                                                       agent_, graph_.window);
     Explanation response =
         kg_compiler::TensorExplainer(inputs, facts_).ExplainSum(CellsLeft());
-    const double margin = least->score - response.value;
+    // Negative if the place would see more than the weakest waypoint.
+    const double margin = min_value->score - response.value;
     Explanation explanation = Named(
         "reward",
         "what the sensor would see there beside the other waypoints is worth " +
             Short(response.value) + ", the least of the " +
             std::to_string(graph_.waypoints.size()) + " waypoints " +
-            Short(least->score) + "." +
+            Short(min_value->score) + "." +
             (margin < 0.0
                  ? " It was passed over with a better place near it that "
                    "cannot be flown to, or where station cannot be held."
                  : ""));
     explanation.value = margin;
-    explanation.parts = {{least->score, "score of the last waypoint",
-                          WaypointFacts(*least),
-                          "waypoint " + std::to_string(least->id)}};
+    explanation.parts = {{min_value->score, "score of the last waypoint",
+                          WaypointFacts(*min_value),
+                          "waypoint " + std::to_string(min_value->id)}};
     for (auto part : response.parts) {
       part.value = -part.value;
       part.term = "- " + part.term;
@@ -153,11 +156,12 @@ class NotSampled {
   kg_compiler::CitedFacts facts_;
 };
 
-std::vector<LonLat> SourcesOf(const TeamMember& member, std::size_t stage) {
+std::vector<LonLat> StageSources(const TeamMember& member, std::size_t stage) {
   if (stage == 0) return {member.rules.start};
   std::vector<LonLat> sources;
-  for (const Waypoint& waypoint : member.graphs[stage - 1].waypoints)
+  for (const Waypoint& waypoint : member.graphs[stage - 1].waypoints) {
     sources.push_back(waypoint.position);
+  }
   return sources;
 }
 
@@ -172,7 +176,7 @@ Explanation NoWaypointThere(const PlannedWorld& world, const Agent& agent,
       kg_compiler::FindTensorInputs(*world.compilation, agent, graph.window);
   question.seam = kg_compiler::FindSeamContext(*world.compilation, agent,
                                                member.rules, graph.window);
-  question.sources = SourcesOf(member, stage);
+  question.sources = StageSources(member, stage);
   question.place = place;
   const kg_compiler::CitedFacts facts = world.facts();
   auto blocked = kg_compiler::WhyUnreachable(question, facts);

@@ -10,11 +10,11 @@
 namespace kg_selector {
 namespace {
 
-using kg_planner::Orienteering;
+using kg_planner::OrienteeringProblem;
 using kg_planner::Tour;
 using kg_planner::TourSearch;
 
-constexpr std::size_t kSteps = 50;  // Between looks at the clock.
+constexpr std::size_t kSteps = 50;  // Between readings of the clock.
 constexpr std::size_t kMaxLabels = 20000;
 
 double ThreadNow_s() {
@@ -23,38 +23,8 @@ double ThreadNow_s() {
   return static_cast<double>(now.tv_sec) + 1e-9 * now.tv_nsec;
 }
 
-TeamTours PlanToursGreedily(const Orienteering& problem,
-                            const TeamTourOptions& options) {
-  const TimeBudget budget(options.seconds);
-  TeamTours team;
-  std::vector<double> rewards = problem.rewards;
-  for (int agent = 0; agent < problem.tours; ++agent) {
-    const Orienteering alone = AloneWith(problem, rewards);
-    TourSearch search(alone, options.seed);
-    Cooling cooling;
-    cooling.until_s = budget.seconds() * (agent + 1) / problem.tours;
-    RunCooled(budget, cooling, AllRewards(alone), &search);
-    team.tours.push_back(search.best()[0]);
-    for (int point : team.tours.back().points) rewards[point] = 0.0;
-  }
-  return team;
-}
-
-TeamTours Plan(const Orienteering& problem, const TeamTourOptions& options) {
-  switch (options.mode) {
-    case TeamMode::kGreedy:
-      return PlanToursGreedily(problem, options);
-    case TeamMode::kAuction:
-      return PlanToursByAuction(problem, options);
-    case TeamMode::kPriced:
-      return PlanToursByPrices(problem, options);
-    case TeamMode::kExact:
-      return PlanToursExactly(problem, options);
-  }
-  throw std::logic_error("a team mode without a plan");
-}
-
-double ValueOf(const Orienteering& problem, const std::vector<Tour>& tours) {
+double TotalReward(const OrienteeringProblem& problem,
+                   const std::vector<Tour>& tours) {
   double value = 0.0;
   for (const Tour& tour : tours) {
     for (int point : tour.points) value += problem.rewards[point];
@@ -64,20 +34,12 @@ double ValueOf(const Orienteering& problem, const std::vector<Tour>& tours) {
 
 }  // namespace
 
-std::optional<TeamMode> TeamModeOf(const std::string& name) {
-  if (name == "greedy") return TeamMode::kGreedy;
-  if (name == "auction") return TeamMode::kAuction;
-  if (name == "priced") return TeamMode::kPriced;
-  if (name == "exact") return TeamMode::kExact;
-  return std::nullopt;
-}
-
 TimeBudget::TimeBudget(double seconds)
     : seconds_(seconds), begin_s_(ThreadNow_s()) {}
 
 double TimeBudget::spent_s() const { return ThreadNow_s() - begin_s_; }
 
-double AllRewards(const Orienteering& problem) {
+double AllRewards(const OrienteeringProblem& problem) {
   const int last = problem.size() - 1;
   double sum = 0.0;
   for (int p = 1; p < last; ++p) {
@@ -87,7 +49,7 @@ double AllRewards(const Orienteering& problem) {
   return sum;
 }
 
-void RunCooled(const TimeBudget& budget, const Cooling& cooling,
+void RunCooled(const TimeBudget& budget, const CoolingSchedule& cooling,
                double all_rewards, TourSearch* search) {
   const double begin_s = budget.spent_s();
   const double span_s = cooling.until_s - begin_s;
@@ -100,16 +62,16 @@ void RunCooled(const TimeBudget& budget, const Cooling& cooling,
   }
 }
 
-Orienteering AloneWith(const Orienteering& problem,
-                       std::vector<double> rewards) {
-  Orienteering alone = problem;
+OrienteeringProblem AloneWith(const OrienteeringProblem& problem,
+                              std::vector<double> rewards) {
+  OrienteeringProblem alone = problem;
   alone.rewards = std::move(rewards);
   alone.tours = 1;
   return alone;
 }
 
-double BoundAt(const Orienteering& problem, const std::vector<double>& prices,
-               const Tour& known) {
+double BoundAt(const OrienteeringProblem& problem,
+               const std::vector<double>& prices, const Tour& known) {
   std::vector<double> rewards = problem.rewards;
   double sum = 0.0;
   for (std::size_t p = 0; p < rewards.size(); ++p) {
@@ -123,15 +85,32 @@ double BoundAt(const Orienteering& problem, const std::vector<double>& prices,
   return problem.tours * best->tour.reward + sum;
 }
 
-TeamTours PlanTours(const Orienteering& problem,
+TeamTours PlanToursGreedily(const OrienteeringProblem& problem,
+                            const TeamTourOptions& options) {
+  const TimeBudget budget(options.seconds);
+  TeamTours team;
+  std::vector<double> rewards = problem.rewards;
+  for (int agent = 0; agent < problem.tours; ++agent) {
+    const OrienteeringProblem alone = AloneWith(problem, rewards);
+    TourSearch search(alone, options.seed);
+    CoolingSchedule cooling;
+    cooling.until_s = budget.seconds() * (agent + 1) / problem.tours;
+    RunCooled(budget, cooling, AllRewards(alone), &search);
+    team.tours.push_back(search.best()[0]);
+    for (int point : team.tours.back().points) rewards[point] = 0.0;
+  }
+  return team;
+}
+
+TeamTours PlanTours(const OrienteeringProblem& problem,
                     const TeamTourOptions& options) {
   kg_planner::Check(problem);
   if (!(options.seconds >= 0.0 && std::isfinite(options.seconds))) {
     throw std::invalid_argument("seconds: not finite and >= 0");
   }
   if (!kg_planner::IsPossible(problem)) return {{}, 0.0, 0.0};
-  TeamTours team = Plan(problem, options);
-  team.value = ValueOf(problem, team.tours);
+  TeamTours team = options.planner(problem, options);
+  team.value = TotalReward(problem, team.tours);
   // Rounding aside, nothing is above its bound.
   const double bound = std::min(team.bound, AllRewards(problem));
   const bool known = std::isfinite(team.bound) || team.value >= bound - 1e-9;
@@ -140,7 +119,8 @@ TeamTours PlanTours(const Orienteering& problem,
   return team;
 }
 
-std::string FaultOf(const Orienteering& problem, const TeamTours& team) {
+std::string FindFault(const OrienteeringProblem& problem,
+                      const TeamTours& team) {
   if (static_cast<int>(team.tours.size()) > problem.tours) {
     return "more tours than agents";
   }
@@ -150,6 +130,7 @@ std::string FaultOf(const Orienteering& problem, const TeamTours& team) {
     double length = 0.0;
     int at = 0;
     for (int point : tour.points) {
+      // Start and end are no points to visit.
       const std::string name = "point " + std::to_string(point);
       if (point <= 0 || point + 1 >= problem.size()) return name + ": none";
       if (!seen.insert(point).second) return name + ": visited twice";
@@ -163,6 +144,7 @@ std::string FaultOf(const Orienteering& problem, const TeamTours& team) {
              " above the limit of " + std::to_string(problem.limit);
     }
   }
+  // Sums in another order may differ by rounding.
   if (!(std::abs(value - team.value) <= 1e-9 * (1.0 + value))) {
     return "a value that is not that of its tours";
   }

@@ -2,14 +2,14 @@
 // all with the same start, end and limit, each point an event of capacity 1.
 // The planner (kg_planner) makes tours, here they are coordinated.
 //
-//   kGreedy   the best tour alone, its points masked, the next agent
-//   kAuction  who is outbid plans again; to take a point from another raises
+//   greedy    the best tour alone, its points masked, the next agent
+//   auction   who is outbid plans again; to take a point from another raises
 //             its price by epsilon, until nobody wants to change [1]; then what
 //             nobody holds is free again, as long as that pays; last, each
 //             plans around the others without prices
-//   kPriced   prices are broadcast, all plan under them, and they rise where
+//   priced    prices are broadcast, all plan under them, and they rise where
 //             more than one agent goes and fall where none does [2]
-//   kExact    a pool of tours from a search over all tours together and from
+//   exact     a pool of tours from a search over all tours together and from
 //             planning under the prices of the pool's rows; of the pool the
 //             best choice by packing.h; the search goes on from it
 //
@@ -17,9 +17,8 @@
 // than  agents v(p) + sum of p: a bound wherever v(p) is known exactly.
 //
 // [1] D. P. Bertsekas, "Auction algorithms for network flow problems: A
-// tutorial
-//     introduction", Computational Optimization and Applications 1 (1992),
-//     7-66.
+//     tutorial introduction", Computational Optimization and Applications 1
+//     (1992), 7-66.
 // [2] M. L. Fisher, "The Lagrangian Relaxation Method for Solving Integer
 //     Programming Problems", Management Science 27 (1981), 1-18.
 
@@ -27,7 +26,6 @@
 #define KG_SELECTOR_ORIENTEERING_TEAM_ORIENTEERING_H_
 
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,11 +34,24 @@
 
 namespace kg_selector {
 
-enum class TeamMode { kGreedy, kAuction, kPriced, kExact };
-std::optional<TeamMode> TeamModeOf(const std::string& name);
+struct TeamTourOptions;
+struct TeamTours;
+// Makes the tours of one team mode (team_modes.h).
+using TourPlanner =
+    TeamTours (*)(const kg_planner::OrienteeringProblem& problem,
+                  const TeamTourOptions& options);
+
+TeamTours PlanToursGreedily(const kg_planner::OrienteeringProblem& problem,
+                            const TeamTourOptions& options);
+TeamTours PlanToursByAuction(const kg_planner::OrienteeringProblem& problem,
+                             const TeamTourOptions& options);
+TeamTours PlanToursByPrices(const kg_planner::OrienteeringProblem& problem,
+                            const TeamTourOptions& options);
+TeamTours PlanToursExactly(const kg_planner::OrienteeringProblem& problem,
+                           const TeamTourOptions& options);
 
 struct TeamTourOptions {
-  TeamMode mode = TeamMode::kExact;
+  TourPlanner planner = PlanToursExactly;
   // Of this thread's processor, CBC's part included.
   double seconds = 0.5;
   unsigned seed = 1;
@@ -55,13 +66,13 @@ struct TeamTours {
 
 // Throws std::invalid_argument as kg_planner::Check() does, and if seconds are
 // not finite and >= 0.
-TeamTours PlanTours(const kg_planner::Orienteering& problem,
+TeamTours PlanTours(const kg_planner::OrienteeringProblem& problem,
                     const TeamTourOptions& options);
 
 // What is wrong with these tours: too many, too long, a point twice or not
 // there, a value that is not theirs. Reads nothing but the problem. "" = none.
-std::string FaultOf(const kg_planner::Orienteering& problem,
-                    const TeamTours& team);
+std::string FindFault(const kg_planner::OrienteeringProblem& problem,
+                      const TeamTours& team);
 
 // ---- parts, by mode in files of their own
 
@@ -79,33 +90,27 @@ class TimeBudget {
 };
 
 // What all points that can be visited are worth together.
-double AllRewards(const kg_planner::Orienteering& problem);
+double AllRewards(const kg_planner::OrienteeringProblem& problem);
 
 // Runs the search until `until_s` of the budget, the tolerance falling from
 // `hot` to `cold` (shares of the reward); less if all there is was found.
-struct Cooling {
+struct CoolingSchedule {
   double until_s = 0.0;
   double hot = 0.04;
   double cold = 0.004;
 };
-void RunCooled(const TimeBudget& budget, const Cooling& cooling,
+void RunCooled(const TimeBudget& budget, const CoolingSchedule& cooling,
                double all_rewards, kg_planner::TourSearch* search);
 
 // The problem of one agent, with these rewards.
-kg_planner::Orienteering AloneWith(const kg_planner::Orienteering& problem,
-                                   std::vector<double> rewards);
+kg_planner::OrienteeringProblem AloneWith(
+    const kg_planner::OrienteeringProblem& problem,
+    std::vector<double> rewards);
 
 // The bound at these prices, infinite if the best tour is not proven.
-double BoundAt(const kg_planner::Orienteering& problem,
+double BoundAt(const kg_planner::OrienteeringProblem& problem,
                const std::vector<double>& prices,
                const kg_planner::Tour& known);
-
-TeamTours PlanToursByAuction(const kg_planner::Orienteering& problem,
-                             const TeamTourOptions& options);
-TeamTours PlanToursByPrices(const kg_planner::Orienteering& problem,
-                            const TeamTourOptions& options);
-TeamTours PlanToursExactly(const kg_planner::Orienteering& problem,
-                           const TeamTourOptions& options);
 
 }  // namespace kg_selector
 

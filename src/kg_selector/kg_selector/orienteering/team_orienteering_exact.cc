@@ -11,13 +11,13 @@
 namespace kg_selector {
 namespace {
 
-using kg_planner::Orienteering;
+using kg_planner::OrienteeringProblem;
 using kg_planner::PooledTour;
 using kg_planner::Tour;
 using kg_planner::TourSearch;
 
-constexpr std::size_t kColumns = 300;        // Of the search over all tours,
-constexpr std::size_t kPricedColumns = 100;  // and of planning under prices.
+constexpr std::size_t kColumns = 300;        // From the search over all tours,
+constexpr std::size_t kPricedColumns = 100;  // and from planning under prices.
 
 // Shares of a round's time, each the end of its part.
 constexpr double kSearched = 0.80;
@@ -25,9 +25,10 @@ constexpr double kPriced = 0.86;
 constexpr double kPacked = 0.92;
 constexpr double kRound_s = 1.0;  // About what a round takes.
 
-class Team {
+class ExactTourTeam {
  public:
-  Team(const Orienteering& problem, const TeamTourOptions& options)
+  ExactTourTeam(const OrienteeringProblem& problem,
+                const TeamTourOptions& options)
       : problem_(problem),
         options_(options),
         budget_(options.seconds),
@@ -90,7 +91,7 @@ class Team {
     for (std::size_t p = 0; p < rewards.size(); ++p) {
       rewards[p] -= prices.rows[p];
     }
-    const Orienteering alone = AloneWith(problem_, rewards);
+    const OrienteeringProblem alone = AloneWith(problem_, rewards);
     TourSearch search(alone, options_.seed);
     RunCooled(budget_, {until_s}, AllRewards(alone), &search);
     for (const PooledTour& pooled : search.pool(kPricedColumns)) {
@@ -115,7 +116,7 @@ class Team {
     return chosen;
   }
 
-  const Orienteering& problem_;
+  const OrienteeringProblem& problem_;
   const TeamTourOptions& options_;
   const TimeBudget budget_;
   const double all_;
@@ -126,9 +127,9 @@ class Team {
 
 }  // namespace
 
-TeamTours PlanToursExactly(const Orienteering& problem,
+TeamTours PlanToursExactly(const OrienteeringProblem& problem,
                            const TeamTourOptions& options) {
-  return Team(problem, options).Plan();
+  return ExactTourTeam(problem, options).Plan();
 }
 
 }  // namespace kg_selector

@@ -13,32 +13,33 @@
 namespace kg_selector {
 namespace {
 
-using kg_planner::Orienteering;
+using kg_planner::OrienteeringProblem;
 using kg_planner::Tour;
 using kg_planner::TourSearch;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = 0.1;  // Least raise, of the mean reward.
 constexpr int kChunks = 6;        // Of steps, for one agent's tour.
-constexpr std::size_t kChunkSteps = 40;
-constexpr double kBounding = 0.15;  // Of the time, kept for the bound.
-constexpr int kPatience = 8;        // Rounds before a smaller step.
+constexpr std::size_t kSteps = 40;
+constexpr double kBoundShare = 0.15;  // Share of the time kept for the bound.
+constexpr int kMaxFailedRounds = 8;   // Rounds before a smaller step.
 
 double Sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 // One agent's planner: its best tour for these rewards, from what it has.
-Tour PlanAlone(const Orienteering& problem, const std::vector<double>& rewards,
-               const Tour& from, unsigned seed) {
-  const Orienteering alone = AloneWith(problem, rewards);
+Tour PlanAlone(const OrienteeringProblem& problem,
+               const std::vector<double>& rewards, const Tour& from,
+               unsigned seed) {
+  const OrienteeringProblem alone = AloneWith(problem, rewards);
   TourSearch search(alone, seed);
   if (!from.points.empty()) {
     search.Restart({kg_planner::MakeTour(alone, from.points)});
   }
   double share = 0.04;
   for (int chunk = 0; chunk < kChunks; ++chunk, share *= 0.6) {
-    search.Run(kChunkSteps, share * search.reward());
+    search.Run(kSteps, share * search.reward());
   }
   return search.best()[0];
 }
@@ -50,7 +51,7 @@ double Worth(const std::vector<double>& rewards, const Tour& tour) {
 }
 
 // Each in turn plans again around the others, without prices.
-double PlanAround(const Orienteering& problem, unsigned seed,
+double PlanAround(const OrienteeringProblem& problem, unsigned seed,
                   std::vector<Tour>* tours) {
   std::vector<double> left = problem.rewards;
   for (const Tour& tour : *tours) {
@@ -66,9 +67,10 @@ double PlanAround(const Orienteering& problem, unsigned seed,
   return value;
 }
 
-class Auction {
+class TourAuction {
  public:
-  Auction(const Orienteering& problem, const TeamTourOptions& options)
+  TourAuction(const OrienteeringProblem& problem,
+              const TeamTourOptions& options)
       : problem_(problem),
         options_(options),
         budget_(options.seconds),
@@ -88,7 +90,7 @@ class Auction {
   TeamTours Run() {
     TeamTours best;
     do {
-      Settle();
+      RunBids();
       std::vector<Tour> tours = tours_;
       const double value = PlanAround(problem_, options_.seed, &tours);
       best.bound =
@@ -99,26 +101,26 @@ class Auction {
       } else {
         break;
       }
-    } while (Reopen() && budget_.spent_s() < Until_s());
+    } while (FreePrices() && budget_.spent_s() < Until_s());
     return best;
   }
 
  private:
-  double Until_s() const { return (1.0 - kBounding) * budget_.seconds(); }
+  double Until_s() const { return (1.0 - kBoundShare) * budget_.seconds(); }
 
-  // Bids until nobody wants to change.
-  void Settle() {
-    std::deque<int> unhappy(problem_.tours);
-    std::iota(unhappy.begin(), unhappy.end(), 0);
-    while (!unhappy.empty() && budget_.spent_s() < Until_s()) {
-      const int agent = unhappy.front();
-      unhappy.pop_front();
-      Bid(agent, &unhappy);
+  // Bids until no agent wants to change.
+  void RunBids() {
+    std::deque<int> bidders(problem_.tours);
+    std::iota(bidders.begin(), bidders.end(), 0);
+    while (!bidders.empty() && budget_.spent_s() < Until_s()) {
+      const int agent = bidders.front();
+      bidders.pop_front();
+      Bid(agent, &bidders);
     }
   }
 
-  // What nobody holds in the end is free again. False if there is none.
-  bool Reopen() {
+  // Points that no agent holds cost nothing again. False if there are none.
+  bool FreePrices() {
     bool any = false;
     for (int p = 0; p < problem_.size(); ++p) {
       if (holders_[p] >= 0 || prices_[p] <= 0.0) continue;
@@ -129,7 +131,7 @@ class Auction {
   }
 
   // Rewards less what the points cost this agent.
-  std::vector<double> NetOf(int agent) const {
+  std::vector<double> NetRewards(int agent) const {
     std::vector<double> net = problem_.rewards;
     for (int p = 0; p < problem_.size(); ++p) {
       const bool of_another = holders_[p] >= 0 && holders_[p] != agent;
@@ -138,8 +140,8 @@ class Auction {
     return net;
   }
 
-  void Bid(int agent, std::deque<int>* unhappy) {
-    const std::vector<double> net = NetOf(agent);
+  void Bid(int agent, std::deque<int>* bidders) {
+    const std::vector<double> net = NetRewards(agent);
     const Tour wanted = PlanAlone(problem_, net, tours_[agent], options_.seed);
     if (!(Worth(net, wanted) > Worth(net, tours_[agent]) + 1e-9)) return;
     for (int point : tours_[agent].points) holders_[point] = -1;
@@ -147,38 +149,40 @@ class Auction {
       const int loser = std::exchange(holders_[point], agent);
       if (loser < 0) continue;
       prices_[point] += epsilon_;
-      Lose(loser, point);
-      if (std::find(unhappy->begin(), unhappy->end(), loser) ==
-          unhappy->end()) {
-        unhappy->push_back(loser);
+      LosePoint(loser, point);
+      if (std::find(bidders->begin(), bidders->end(), loser) ==
+          bidders->end()) {
+        bidders->push_back(loser);
       }
     }
     tours_[agent] = kg_planner::MakeTour(problem_, wanted.points);
   }
 
-  void Lose(int agent, int point) {
+  void LosePoint(int agent, int point) {
     std::vector<int> points = tours_[agent].points;
     points.erase(std::remove(points.begin(), points.end(), point),
                  points.end());
     tours_[agent] = kg_planner::MakeTour(problem_, std::move(points));
     if (tours_[agent].length <= problem_.limit) return;
-    // Lengths of no plane: without the point it is too long. It starts anew.
+    // Lengths that are no metric: without the point the tour is too long. The
+    // agent starts again from an empty tour.
     for (int held : tours_[agent].points) holders_[held] = -1;
     tours_[agent] = {};
   }
 
-  const Orienteering& problem_;
+  const OrienteeringProblem& problem_;
   const TeamTourOptions& options_;
   const TimeBudget budget_;
   double epsilon_ = 1.0;
   std::vector<double> prices_;
-  std::vector<int> holders_;  // By point; -1 = nobody.
+  std::vector<int> holders_;  // By point; -1 = none.
   std::vector<Tour> tours_;   // By agent.
 };
 
-class Prices {
+class TourPricing {
  public:
-  Prices(const Orienteering& problem, const TeamTourOptions& options)
+  TourPricing(const OrienteeringProblem& problem,
+              const TeamTourOptions& options)
       : problem_(problem),
         options_(options),
         budget_(options.seconds),
@@ -213,7 +217,7 @@ class Prices {
   }
 
   // Who comes first has what it wants, the others plan under the same prices
-  // around it; at last each looks what is left over without them.
+  // around it; then each plans for what is left, without prices.
   void Assign(std::vector<double> net, const Tour& wanted) {
     std::vector<Tour> tours;
     for (int agent = 0; agent < problem_.tours; ++agent) {
@@ -232,11 +236,13 @@ class Prices {
   void MovePrices(const Tour& wanted, double value) {
     if (value < least_ - 1e-9) {
       least_ = value;
-      stale_ = 0;
-    } else if (++stale_ == kPatience) {
+      failed_rounds_ = 0;
+    } else if (++failed_rounds_ == kMaxFailedRounds) {
       share_ *= 0.5;
-      stale_ = 0;
+      failed_rounds_ = 0;
     }
+    // Subgradient: visitors (all agents want the same tour) less the capacity
+    // of 1. A price of 0 cannot fall.
     std::vector<double> excess(problem_.size(), -1.0);
     for (int point : wanted.points) excess[point] += problem_.tours;
     double square = 0.0;
@@ -251,7 +257,7 @@ class Prices {
     }
   }
 
-  const Orienteering& problem_;
+  const OrienteeringProblem& problem_;
   const TeamTourOptions& options_;
   const TimeBudget budget_;
   std::vector<double> prices_;
@@ -260,19 +266,19 @@ class Prices {
   bool provable_ = true;      // The best tour could be proven so far.
   double least_ = kInfinity;  // Value of the relaxation.
   double share_ = 1.0;
-  int stale_ = 0;
+  int failed_rounds_ = 0;
 };
 
 }  // namespace
 
-TeamTours PlanToursByAuction(const Orienteering& problem,
+TeamTours PlanToursByAuction(const OrienteeringProblem& problem,
                              const TeamTourOptions& options) {
-  return Auction(problem, options).Run();
+  return TourAuction(problem, options).Run();
 }
 
-TeamTours PlanToursByPrices(const Orienteering& problem,
+TeamTours PlanToursByPrices(const OrienteeringProblem& problem,
                             const TeamTourOptions& options) {
-  return Prices(problem, options).Run();
+  return TourPricing(problem, options).Run();
 }
 
 }  // namespace kg_selector

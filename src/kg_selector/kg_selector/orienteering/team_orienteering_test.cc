@@ -17,14 +17,12 @@
 #include "kg_core/base/temporary_folder.h"
 #include "kg_selector/orienteering/top_instance.h"
 #include "kg_selector/orienteering/top_report.h"
+#include "kg_selector/team/team_modes.h"
 
 namespace kg_selector {
 namespace {
 
-using kg_planner::Orienteering;
-
-constexpr TeamMode kModes[] = {TeamMode::kGreedy, TeamMode::kAuction,
-                               TeamMode::kPriced, TeamMode::kExact};
+using kg_planner::OrienteeringProblem;
 
 TopInstance RandomInstance(int points, int paths, unsigned seed) {
   std::mt19937 prng(seed);
@@ -41,9 +39,9 @@ TopInstance RandomInstance(int points, int paths, unsigned seed) {
 }
 
 // The best team by going everywhere.
-class Exhaustion {
+class ExhaustiveSearch {
  public:
-  explicit Exhaustion(const Orienteering& problem)
+  explicit ExhaustiveSearch(const OrienteeringProblem& problem)
       : problem_(problem), possible_(std::size_t{1} << problem.size()) {
     Go(0, 0.0, 0);
   }
@@ -73,7 +71,7 @@ class Exhaustion {
       }
     }
   }
-  const Orienteering& problem_;
+  const OrienteeringProblem& problem_;
   std::vector<bool> possible_;
 };
 
@@ -81,23 +79,25 @@ TEST(TeamOrienteering, IsWithinOptimumAndBoundInEveryMode) {
   int greedy_misses = 0;
   int bounds = 0;
   for (unsigned seed = 0; seed < 60; ++seed) {
-    const Orienteering problem =
+    const OrienteeringProblem problem =
         ToOrienteering(RandomInstance(4 + seed % 5, 2 + seed % 2, seed));
     const double best = kg_planner::IsPossible(problem)
-                            ? Exhaustion(problem).Best(problem.tours)
+                            ? ExhaustiveSearch(problem).Best(problem.tours)
                             : 0.0;
-    for (TeamMode mode : kModes) {
+    for (const TeamMode& mode : TeamModes()) {
       TeamTourOptions options;
-      options.mode = mode;
+      options.planner = mode.plan_tours;
       options.seconds = 0.04;
       const TeamTours team = PlanTours(problem, options);
-      EXPECT_EQ(FaultOf(problem, team), "") << "seed " << seed;
+      EXPECT_EQ(FindFault(problem, team), "") << "seed " << seed;
       EXPECT_LE(team.value, best) << "seed " << seed;
       EXPECT_GE(team.bound, best - 1e-9) << "seed " << seed;
-      if (mode == TeamMode::kExact) {
+      if (mode.plan_tours == PlanToursExactly) {
         EXPECT_EQ(team.value, best) << "seed " << seed;
       }
-      if (mode == TeamMode::kGreedy && team.value < best) ++greedy_misses;
+      if (mode.plan_tours == PlanToursGreedily && team.value < best) {
+        ++greedy_misses;
+      }
       if (std::isfinite(team.bound)) ++bounds;
     }
   }
@@ -108,9 +108,9 @@ TEST(TeamOrienteering, IsWithinOptimumAndBoundInEveryMode) {
 TEST(TeamOrienteering, NeedsNoTimeForWhatHasOneAnswer) {
   TopInstance far = RandomInstance(6, 2, 1);
   far.limit = 0.0;
-  for (TeamMode mode : kModes) {
+  for (const TeamMode& mode : TeamModes()) {
     TeamTourOptions options;
-    options.mode = mode;
+    options.planner = mode.plan_tours;
     options.seconds = 1000.0;
     const TeamTours none = PlanTours(ToOrienteering(far), options);
     EXPECT_EQ(none.value, 0.0);
@@ -119,7 +119,7 @@ TEST(TeamOrienteering, NeedsNoTimeForWhatHasOneAnswer) {
 }
 
 TEST(TeamOrienteering, RefusesTimeThatIsNone) {
-  const Orienteering problem = ToOrienteering(RandomInstance(5, 2, 1));
+  const OrienteeringProblem problem = ToOrienteering(RandomInstance(5, 2, 1));
   TeamTourOptions options;
   options.seconds = -1.0;
   EXPECT_THROW(PlanTours(problem, options), std::invalid_argument);
@@ -128,7 +128,7 @@ TEST(TeamOrienteering, RefusesTimeThatIsNone) {
 }
 
 TEST(FaultOf, SeesEveryFault) {
-  Orienteering problem = ToOrienteering(RandomInstance(6, 2, 1));
+  OrienteeringProblem problem = ToOrienteering(RandomInstance(6, 2, 1));
   problem.limit = 10.0;
   const auto tour = [&](std::vector<int> points) {
     return kg_planner::MakeTour(problem, std::move(points));
@@ -136,21 +136,22 @@ TEST(FaultOf, SeesEveryFault) {
   TeamTours team;
   team.tours = {tour({1, 2}), tour({3})};
   team.value = team.tours[0].reward + team.tours[1].reward;
-  EXPECT_EQ(FaultOf(problem, team), "");
+  EXPECT_EQ(FindFault(problem, team), "");
   TeamTours wrong = team;
   wrong.value += 1.0;
-  EXPECT_NE(FaultOf(problem, wrong).find("value"), std::string::npos);
+  EXPECT_NE(FindFault(problem, wrong).find("value"), std::string::npos);
   wrong = team;
   wrong.tours[1].points = {2};
-  EXPECT_NE(FaultOf(problem, wrong).find("twice"), std::string::npos);
+  EXPECT_NE(FindFault(problem, wrong).find("twice"), std::string::npos);
   wrong = team;
   wrong.tours.push_back({});
-  EXPECT_NE(FaultOf(problem, wrong).find("more tours"), std::string::npos);
+  EXPECT_NE(FindFault(problem, wrong).find("more tours"), std::string::npos);
   wrong = team;
   wrong.tours[1].points = {5};
-  EXPECT_NE(FaultOf(problem, wrong).find("none"), std::string::npos);
+  EXPECT_NE(FindFault(problem, wrong).find("none"), std::string::npos);
   problem.limit = 0.5 * team.tours[0].length;
-  EXPECT_NE(FaultOf(problem, team).find("above the limit"), std::string::npos);
+  EXPECT_NE(FindFault(problem, team).find("above the limit"),
+            std::string::npos);
 }
 
 class TopFiles : public ::testing::Test {
@@ -255,17 +256,17 @@ TEST(TeamOrienteering, ReachesPublishedValuesOfSmallInstances) {
   const auto references =
       ReadTopReferences((data / "reference_values.txt").string());
   for (const char* name : {"p1.2.i.txt", "p2.2.k.txt", "p3.3.j.txt"}) {
-    const Orienteering problem =
+    const OrienteeringProblem problem =
         ToOrienteering(ReadTopInstance((data / "instances" / name).string()));
     TeamTourOptions options;
     options.seconds = 0.3;
     const TeamTours exact = PlanTours(problem, options);
-    EXPECT_EQ(FaultOf(problem, exact), "");
+    EXPECT_EQ(FindFault(problem, exact), "");
     EXPECT_EQ(exact.value, references.at(name)) << name;
-    for (TeamMode mode : kModes) {
-      options.mode = mode;
+    for (const TeamMode& mode : TeamModes()) {
+      options.planner = mode.plan_tours;
       const TeamTours team = PlanTours(problem, options);
-      EXPECT_EQ(FaultOf(problem, team), "") << name;
+      EXPECT_EQ(FindFault(problem, team), "") << name;
       EXPECT_LE(team.value, exact.value) << name;
       EXPECT_GE(team.bound, exact.value) << name;
     }

@@ -16,12 +16,12 @@ constexpr std::size_t kMaxBytes = std::size_t{1} << 24;
 constexpr int kMaxPoints = 2000;  // All pairs of them are kept.
 constexpr int kMaxPaths = 1000;
 
-struct Line {
+struct FileLine {
   std::size_t number = 0;  // From 1.
   std::vector<std::string_view> fields;
 };
 
-std::vector<std::string_view> FieldsOf(std::string_view line) {
+std::vector<std::string_view> SplitFields(std::string_view line) {
   constexpr std::string_view kBlanks = " \t\r\v\f";
   std::vector<std::string_view> fields;
   std::size_t begin = line.find_first_not_of(kBlanks);
@@ -34,12 +34,12 @@ std::vector<std::string_view> FieldsOf(std::string_view line) {
 }
 
 // The lines that are not empty.
-std::vector<Line> LinesOf(std::string_view text) {
-  std::vector<Line> lines;
+std::vector<FileLine> SplitLines(std::string_view text) {
+  std::vector<FileLine> lines;
   std::size_t number = 0;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
-    Line line{++number, FieldsOf(text.substr(0, end))};
+    FileLine line{++number, SplitFields(text.substr(0, end))};
     if (!line.fields.empty()) lines.push_back(std::move(line));
     if (end == std::string_view::npos) break;
     text.remove_prefix(end + 1);
@@ -47,16 +47,16 @@ std::vector<Line> LinesOf(std::string_view text) {
   return lines;
 }
 
-class Reader {
+class InstanceReader {
  public:
-  explicit Reader(const std::string& path)
+  explicit InstanceReader(const std::string& path)
       : path_(path),
         text_(kg_core::ReadFile(path, kMaxBytes)),
-        lines_(LinesOf(text_)) {}
+        lines_(SplitLines(text_)) {}
 
-  const std::vector<Line>& lines() const { return lines_; }
+  const std::vector<FileLine>& lines() const { return lines_; }
 
-  [[noreturn]] void Refuse(const Line& line,
+  [[noreturn]] void Refuse(const FileLine& line,
                            const std::string& expected) const {
     throw kg_core::InputError(path_ + ":" + std::to_string(line.number) +
                               ": expected " + expected);
@@ -65,7 +65,7 @@ class Reader {
     throw kg_core::InputError(path_ + ": ends too soon, expected " + expected);
   }
 
-  double Number(const Line& line, std::size_t field,
+  double Number(const FileLine& line, std::size_t field,
                 const std::string& what) const {
     const std::string_view text = line.fields[field];
     double value = 0.0;
@@ -81,19 +81,20 @@ class Reader {
   // A line of a key and its value.
   double Header(std::size_t index, const std::string& key) const {
     if (index >= lines_.size()) RefuseEnd("'" + key + " <number>'");
-    const Line& line = lines_[index];
+    const FileLine& line = lines_[index];
     if (line.fields.size() != 2 || line.fields[0] != key) {
       Refuse(line, "'" + key + " <number>'");
     }
     return Number(line, 1, key);
   }
-  int Count(std::size_t index, const std::string& key, int least,
-            int most) const {
+  int Count(std::size_t index, const std::string& key, int min_value,
+            int max_value) const {
     const double value = Header(index, key);
-    if (!(value >= least && value <= most && value == std::floor(value))) {
+    if (!(value >= min_value && value <= max_value &&
+          value == std::floor(value))) {
       Refuse(lines_[index], key + " a whole number from " +
-                                std::to_string(least) + " to " +
-                                std::to_string(most));
+                                std::to_string(min_value) + " to " +
+                                std::to_string(max_value));
     }
     return static_cast<int>(value);
   }
@@ -101,10 +102,11 @@ class Reader {
  private:
   const std::string path_;
   const std::string text_;  // What the lines' fields look into.
-  const std::vector<Line> lines_;
+  const std::vector<FileLine> lines_;
 };
 
-void ReadPoint(const Reader& reader, const Line& line, TopInstance* instance) {
+void ReadPoint(const InstanceReader& reader, const FileLine& line,
+               TopInstance* instance) {
   if (line.fields.size() != 3) reader.Refuse(line, "x, y and score of a point");
   instance->x.push_back(reader.Number(line, 0, "x"));
   instance->y.push_back(reader.Number(line, 1, "y"));
@@ -117,7 +119,7 @@ void ReadPoint(const Reader& reader, const Line& line, TopInstance* instance) {
 
 TopInstance ReadTopInstance(const std::string& path) {
   constexpr std::size_t kHeaders = 3;
-  const Reader reader(path);
+  const InstanceReader reader(path);
   TopInstance instance;
   const int points = reader.Count(0, "n", 2, kMaxPoints);
   instance.paths = reader.Count(1, "m", 1, kMaxPaths);
@@ -125,8 +127,9 @@ TopInstance ReadTopInstance(const std::string& path) {
   if (!(instance.limit >= 0.0)) {
     reader.Refuse(reader.lines()[2], "tmax not below 0");
   }
+  // A line a point; more or fewer than announced are refused.
   for (std::size_t i = kHeaders; i < reader.lines().size(); ++i) {
-    const Line& line = reader.lines()[i];
+    const FileLine& line = reader.lines()[i];
     if (static_cast<int>(i - kHeaders) == points) {
       reader.Refuse(line, "no more than " + std::to_string(points) + " points");
     }
@@ -140,9 +143,9 @@ TopInstance ReadTopInstance(const std::string& path) {
 }
 
 std::map<std::string, double> ReadTopReferences(const std::string& path) {
-  const Reader reader(path);
+  const InstanceReader reader(path);
   std::map<std::string, double> references;
-  for (const Line& line : reader.lines()) {
+  for (const FileLine& line : reader.lines()) {
     if (line.fields.size() != 2) reader.Refuse(line, "a file name and a value");
     const double value = reader.Number(line, 1, "value");
     if (!(value >= 0.0)) reader.Refuse(line, "a value not below 0");
@@ -153,8 +156,8 @@ std::map<std::string, double> ReadTopReferences(const std::string& path) {
   return references;
 }
 
-kg_planner::Orienteering ToOrienteering(const TopInstance& instance) {
-  kg_planner::Orienteering problem;
+kg_planner::OrienteeringProblem ToOrienteering(const TopInstance& instance) {
+  kg_planner::OrienteeringProblem problem;
   problem.rewards = instance.scores;
   problem.rewards.front() = problem.rewards.back() = 0.0;
   for (std::size_t i = 0; i < instance.x.size(); ++i) {

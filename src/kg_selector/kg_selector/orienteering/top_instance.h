@@ -38,7 +38,7 @@ TopInstance ReadTopInstance(const std::string& path);
 std::map<std::string, double> ReadTopReferences(const std::string& path);
 
 // As many tours as paths.
-kg_planner::Orienteering ToOrienteering(const TopInstance& instance);
+kg_planner::OrienteeringProblem ToOrienteering(const TopInstance& instance);
 
 }  // namespace kg_selector
 

@@ -16,30 +16,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string SetOf(const std::string& name) {
+std::string SetName(const std::string& name) {
   return name.substr(0, name.find('.'));
 }
 
 TeamTours Solve(const std::string& path, const TeamTourOptions& options,
                 double* seconds) {
-  const kg_planner::Orienteering problem =
+  const kg_planner::OrienteeringProblem problem =
       ToOrienteering(ReadTopInstance(path));
   const TimeBudget clock(0.0);
   TeamTours team = PlanTours(problem, options);
   *seconds = clock.spent_s();
-  const std::string fault = FaultOf(problem, team);
+  const std::string fault = FindFault(problem, team);
   if (!fault.empty()) throw std::logic_error(path + ": " + fault);
   return team;
 }
 
-TopScore ScoreOf(const TeamTours& team, double reference, double seconds) {
+TopScore ScoreTeam(const TeamTours& team, double reference, double seconds) {
   TopScore score;
   score.seconds = seconds;
   if (team.value > reference + 1e-6) ++score.above;
-  if (!(reference > 0.0)) {
-    ++score.empty;
-    return score;
-  }
+  // A share of a reference of 0 is not defined: not counted.
+  if (!(reference > 0.0)) return score;
   ++score.instances;
   if (team.value > reference - 1e-6) ++score.hits;
   score.value = team.value;
@@ -53,7 +51,7 @@ TopScore ScoreOf(const TeamTours& team, double reference, double seconds) {
   return score;
 }
 
-std::string LineOf(const std::string& set, const TopScore& score) {
+std::string FormatLine(const std::string& set, const TopScore& score) {
   char line[256];
   std::snprintf(
       line, sizeof line,
@@ -76,7 +74,6 @@ void TopScore::Add(const TopScore& other) {
   instances += other.instances;
   hits += other.hits;
   above += other.above;
-  empty += other.empty;
   value += other.value;
   reference += other.reference;
   shares += other.shares;
@@ -90,8 +87,8 @@ double TopScore::share() const {
   return reference > 0.0 ? 100.0 * value / reference : 100.0;
 }
 
-std::vector<std::string> InstancesOf(const std::string& folder,
-                                     const std::string& reference_file) {
+std::vector<std::string> ListInstances(const std::string& folder,
+                                       const std::string& reference_file) {
   std::error_code error;
   std::vector<std::string> names;
   for (fs::directory_iterator it(folder, error), end; !error && it != end;
@@ -99,6 +96,7 @@ std::vector<std::string> InstancesOf(const std::string& folder,
     std::error_code ignored;
     const std::string name = it->path().filename().string();
     if (name[0] == '.' || !it->is_regular_file(ignored)) continue;
+    // The reference file may lie in the same folder.
     if (fs::equivalent(it->path(), reference_file, ignored)) continue;
     names.push_back(name);
   }
@@ -118,7 +116,7 @@ std::map<std::string, TopScore> RunTop(const std::string& folder,
                                        const TeamTourOptions& options,
                                        std::ostream* out, std::size_t step) {
   const auto references = ReadTopReferences(reference_file);
-  const auto names = InstancesOf(folder, reference_file);
+  const auto names = ListInstances(folder, reference_file);
   std::map<std::string, TopScore> sets;
   for (std::size_t i = 0; i < names.size(); i += step) {
     double seconds = 0.0;
@@ -130,9 +128,10 @@ std::map<std::string, TopScore> RunTop(const std::string& folder,
            << ", no reference, not counted\n";
       continue;
     }
-    sets[SetOf(names[i])].Add(ScoreOf(team, reference->second, seconds));
+    // Sums by set, e.g. "p4" of "p4.2.a.txt".
+    sets[SetName(names[i])].Add(ScoreTeam(team, reference->second, seconds));
   }
-  for (const auto& [set, score] : sets) *out << LineOf(set, score) << '\n';
+  for (const auto& [set, score] : sets) *out << FormatLine(set, score) << '\n';
   return sets;
 }
 

@@ -17,7 +17,6 @@ struct TopScore {
   int instances = 0;  // With a reference above 0.
   int hits = 0;       // The reference reached, at least.
   int above = 0;
-  int empty = 0;  // Reference 0.
   double value = 0.0;
   double reference = 0.0;
   double shares = 0.0;  // Sum of value / reference.
@@ -27,13 +26,13 @@ struct TopScore {
   double bound = 0.0;    // and bounds.
 
   void Add(const TopScore& other);
-  double share() const;  // Of the sums [%]; 100 without references.
+  double share() const;  // Value over reference [%]; 100 without references.
 };
 
 // The files of a folder by name, the reference file and hidden ones left out.
 // Throws kg_core::InputError if there is no such folder, or nothing in it.
-std::vector<std::string> InstancesOf(const std::string& folder,
-                                     const std::string& reference_file);
+std::vector<std::string> ListInstances(const std::string& folder,
+                                       const std::string& reference_file);
 
 // Every `step`th instance. Scores by set: what stands before the first dot of
 // a file's name. A line on `out` for each set and for each instance without a

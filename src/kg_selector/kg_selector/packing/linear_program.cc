@@ -15,9 +15,9 @@
 namespace kg_selector {
 namespace {
 
-// More time than anybody has [s]: what CBC takes for no limit.
-constexpr double kForEver_s = 1e9;
-// A column whose bound is below what is there by less than this stays [share].
+// CBC takes this for no limit [s].
+constexpr double kUnlimited_s = 1e9;
+// Relative increment by which a solution must be better than the cutoff.
 constexpr double kSlack = 1e-9;
 
 // Signs are turned: the solvers minimise.
@@ -28,12 +28,14 @@ void Load(const LinearProgram& program, OsiClpSolverInterface* solver) {
   std::vector<double> high(variables, infinity);
   std::vector<double> cost(variables);
   for (int j = 0; j < variables; ++j) {
+    // Binaries are relaxed to [0, 1]; other variables are free.
     if (j < program.binaries) {
       low[j] = 0.0;
       high[j] = 1.0;
     }
     cost[j] = -program.objective[j];
   }
+  // By rows; `setDimensions` keeps columns that no row names.
   CoinPackedMatrix matrix(false, 0, 0);
   matrix.setDimensions(0, variables);
   std::vector<double> row_low(program.rows.size(), -infinity);
@@ -65,6 +67,7 @@ void AddCuts(CbcModel* model) {
   CglZeroHalf zero_half;
   CglGomory gomory;
   gomory.setLimit(100);
+  // -1: CBC decides how often each generator is called.
   model->addCutGenerator(&probing, -1, "probing");
   model->addCutGenerator(&clique, -1, "clique");
   model->addCutGenerator(&zero_half, -1, "zero half");
@@ -73,7 +76,7 @@ void AddCuts(CbcModel* model) {
 
 void Limit(const BinaryOptions& options, CbcModel* model) {
   model->setUseElapsedTime(!options.processor_time);
-  model->setMaximumSeconds(std::clamp(options.time_limit_s, 0.0, kForEver_s));
+  model->setMaximumSeconds(std::clamp(options.time_limit_s, 0.0, kUnlimited_s));
   model->setDblParam(CbcModel::CbcCutoffIncrement, kSlack);
   if (std::isfinite(options.better_than)) {
     model->setCutoff(-options.better_than -
@@ -94,14 +97,15 @@ double ClockNow_s(bool processor_time) {
   return static_cast<double>(now.tv_sec) + 1e-9 * now.tv_nsec;
 }
 
-Relaxation Relax(const LinearProgram& program) {
-  Relaxation result;
+LinearRelaxation Relax(const LinearProgram& program) {
+  LinearRelaxation result;
   OsiClpSolverInterface solver;
   Load(program, &solver);
   solver.initialSolve();
   if (!solver.isProvenOptimal()) return result;
   result.solved = true;
   result.value = -solver.getObjValue();
+  // Signs turned back: maximisation again.
   const int variables = solver.getNumCols();
   const int rows = solver.getNumRows();
   result.values.assign(solver.getColSolution(),
@@ -129,6 +133,7 @@ BinarySolution SolveBinary(const LinearProgram& program,
   Limit(options, &model);
   model.initialSolve();
   model.branchAndBound();
+  // 0: all was searched, else a limit ended it.
   result.finished = model.status() == 0;
   result.bound = -model.getBestPossibleObjValue();
   const double* best = model.bestSolution();

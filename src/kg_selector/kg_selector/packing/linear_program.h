@@ -24,14 +24,14 @@ struct LinearProgram {
   std::vector<LinearRow> rows;
 };
 
-struct Relaxation {
+struct LinearRelaxation {
   bool solved = false;
   double value = std::numeric_limits<double>::infinity();
   std::vector<double> values;         // By variable.
   std::vector<double> reduced_costs;  // By variable; gain of a unit more.
   std::vector<double> row_prices;     // By row, >= 0.
 };
-Relaxation Relax(const LinearProgram& program);
+LinearRelaxation Relax(const LinearProgram& program);
 
 struct BinaryOptions {
   double time_limit_s = std::numeric_limits<double>::infinity();
@@ -41,7 +41,7 @@ struct BinaryOptions {
 };
 struct BinarySolution {
   std::vector<bool> chosen;  // By binary; empty: nothing better was found.
-  bool finished = false;     // All was looked at.
+  bool finished = false;     // The search was exhaustive.
   double bound = std::numeric_limits<double>::infinity();
 };
 BinarySolution SolveBinary(const LinearProgram& program,

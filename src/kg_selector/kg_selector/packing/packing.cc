@@ -17,8 +17,8 @@ bool IsIndex(int index, std::size_t size) {
 }
 
 // By agent that a column names.
-std::map<int, double> LoadsOf(const Packing& packing,
-                              const std::vector<int>& chosen) {
+std::map<int, double> AgentLoads(const Packing& packing,
+                                 const std::vector<int>& chosen) {
   std::map<int, double> loads;
   for (const Column& column : packing.columns) loads[column.agent] = 0.0;
   for (int c : chosen) {
@@ -27,22 +27,22 @@ std::map<int, double> LoadsOf(const Packing& packing,
   return loads;
 }
 
-struct Extent {
-  double least = 0.0;
+struct LoadExtent {
+  double min_value = 0.0;
   double largest = 0.0;
 };
-Extent ExtentOf(const std::map<int, double>& loads) {
+LoadExtent ComputeExtent(const std::map<int, double>& loads) {
   if (loads.empty()) return {};
-  const auto [least, largest] =
+  const auto [min_value, largest] =
       std::minmax_element(loads.begin(), loads.end(),
                           [](auto& a, auto& b) { return a.second < b.second; });
-  return {least->second, largest->second};
+  return {min_value->second, largest->second};
 }
 
 using Terms = std::vector<std::pair<int, double>>;
 
 // Rows first, then agents, then cliques of conflicts.
-LinearProgram ProgramOf(const Packing& packing) {
+LinearProgram ToProgram(const Packing& packing) {
   LinearProgram program;
   const int columns = static_cast<int>(packing.columns.size());
   program.binaries = columns;
@@ -53,13 +53,14 @@ LinearProgram ProgramOf(const Packing& packing) {
   for (int count : packing.agent_counts) {
     program.rows.push_back({{}, static_cast<double>(count)});
   }
+  // A column is 1 in each row it uses and in the row of its agent.
   for (int c = 0; c < columns; ++c) {
     const Column& column = packing.columns[c];
     program.objective.push_back(column.score);
     for (int row : column.rows) program.rows[row].terms.push_back({c, 1.0});
     program.rows[agents + column.agent].terms.push_back({c, 1.0});
   }
-  for (const auto& clique : CliquesOf(columns, packing.conflicts)) {
+  for (const auto& clique : FindCliques(columns, packing.conflicts)) {
     Terms terms;
     for (int c : clique) terms.push_back({c, 1.0});
     program.rows.push_back({std::move(terms), 1.0});
@@ -76,15 +77,16 @@ void AddBalance(const Packing& packing, LinearProgram* program) {
   }
   if (loads.empty() || packing.weight == 0.0) return;
   const int largest = static_cast<int>(program->objective.size());
-  const int least = largest + 1;
+  const int min_value = largest + 1;
   program->objective.push_back(-packing.weight);
   program->objective.push_back(packing.weight);
   for (const auto& [agent, terms] : loads) {
+    // load <= largest, and least <= load, as rows with 0 on the right.
     LinearRow below{terms, 0.0};
     below.terms.push_back({largest, -1.0});
     LinearRow above{{}, 0.0};
     for (const auto& [c, load] : terms) above.terms.push_back({c, -load});
-    above.terms.push_back({least, 1.0});
+    above.terms.push_back({min_value, 1.0});
     program->rows.push_back(std::move(below));
     program->rows.push_back(std::move(above));
   }
@@ -92,12 +94,16 @@ void AddBalance(const Packing& packing, LinearProgram* program) {
 
 // The program without the columns that cannot be part of anything better than
 // `value`; `kept` are those left.
-LinearProgram Reduced(const LinearProgram& program, const Relaxation& relaxed,
-                      double value, std::vector<int>* kept) {
+LinearProgram Reduced(const LinearProgram& program,
+                      const LinearRelaxation& relaxed, double value,
+                      std::vector<int>* kept) {
   LinearProgram reduced;
   std::vector<int> renumbered(program.objective.size(), -1);
   for (int j = 0; j < static_cast<int>(program.objective.size()); ++j) {
     const bool binary = j < program.binaries;
+    // Reduced cost fixing: with x_j = 1 the program is worth at most relaxation
+    // + reduced cost. The slack keeps columns that rounding of Clp would drop
+    // (its tolerance is 1e-7).
     const double slack = 1e-7 * (1.0 + std::abs(value));
     if (binary && relaxed.solved &&
         relaxed.value + relaxed.reduced_costs[j] < value - slack) {
@@ -108,6 +114,7 @@ LinearProgram Reduced(const LinearProgram& program, const Relaxation& relaxed,
     if (binary) kept->push_back(j);
   }
   reduced.binaries = static_cast<int>(kept->size());
+  // Rows without the dropped columns.
   for (const LinearRow& row : program.rows) {
     LinearRow shorter{{}, row.at_most};
     for (const auto& [j, coefficient] : row.terms) {
@@ -120,9 +127,9 @@ LinearProgram Reduced(const LinearProgram& program, const Relaxation& relaxed,
 }
 
 // When the time is up, on the clock that the options name.
-class Deadline {
+class SolveDeadline {
  public:
-  explicit Deadline(const PackingOptions& options)
+  explicit SolveDeadline(const PackingOptions& options)
       : options_(options), begin_s_(ClockNow_s(options.processor_time)) {}
   double left_s() const {
     return options_.time_limit_s -
@@ -137,7 +144,7 @@ class Deadline {
   const double begin_s_;
 };
 
-std::vector<int> WholeColumns(const Relaxation& relaxed, int binaries) {
+std::vector<int> WholeColumns(const LinearRelaxation& relaxed, int binaries) {
   std::vector<int> chosen;
   for (int c = 0; c < binaries; ++c) {
     if (relaxed.values[c] > 0.5) chosen.push_back(c);
@@ -145,34 +152,35 @@ std::vector<int> WholeColumns(const Relaxation& relaxed, int binaries) {
   return chosen;
 }
 
-// A packing to improve. `everybody`: every agent that columns name must have a
+// A packing to improve. `all_served`: every agent that columns name must have a
 // column.
-struct Task {
+struct PackingTask {
   const Packing& packing;
-  bool everybody = false;
+  bool all_served = false;
 };
 
-void Accept(const Task& task, const std::vector<int>& chosen, Chosen* best) {
+void AcceptIfBetter(const PackingTask& task, const std::vector<int>& chosen,
+                    PackingChoice* best) {
   if (!IsPacking(task.packing, chosen)) return;
-  if (task.everybody && chosen.size() != LoadsOf(task.packing, {}).size()) {
+  if (task.all_served && chosen.size() != AgentLoads(task.packing, {}).size()) {
     return;
   }
-  const double objective = ObjectiveOf(task.packing, chosen);
+  const double objective = ComputeObjective(task.packing, chosen);
   if (!(objective > best->objective)) return;
   best->chosen = chosen;
   best->objective = objective;
 }
 
-bool IsProven(const Chosen& best) {
+bool IsProven(const PackingChoice& best) {
   return best.bound <= best.objective + 1e-9 * (1.0 + std::abs(best.objective));
 }
 
-LinearProgram ProgramOf(const Task& task) {
-  LinearProgram program = ProgramOf(task.packing);
+LinearProgram ToProgram(const PackingTask& task) {
+  LinearProgram program = ToProgram(task.packing);
   if (task.packing.fairness == Fairness::kBalance) {
     AddBalance(task.packing, &program);
   }
-  if (!task.everybody) return program;
+  if (!task.all_served) return program;
   std::map<int, Terms> columns;
   for (std::size_t c = 0; c < task.packing.columns.size(); ++c) {
     columns[task.packing.columns[c].agent].push_back(
@@ -185,15 +193,18 @@ LinearProgram ProgramOf(const Task& task) {
 }
 
 // Improves `best` on the score, or on what kBalance says.
-void Solve(const Task& task, const Deadline& deadline, Chosen* best) {
-  const LinearProgram program = ProgramOf(task);
-  const Relaxation relaxed = Relax(program);
+void Solve(const PackingTask& task, const SolveDeadline& deadline,
+           PackingChoice* best) {
+  const LinearProgram program = ToProgram(task);
+  const LinearRelaxation relaxed = Relax(program);
   if (relaxed.solved) {
     best->bound = relaxed.value;
-    Accept(task, WholeColumns(relaxed, program.binaries), best);
+    AcceptIfBetter(task, WholeColumns(relaxed, program.binaries), best);
   }
+  // Step 1: the relaxation gives a bound, and perhaps a whole solution.
   best->optimal = IsProven(*best);
   if (best->optimal || deadline.left_s() <= 0.0) return;
+  // Step 2: branch and cut on the columns that can still matter.
   std::vector<int> kept;
   const LinearProgram reduced =
       Reduced(program, relaxed, best->objective, &kept);
@@ -203,7 +214,7 @@ void Solve(const Task& task, const Deadline& deadline, Chosen* best) {
   for (std::size_t i = 0; i < solution.chosen.size(); ++i) {
     if (solution.chosen[i]) chosen.push_back(kept[i]);
   }
-  Accept(task, chosen, best);
+  AcceptIfBetter(task, chosen, best);
   best->optimal = solution.finished;
   const double bound = std::min(best->bound, solution.bound);
   best->bound =
@@ -211,7 +222,8 @@ void Solve(const Task& task, const Deadline& deadline, Chosen* best) {
 }
 
 // Only columns of at least this load, and a column for every agent.
-Packing Demanding(const Packing& packing, double load, std::vector<int>* kept) {
+Packing WithMinimumLoad(const Packing& packing, double load,
+                        std::vector<int>* kept) {
   Packing part = packing;
   part.fairness = Fairness::kNone;
   part.columns.clear();
@@ -230,40 +242,42 @@ Packing Demanding(const Packing& packing, double load, std::vector<int>* kept) {
   return part;
 }
 
-struct Attempt {
+struct LoadAttempt {
   std::vector<int> chosen;
-  bool everybody = false;  // Has a column.
+  bool all_served = false;  // Has a column.
   bool proven = false;
 };
 
-// Can everybody have a column of at least this load?
-Attempt TryLoad(const Packing& packing, double load, const Deadline& deadline) {
+// Can every agent have a column of at least this load?
+LoadAttempt TryLoad(const Packing& packing, double load,
+                    const SolveDeadline& deadline) {
   std::vector<int> kept;
-  Packing part = Demanding(packing, load, &kept);
+  Packing part = WithMinimumLoad(packing, load, &kept);
   for (Column& column : part.columns) column.score = 1.0;
-  Chosen best;
+  PackingChoice best;
   best.chosen = PackQuickly(part, {});
-  best.objective = ObjectiveOf(part, best.chosen);
+  best.objective = ComputeObjective(part, best.chosen);
   Solve({part}, deadline, &best);
-  Attempt attempt;
+  LoadAttempt attempt;
   for (int c : best.chosen) attempt.chosen.push_back(kept[c]);
-  attempt.everybody = best.chosen.size() == LoadsOf(packing, {}).size();
+  attempt.all_served = best.chosen.size() == AgentLoads(packing, {}).size();
   attempt.proven = best.optimal;
   return attempt;
 }
 
 // The best score of columns of at least this load, from a choice of such. One
 // for everybody if the load is above 0: an agent without a column has 0.
-Chosen BestWithLoad(const Packing& packing, double load,
-                    const std::vector<int>& start, const Deadline& deadline) {
+PackingChoice BestWithLoad(const Packing& packing, double load,
+                           const std::vector<int>& start,
+                           const SolveDeadline& deadline) {
   std::vector<int> kept;
-  const Packing part = Demanding(packing, load, &kept);
-  Chosen best;
+  const Packing part = WithMinimumLoad(packing, load, &kept);
+  PackingChoice best;
   for (int c : start) {
     const auto at = std::lower_bound(kept.begin(), kept.end(), c);
     best.chosen.push_back(static_cast<int>(at - kept.begin()));
   }
-  best.objective = ObjectiveOf(part, best.chosen);
+  best.objective = ComputeObjective(part, best.chosen);
   Solve({part, load > 0.0}, deadline, &best);
   for (int& c : best.chosen) c = kept[c];
   return best;
@@ -277,27 +291,29 @@ std::vector<double> PositiveLoads(const Packing& packing) {
   return {loads.begin(), loads.end()};
 }
 
-bool IsFairer(const Packing& packing, const Chosen& a, const Chosen& b) {
-  const double least_a = ExtentOf(LoadsOf(packing, a.chosen)).least;
-  const double least_b = ExtentOf(LoadsOf(packing, b.chosen)).least;
+bool IsFairer(const Packing& packing, const PackingChoice& a,
+              const PackingChoice& b) {
+  const double least_a = ComputeExtent(AgentLoads(packing, a.chosen)).min_value;
+  const double least_b = ComputeExtent(AgentLoads(packing, b.chosen)).min_value;
   if (least_a != least_b) return least_a > least_b;
-  return ObjectiveOf(packing, a.chosen) > ObjectiveOf(packing, b.chosen);
+  return ComputeObjective(packing, a.chosen) >
+         ComputeObjective(packing, b.chosen);
 }
 
-// The largest load that everybody can have, by halving; then the best score
+// The largest load that every agent can have, by bisection; then the best score
 // with it.
-Chosen SolveMaxMin(const Packing& packing, const std::vector<int>& start,
-                   const Deadline& deadline) {
+PackingChoice SolveMaxMin(const Packing& packing, const std::vector<int>& start,
+                          const SolveDeadline& deadline) {
   const std::vector<double> loads = PositiveLoads(packing);
   std::size_t possible = 0;  // Loads below this index are.
   std::size_t impossible = loads.size();
   bool proven = true;
-  std::vector<int> everybody;
+  std::vector<int> all_served;
   while (possible < impossible) {
     const std::size_t middle = possible + (impossible - possible) / 2;
-    const Attempt attempt = TryLoad(packing, loads[middle], deadline);
-    if (attempt.everybody) {
-      everybody = attempt.chosen;
+    const LoadAttempt attempt = TryLoad(packing, loads[middle], deadline);
+    if (attempt.all_served) {
+      all_served = attempt.chosen;
       possible = middle + 1;
     } else {
       proven = proven && attempt.proven;
@@ -305,10 +321,10 @@ Chosen SolveMaxMin(const Packing& packing, const std::vector<int>& start,
     }
   }
   const double load = possible == 0 ? 0.0 : loads[possible - 1];
-  Chosen best = BestWithLoad(packing, load, everybody, deadline);
+  PackingChoice best = BestWithLoad(packing, load, all_served, deadline);
   best.optimal = best.optimal && proven;
   for (const auto& other : {start, PackQuickly(packing, start)}) {
-    Chosen chosen;
+    PackingChoice chosen;
     chosen.chosen = other;
     if (!best.optimal && IsFairer(packing, chosen, best)) best = chosen;
   }
@@ -317,12 +333,13 @@ Chosen SolveMaxMin(const Packing& packing, const std::vector<int>& start,
 
 }  // namespace
 
-double ObjectiveOf(const Packing& packing, const std::vector<int>& chosen) {
+double ComputeObjective(const Packing& packing,
+                        const std::vector<int>& chosen) {
   double sum = 0.0;
   for (int c : chosen) sum += packing.columns[c].score;
   if (packing.fairness != Fairness::kBalance) return sum;
-  const Extent extent = ExtentOf(LoadsOf(packing, chosen));
-  return sum - packing.weight * (extent.largest - extent.least);
+  const LoadExtent extent = ComputeExtent(AgentLoads(packing, chosen));
+  return sum - packing.weight * (extent.largest - extent.min_value);
 }
 
 bool IsPacking(const Packing& packing, const std::vector<int>& chosen) {
@@ -348,7 +365,7 @@ bool IsPacking(const Packing& packing, const std::vector<int>& chosen) {
 PackingPrices PriceRows(const Packing& packing) {
   Check(packing);
   PackingPrices prices;
-  const Relaxation relaxed = Relax(ProgramOf(packing));
+  const LinearRelaxation relaxed = Relax(ToProgram(packing));
   if (!relaxed.solved) throw std::logic_error("a packing without relaxation");
   const auto rows = relaxed.row_prices.begin();
   const std::size_t count = packing.row_capacities.size();
@@ -359,26 +376,27 @@ PackingPrices PriceRows(const Packing& packing) {
   return prices;
 }
 
-Chosen SolvePacking(const Packing& packing, const PackingOptions& options) {
+PackingChoice SolvePacking(const Packing& packing,
+                           const PackingOptions& options) {
   Check(packing);
   if (!IsPacking(packing, options.start)) {
     throw std::invalid_argument("start: no packing");
   }
-  const Deadline deadline(options);
-  Chosen best;
+  const SolveDeadline deadline(options);
+  PackingChoice best;
   if (packing.fairness == Fairness::kMaxMin) {
     best = SolveMaxMin(packing, options.start, deadline);
   } else {
-    best.objective = ObjectiveOf(packing, {});
-    const Task task{packing};
-    Accept(task, options.start, &best);
-    Accept(task, PackQuickly(packing, options.start), &best);
+    best.objective = ComputeObjective(packing, {});
+    const PackingTask task{packing};
+    AcceptIfBetter(task, options.start, &best);
+    AcceptIfBetter(task, PackQuickly(packing, options.start), &best);
     Solve(task, deadline, &best);
   }
   std::sort(best.chosen.begin(), best.chosen.end());
-  best.objective = ObjectiveOf(packing, best.chosen);
+  best.objective = ComputeObjective(packing, best.chosen);
   if (best.optimal) best.bound = best.objective;
-  best.least_load = ExtentOf(LoadsOf(packing, best.chosen)).least;
+  best.min_load = ComputeExtent(AgentLoads(packing, best.chosen)).min_value;
   return best;
 }
 

@@ -38,7 +38,7 @@ namespace kg_selector {
 struct Column {
   int agent = 0;
   double score = 0.0;
-  std::vector<int> rows = {};  // Of each it uses one unit; none twice.
+  std::vector<int> rows = {};  // Uses one unit of each; none twice.
   double load = 0.0;           // Read only for fairness.
 };
 
@@ -60,10 +60,10 @@ struct PackingOptions {
   std::vector<int> start = {};  // Columns to start from; must be a packing.
 };
 
-struct Chosen {
+struct PackingChoice {
   std::vector<int> chosen;  // Columns, ascending.
   double objective = 0.0;   // What is maximised; with kMaxMin the score.
-  double least_load = 0.0;  // Of the agents that columns name.
+  double min_load = 0.0;    // Over the agents that columns name.
   bool optimal = false;     // Proven; false: the time limit was hit first.
   // No choice has a larger objective; with kMaxMin none whose least load is as
   // large as this one's.
@@ -76,7 +76,8 @@ struct Chosen {
 void Check(const Packing& packing);
 
 // Throws as Check() does, and if `start` is no packing.
-Chosen SolvePacking(const Packing& packing, const PackingOptions& options);
+PackingChoice SolvePacking(const Packing& packing,
+                           const PackingOptions& options);
 
 // What a unit of each row, and each agent, is worth at the optimum of the
 // linear relaxation (>= 0): a further column, in conflict with none, is worth
@@ -96,7 +97,7 @@ std::vector<int> PackQuickly(const Packing& packing,
                              const std::vector<int>& start);
 
 // What `chosen` is worth, as SolvePacking() counts it.
-double ObjectiveOf(const Packing& packing, const std::vector<int>& chosen);
+double ComputeObjective(const Packing& packing, const std::vector<int>& chosen);
 bool IsPacking(const Packing& packing, const std::vector<int>& chosen);
 
 }  // namespace kg_selector

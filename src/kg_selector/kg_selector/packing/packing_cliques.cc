@@ -5,7 +5,7 @@
 
 namespace kg_selector {
 
-std::vector<std::vector<int>> CliquesOf(
+std::vector<std::vector<int>> FindCliques(
     int columns, const std::vector<std::pair<int, int>>& conflicts) {
   std::vector<std::vector<int>> others(columns);  // Ascending.
   std::set<std::pair<int, int>> open;

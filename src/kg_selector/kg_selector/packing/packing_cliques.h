@@ -11,7 +11,7 @@ namespace kg_selector {
 
 // Every pair is within one of the cliques, and every two members of a clique
 // are a pair. Greedy, in the order of the columns; each ascending.
-std::vector<std::vector<int>> CliquesOf(
+std::vector<std::vector<int>> FindCliques(
     int columns, const std::vector<std::pair<int, int>>& conflicts);
 
 }  // namespace kg_selector

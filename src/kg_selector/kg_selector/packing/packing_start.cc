@@ -8,24 +8,24 @@ namespace kg_selector {
 namespace {
 
 // A choice as it grows, with what is left of rows and agents.
-class Start {
+class PackingStart {
  public:
-  explicit Start(const Packing& packing)
+  explicit PackingStart(const Packing& packing)
       : packing_(packing),
         rows_(packing.row_capacities.size()),
         agents_(packing.agent_counts.size()),
-        enemies_(packing.columns.size()),
+        conflicts_(packing.columns.size()),
         by_score_(packing.columns.size()) {
     for (const auto& [a, b] : packing.conflicts) {
-      enemies_[a].push_back(b);
-      enemies_[b].push_back(a);
+      conflicts_[a].push_back(b);
+      conflicts_[b].push_back(a);
     }
     std::iota(by_score_.begin(), by_score_.end(), 0);
     std::stable_sort(by_score_.begin(), by_score_.end(),
                      [&](int a, int b) { return Score(a) > Score(b); });
   }
 
-  void Take(int column) {
+  void Add(int column) {
     chosen_.insert(column);
     agents_[packing_.columns[column].agent].insert(column);
     for (int row : packing_.columns[column].rows) rows_[row].insert(column);
@@ -35,8 +35,8 @@ class Start {
     for (int column : by_score_) {
       if (Score(column) <= 0.0) break;
       if (chosen_.count(column) > 0 || !IsOpen(column)) continue;
-      const std::set<int> blockers = BlockersOf(column);
-      if (blockers.empty()) Take(column);
+      const std::set<int> blockers = FindBlockers(column);
+      if (blockers.empty()) Add(column);
     }
   }
 
@@ -44,12 +44,12 @@ class Start {
   bool ExchangeOnce() {
     for (int column : by_score_) {
       if (chosen_.count(column) > 0 || !IsOpen(column)) continue;
-      const std::set<int> blockers = BlockersOf(column);
+      const std::set<int> blockers = FindBlockers(column);
       double lost = 0.0;
       for (int blocker : blockers) lost += Score(blocker);
       if (!(Score(column) > lost + 1e-12)) continue;
-      for (int blocker : blockers) Leave(blocker);
-      Take(column);
+      for (int blocker : blockers) Remove(blocker);
+      Add(column);
       return true;
     }
     return false;
@@ -69,41 +69,41 @@ class Start {
            });
   }
 
-  void Leave(int column) {
+  void Remove(int column) {
     chosen_.erase(column);
     agents_[packing_.columns[column].agent].erase(column);
     for (int row : packing_.columns[column].rows) rows_[row].erase(column);
   }
 
   // Those that must go: of a full row or agent the one worth least.
-  std::set<int> BlockersOf(int column) const {
+  std::set<int> FindBlockers(int column) const {
     std::set<int> blockers;
-    for (int enemy : enemies_[column]) {
-      if (chosen_.count(enemy) > 0) blockers.insert(enemy);
+    for (int other : conflicts_[column]) {
+      if (chosen_.count(other) > 0) blockers.insert(other);
     }
     const Column& c = packing_.columns[column];
-    MakeRoom(agents_[c.agent], packing_.agent_counts[c.agent], &blockers);
+    AddBlocker(agents_[c.agent], packing_.agent_counts[c.agent], &blockers);
     for (int row : c.rows) {
-      MakeRoom(rows_[row], packing_.row_capacities[row], &blockers);
+      AddBlocker(rows_[row], packing_.row_capacities[row], &blockers);
     }
     return blockers;
   }
 
-  void MakeRoom(const std::set<int>& users, int capacity,
-                std::set<int>* blockers) const {
+  void AddBlocker(const std::set<int>& users, int capacity,
+                  std::set<int>* blockers) const {
     if (static_cast<int>(users.size()) < capacity) return;
-    int least = -1;
+    int min_value = -1;
     for (int user : users) {
       if (blockers->count(user) > 0) return;
-      if (least < 0 || Score(user) < Score(least)) least = user;
+      if (min_value < 0 || Score(user) < Score(min_value)) min_value = user;
     }
-    if (least >= 0) blockers->insert(least);
+    if (min_value >= 0) blockers->insert(min_value);
   }
 
   const Packing& packing_;
   std::vector<std::set<int>> rows_;    // Columns that use each.
   std::vector<std::set<int>> agents_;  // Columns of each.
-  std::vector<std::vector<int>> enemies_;
+  std::vector<std::vector<int>> conflicts_;
   std::vector<int> by_score_;
   std::set<int> chosen_;
 };
@@ -112,8 +112,8 @@ class Start {
 
 std::vector<int> PackQuickly(const Packing& packing,
                              const std::vector<int>& start) {
-  Start choice(packing);
-  for (int column : start) choice.Take(column);
+  PackingStart choice(packing);
+  for (int column : start) choice.Add(column);
   choice.Fill();
   while (choice.ExchangeOnce()) choice.Fill();
   return choice.chosen();

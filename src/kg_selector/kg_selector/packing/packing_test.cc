@@ -28,8 +28,9 @@ class RandomPacking {
     for (int r = Whole(0, 6); r > 0; --r) {
       packing.row_capacities.push_back(Whole(Whole(0, 9) == 0 ? 0 : 1, 2));
     }
-    for (int c = 0; c < columns; ++c)
+    for (int c = 0; c < columns; ++c) {
       packing.columns.push_back(MakeColumn(packing, whole));
+    }
     for (int i = Whole(0, columns); i > 0 && columns > 1; --i) {
       const int a = Whole(0, columns - 1);
       const int b = Whole(0, columns - 1);
@@ -81,29 +82,29 @@ bool IsAllowed(const Packing& packing, unsigned set) {
   return true;
 }
 
-struct Value {
+struct PackingValue {
   double score = 0.0;
-  double least = 0.0;
+  double min_value = 0.0;
   double largest = 0.0;
 };
-Value ValueOf(const Packing& packing, unsigned set) {
+PackingValue TotalReward(const Packing& packing, unsigned set) {
   std::map<int, double> loads;
-  Value value;
+  PackingValue value;
   for (const Column& column : packing.columns) loads[column.agent] = 0.0;
   for (std::size_t c = 0; c < packing.columns.size(); ++c) {
     if ((set >> c & 1u) == 0) continue;
     value.score += packing.columns[c].score;
     loads[packing.columns[c].agent] += packing.columns[c].load;
   }
-  value.least = value.largest = loads.begin()->second;
+  value.min_value = value.largest = loads.begin()->second;
   for (const auto& [agent, load] : loads) {
-    value.least = std::min(value.least, load);
+    value.min_value = std::min(value.min_value, load);
     value.largest = std::max(value.largest, load);
   }
   return value;
 }
 
-unsigned SetOf(const std::vector<int>& chosen) {
+unsigned SetName(const std::vector<int>& chosen) {
   unsigned set = 0;
   for (int c : chosen) set |= 1u << c;
   return set;
@@ -115,7 +116,7 @@ std::pair<double, double> Best(const Packing& packing, const Key& key) {
   std::pair<double, double> best{-1e300, -1e300};
   for (unsigned set = 0; set < (1u << packing.columns.size()); ++set) {
     if (IsAllowed(packing, set)) {
-      best = std::max(best, key(ValueOf(packing, set)));
+      best = std::max(best, key(TotalReward(packing, set)));
     }
   }
   return best;
@@ -127,16 +128,16 @@ TEST(Packing, EqualsExhaustion) {
     RandomPacking random(seed);
     const Packing packing =
         random.Make(random.Whole(1, 11), seed % 2 == 0, seed % 3 == 0);
-    const Chosen found = SolvePacking(packing, {});
-    const double best = Best(packing, [](const Value& v) {
+    const PackingChoice found = SolvePacking(packing, {});
+    const double best = Best(packing, [](const PackingValue& v) {
                           return std::make_pair(v.score, 0.0);
                         }).first;
-    ASSERT_TRUE(IsAllowed(packing, SetOf(found.chosen))) << "seed " << seed;
+    ASSERT_TRUE(IsAllowed(packing, SetName(found.chosen))) << "seed " << seed;
     EXPECT_TRUE(found.optimal);
     EXPECT_NEAR(found.objective, best, 1e-7) << "seed " << seed;
     EXPECT_EQ(found.objective, found.bound);
-    EXPECT_NEAR(ValueOf(packing, SetOf(found.chosen)).score, best, 1e-7);
-    const double quick = ObjectiveOf(packing, PackQuickly(packing, {}));
+    EXPECT_NEAR(TotalReward(packing, SetName(found.chosen)).score, best, 1e-7);
+    const double quick = ComputeObjective(packing, PackQuickly(packing, {}));
     EXPECT_LE(quick, best + 1e-9);
     EXPECT_GE(PriceRows(packing).bound, best - 1e-7);
     if (quick < best - 1e-7) ++more_than_quick;
@@ -150,13 +151,13 @@ TEST(Packing, MakesTheLeastLoadLargestAndThenTheScore) {
     RandomPacking random(seed);
     Packing packing = random.Make(random.Whole(1, 10), true, seed % 3 == 0);
     packing.fairness = Fairness::kMaxMin;
-    const Chosen found = SolvePacking(packing, {});
-    const auto best = Best(packing, [](const Value& v) {
-      return std::make_pair(v.least, v.score);
+    const PackingChoice found = SolvePacking(packing, {});
+    const auto best = Best(packing, [](const PackingValue& v) {
+      return std::make_pair(v.min_value, v.score);
     });
-    ASSERT_TRUE(IsAllowed(packing, SetOf(found.chosen))) << "seed " << seed;
+    ASSERT_TRUE(IsAllowed(packing, SetName(found.chosen))) << "seed " << seed;
     EXPECT_TRUE(found.optimal);
-    EXPECT_NEAR(found.least_load, best.first, 1e-9) << "seed " << seed;
+    EXPECT_NEAR(found.min_load, best.first, 1e-9) << "seed " << seed;
     EXPECT_NEAR(found.objective, best.second, 1e-7) << "seed " << seed;
     packing.fairness = Fairness::kNone;
     if (SolvePacking(packing, {}).objective > found.objective + 1e-7) {
@@ -173,18 +174,18 @@ TEST(Packing, BalancesLoadsAtTheirWeight) {
     Packing packing = random.Make(random.Whole(1, 10), true, seed % 3 == 0);
     packing.fairness = Fairness::kBalance;
     packing.weight = random.Number(0.0, 2.0);
-    const Chosen found = SolvePacking(packing, {});
+    const PackingChoice found = SolvePacking(packing, {});
     const double best =
-        Best(packing, [&](const Value& v) {
+        Best(packing, [&](const PackingValue& v) {
           return std::make_pair(
-              v.score - packing.weight * (v.largest - v.least), 0.0);
+              v.score - packing.weight * (v.largest - v.min_value), 0.0);
         }).first;
-    ASSERT_TRUE(IsAllowed(packing, SetOf(found.chosen))) << "seed " << seed;
+    ASSERT_TRUE(IsAllowed(packing, SetName(found.chosen))) << "seed " << seed;
     EXPECT_TRUE(found.optimal);
     EXPECT_NEAR(found.objective, best, 1e-6) << "seed " << seed;
     packing.fairness = Fairness::kNone;
     const double score = SolvePacking(packing, {}).objective;
-    if (ObjectiveOf(packing, found.chosen) < score - 1e-7) {
+    if (ComputeObjective(packing, found.chosen) < score - 1e-7) {
       ++not_the_best_score;
     }
   }
@@ -213,14 +214,14 @@ TEST(Packing, SaysHowFarItMayBeWhenTheTimeIsUp) {
   const Packing packing = HardPacking();
   PackingOptions options;
   options.time_limit_s = 0.0;
-  const Chosen none = SolvePacking(packing, options);
+  const PackingChoice none = SolvePacking(packing, options);
   EXPECT_FALSE(none.optimal);
   EXPECT_TRUE(IsPacking(packing, none.chosen));
   EXPECT_GE(none.bound, none.objective);
   EXPECT_NEAR(none.bound, PriceRows(packing).bound, 1e-6);
   options.time_limit_s = 0.5;
   options.processor_time = true;
-  const Chosen some = SolvePacking(packing, options);
+  const PackingChoice some = SolvePacking(packing, options);
   EXPECT_TRUE(IsPacking(packing, some.chosen));
   EXPECT_GE(some.objective, none.objective);
   EXPECT_LE(some.objective, some.bound);
@@ -233,7 +234,7 @@ TEST(Packing, IsNeverWorseThanItsStart) {
   options.start = SolvePacking(packing, {0.3}).chosen;
   options.time_limit_s = 0.0;
   EXPECT_GE(SolvePacking(packing, options).objective,
-            ObjectiveOf(packing, options.start));
+            ComputeObjective(packing, options.start));
 }
 
 TEST(Packing, PricesAreWeakDuality) {
@@ -272,7 +273,7 @@ TEST(Packing, LetsNobodyHaveAColumnThatCosts) {
   Packing packing;
   packing.agent_counts = {1};
   packing.columns = {{0, -1.0, {}}};
-  const Chosen found = SolvePacking(packing, {});
+  const PackingChoice found = SolvePacking(packing, {});
   EXPECT_TRUE(found.chosen.empty());
   EXPECT_TRUE(found.optimal);
   EXPECT_EQ(found.bound, 0.0);
@@ -283,7 +284,7 @@ TEST(Packing, OfNothingIsNothing) {
        {Fairness::kNone, Fairness::kMaxMin, Fairness::kBalance}) {
     Packing packing;
     packing.fairness = fairness;
-    const Chosen found = SolvePacking(packing, {});
+    const PackingChoice found = SolvePacking(packing, {});
     EXPECT_TRUE(found.chosen.empty());
     EXPECT_TRUE(found.optimal);
   }

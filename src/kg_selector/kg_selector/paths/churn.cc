@@ -36,10 +36,12 @@ void AddChurn(const SeamRules& rules, const kg_compiler::NavGraphs& graphs,
               kg_planner::Trellis* trellis) {
   for (std::size_t s = 0; s < graphs.size(); ++s) {
     std::vector<double> costs;
-    for (const kg_compiler::Waypoint& waypoint : graphs[s].waypoints)
+    for (const kg_compiler::Waypoint& waypoint : graphs[s].waypoints) {
       costs.push_back(ChurnCost(rules, graphs[s].window, waypoint.position));
-    for (kg_planner::Seam& seam : trellis->stages[s].seams)
+    }
+    for (kg_planner::Seam& seam : trellis->stages[s].seams) {
       seam.cost += costs.at(seam.to);
+    }
   }
 }
 

@@ -8,8 +8,8 @@
 #include "kg_planner/k_best/k_best.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/team/plan_team.h"
-#include "kg_selector/team/random_team.h"
 #include "kg_selector/team/stability.h"
+#include "kg_selector/testing/random_team.h"
 
 namespace kg_selector {
 namespace {
@@ -18,12 +18,13 @@ using kg_compiler::SeamRules;
 
 // The windows end where the path does.
 void CommitTo(const Pathlet& path, SeamRules* rules) {
-  for (std::size_t s = 0; s < path.visits.size(); ++s)
+  for (std::size_t s = 0; s < path.visits.size(); ++s) {
     rules->windows.at(s).committed = path.visits[s].position;
+  }
 }
 
-Candidates Plan(const TeamMember& member) {
-  return PlanUnder(TeamRules(), member, {});
+AgentOffer Plan(const TeamMember& member) {
+  return PlanPriced(TeamRules(), member, {});
 }
 
 TEST(ChurnTest, CostsInProportionToTheDistanceUpToASpacing) {
@@ -63,16 +64,17 @@ TEST(ChurnTest, CommitmentsWithoutAWeightChangeNoBit) {
   for (unsigned seed = 0; seed < 100; ++seed) {
     RandomTeam random({}, seed);
     for (TeamMember& member : random.MakeMembers()) {
-      const Candidates before = Plan(member);
+      const AgentOffer before = Plan(member);
       if (before.pathlets.empty()) continue;
       CommitTo(before.pathlets.back(), &member.rules);
-      const Candidates after = Plan(member);
+      const AgentOffer after = Plan(member);
       ASSERT_EQ(before.pathlets.size(), after.pathlets.size());
       for (std::size_t i = 0; i < after.pathlets.size(); ++i) {
         EXPECT_EQ(before.pathlets[i].reward, after.pathlets[i].reward);
         EXPECT_EQ(before.pathlets[i].seam_cost, after.pathlets[i].seam_cost);
-        EXPECT_EQ(StabilityOf({before.pathlets[i]}, {after.pathlets[i]}).share,
-                  1.0);
+        EXPECT_EQ(
+            ComputeStability({before.pathlets[i]}, {after.pathlets[i]}).share,
+            1.0);
       }
       ++planned;
     }
@@ -88,7 +90,7 @@ TEST(ChurnTest, ALargeWeightKeepsThePlanAndASmallOneIsPaidFor) {
     RandomTeam random({}, seed);
     for (TeamMember& member : random.MakeMembers()) {
       member.rules.spacing_m = 5e3;
-      const Candidates free = Plan(member);
+      const AgentOffer free = Plan(member);
       if (free.pathlets.size() < 2) continue;
       const Pathlet& plan = free.pathlets.back();
       CommitTo(plan, &member.rules);
@@ -96,9 +98,10 @@ TEST(ChurnTest, ALargeWeightKeepsThePlanAndASmallOneIsPaidFor) {
         member.rules.churn_weight = weight;
         const Pathlet best = Plan(member).pathlets.at(0);
         double paid = 0.0;
-        for (const Visit& visit : best.visits)
+        for (const Visit& visit : best.visits) {
           paid += ChurnCost(member.rules, visit.window, visit.position);
-        const double share = StabilityOf({plan}, {best}).share;
+        }
+        const double share = ComputeStability({plan}, {best}).share;
         if (weight > 1.0) {
           EXPECT_EQ(share, 1.0) << seed;
           EXPECT_EQ(paid, 0.0);
@@ -119,13 +122,15 @@ TEST(ChurnTest, IsChargedOnTheWayAndLeavesRewardsAlone) {
   TeamMember member = random.MakeMembers().at(0);
   member.rules.churn_weight = 2.0;
   const auto free = ToTrellis(member.rules, member.graphs);
-  for (auto& window : member.rules.windows)
+  for (auto& window : member.rules.windows) {
     window.committed = kg_core::LonLat{-89.9, 25.1};
+  }
   const auto charged = ToTrellis(member.rules, member.graphs);
   for (std::size_t s = 0; s < free.stages.size(); ++s) {
-    for (std::size_t i = 0; i < free.stages[s].nodes.size(); ++i)
+    for (std::size_t i = 0; i < free.stages[s].nodes.size(); ++i) {
       EXPECT_EQ(free.stages[s].nodes[i].reward,
                 charged.stages[s].nodes[i].reward);
+    }
     for (std::size_t i = 0; i < free.stages[s].seams.size(); ++i) {
       const auto& seam = free.stages[s].seams[i];
       const auto& place = member.graphs[s].waypoints.at(seam.to).position;

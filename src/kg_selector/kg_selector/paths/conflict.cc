@@ -16,34 +16,37 @@ using Rewarded = std::map<std::string, std::vector<std::string>>;
 
 Rewarded RewardedBy(const std::vector<Pathlet>& committed) {
   Rewarded rewarded;
-  for (const Pathlet& pathlet : committed)
-    for (const Visit& visit : pathlet.visits)
+  for (const Pathlet& pathlet : committed) {
+    for (const Visit& visit : pathlet.visits) {
       for (const std::string& event : visit.events) {
         std::vector<std::string>& agents = rewarded[event];
-        if (std::count(agents.begin(), agents.end(), pathlet.agent) == 0)
+        if (std::count(agents.begin(), agents.end(), pathlet.agent) == 0) {
           agents.push_back(pathlet.agent);
+        }
       }
+    }
+  }
   return rewarded;
 }
 
 struct WindowSpan {
   int window = -1;
   bool is_first = false;
-  Span span;
+  TimeSpan span;
 };
 
 // One span a window; one of unknown window if ends are not known.
-std::vector<WindowSpan> SpansOf(const TeamRules& rules,
-                                const Pathlet& pathlet) {
+std::vector<WindowSpan> WindowSpans(const TeamRules& rules,
+                                    const Pathlet& pathlet) {
   std::vector<WindowSpan> spans;
   double from_s = -kAlways;
   for (const Visit& visit : pathlet.visits) {
     const auto end = rules.window_end_s.find(visit.window);
-    if (end == rules.window_end_s.end()) return {{-1, true, Span()}};
+    if (end == rules.window_end_s.end()) return {{-1, true, TimeSpan()}};
     spans.push_back({visit.window, spans.empty(), {from_s, end->second}});
     from_s = end->second;
   }
-  if (spans.empty()) return {{-1, true, Span()}};
+  if (spans.empty()) return {{-1, true, TimeSpan()}};
   spans.back().span.to_s = kAlways;
   return spans;
 }
@@ -56,13 +59,18 @@ std::optional<Conflict> SeparationConflict(
   const double separation_m = HardSeparation_m(rules);
   std::optional<Conflict> worst;
   for (const Pathlet& other : committed) {
-    Span span = window.span;
-    if (window.is_first)
+    // In the first window agents may begin too close together (launched from
+    // one ship): the rule holds from when they are apart.
+    TimeSpan span = window.span;
+    if (window.is_first) {
       span.from_s = std::max(
           span.from_s,
           SeparationBegins_s(rules, first_window, pathlet.track, other.track));
-    if (!ComeCloserThan(pathlet.track, other.track, separation_m, span))
+    }
+    if (!ComeCloserThan(pathlet.track, other.track, separation_m, span)) {
       continue;
+    }
+    // Of all others the one it comes closest to.
     const double missing_m =
         separation_m -
         ClosestApproach(pathlet.track, other.track, span)->distance_m;
@@ -84,11 +92,13 @@ std::optional<Conflict> CapacityConflict(const TeamRules& rules,
     const std::vector<std::string> agents =
         place == rewarded.end() ? std::vector<std::string>() : place->second;
     if (std::count(agents.begin(), agents.end(), agent) > 0) continue;
+    // Places left once this agent counts, too.
     const int left = capacity->second - static_cast<int>(agents.size()) - 1;
-    if (left < 0)
+    if (left < 0) {
       return Conflict{ConflictKind::kCapacity,
                       agents.empty() ? "" : agents.back(), visit.window, event,
                       static_cast<double>(left)};
+    }
   }
   return std::nullopt;
 }
@@ -97,8 +107,9 @@ std::optional<Conflict> CapacityConflict(const TeamRules& rules,
 std::optional<Conflict> ExpiredConflict(const TeamRules& rules, int window,
                                         const std::string& event) {
   const auto open = rules.event_windows.find(event);
-  if (open == rules.event_windows.end() || open->second.count(window) > 0)
+  if (open == rules.event_windows.end() || open->second.count(window) > 0) {
     return std::nullopt;
+  }
   Conflict conflict{ConflictKind::kExpired, "", window, event, 0.0};
   if (open->second.empty()) return conflict;
   const int past = window - *open->second.rbegin();
@@ -127,12 +138,13 @@ const char* Name(ConflictKind kind) {
   return "";
 }
 
-std::optional<ConflictKind> ConflictKindOf(const std::string& name) {
+std::optional<ConflictKind> ParseConflictKind(const std::string& name) {
   for (const ConflictKind kind :
        {ConflictKind::kSeparation, ConflictKind::kCapacity,
         ConflictKind::kEnergy, ConflictKind::kExpired, ConflictKind::kOutbid,
-        ConflictKind::kMalformed})
+        ConflictKind::kMalformed}) {
     if (name == Name(kind)) return kind;
+  }
   return std::nullopt;
 }
 
@@ -173,8 +185,9 @@ double SeparationBegins_s(const TeamRules& rules, int first_window,
                           const std::vector<TimedPoint>& a,
                           const std::vector<TimedPoint>& b) {
   const auto end = rules.window_end_s.find(first_window);
-  if (end == rules.window_end_s.end() || a.empty() || b.empty())
+  if (end == rules.window_end_s.end() || a.empty() || b.empty()) {
     return -kAlways;
+  }
   const double begin_s = std::max(a.front().time_s, b.front().time_s);
   if (!(begin_s < end->second)) return -kAlways;
   return FirstTimeApart(a, b, HardSeparation_m(rules), {begin_s, end->second})
@@ -185,13 +198,17 @@ std::optional<Conflict> FindViolation(const TeamRules& rules,
                                       const Pathlet& pathlet) {
   const auto budget_j = rules.energy_budget_j.find(pathlet.agent);
   if (budget_j != rules.energy_budget_j.end() &&
-      !(pathlet.energy_j <= budget_j->second))
+      !(pathlet.energy_j <= budget_j->second)) {
     return Conflict{ConflictKind::kEnergy, "", -1, "",
                     pathlet.energy_j - budget_j->second};
-  for (const Visit& visit : pathlet.visits)
-    for (const std::string& event : visit.events)
-      if (const auto expired = ExpiredConflict(rules, visit.window, event))
+  }
+  for (const Visit& visit : pathlet.visits) {
+    for (const std::string& event : visit.events) {
+      if (const auto expired = ExpiredConflict(rules, visit.window, event)) {
         return expired;
+      }
+    }
+  }
   return std::nullopt;
 }
 
@@ -215,8 +232,9 @@ double SoftPenalty(const TeamRules& rules,
   double missing_m = 0.0;
   for (const Pathlet& other : committed) {
     const auto approach = ClosestApproach(pathlet.track, other.track);
-    if (approach)
+    if (approach) {
       missing_m += std::max(0.0, rules.separation_m - approach->distance_m);
+    }
   }
   return rules.separation_weight_per_m * missing_m;
 }
@@ -225,7 +243,7 @@ std::optional<Conflict> FindConflict(const TeamRules& rules,
                                      const std::vector<Pathlet>& committed,
                                      const Pathlet& pathlet) {
   const Rewarded rewarded = RewardedBy(committed);
-  for (const WindowSpan& window : SpansOf(rules, pathlet)) {
+  for (const WindowSpan& window : WindowSpans(rules, pathlet)) {
     auto conflict = SeparationConflict(rules, committed, pathlet, window);
     if (conflict) return conflict;
     for (const Visit& visit : pathlet.visits) {

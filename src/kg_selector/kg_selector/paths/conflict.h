@@ -38,14 +38,15 @@ struct TeamRules {
   // Soft: reward lost per metre that the closest approach to each committed
   // agent lies below separation_m.
   double separation_weight_per_m = 0.0;
-  std::string mode = "greedy";  // "greedy", "auction", "priced", "exact".
+  std::string mode = "greedy";  // A name of the table in team_modes.h.
   int max_rounds = 8;           // Of planning, the first included.
   // Modes with prices stop when the plan is this close to its bound (a share).
   double gap_goal = 0.01;
   double auction_epsilon = 0.05;      // Least raise of a price [reward].
   double time_limit_s = 2.0;          // Of choosing among the candidates.
   std::string fairness = "scarcity";  // "scarcity", "balance", "max_min".
-  double fairness_weight = 0.0;       // Of what "balance" evens out [reward].
+  double fairness_weight =
+      0.0;  // Weight of the spread of loads in "balance" [reward].
   // What an agent may use up; absent = not limited. By its name in the team.
   std::map<std::string, double> energy_budget_j;
   // Windows in which an event rewards; absent = any.
@@ -71,7 +72,7 @@ enum class ConflictKind {
 // "separation", "capacity", "energy", "expired", "outbid", "malformed"
 const char* Name(ConflictKind kind);
 // The inverse; nothing for another name.
-std::optional<ConflictKind> ConflictKindOf(const std::string& name);
+std::optional<ConflictKind> ParseConflictKind(const std::string& name);
 
 struct Conflict {
   ConflictKind kind = ConflictKind::kSeparation;
@@ -90,7 +91,7 @@ double SeparationBegins_s(const TeamRules& rules, int first_window,
                           const std::vector<kg_compiler::TimedPoint>& a,
                           const std::vector<kg_compiler::TimedPoint>& b);
 
-// Events that reward nobody beyond those committed.
+// Events whose capacity the committed paths use up.
 std::set<std::string> FullEvents(const TeamRules& rules,
                                  const std::vector<Pathlet>& committed);
 

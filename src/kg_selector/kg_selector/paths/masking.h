@@ -33,9 +33,9 @@ kg_planner::Trellis ToTrellis(const kg_compiler::SeamRules& rules,
 // a committed track. Of `committed` only tracks are read. What is planned under
 // these masks with rules that FullEvents() are closed in has no hard conflict
 // (FindConflict) with `committed`.
-kg_planner::Masks MaskCommitted(const TeamRules& rules,
-                                const kg_compiler::NavGraphs& graphs,
-                                const std::vector<Pathlet>& committed);
+kg_planner::PathMasks MaskCommitted(const TeamRules& rules,
+                                    const kg_compiler::NavGraphs& graphs,
+                                    const std::vector<Pathlet>& committed);
 
 // A planner's path with the places and times behind its numbers. A visit is one
 // window: its reward is that of all stops, and an event is listed where its

@@ -7,7 +7,7 @@
 
 #include "gtest/gtest.h"
 #include "kg_selector/team/plan_team.h"
-#include "kg_selector/team/random_team.h"
+#include "kg_selector/testing/random_team.h"
 
 namespace kg_selector {
 namespace {
@@ -33,14 +33,14 @@ std::vector<Pathlet> Others(const TeamRules& rules,
                             const std::vector<TeamMember>& members) {
   std::vector<Pathlet> committed;
   for (std::size_t i = 1; i < members.size(); ++i) {
-    const Candidates found =
-        PlanUnder(rules, members[i], AskAround(rules, committed));
+    const AgentOffer found =
+        PlanPriced(rules, members[i], RequestAround(rules, committed));
     if (!found.pathlets.empty()) committed.push_back(found.pathlets.front());
   }
   return committed;
 }
 
-struct Counts {
+struct MaskCounts {
   int masked = 0;
   int open = 0;
   int planned = 0;
@@ -49,7 +49,7 @@ struct Counts {
 // Masked are exactly the paths that separation rules out, closed exactly the
 // events that capacity does.
 void CheckMasks(const TeamRules& rules, const std::vector<TeamMember>& members,
-                Counts* counts) {
+                MaskCounts* counts) {
   const std::vector<Pathlet> committed = Others(rules, members);
   const TeamMember& member = members.front();
   const auto masks = MaskCommitted(rules, member.graphs, committed);
@@ -66,21 +66,23 @@ void CheckMasks(const TeamRules& rules, const std::vector<TeamMember>& members,
     ++(masked ? counts->masked : counts->open);
   }
   for (const Pathlet& pathlet :
-       PlanUnder(rules, member, AskAround(rules, committed)).pathlets) {
+       PlanPriced(rules, member, RequestAround(rules, committed)).pathlets) {
     ASSERT_FALSE(FindConflict(rules, committed, pathlet));
     ++counts->planned;
   }
 }
 
-Counts CheckRandomMasks(const RandomTeamOptions& options, unsigned seed) {
-  Counts counts;
+MaskCounts CheckRandomMasks(const RandomTeamOptions& options, unsigned seed) {
+  MaskCounts counts;
   for (unsigned i = 0; i < 150; ++i) {
     RandomTeam random(options, seed + i);
     TeamRules rules = random.MakeRules();
     const auto members = random.MakeMembers();
-    if (i % 2 == 0)
-      for (const auto& window : members[0].rules.windows)
+    if (i % 2 == 0) {
+      for (const auto& window : members[0].rules.windows) {
         rules.window_end_s[window.window] = window.end_s;
+      }
+    }
     CheckMasks(rules, members, &counts);
     if (testing::Test::HasFatalFailure()) break;
   }
@@ -88,7 +90,7 @@ Counts CheckRandomMasks(const RandomTeamOptions& options, unsigned seed) {
 }
 
 TEST(MaskCommittedTest, MasksExactlyWhatWouldConflict) {
-  const Counts counts = CheckRandomMasks({}, 1000);
+  const MaskCounts counts = CheckRandomMasks({}, 1000);
   EXPECT_GT(counts.masked, 500);
   EXPECT_GT(counts.open, 500);
   EXPECT_GT(counts.planned, 300);
@@ -97,7 +99,7 @@ TEST(MaskCommittedTest, MasksExactlyWhatWouldConflict) {
 TEST(MaskCommittedTest, MasksExactlyWhatWouldConflictFromOneShip) {
   RandomTeamOptions options;
   options.same_start = true;
-  const Counts counts = CheckRandomMasks(options, 2000);
+  const MaskCounts counts = CheckRandomMasks(options, 2000);
   EXPECT_GT(counts.masked, 500);
   EXPECT_GT(counts.open, 500);
   EXPECT_GT(counts.planned, 100);
@@ -107,7 +109,7 @@ TEST(MaskCommittedTest, MasksExactlyTheWalksThatWouldConflict) {
   RandomTeamOptions options;
   options.walks = true;
   options.waypoints = 3;
-  const Counts counts = CheckRandomMasks(options, 4000);
+  const MaskCounts counts = CheckRandomMasks(options, 4000);
   EXPECT_GT(counts.masked, 500);
   EXPECT_GT(counts.open, 500);
   EXPECT_GT(counts.planned, 300);
@@ -136,15 +138,17 @@ TEST(ToPathletTest, StopsAndTheirEventsCountInTheirWindow) {
         }
         for (const std::string& event : visit.events) {
           ASSERT_EQ(there.count(event), 1u);
-          for (const auto& rule : member.rules.windows[s].events)
+          for (const auto& rule : member.rules.windows[s].events) {
             if (rule.iri == event) reward += rule.reward;
+          }
           const auto& end = member.graphs[s].waypoints[visit.waypoint].events;
           by_stops += std::count(end.begin(), end.end(), event) == 0;
         }
         EXPECT_NEAR(reward, visit.reward, 1e-9);
-        for (const Stop& stop : visit.via)
+        for (const Stop& stop : visit.via) {
           EXPECT_EQ(stop.position,
                     member.graphs[s].waypoints[stop.waypoint].position);
+        }
       }
     }
   }
@@ -154,7 +158,7 @@ TEST(ToPathletTest, StopsAndTheirEventsCountInTheirWindow) {
 TEST(MaskCommittedTest, WaitingBetweenWindowsCountsToo) {
   RandomTeamOptions options;
   options.gap_s = 3600.0;
-  const Counts counts = CheckRandomMasks(options, 3000);
+  const MaskCounts counts = CheckRandomMasks(options, 3000);
   EXPECT_GT(counts.masked, 500);
   EXPECT_GT(counts.open, 500);
 }

@@ -15,17 +15,17 @@ namespace {
 
 using kg_compiler::SeamRules;
 
-constexpr int kMostDecimals = 9;
+constexpr int kMaxDecimals = 9;
 
-struct Unit {
+struct BudgetUnit {
   const char* best;  // The path that needs least.
   const char* name;
   const char* of;  // Behind the budget's unit.
   double size;
 };
-constexpr Unit kEnergy = {"thriftiest", "Wh", "", kg_core::kJoulesPerWh};
-constexpr Unit kHazard = {"safest", "h", " of hazard",
-                          kg_core::kSecondsPerHour};
+constexpr BudgetUnit kEnergy = {"thriftiest", "Wh", "", kg_core::kJoulesPerWh};
+constexpr BudgetUnit kHazard = {"safest", "h", " of hazard",
+                                kg_core::kSecondsPerHour};
 
 std::string Number(double value, int decimals) {
   char text[64];
@@ -34,13 +34,14 @@ std::string Number(double value, int decimals) {
 }
 
 // With as many decimals as tell the two apart.
-std::string Exceeded(const Unit& unit, double budget, double above) {
+std::string Exceeded(const BudgetUnit& unit, double budget, double above) {
   const double allowed = budget / unit.size;
   const double taken = (budget + above) / unit.size;
   int decimals = 1;
-  while (decimals < kMostDecimals &&
-         Number(allowed, decimals) == Number(taken, decimals))
+  while (decimals < kMaxDecimals &&
+         Number(allowed, decimals) == Number(taken, decimals)) {
     ++decimals;
+  }
   return "no path within " + Number(allowed, decimals) + " " + unit.name +
          unit.of + ": the " + unit.best + " takes " + Number(taken, decimals) +
          " " + unit.name;
@@ -54,15 +55,16 @@ void LimitHazard(const SeamRules& rules, const kg_compiler::NavGraphs& graphs,
   trellis->more_limits = {rules.hazard_budget_s};
   for (std::size_t s = 0; s < graphs.size(); ++s) {
     std::vector<double> hazard_s;
-    for (const kg_compiler::TraverseEdge& edge : graphs[s].edges)
+    for (const kg_compiler::TraverseEdge& edge : graphs[s].edges) {
       hazard_s.push_back(edge.flight.hazard_s + edge.isolation_s);
+    }
     trellis->stages[s].more_resources = {std::move(hazard_s)};
   }
 }
 
 kg_planner::KBest ChoosePaths(const SeamRules& rules,
                               const kg_planner::Trellis& trellis,
-                              const kg_planner::Masks& masks,
+                              const kg_planner::PathMasks& masks,
                               kg_planner::KBestMemory* memory) {
   const int paths = std::max(1, rules.candidates);
   if (rules.diverse) {

@@ -24,7 +24,7 @@ void LimitHazard(const kg_compiler::SeamRules& rules,
 // be. `memory` (may be null) is of the agent's last search for the K best.
 kg_planner::KBest ChoosePaths(const kg_compiler::SeamRules& rules,
                               const kg_planner::Trellis& trellis,
-                              const kg_planner::Masks& masks,
+                              const kg_planner::PathMasks& masks,
                               kg_planner::KBestMemory* memory = nullptr);
 
 // By how much the budgets are too small, if `found` says that this is why it

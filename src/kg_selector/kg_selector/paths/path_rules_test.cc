@@ -5,7 +5,7 @@
 #include "gtest/gtest.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/team/plan_team.h"
-#include "kg_selector/team/random_team.h"
+#include "kg_selector/testing/random_team.h"
 
 namespace kg_selector {
 namespace {
@@ -28,8 +28,9 @@ TEST(PathRulesTest, AHazardBudgetIsASecondResourceOfTheTrellis) {
   for (const kg_planner::Stage& stage : trellis.stages) {
     ASSERT_EQ(stage.more_resources.size(), 1u);
     ASSERT_EQ(stage.more_resources[0].size(), stage.seams.size());
-    for (std::size_t i = 0; i < stage.seams.size(); ++i)
+    for (std::size_t i = 0; i < stage.seams.size(); ++i) {
       EXPECT_EQ(stage.more_resources[0][i], stage.seams[i].to + 1.5);
+    }
   }
 }
 
@@ -65,8 +66,9 @@ TEST(PathRulesTest, AsManyPathsAreChosenAsTheRulesAskFor) {
 
 int Difference(const kg_planner::Path& a, const kg_planner::Path& b) {
   int count = 0;
-  for (std::size_t s = 0; s < a.nodes.size(); ++s)
+  for (std::size_t s = 0; s < a.nodes.size(); ++s) {
     count += a.nodes[s] != b.nodes[s];
+  }
   return count;
 }
 
@@ -83,11 +85,14 @@ TEST(PathRulesTest, DiversePathsDifferAsTheRulesSayAndTheBestIsTheFirst) {
     ASSERT_EQ(best.empty(), diverse.empty());
     if (best.empty()) continue;
     EXPECT_NEAR(best[0].score(), diverse[0].score(), 1e-9);
-    for (std::size_t i = 0; i < diverse.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
+    for (std::size_t i = 0; i < diverse.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
         EXPECT_GE(Difference(diverse[i], diverse[j]), 2);
-    for (std::size_t i = 1; i < best.size(); ++i)
+      }
+    }
+    for (std::size_t i = 1; i < best.size(); ++i) {
       alike += Difference(best[0], best[i]) < 2;
+    }
     several += diverse.size() > 1;
   }
   EXPECT_GT(alike, 25);  // The K best are not that different.
@@ -102,27 +107,31 @@ TEST(PathRulesTest, ABudgetOfHazardIsKeptOverTheHorizonAndSaysByHowMuch) {
     member.rules.energy_budget_j = INFINITY;
     for (std::size_t s = 0; s < member.graphs.size(); ++s) {
       kg_compiler::NavGraph graph = member.graphs[s];
-      for (auto& edge : graph.edges)
+      for (auto& edge : graph.edges) {
         edge.flight.hazard_s = random.Number(0.0, 3600.0);
+      }
       member.graphs.Replace(s, graph);
     }
-    const Candidates free = PlanUnder({}, member, {});
+    const AgentOffer free = PlanPriced({}, member, {});
     if (free.pathlets.empty()) continue;
     const auto hazard_s = [&](const Pathlet& path) {
       double sum_s = 0.0;
       int from = 0;
       for (std::size_t s = 0; s < path.visits.size(); ++s) {
-        for (const auto& edge : member.graphs[s].edges)
-          if (edge.from == from && edge.to == path.visits[s].waypoint)
+        for (const auto& edge : member.graphs[s].edges) {
+          if (edge.from == from && edge.to == path.visits[s].waypoint) {
             sum_s += edge.flight.hazard_s;
+          }
+        }
         from = path.visits[s].waypoint;
       }
       return sum_s;
     };
     member.rules.hazard_budget_s = 0.7 * hazard_s(free.pathlets[0]);
-    const Candidates kept = PlanUnder({}, member, {});
-    for (const Pathlet& path : kept.pathlets)
+    const AgentOffer kept = PlanPriced({}, member, {});
+    for (const Pathlet& path : kept.pathlets) {
       EXPECT_LE(hazard_s(path), member.rules.hazard_budget_s * (1 + 1e-12));
+    }
     if (kept.pathlets.empty()) {
       EXPECT_NE(kept.note.find(" h of hazard: the safest takes "),
                 std::string::npos)
@@ -137,7 +146,7 @@ TEST(PathRulesTest, AnAgentSaysByHowMuchItsEnergyIsTooLittle) {
   RandomTeam random({}, 2);
   TeamMember member = random.MakeMembers().at(0);
   member.rules.energy_budget_j = 1.0;
-  const Candidates none = PlanUnder({}, member, {});
+  const AgentOffer none = PlanPriced({}, member, {});
   ASSERT_TRUE(none.pathlets.empty());
   EXPECT_EQ(none.note.find("no path within 0.0 Wh: the thriftiest takes "), 0u)
       << none.note;

@@ -33,24 +33,25 @@ LonLat PositionAt(const TimedPoint& from, const TimedPoint& to, double time_s) {
   return Between(from.position, to.position, std::clamp(share, 0.0, 1.0));
 }
 
-struct Offset {
+struct PlaneOffset {
   double east_m = 0.0;
   double north_m = 0.0;
   double length_m() const { return std::hypot(east_m, north_m); }
 };
 
-Offset OffsetOf(LonLat a, LonLat b, const kg_core::DegreesPerMetre& scale) {
+PlaneOffset ComputeOffset(LonLat a, LonLat b,
+                          const kg_core::DegreesPerMetre& scale) {
   return {Wrapped(b.lon_deg - a.lon_deg) / scale.lon_deg,
           (b.lat_deg - a.lat_deg) / scale.lat_deg};
 }
 
 double MidLatitudeDistance_m(LonLat a, LonLat b) {
   const auto scale = kg_core::LocalScale(0.5 * (a.lat_deg + b.lat_deg));
-  return OffsetOf(a, b, scale).length_m();
+  return ComputeOffset(a, b, scale).length_m();
 }
 
 // Both tracks straight and steady between two times.
-struct Interval {
+struct TrackInterval {
   double begin_s = 0.0;
   double end_s = 0.0;
   LonLat a_begin, a_end;
@@ -58,12 +59,13 @@ struct Interval {
 };
 
 // The plane's minimum, measured again at its own middle latitude.
-Approach ApproachWithin(const Interval& interval) {
+TrackApproach ApproachWithin(const TrackInterval& interval) {
   const auto scale = kg_core::LocalScale(
       0.25 * (interval.a_begin.lat_deg + interval.a_end.lat_deg +
               interval.b_begin.lat_deg + interval.b_end.lat_deg));
-  const Offset begin = OffsetOf(interval.a_begin, interval.b_begin, scale);
-  const Offset end = OffsetOf(interval.a_end, interval.b_end, scale);
+  const PlaneOffset begin =
+      ComputeOffset(interval.a_begin, interval.b_begin, scale);
+  const PlaneOffset end = ComputeOffset(interval.a_end, interval.b_end, scale);
   const double east_m = end.east_m - begin.east_m;
   const double north_m = end.north_m - begin.north_m;
   const double squared = east_m * east_m + north_m * north_m;
@@ -76,20 +78,20 @@ Approach ApproachWithin(const Interval& interval) {
       interval.begin_s + share * (interval.end_s - interval.begin_s)};
 }
 
-double LeastOf(double begin, double end) {
+double SmallestMagnitude(double begin, double end) {
   return begin * end > 0.0 ? std::min(std::abs(begin), std::abs(end)) : 0.0;
 }
 
 // Not more than the approach, from differences of latitude and longitude alone:
 // a degree is at least 110574 m northward and 111319 m cos(lat) eastward, and
-// cos(x) >= 1 - x^2 / 2. A hair is taken off for rounding.
-double LeastPossible_m(const Interval& interval) {
+// cos(x) >= 1 - x^2 / 2. A share of 1e-6 is taken off for rounding.
+double LeastPossible_m(const TrackInterval& interval) {
   const double north_deg =
-      LeastOf(interval.b_begin.lat_deg - interval.a_begin.lat_deg,
-              interval.b_end.lat_deg - interval.a_end.lat_deg);
-  const double east_deg =
-      LeastOf(Wrapped(interval.b_begin.lon_deg - interval.a_begin.lon_deg),
-              Wrapped(interval.b_end.lon_deg - interval.a_end.lon_deg));
+      SmallestMagnitude(interval.b_begin.lat_deg - interval.a_begin.lat_deg,
+                        interval.b_end.lat_deg - interval.a_end.lat_deg);
+  const double east_deg = SmallestMagnitude(
+      Wrapped(interval.b_begin.lon_deg - interval.a_begin.lon_deg),
+      Wrapped(interval.b_end.lon_deg - interval.a_end.lon_deg));
   const double lat_rad = kg_core::DegToRad(std::max(
       {std::abs(interval.a_begin.lat_deg), std::abs(interval.a_end.lat_deg),
        std::abs(interval.b_begin.lat_deg), std::abs(interval.b_end.lat_deg)}));
@@ -107,9 +109,9 @@ std::size_t PointAt(const Track& track, double time_s) {
 }
 
 // Walks the pieces of a track.
-class Piece {
+class TrackPiece {
  public:
-  Piece(const Track& track, double time_s)
+  TrackPiece(const Track& track, double time_s)
       : track_(track), index_(PointAt(track, time_s)) {}
 
   const TimedPoint& from() const { return track_[index_]; }
@@ -131,7 +133,7 @@ class Piece {
 };
 
 // The common times of the tracks within `span`; empty if to < from.
-Span CommonSpan(const Track& a, const Track& b, const Span& span) {
+TimeSpan CommonSpan(const Track& a, const Track& b, const TimeSpan& span) {
   if (a.empty() || b.empty()) return {0.0, -1.0};
   return {std::max({span.from_s, a.front().time_s, b.front().time_s}),
           std::min({span.to_s, a.back().time_s, b.back().time_s})};
@@ -139,24 +141,26 @@ Span CommonSpan(const Track& a, const Track& b, const Span& span) {
 
 // Calls visit(Interval) in order of time until it returns false.
 template <typename Visit>
-void ForEachInterval(const Track& a, const Track& b, const Span& span,
+void ForEachInterval(const Track& a, const Track& b, const TimeSpan& span,
                      const Visit& visit) {
-  const Span common = CommonSpan(a, b, span);
+  const TimeSpan common = CommonSpan(a, b, span);
   if (!(common.from_s <= common.to_s)) return;
-  Piece of_a(a, common.from_s);
-  Piece of_b(b, common.from_s);
+  TrackPiece of_a(a, common.from_s);
+  TrackPiece of_b(b, common.from_s);
   double begin_s = common.from_s;
   for (bool more = true; more;) {
+    // Up to where the first of the two pieces, or the span, ends.
     const double end_s =
         std::max(begin_s, of_b.EndBefore(of_a.EndBefore(common.to_s)));
-    const Interval interval{begin_s,
-                            end_s,
-                            PositionAt(of_a.from(), of_a.to(), begin_s),
-                            PositionAt(of_a.from(), of_a.to(), end_s),
-                            PositionAt(of_b.from(), of_b.to(), begin_s),
-                            PositionAt(of_b.from(), of_b.to(), end_s)};
+    const TrackInterval interval{begin_s,
+                                 end_s,
+                                 PositionAt(of_a.from(), of_a.to(), begin_s),
+                                 PositionAt(of_a.from(), of_a.to(), end_s),
+                                 PositionAt(of_b.from(), of_b.to(), begin_s),
+                                 PositionAt(of_b.from(), of_b.to(), end_s)};
     if (!visit(interval)) return;
     begin_s = end_s;
+    // Both must advance, so no short cut of the `or`.
     const bool a_moved = of_a.Advance(end_s);
     more = of_b.Advance(end_s) || a_moved;
   }
@@ -186,38 +190,39 @@ bool IsSamePath(const Pathlet& a, const Pathlet& b) {
                     b.track.end(), same_point);
 }
 
-std::vector<int> ViaOf(const Visit& visit) {
+std::vector<int> WaypointsVia(const Visit& visit) {
   std::vector<int> via;
   for (const Stop& stop : visit.via) via.push_back(stop.waypoint);
   return via;
 }
 
 std::vector<int> StopsOf(const Visit& visit) {
-  std::vector<int> stops = ViaOf(visit);
+  std::vector<int> stops = WaypointsVia(visit);
   stops.push_back(visit.waypoint);
   return stops;
 }
 
-std::optional<Approach> ClosestApproach(const Track& a, const Track& b,
-                                        const Span& span) {
-  std::optional<Approach> closest;
-  ForEachInterval(a, b, span, [&](const Interval& interval) {
-    const Approach approach = ApproachWithin(interval);
-    if (!closest || approach.distance_m < closest->distance_m)
+std::optional<TrackApproach> ClosestApproach(const Track& a, const Track& b,
+                                             const TimeSpan& span) {
+  std::optional<TrackApproach> closest;
+  ForEachInterval(a, b, span, [&](const TrackInterval& interval) {
+    const TrackApproach approach = ApproachWithin(interval);
+    if (!closest || approach.distance_m < closest->distance_m) {
       closest = approach;
+    }
     return true;
   });
   return closest;
 }
 
-std::optional<Approach> ClosestApproach(const Track& a, const Track& b) {
-  return ClosestApproach(a, b, Span());
+std::optional<TrackApproach> ClosestApproach(const Track& a, const Track& b) {
+  return ClosestApproach(a, b, TimeSpan());
 }
 
 bool ComeCloserThan(const Track& a, const Track& b, double distance_m,
-                    const Span& span) {
+                    const TimeSpan& span) {
   bool closer = false;
-  ForEachInterval(a, b, span, [&](const Interval& interval) {
+  ForEachInterval(a, b, span, [&](const TrackInterval& interval) {
     closer = LeastPossible_m(interval) < distance_m &&
              ApproachWithin(interval).distance_m < distance_m;
     return !closer;
@@ -226,16 +231,17 @@ bool ComeCloserThan(const Track& a, const Track& b, double distance_m,
 }
 
 std::optional<double> FirstTimeApart(const Track& a, const Track& b,
-                                     double distance_m, const Span& span) {
+                                     double distance_m, const TimeSpan& span) {
   std::optional<double> first_s;
   const auto apart = [&](LonLat at_a, LonLat at_b) {
     return MidLatitudeDistance_m(at_a, at_b) >= distance_m;
   };
-  ForEachInterval(a, b, span, [&](const Interval& interval) {
-    if (apart(interval.a_begin, interval.b_begin))
+  ForEachInterval(a, b, span, [&](const TrackInterval& interval) {
+    if (apart(interval.a_begin, interval.b_begin)) {
       first_s = interval.begin_s;
-    else if (apart(interval.a_end, interval.b_end))
+    } else if (apart(interval.a_end, interval.b_end)) {
       first_s = interval.end_s;
+    }
     return !first_s;
   });
   return first_s;

@@ -35,11 +35,11 @@ struct Visit {
 // But for the index of the edge.
 bool operator==(const Visit& a, const Visit& b);
 
-std::vector<int> ViaOf(const Visit& visit);    // Waypoints on the way.
-std::vector<int> StopsOf(const Visit& visit);  // And where it ends.
+std::vector<int> WaypointsVia(const Visit& visit);  // Waypoints on the way.
+std::vector<int> StopsOf(const Visit& visit);       // And where it ends.
 
 struct Pathlet {
-  std::string agent;  // Its name in the team (NameOf in plan_team.h).
+  std::string agent;  // Its name in the team (NameOf(), priced_replanning.h).
   int rank = 0;       // In the agent's own order, 0 = best,
   int round = 0;      // of the offer that it was part of.
   double reward = 0.0;
@@ -62,34 +62,34 @@ bool IsSamePath(const Pathlet& a, const Pathlet& b);
 // curvature at the middle latitude of the two. Against the geodesic: 0.01 % up
 // to 20 km between the polar circles, for pieces of a track up to 20 km; the
 // further apart the worse.
-struct Approach {
+struct TrackApproach {
   double distance_m = 0.0;
   double time_s = 0.0;
 };
-std::optional<Approach> ClosestApproach(
+std::optional<TrackApproach> ClosestApproach(
     const std::vector<kg_compiler::TimedPoint>& a,
     const std::vector<kg_compiler::TimedPoint>& b);
 
 // The same within a span of time only.
-struct Span {
+struct TimeSpan {
   double from_s = -std::numeric_limits<double>::infinity();
   double to_s = std::numeric_limits<double>::infinity();
 };
-std::optional<Approach> ClosestApproach(
+std::optional<TrackApproach> ClosestApproach(
     const std::vector<kg_compiler::TimedPoint>& a,
-    const std::vector<kg_compiler::TimedPoint>& b, const Span& span);
+    const std::vector<kg_compiler::TimedPoint>& b, const TimeSpan& span);
 
 // ClosestApproach() < distance_m, sooner.
 bool ComeCloserThan(const std::vector<kg_compiler::TimedPoint>& a,
                     const std::vector<kg_compiler::TimedPoint>& b,
-                    double distance_m, const Span& span);
+                    double distance_m, const TimeSpan& span);
 
 // The first time in `span` at which they are at least `distance_m` apart, of
 // those at which a piece of either track or the span begins or ends.
 std::optional<double> FirstTimeApart(
     const std::vector<kg_compiler::TimedPoint>& a,
     const std::vector<kg_compiler::TimedPoint>& b, double distance_m,
-    const Span& span);
+    const TimeSpan& span);
 
 }  // namespace kg_selector
 

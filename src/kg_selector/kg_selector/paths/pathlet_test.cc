@@ -30,10 +30,10 @@ LonLat At(const Track& track, double time_s) {
 }
 
 // The least geodesic distance at many times, refined about the best.
-Approach Sampled(const Track& a, const Track& b) {
+TrackApproach Sampled(const Track& a, const Track& b) {
   double from_s = std::max(a.front().time_s, b.front().time_s);
   double to_s = std::min(a.back().time_s, b.back().time_s);
-  Approach best{1e12, from_s};
+  TrackApproach best{1e12, from_s};
   for (int level = 0; level < 4; ++level) {
     const double step_s = (to_s - from_s) / 2000.0;
     for (int i = 0; i <= 2000; ++i) {
@@ -84,7 +84,7 @@ TEST(ClosestApproachTest,
     const Track a = random.Make(about, 0.0);
     const Track b = random.Make(about, 0.0);
     const auto found = ClosestApproach(a, b);
-    const Approach sampled = Sampled(a, b);
+    const TrackApproach sampled = Sampled(a, b);
     ASSERT_TRUE(found);
     ASSERT_NEAR(found->distance_m, sampled.distance_m,
                 1e-4 * sampled.distance_m + 0.05);
@@ -127,10 +127,11 @@ TEST(ComeCloserThanTest, SaysWhatTheClosestApproachSays) {
     const Track a = random.Make(about, 0.0);
     const Track b = random.Make(about, 0.0);
     const double distance_m = ClosestApproach(a, b)->distance_m;
-    EXPECT_FALSE(ComeCloserThan(a, b, distance_m, Span()));
-    EXPECT_TRUE(ComeCloserThan(a, b, std::nextafter(distance_m, 1e12), Span()));
+    EXPECT_FALSE(ComeCloserThan(a, b, distance_m, TimeSpan()));
+    EXPECT_TRUE(
+        ComeCloserThan(a, b, std::nextafter(distance_m, 1e12), TimeSpan()));
   }
-  EXPECT_FALSE(ComeCloserThan({}, {}, 1e12, Span()));
+  EXPECT_FALSE(ComeCloserThan({}, {}, 1e12, TimeSpan()));
 }
 
 const LonLat kHere = {-90.0, 25.0};
@@ -193,10 +194,10 @@ TEST(ClosestApproachTest, SeesAJumpFromBothSides) {
 TEST(FirstTimeApartTest, IsThatOfAPointOfEitherTrack) {
   const Track a = {{kHere, 0.0}, {kThere, 1000.0}};
   const Track b = {{kHere, 0.0}, {kHere, 300.0}, {kHere, 700.0}, {kHere, 1e4}};
-  EXPECT_EQ(FirstTimeApart(a, b, 100.0, Span()), 300.0);
-  EXPECT_EQ(FirstTimeApart(a, b, 5000.0, Span()), 700.0);
-  EXPECT_EQ(FirstTimeApart(a, b, 10000.0, Span()), 1000.0);
-  EXPECT_FALSE(FirstTimeApart(a, b, 20000.0, Span()));
+  EXPECT_EQ(FirstTimeApart(a, b, 100.0, TimeSpan()), 300.0);
+  EXPECT_EQ(FirstTimeApart(a, b, 5000.0, TimeSpan()), 700.0);
+  EXPECT_EQ(FirstTimeApart(a, b, 10000.0, TimeSpan()), 1000.0);
+  EXPECT_FALSE(FirstTimeApart(a, b, 20000.0, TimeSpan()));
   EXPECT_FALSE(FirstTimeApart(a, b, 5000.0, {0.0, 400.0}));
 }
 

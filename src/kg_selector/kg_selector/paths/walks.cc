@@ -1,7 +1,6 @@
 #include "kg_selector/paths/walks.h"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <optional>
 #include <set>
@@ -25,46 +24,47 @@ using kg_compiler::TraverseEdge;
 using kg_compiler::Waypoint;
 using kg_compiler::WindowWorld;
 
-// Of the best score of the same end, a walk must have so much.
+// A walk must have this share of the best score of its end.
 constexpr double kGoodEnough = 0.5;
 constexpr std::size_t kExactLabels = 4000;
-constexpr std::size_t kMostSteps = 400;
+constexpr std::size_t kMaxSteps = 400;
 constexpr double kLeastGround_mps = 1e-3;
 
 // How long a walk takes is only known when it is flown: those that seem to take
 // up to a tenth too long are looked at, too, besides those that seem to fit.
-struct Look {
+struct SearchPass {
   double duration;  // Share of the window.
   int per_end;      // Times what is kept.
 };
-constexpr Look kLooks[] = {{1.0, 1}, {1.1, 2}};
+constexpr SearchPass kSearchPasses[] = {{1.0, 1}, {1.1, 2}};
 
-enum class Pace { kPriced, kCruise };
+enum class TravelPace { kPriced, kCruise };
 
 double Length_m(const Flight& flight) {
   double length_m = 0.0;
-  for (std::size_t i = 1; i < flight.track.size(); ++i)
+  for (std::size_t i = 1; i < flight.track.size(); ++i) {
     length_m += kg_core::Distance_m(flight.track[i - 1].position,
                                     flight.track[i].position);
+  }
   return length_m;
 }
 
 // An edge as a leg: what it takes at either pace when the window begins,
 // holding station not counted.
-struct Way {
+struct WalkLeg {
   const Flight* flight = nullptr;
   double cruise_mps = 0.0;
   double length_m = 0.0;
   double hazard = 0.0;       // Mean, under way.
   double isolation_s = 0.0;  // A second under way.
 
-  double Speed_mps(Pace pace) const {
-    return pace == Pace::kPriced ? flight->speed_mps : cruise_mps;
+  double Speed_mps(TravelPace pace) const {
+    return pace == TravelPace::kPriced ? flight->speed_mps : cruise_mps;
   }
   // At cruise speed: as if the current helped as much per second.
-  double Travel_s(Pace pace) const {
+  double Travel_s(TravelPace pace) const {
     const double travel_s = flight->travel_s;
-    if (pace == Pace::kPriced || !(travel_s > 0.0)) return travel_s;
+    if (pace == TravelPace::kPriced || !(travel_s > 0.0)) return travel_s;
     const double ground_mps =
         length_m / travel_s + (cruise_mps - flight->speed_mps);
     return length_m / std::max(ground_mps, kLeastGround_mps);
@@ -78,17 +78,20 @@ class WindowWalks {
         weights_(inputs.rules->weights),
         places_(kg_compiler::PositionsOf(inputs.graph->waypoints)),
         sea_(*inputs.rules, *inputs.window, inputs.world) {
-    for (const TraverseEdge& edge : in_.graph->edges)
-      if (edge.via.empty()) entries_[{edge.from, edge.to}] = ToWay(edge);
-    for (const TraverseEdge& edge : in_.graph->inner_edges)
-      inner_[{edge.from, edge.to}] = ToWay(edge);
+    for (const TraverseEdge& edge : in_.graph->edges) {
+      if (edge.via.empty()) entries_[{edge.from, edge.to}] = ToWalkLeg(edge);
+    }
+    for (const TraverseEdge& edge : in_.graph->inner_edges) {
+      inner_[{edge.from, edge.to}] = ToWalkLeg(edge);
+    }
   }
 
   std::vector<TraverseEdge> Find(const WalkOptions& options) const {
     std::vector<TraverseEdge> walks;
     if (inner_.empty()) return walks;
-    for (std::size_t from = 0; from < in_.sources.size(); ++from)
+    for (std::size_t from = 0; from < in_.sources.size(); ++from) {
       AddFrom(static_cast<int>(from), options, &walks);
+    }
     return walks;
   }
 
@@ -98,6 +101,7 @@ class WindowWalks {
     double isolation_s = 0.0;
     int at = from;
     for (const int stop : stops) {
+      // The first leg leads into the window, the others are within it.
       const auto& edges = legs.empty() ? entries_ : inner_;
       const auto way = edges.find({at, stop});
       if (way == edges.end()) return std::nullopt;
@@ -116,9 +120,9 @@ class WindowWalks {
  private:
   using Ends = std::pair<int, int>;
 
-  Way ToWay(const TraverseEdge& edge) const {
+  WalkLeg ToWalkLeg(const TraverseEdge& edge) const {
     const Flight& flight = edge.flight;
-    Way way;
+    WalkLeg way;
     way.flight = &flight;
     way.cruise_mps = in_.rules->motion.cruise_mps;
     way.length_m = Length_m(flight);
@@ -126,19 +130,22 @@ class WindowWalks {
         in_.window->end_s - in_.window->begin_s - flight.travel_s;
     const double under_way_s =
         flight.hazard_s - rest_s * sea_.HazardAt(places_[edge.to]);
-    if (flight.travel_s > 0.0)
+    if (flight.travel_s > 0.0) {
       way.hazard = std::clamp(under_way_s / flight.travel_s, 0.0, 1.0);
+    }
     way.isolation_s = sea_.Isolation(places_[edge.to], places_);
     return way;
   }
 
   // Both only where they differ.
-  std::vector<Pace> Paces() const {
-    if (weights_.energy_per_j > 0.0) return {Pace::kPriced, Pace::kCruise};
-    return {Pace::kPriced};
+  std::vector<TravelPace> Paces() const {
+    if (weights_.energy_per_j > 0.0) {
+      return {TravelPace::kPriced, TravelPace::kCruise};
+    }
+    return {TravelPace::kPriced};
   }
 
-  kg_planner::Leg ToLeg(Ends ends, const Way& way, Pace pace) const {
+  kg_planner::Leg ToLeg(Ends ends, const WalkLeg& way, TravelPace pace) const {
     const double travel_s = way.Travel_s(pace);
     const double energy_j =
         in_.rules->motion.energy_per_m_j * way.Speed_mps(pace) * travel_s;
@@ -154,31 +161,37 @@ class WindowWalks {
     for (const Waypoint& waypoint : in_.graph->waypoints) {
       kg_planner::Node& node = nodes.emplace_back();
       node.reward = waypoint.score;
-      for (std::size_t e = 0; with_events && e < waypoint.events.size(); ++e)
+      for (std::size_t e = 0; with_events && e < waypoint.events.size(); ++e) {
         AddToken(waypoint.events[e], &node);
+      }
     }
     return nodes;
   }
   void AddToken(const std::string& iri, kg_planner::Node* node) const {
     const auto& events = in_.window->events;
-    for (std::size_t i = 0; i < events.size(); ++i)
-      if (events[i].iri == iri && events[i].reward > 0.0)
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      if (events[i].iri == iri && events[i].reward > 0.0) {
         node->tokens.push_back({static_cast<int>(i), events[i].reward});
+      }
+    }
   }
 
   // `from` at a pace, all legs as edges of the window's begin.
-  kg_planner::StageProblem ProblemFrom(int from, Pace pace,
+  kg_planner::StageProblem ProblemFrom(int from, TravelPace pace,
                                        bool with_events) const {
     kg_planner::StageProblem problem;
     problem.nodes = Nodes(with_events);
     problem.duration_limit =
         std::min(in_.window->end_s - in_.window->begin_s,
                  in_.window->base_travel_m / in_.rules->motion.cruise_mps);
-    for (const auto& [ends, way] : entries_)
-      if (ends.first == from)
+    for (const auto& [ends, way] : entries_) {
+      if (ends.first == from) {
         problem.legs.push_back(ToLeg({-1, ends.second}, way, pace));
-    for (const auto& [ends, way] : inner_)
+      }
+    }
+    for (const auto& [ends, way] : inner_) {
       problem.legs.push_back(ToLeg(ends, way, pace));
+    }
     return problem;
   }
 
@@ -191,8 +204,9 @@ class WindowWalks {
     visited.push_back(edge.to);
     for (const int node : visited) {
       reward += nodes[node].reward;
-      for (const kg_planner::TokenReward& token : nodes[node].tokens)
+      for (const kg_planner::TokenReward& token : nodes[node].tokens) {
         earned[token.token] = token.reward;
+      }
     }
     for (const auto& [token, value] : earned) reward += value;
     return reward - edge.seam_cost;
@@ -210,34 +224,38 @@ class WindowWalks {
     std::set<std::vector<int>> kept;
     for (const bool with_events : {true, false}) {
       if (!with_events && !HasEvents()) continue;
-      Fly(from, Candidates(from, with_events, options), &flown);
+      Fly(from, FindCandidates(from, with_events, options), &flown);
       Choose(from, with_events, options, flown, &kept);
     }
-    for (const std::vector<int>& stops : kept)
+    for (const std::vector<int>& stops : kept) {
       walks->push_back(*flown.at(stops));
+    }
     std::sort(walks->end() - static_cast<std::ptrdiff_t>(kept.size()),
               walks->end(), [](const TraverseEdge& a, const TraverseEdge& b) {
                 return std::tie(a.to, a.via) < std::tie(b.to, b.via);
               });
   }
 
-  std::set<std::vector<int>> Candidates(int from, bool with_events,
-                                        const WalkOptions& options) const {
+  std::set<std::vector<int>> FindCandidates(int from, bool with_events,
+                                            const WalkOptions& options) const {
     kg_planner::MicroPathOptions micro;
     micro.good_enough = kGoodEnough;
-    micro.max_nodes = options.most_stops;
+    micro.max_nodes = options.max_stops;
     micro.exact_labels = kExactLabels;
-    micro.max_steps = kMostSteps;
+    micro.max_steps = kMaxSteps;
     std::set<std::vector<int>> candidates;
-    for (const Pace pace : Paces()) {
+    // Durations are estimates: legs as if flown when the window begins. So
+    // walks a little too long are looked at, too.
+    for (const TravelPace pace : Paces()) {
       kg_planner::StageProblem problem = ProblemFrom(from, pace, with_events);
       const double limit_s = problem.duration_limit;
-      for (const Look& look : kLooks) {
-        problem.duration_limit = look.duration * limit_s;
-        micro.per_end = look.per_end * options.per_end;
+      for (const SearchPass& pass : kSearchPasses) {
+        problem.duration_limit = pass.duration * limit_s;
+        micro.per_end = pass.per_end * options.per_end;
         for (const kg_planner::MicroPath& path :
-             kg_planner::FindMicroPaths(problem, micro).paths)
+             kg_planner::FindMicroPaths(problem, micro).paths) {
           if (path.nodes.size() > 1) candidates.insert(path.nodes);
+        }
       }
     }
     return candidates;
@@ -246,8 +264,9 @@ class WindowWalks {
   void Fly(
       int from, const std::set<std::vector<int>>& candidates,
       std::map<std::vector<int>, std::optional<TraverseEdge>>* flown) const {
-    for (const std::vector<int>& stops : candidates)
+    for (const std::vector<int>& stops : candidates) {
       if (flown->count(stops) == 0) (*flown)[stops] = Fly(from, stops);
+    }
   }
 
   // The best of each end, of those worth more than going straight there.
@@ -256,10 +275,13 @@ class WindowWalks {
       const std::map<std::vector<int>, std::optional<TraverseEdge>>& flown,
       std::set<std::vector<int>>* kept) const {
     const std::vector<kg_planner::Node> nodes = Nodes(with_events);
+    // A walk must be worth more than flying straight to its end.
     std::map<int, double> direct;
-    for (const TraverseEdge& edge : in_.graph->edges)
-      if (edge.from == from && edge.via.empty())
+    for (const TraverseEdge& edge : in_.graph->edges) {
+      if (edge.from == from && edge.via.empty()) {
         direct[edge.to] = Worth(edge, nodes);
+      }
+    }
     std::map<int, std::vector<std::pair<double, std::vector<int>>>> by_end;
     for (const auto& [stops, walk] : flown) {
       if (!walk) continue;
@@ -280,8 +302,8 @@ class WindowWalks {
   const kg_compiler::SeamWeights& weights_;
   std::vector<kg_core::LonLat> places_;
   kg_compiler::WindowSea sea_;
-  std::map<Ends, Way> entries_;
-  std::map<Ends, Way> inner_;
+  std::map<Ends, WalkLeg> entries_;
+  std::map<Ends, WalkLeg> inner_;
 };
 
 NavGraph WithWalks(const WalkInputs& inputs) {
@@ -298,8 +320,9 @@ NavGraph WithWalks(const WalkInputs& inputs) {
 }
 
 NavGraphs::Pointer FindGraph(const NavGraphs& graphs, const std::string& hash) {
-  for (std::size_t i = 0; i < graphs.size(); ++i)
+  for (std::size_t i = 0; i < graphs.size(); ++i) {
     if (graphs[i].hash == hash) return graphs.Share(i);
+  }
   return nullptr;
 }
 
@@ -324,11 +347,11 @@ NavGraphs CompileWalkedGraphs(const SeamRules& rules,
     if (cache) cache->walked.clear();
     return plain;
   }
-  const auto begin = std::chrono::steady_clock::now();
   NavGraphs walked;
   int searched = 0;
   std::vector<kg_core::LonLat> sources = {rules.start};
   for (std::size_t t = 0; t < plain.size(); ++t) {
+    // The hash names the graph without walks, which decides them.
     const auto known =
         cache ? FindGraph(cache->walked, plain[t].hash) : nullptr;
     if (known) {
@@ -343,9 +366,6 @@ NavGraphs CompileWalkedGraphs(const SeamRules& rules,
   if (cache) {
     cache->walked = walked;
     cache->windows_walked = searched;
-    cache->walks_s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-            .count();
   }
   return walked;
 }

@@ -19,8 +19,8 @@
 // Kept are walks that are worth more than the direct edge to the same end and
 // than other orders of the same stops: at most kWalksPerEnd for each place one
 // comes from and end, and as many that do without the events' rewards, which
-// others may take. A planner need not find more: it is a choice of how much to
-// look at, not of what is possible.
+// others may take. A planner need not find more: it limits the search, not what
+// is possible.
 
 #ifndef KG_SELECTOR_PATHS_WALKS_H_
 #define KG_SELECTOR_PATHS_WALKS_H_
@@ -35,7 +35,7 @@
 namespace kg_selector {
 
 inline constexpr int kWalksPerEnd = 2;
-inline constexpr int kMostStops = 5;  // Of one walk, its end included.
+inline constexpr int kMaxStops = 5;  // Of one walk, its end included.
 
 // One window of an agent in the mode "edges".
 struct WalkInputs {
@@ -49,7 +49,7 @@ struct WalkInputs {
 // How many walks there are of one pair of ends, at most.
 struct WalkOptions {
   int per_end = kWalksPerEnd;
-  int most_stops = kMostStops;
+  int max_stops = kMaxStops;
 };
 
 // The walks, by (from, to, via). Deterministic.
@@ -66,8 +66,7 @@ std::optional<kg_compiler::TraverseEdge> FlyWalk(const WalkInputs& inputs,
 struct GraphCache {
   kg_compiler::SeamCache seams;
   kg_compiler::NavGraphs walked;  // The last ones, with their walks.
-  int windows_walked = 0;         // Of the last time: searched for walks,
-  double walks_s = 0.0;           // and how long that took.
+  int windows_walked = 0;  // Windows searched for walks in the last call.
 };
 
 // The agent's graphs as it plans by them: CompileNavGraphs, and in the mode

@@ -9,9 +9,9 @@
 #include "gtest/gtest.h"
 #include "kg_compiler/compile/same_compilation.h"
 #include "kg_compiler/traversal/test_sea.h"
-#include "kg_selector/explain/planned_test_world.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/team/plan_mission.h"
+#include "kg_selector/testing/planned_test_world.h"
 
 namespace kg_selector {
 namespace {
@@ -41,21 +41,21 @@ struct AgentWorld {
   NavGraphs Compile(GraphCache* cache = nullptr) const {
     return CompileWalkedGraphs(rules, worlds, cache);
   }
-  std::vector<kg_core::LonLat> SourcesOf(const NavGraphs& graphs,
-                                         std::size_t t) const {
+  std::vector<kg_core::LonLat> StageSources(const NavGraphs& graphs,
+                                            std::size_t t) const {
     return t == 0 ? std::vector<kg_core::LonLat>{rules.start}
                   : kg_compiler::PositionsOf(graphs[t - 1].waypoints);
   }
   WalkInputs Inputs(const NavGraphs& graphs, std::size_t t) const {
     return {&rules, &rules.windows[t], worlds[t], &graphs[t],
-            SourcesOf(graphs, t)};
+            StageSources(graphs, t)};
   }
 };
 
 AgentWorld AgentOf(const std::shared_ptr<const kg_compiler::Compilation>& made,
                    std::size_t agent) {
   AgentWorld world{made, made->rules.at(agent), {}};
-  world.worlds = WorldsOf(*made, world.rules);
+  world.worlds = FindWorlds(*made, world.rules);
   return world;
 }
 
@@ -75,8 +75,9 @@ std::vector<kg_compiler::Flight> LegsOf(const NavGraph& graph,
   for (const TimedPoint& point : walk.flight.track) {
     legs.back().track.push_back(point);
     if (next + 1 >= stops.size() ||
-        point.position != graph.waypoints[stops[next]].position)
+        point.position != graph.waypoints[stops[next]].position) {
       continue;
+    }
     legs.emplace_back();
     legs.back().track.push_back(point);
     ++next;
@@ -86,8 +87,9 @@ std::vector<kg_compiler::Flight> LegsOf(const NavGraph& graph,
 }
 
 double ArrivalAt(const kg_compiler::Flight& leg) {
-  for (const TimedPoint& point : leg.track)
+  for (const TimedPoint& point : leg.track) {
     if (point.position == leg.track.back().position) return point.time_s;
+  }
   return leg.track.back().time_s;
 }
 
@@ -99,9 +101,11 @@ std::vector<double> SpeedsOf(const NavGraph& graph, const TraverseEdge& walk,
   for (const int stop : StopsOf(walk)) {
     const TraverseEdge* edge =
         kg_compiler::FindEdge(graph, walk.from, stop, {});
-    if (!speeds.empty())
-      for (const TraverseEdge& inner : graph.inner_edges)
+    if (!speeds.empty()) {
+      for (const TraverseEdge& inner : graph.inner_edges) {
         if (inner.from == at && inner.to == stop) edge = &inner;
+      }
+    }
     speeds.push_back(at_cruise ? cruise_mps : edge->flight.speed_mps);
     at = stop;
   }
@@ -117,8 +121,9 @@ bool IsFlownAt(const kg_compiler::Sea& sea, kg_compiler::MotionModel motion,
     const auto took_s = kg_compiler::Refly(sea, motion).Fly(legs[i]);
     if (!took_s) return false;
     const double claimed_s = ArrivalAt(legs[i]) - legs[i].track.front().time_s;
-    if (!(std::abs(*took_s - claimed_s) <= 0.005 * claimed_s + 5.0))
+    if (!(std::abs(*took_s - claimed_s) <= 0.005 * claimed_s + 5.0)) {
       return false;
+    }
   }
   return true;
 }
@@ -141,12 +146,13 @@ kg_compiler::Sea SeaOf(const AgentWorld& world, std::size_t t) {
   kg_compiler::Sea sea(*world.worlds[t].field);
   const auto open =
       world.worlds[t].tensor->Get(kg_compiler::Layer::kFeasibility);
-  for (std::size_t i = 0; i < sea.open.size(); ++i)
+  for (std::size_t i = 0; i < sea.open.size(); ++i) {
     sea.open[i] = open[i] == 1.0f;
+  }
   return sea;
 }
 
-struct Flown {
+struct FlownWalks {
   int walks = 0;
   int at_own_speeds = 0;
   int longest = 0;  // Stops.
@@ -154,7 +160,7 @@ struct Flown {
 
 void CheckWalk(const AgentWorld& world, const kg_compiler::Sea& sea,
                const NavGraph& graph, std::size_t t, const TraverseEdge& walk,
-               Flown* flown) {
+               FlownWalks* flown) {
   const kg_compiler::SeamRules& rules = world.rules;
   const WindowRules& window = rules.windows[t];
   const auto legs = LegsOf(graph, walk);
@@ -167,9 +173,10 @@ void CheckWalk(const AgentWorld& world, const kg_compiler::Sea& sea,
   EXPECT_EQ(walk.flight.track.back().time_s, window.end_s);
   EXPECT_LE(ArrivalAt(legs.back()), window.end_s);
   double through_m = 0.0;
-  for (std::size_t i = 0; i < legs.size(); ++i)
+  for (std::size_t i = 0; i < legs.size(); ++i) {
     through_m +=
         speeds[i] * (ArrivalAt(legs[i]) - legs[i].track.front().time_s);
+  }
   EXPECT_LE(through_m, window.base_travel_m * (1.0 + 1e-9));
   through_m += Held_m(sea, walk.flight.track.back().position,
                       ArrivalAt(legs.back()), window.end_s);
@@ -187,15 +194,17 @@ void CheckWalk(const AgentWorld& world, const kg_compiler::Sea& sea,
 }
 
 TEST(WalksTest, EveryOneIsFlownAgainByAnotherIntegrator) {
-  Flown flown;
+  FlownWalks flown;
   for (unsigned seed = 1; seed <= 12; ++seed) {
     const AgentWorld world = RandomAgent(seed);
     const NavGraphs graphs = world.Compile();
     for (std::size_t t = 0; t < graphs.size(); ++t) {
       const kg_compiler::Sea sea = SeaOf(world, t);
-      for (const TraverseEdge& walk : graphs[t].edges)
-        if (!walk.via.empty())
+      for (const TraverseEdge& walk : graphs[t].edges) {
+        if (!walk.via.empty()) {
           CheckWalk(world, sea, graphs[t], t, walk, &flown);
+        }
+      }
     }
     if (HasFatalFailure()) return;
   }
@@ -215,11 +224,12 @@ TEST(WalksTest, HaveTheirOrderAndNoStopTwice) {
     for (const TraverseEdge& edge : graph.edges) {
       const std::vector<int> stops = StopsOf(edge);
       EXPECT_EQ(std::set<int>(stops.begin(), stops.end()).size(), stops.size());
-      EXPECT_LE(stops.size(), static_cast<std::size_t>(kMostStops));
+      EXPECT_LE(stops.size(), static_cast<std::size_t>(kMaxStops));
       of_ends[{edge.from, edge.to}] += !edge.via.empty();
     }
-    for (const auto& [ends, walks] : of_ends)
+    for (const auto& [ends, walks] : of_ends) {
       EXPECT_LE(walks, 2 * kWalksPerEnd);
+    }
   }
 }
 
@@ -229,7 +239,7 @@ TEST(WalksTest, HaveTheirOrderAndNoStopTwice) {
 void AllWalks(const NavGraph& graph, std::vector<int>* stops,
               std::vector<std::vector<int>>* all) {
   if (stops->size() > 1) all->push_back(*stops);
-  if (stops->size() == static_cast<std::size_t>(kMostStops)) return;
+  if (stops->size() == static_cast<std::size_t>(kMaxStops)) return;
   for (const TraverseEdge& inner : graph.inner_edges) {
     if (inner.from != stops->back()) continue;
     if (std::count(stops->begin(), stops->end(), inner.to) > 0) continue;
@@ -252,9 +262,11 @@ NavGraphs WithAllWalks(const AgentWorld& world, const NavGraphs& graphs) {
       std::vector<int> begin = {edge.to};
       std::vector<std::vector<int>> walks;
       AllWalks(graph, &begin, &walks);
-      for (const std::vector<int>& stops : walks)
-        if (auto walk = FlyWalk(inputs, edge.from, stops))
+      for (const std::vector<int>& stops : walks) {
+        if (auto walk = FlyWalk(inputs, edge.from, stops)) {
           graph.edges.push_back(std::move(*walk));
+        }
+      }
     }
     all.push_back(std::move(graph));
   }
@@ -287,10 +299,13 @@ class BruteForce {
       auto events = earned;
       for (const int stop : StopsOf(edge)) {
         here += graphs_[t].waypoints[stop].score;
-        for (const std::string& event : graphs_[t].waypoints[stop].events)
-          for (const auto& rule : rules_.windows[t].events)
-            if (rule.iri == event)
+        for (const std::string& event : graphs_[t].waypoints[stop].events) {
+          for (const auto& rule : rules_.windows[t].events) {
+            if (rule.iri == event) {
               events[event] = std::max(events[event], rule.reward);
+            }
+          }
+        }
       }
       Go(t + 1, edge.to, here, energy_j + edge.flight.energy_j, events);
     }
@@ -302,7 +317,7 @@ class BruteForce {
 };
 
 double BestOf(const kg_compiler::SeamRules& rules, const NavGraphs& graphs) {
-  const Candidates found = PlanUnder({}, {rules, graphs}, {});
+  const AgentOffer found = PlanPriced({}, {rules, graphs}, {});
   EXPECT_FALSE(found.pathlets.empty());
   return found.pathlets.front().score();
 }
@@ -311,9 +326,11 @@ double BestOf(const kg_compiler::SeamRules& rules, const NavGraphs& graphs) {
 AgentWorld SmallAgent(unsigned seed) {
   EdgesWorld world(seed);
   world.mission.coordination.waypoints_per_window = 4;
-  if (seed % 4 == 0)
-    for (auto& agent : world.mission.agents)
+  if (seed % 4 == 0) {
+    for (auto& agent : world.mission.agents) {
       agent.capabilities.energy_budget_j = 7e5;
+    }
+  }
   return AgentOf(world.Plan().compilation, seed % 3);
 }
 
@@ -324,7 +341,7 @@ TEST(WalksTest, TheBestPlanIsThatOfAllWalks) {
   for (unsigned seed = 1; seed <= kCases; ++seed) {
     const AgentWorld world = SmallAgent(seed);
     const NavGraphs graphs = world.Compile();
-    const Candidates found = PlanUnder({}, {world.rules, graphs}, {});
+    const AgentOffer found = PlanPriced({}, {world.rules, graphs}, {});
     ASSERT_FALSE(found.pathlets.empty());
     const double ours = found.pathlets.front().score();
     EXPECT_NEAR(ours, BruteForce(world.rules, graphs).Best(), 1e-9);
@@ -333,8 +350,9 @@ TEST(WalksTest, TheBestPlanIsThatOfAllWalks) {
     EXPECT_LE(ours, all + 1e-9);
     least_share = std::min(least_share, ours / all);
     equal += ours > all - 1e-9;
-    for (const Visit& visit : found.pathlets.front().visits)
+    for (const Visit& visit : found.pathlets.front().visits) {
       with_stops += !visit.via.empty();
+    }
   }
   // Not always: which walks to fly is chosen by the currents of the window's
   // begin.
@@ -369,10 +387,11 @@ TEST(WalksTest, TheSameBitsWithWhatWasKeptAsFromNothing) {
       auto& mission = world.mission;
       if (change == 1) mission.windows[2].confidence *= 0.9;
       if (change == 2) mission.events[0].value += 1.0;
-      if (change == 3)
+      if (change == 3) {
         mission.constraints.push_back(kg_compiler::AreaConstraint(
             "ex:new", kg_core::ConstraintKind::kNoGo,
             kg_compiler::Box(-90.45, 24.6, -90.4, 24.65)));
+      }
       if (change == 4) mission.coordination.movement_mode = "hops";
       if (change == 5) mission.coordination.movement_mode = "edges";
       const auto compilation = world.Plan().compilation;
@@ -392,10 +411,13 @@ TEST(WalksTest, TheSameBitsWithWhatWasKeptAsFromNothing) {
 
 TEST(WalksTest, ThereAreNoneInTheModeHops) {
   PlannedTestWorld world(1);
-  for (const TeamMember& member : world.Plan().members)
-    for (const NavGraph& graph : member.graphs)
-      for (const TraverseEdge& edge : graph.edges)
+  for (const TeamMember& member : world.Plan().members) {
+    for (const NavGraph& graph : member.graphs) {
+      for (const TraverseEdge& edge : graph.edges) {
         EXPECT_TRUE(edge.via.empty());
+      }
+    }
+  }
 }
 
 TEST(WalksTest, WhatCannotBeFlownIsNotThere) {
@@ -408,11 +430,12 @@ TEST(WalksTest, WhatCannotBeFlownIsNotThere) {
   brief.end_s = brief.begin_s + 60.0;
   WalkInputs hurried = inputs;
   hurried.window = &brief;
-  for (const TraverseEdge& edge : graphs[0].edges)
+  for (const TraverseEdge& edge : graphs[0].edges) {
     if (!edge.via.empty()) {
       EXPECT_TRUE(FlyWalk(inputs, edge.from, StopsOf(edge)));
       EXPECT_FALSE(FlyWalk(hurried, edge.from, StopsOf(edge)));
     }
+  }
 }
 
 }  // namespace

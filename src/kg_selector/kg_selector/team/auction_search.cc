@@ -6,10 +6,10 @@
 namespace kg_selector {
 namespace {
 
-// Of the rounds, how many may go into bids.
+// Share of the rounds that may be spent on bids.
 constexpr double kBidShare = 0.6;
-// Waves of groups that find nothing better, before they are given up.
-constexpr int kWavesInVain = 10;
+// Waves of groups without gain before they are given up.
+constexpr int kMaxFailedWaves = 10;
 
 }  // namespace
 
@@ -17,99 +17,106 @@ void AuctionSearch::Drop(int agent) {
   dropped_.insert(agent);
   relaxation_.Drop(agent);
   groups_.Drop(agent);
-  for (TeamChoice* choice : {&held_, &best_})
+  for (TeamChoice* choice : {&held_, &best_}) {
     if (!choice->empty()) (*choice)[agent] = kNobody;
+  }
 }
 
-ColumnAsks AuctionSearch::Next(const TeamColumns& pool,
-                               const ColumnAnswers& answers) {
+ColumnRequests AuctionSearch::Next(const TeamColumns& pool,
+                                   const ColumnAnswers& answers) {
   prices_.resize(pool.capacities().size(), 0.0);
+  // Round 0 was asked without prices: its bounds count for prices 0.
   if (rounds_++ == 0) {
     held_.assign(pool.agents(), kNobody);
     best_ = held_;
-    relaxation_.Learn(pool.capacities(), AnswersOf(pool, answers));
+    relaxation_.Learn(pool.capacities(), SummarizeAnswers(pool, answers));
   }
   switch (phase_) {
     case Phase::kBids:
       return AfterBids(pool, answers);
     case Phase::kFinal:
-      relaxation_.Learn(pool.capacities(), AnswersOf(pool, answers));
+      relaxation_.Learn(pool.capacities(), SummarizeAnswers(pool, answers));
       return AfterAuction(pool);
     case Phase::kGroups:
       return AfterGroups(pool, answers);
     case Phase::kUnserved:
-      Keep(pool, best_);
-      return AskUnserved();
+      KeepIfBetter(pool, best_);
+      return RequestUnserved();
   }
   return {};
 }
 
-ColumnAsks AuctionSearch::AfterBids(const TeamColumns& pool,
-                                    const ColumnAnswers& answers) {
-  TakeBids(pool, answers);
-  ColumnAsks asks = AskBidders(pool);
-  if (!asks.empty() && rounds_ + 2 < kBidShare * options_.max_rounds)
-    return asks;
+ColumnRequests AuctionSearch::AfterBids(const TeamColumns& pool,
+                                        const ColumnAnswers& answers) {
+  ProcessBids(pool, answers);
+  ColumnRequests requests = RequestBids(pool);
+  if (!requests.empty() && rounds_ + 2 < kBidShare * options_.max_rounds) {
+    return requests;
+  }
   if (rounds_ >= options_.max_rounds) return AfterAuction(pool);
   phase_ = Phase::kFinal;
   relaxation_.Set(prices_);
-  return AskAllAt(prices_, pool.agents(), dropped_);
+  return RequestAll(prices_, pool.agents(), dropped_);
 }
 
-ColumnAsks AuctionSearch::AfterAuction(const TeamColumns& pool) {
-  Keep(pool, held_);
-  Keep(pool, ChooseGreedily(pool, {}));
-  return AskGroups(pool);
+ColumnRequests AuctionSearch::AfterAuction(const TeamColumns& pool) {
+  KeepIfBetter(pool, held_);
+  KeepIfBetter(pool, ChooseGreedily(pool, {}));
+  return RequestGroups(pool);
 }
 
-ColumnAsks AuctionSearch::AfterGroups(const TeamColumns& pool,
-                                      const ColumnAnswers& answers) {
-  ColumnAsks asks = groups_.Next(answers);
-  if (!asks.empty() && rounds_ + 1 < options_.max_rounds) return asks;
+ColumnRequests AuctionSearch::AfterGroups(const TeamColumns& pool,
+                                          const ColumnAnswers& answers) {
+  ColumnRequests requests = groups_.Next(answers);
+  if (!requests.empty() && rounds_ + 1 < options_.max_rounds) return requests;
   const TeamChoice choice = groups_.End(pool, pool.Worth(best_), 0.0);
   const bool better = IsMore(pool.Worth(choice), pool.Worth(best_));
-  in_vain_ = better ? 0 : in_vain_ + 1;
+  failed_waves_ = better ? 0 : failed_waves_ + 1;
   if (better) best_ = choice;
-  return AskGroups(pool);
+  return RequestGroups(pool);
 }
 
-ColumnAsks AuctionSearch::AskGroups(const TeamColumns& pool) {
+ColumnRequests AuctionSearch::RequestGroups(const TeamColumns& pool) {
   phase_ = Phase::kGroups;
-  if (in_vain_ <= kWavesInVain && rounds_ + 2 < options_.max_rounds) {
-    ColumnAsks asks = groups_.Begin(pool, best_, prices_);
-    if (!asks.empty()) return asks;
+  if (failed_waves_ <= kMaxFailedWaves && rounds_ + 2 < options_.max_rounds) {
+    ColumnRequests requests = groups_.Begin(pool, best_, prices_);
+    if (!requests.empty()) return requests;
   }
   phase_ = Phase::kUnserved;
-  Keep(pool, best_);
-  return AskUnserved();
+  KeepIfBetter(pool, best_);
+  return RequestUnserved();
 }
 
-ColumnAsks AuctionSearch::AskUnserved() {
-  if (rounds_ >= options_.max_rounds || !asked_unserved_.insert(best_).second)
+ColumnRequests AuctionSearch::RequestUnserved() {
+  if (rounds_ >= options_.max_rounds || !asked_unserved_.insert(best_).second) {
     return {};
-  return AskUnservedBeside(best_, dropped_);
+  }
+  return RequestUnservedBeside(best_, dropped_);
 }
 
-void AuctionSearch::Keep(const TeamColumns& pool, const TeamChoice& choice) {
+void AuctionSearch::KeepIfBetter(const TeamColumns& pool,
+                                 const TeamChoice& choice) {
   TeamChoice better = Exchange(pool, prices_, choice, {});
   if (IsMore(pool.Worth(better), pool.Worth(best_))) best_ = std::move(better);
 }
 
 // Who gains most bids first.
-void AuctionSearch::TakeBids(const TeamColumns& pool,
-                             const ColumnAnswers& answers) {
+void AuctionSearch::ProcessBids(const TeamColumns& pool,
+                                const ColumnAnswers& answers) {
   std::vector<std::pair<double, int>> order;
   for (const auto& [agent, answer] : answers) {
     if (dropped_.count(agent) > 0) continue;
-    if (answer.columns.empty())
-      out_.insert(agent);
-    else
+    if (answer.columns.empty()) {
+      retired_.insert(agent);
+    } else {
       order.emplace_back(-pool.Reduced(answer.columns.front(), prices_), agent);
+    }
   }
   std::sort(order.begin(), order.end());
   std::set<int> raised;
-  for (const auto& [value, agent] : order)
-    TakeBid(pool, agent, answers.at(agent), &raised);
+  for (const auto& [value, agent] : order) {
+    ProcessBid(pool, agent, answers.at(agent), &raised);
+  }
 }
 
 std::vector<int> AuctionSearch::FullRows(const TeamColumns& pool,
@@ -117,7 +124,7 @@ std::vector<int> AuctionSearch::FullRows(const TeamColumns& pool,
   std::vector<int> full;
   for (const int row : pool.columns()[column].rows) {
     int users = 0;
-    for (const int other : ColumnsOf(held_)) {
+    for (const int other : ChosenColumns(held_)) {
       const std::vector<int>& rows = pool.columns()[other].rows;
       users += std::binary_search(rows.begin(), rows.end(), row);
     }
@@ -126,20 +133,21 @@ std::vector<int> AuctionSearch::FullRows(const TeamColumns& pool,
   return full;
 }
 
-// By somebody who shares no full row: then it has to be planned around.
+// Whether an agent that shares no full row is in the way of the column: then
+// the bidder has to plan around it.
 bool AuctionSearch::IsBlocked(const TeamColumns& pool, int column) {
   const int agent = pool.columns()[column].agent;
   bool blocked = false;
-  for (const int other : ColumnsOf(held_)) {
+  for (const int other : ChosenColumns(held_)) {
     const Column& its = pool.columns()[other];
     std::vector<int> common;
     std::set_intersection(
         its.rows.begin(), its.rows.end(), pool.columns()[column].rows.begin(),
         pool.columns()[column].rows.end(), std::back_inserter(common));
-    const bool ousted = std::any_of(common.begin(), common.end(), [&](int r) {
-      return pool.capacities()[r] <= 1;
-    });
-    if (ousted || !pool.Conflict(other, column)) continue;
+    const bool displaced =
+        std::any_of(common.begin(), common.end(),
+                    [&](int r) { return pool.capacities()[r] <= 1; });
+    if (displaced || !pool.Conflict(other, column)) continue;
     blocked_.insert({agent, its.agent});
     blocked = true;
   }
@@ -152,60 +160,69 @@ double AuctionSearch::Raise(const TeamColumns& pool,
   const int column = answer.columns.front();
   const double best = pool.Reduced(column, prices_);
   double second = pool.unserved();
-  for (const int other : pool.of_agent(pool.columns()[column].agent))
-    if (other != column)
+  for (const int other : pool.columns_of(pool.columns()[column].agent)) {
+    if (other != column) {
       second = std::max(second, pool.Reduced(other, prices_));
+    }
+  }
   return std::max(0.0, best - second) + options_.epsilon;
 }
 
-void AuctionSearch::TakeBid(const TeamColumns& pool, int agent,
-                            const ColumnAnswer& answer, std::set<int>* raised) {
+void AuctionSearch::ProcessBid(const TeamColumns& pool, int agent,
+                               const ColumnAnswer& answer,
+                               std::set<int>* raised) {
   const int column = answer.columns.front();
   if (!(pool.Reduced(column, prices_) > pool.unserved() - options_.epsilon)) {
-    out_.insert(agent);
+    retired_.insert(agent);
     return;
   }
   const std::vector<int> full = FullRows(pool, column);
-  const bool late = std::any_of(full.begin(), full.end(), [&](int row) {
-    return raised->count(row) > 0 || pool.capacities()[row] == 0;
-  });
+  const bool already_raised =
+      std::any_of(full.begin(), full.end(), [&](int row) {
+        return raised->count(row) > 0 || pool.capacities()[row] == 0;
+      });
   const bool blocked = IsBlocked(pool, column);
-  if (late || blocked) {
-    for (const int row : full)
-      if (pool.capacities()[row] == 0) out_.insert(agent);
+  if (already_raised || blocked) {
+    for (const int row : full) {
+      if (pool.capacities()[row] == 0) retired_.insert(agent);
+    }
     return;  // Bids again, at the new prices.
   }
   const double raise = Raise(pool, answer);
   for (const int row : full) {
     prices_[row] +=
         std::max(options_.epsilon, raise / static_cast<double>(full.size()));
-    int least = kNobody;  // Of those who hold it: who bid least for it.
-    for (const int other : ColumnsOf(held_)) {
+    int min_value = kNobody;  // The holder of the row with the lowest score.
+    for (const int other : ChosenColumns(held_)) {
       const std::vector<int>& rows = pool.columns()[other].rows;
       if (std::binary_search(rows.begin(), rows.end(), row) &&
-          (least == kNobody ||
-           pool.columns()[other].score < pool.columns()[least].score))
-        least = other;
+          (min_value == kNobody ||
+           pool.columns()[other].score < pool.columns()[min_value].score)) {
+        min_value = other;
+      }
     }
-    if (least != kNobody) held_[pool.columns()[least].agent] = kNobody;
+    if (min_value != kNobody) held_[pool.columns()[min_value].agent] = kNobody;
   }
   raised->insert(pool.columns()[column].rows.begin(),
                  pool.columns()[column].rows.end());
   held_[agent] = column;
 }
 
-ColumnAsks AuctionSearch::AskBidders(const TeamColumns& pool) const {
-  ColumnAsks asks;
+ColumnRequests AuctionSearch::RequestBids(const TeamColumns& pool) const {
+  ColumnRequests requests;
   for (int agent = 0; agent < pool.agents(); ++agent) {
-    if (held_[agent] != kNobody || out_.count(agent) > 0 ||
-        dropped_.count(agent) > 0)
+    if (held_[agent] != kNobody || retired_.count(agent) > 0 ||
+        dropped_.count(agent) > 0) {
       continue;
-    asks[agent].prices = prices_;
-    for (const int column : ColumnsOf(held_))
-      if (blocked_.count({agent, pool.columns()[column].agent}) > 0)
-        asks[agent].around.push_back(column);
+    }
+    requests[agent].prices = prices_;
+    for (const int column : ChosenColumns(held_)) {
+      if (blocked_.count({agent, pool.columns()[column].agent}) > 0) {
+        requests[agent].around.push_back(column);
+      }
+    }
   }
-  return asks;
+  return requests;
 }
 
 }  // namespace kg_selector

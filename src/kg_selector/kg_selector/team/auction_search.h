@@ -43,30 +43,31 @@ class AuctionSearch : public TeamSearch {
  public:
   explicit AuctionSearch(SearchOptions options) : options_(options) {}
 
-  ColumnAsks Next(const TeamColumns& pool,
-                  const ColumnAnswers& answers) override;
+  ColumnRequests Next(const TeamColumns& pool,
+                      const ColumnAnswers& answers) override;
   void Drop(int agent) override;
   const TeamChoice& choice() const override { return best_; }
   double bound() const override { return relaxation_.bound(); }
   const std::vector<double>& prices() const override { return prices_; }
-  int rounds() const { return rounds_; }
 
  private:
   enum class Phase { kBids, kFinal, kGroups, kUnserved };
 
-  ColumnAsks AfterBids(const TeamColumns& pool, const ColumnAnswers& answers);
-  ColumnAsks AfterAuction(const TeamColumns& pool);
-  ColumnAsks AfterGroups(const TeamColumns& pool, const ColumnAnswers& answers);
-  ColumnAsks AskGroups(const TeamColumns& pool);
-  ColumnAsks AskUnserved();
-  void TakeBids(const TeamColumns& pool, const ColumnAnswers& answers);
-  void TakeBid(const TeamColumns& pool, int agent, const ColumnAnswer& answer,
-               std::set<int>* raised);
+  ColumnRequests AfterBids(const TeamColumns& pool,
+                           const ColumnAnswers& answers);
+  ColumnRequests AfterAuction(const TeamColumns& pool);
+  ColumnRequests AfterGroups(const TeamColumns& pool,
+                             const ColumnAnswers& answers);
+  ColumnRequests RequestGroups(const TeamColumns& pool);
+  ColumnRequests RequestUnserved();
+  void ProcessBids(const TeamColumns& pool, const ColumnAnswers& answers);
+  void ProcessBid(const TeamColumns& pool, int agent,
+                  const ColumnAnswer& answer, std::set<int>* raised);
   std::vector<int> FullRows(const TeamColumns& pool, int column) const;
   bool IsBlocked(const TeamColumns& pool, int column);
   double Raise(const TeamColumns& pool, const ColumnAnswer& answer) const;
-  ColumnAsks AskBidders(const TeamColumns& pool) const;
-  void Keep(const TeamColumns& pool, const TeamChoice& choice);
+  ColumnRequests RequestBids(const TeamColumns& pool) const;
+  void KeepIfBetter(const TeamColumns& pool, const TeamChoice& choice);
 
   SearchOptions options_;
   TeamPrices relaxation_;
@@ -74,13 +75,13 @@ class AuctionSearch : public TeamSearch {
   std::vector<double> prices_;
   TeamChoice held_;
   TeamChoice best_;
-  std::set<int> out_;  // Nothing is worth its price to them.
+  std::set<int> retired_;  // Agents for which no column is worth its price.
   std::set<int> dropped_;
-  std::set<std::pair<int, int>> blocked_;  // Agent, and who is in its way.
+  std::set<std::pair<int, int>> blocked_;  // (agent, agent that is in its way).
   std::set<TeamChoice> asked_unserved_;
   Phase phase_ = Phase::kBids;
   int rounds_ = 0;
-  int in_vain_ = 0;
+  int failed_waves_ = 0;
 };
 
 }  // namespace kg_selector

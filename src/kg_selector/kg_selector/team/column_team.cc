@@ -5,9 +5,6 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
-#include "kg_selector/team/auction_search.h"
-#include "kg_selector/team/exact_search.h"
-#include "kg_selector/team/priced_search.h"
 #include "kg_selector/team/screening.h"
 
 namespace kg_selector {
@@ -24,7 +21,7 @@ std::size_t PairKey(int a, int b) {
          static_cast<std::size_t>(std::min(a, b));
 }
 
-Fairness FairnessOf(const TeamRules& rules) {
+Fairness ParseFairness(const TeamRules& rules) {
   if (rules.fairness == "scarcity") return Fairness::kNone;
   if (rules.fairness == "balance") return Fairness::kBalance;
   if (rules.fairness == "max_min") return Fairness::kMaxMin;
@@ -34,15 +31,6 @@ Fairness FairnessOf(const TeamRules& rules) {
 
 }  // namespace
 
-std::unique_ptr<TeamSearch> MakeSearch(const TeamRules& rules) {
-  const SearchOptions options{rules.max_rounds, rules.gap_goal,
-                              rules.auction_epsilon, rules.time_limit_s};
-  if (rules.mode == "auction") return std::make_unique<AuctionSearch>(options);
-  if (rules.mode == "priced") return std::make_unique<PricedSearch>(options);
-  if (rules.mode == "exact") return std::make_unique<ExactSearch>(options);
-  return nullptr;
-}
-
 ColumnTeam::ColumnTeam(TeamRules rules, const std::vector<std::string>& agents,
                        std::unique_ptr<TeamSearch> search)
     : rules_(std::move(rules)),
@@ -51,22 +39,23 @@ ColumnTeam::ColumnTeam(TeamRules rules, const std::vector<std::string>& agents,
       pool_(static_cast<int>(names_.size())),
       search_(std::move(search)),
       waiting_(names_.begin(), names_.end()) {
-  pool_.fairness = FairnessOf(rules_);
+  pool_.fairness = ParseFairness(rules_);
   pool_.fairness_weight = rules_.fairness_weight;
   pool_.conflict = [this](int a, int b) { return TooClose(a, b); };
-  if (!rules_.separation_is_hard && rules_.separation_weight_per_m > 0.0)
+  if (!rules_.separation_is_hard && rules_.separation_weight_per_m > 0.0) {
     pool_.penalty = [this](int a, int b) {
       return SoftPenalty(rules_, {pathlets_[a]}, pathlets_[b]);
     };
+  }
 }
 
-int ColumnTeam::IndexOf(const std::string& agent) const {
+int ColumnTeam::FindIndex(const std::string& agent) const {
   const auto name = std::lower_bound(names_.begin(), names_.end(), agent);
   const bool known = name != names_.end() && *name == agent;
   return known ? static_cast<int>(name - names_.begin()) : kNobody;
 }
 
-void ColumnTeam::Offer(const std::string& agent, Candidates candidates) {
+void ColumnTeam::Offer(const std::string& agent, AgentOffer candidates) {
   if (finished_ || outcome_.unassigned.count(agent) > 0) return;
   if (waiting_.count(agent) == 0 && offers_.count(agent) == 0) return;
   offers_[agent] = std::move(candidates);
@@ -74,9 +63,10 @@ void ColumnTeam::Offer(const std::string& agent, Candidates candidates) {
 }
 
 void ColumnTeam::Drop(const std::string& agent, const std::string& why) {
-  const int index = IndexOf(agent);
-  if (finished_ || index == kNobody || outcome_.unassigned.count(agent) > 0)
+  const int index = FindIndex(agent);
+  if (finished_ || index == kNobody || outcome_.unassigned.count(agent) > 0) {
     return;
+  }
   waiting_.erase(agent);
   offers_.erase(agent);
   favourites_.erase(index);
@@ -88,10 +78,10 @@ void ColumnTeam::Drop(const std::string& agent, const std::string& why) {
 bool ColumnTeam::Advance() {
   if (finished_) return true;
   if (!waiting_.empty()) return false;
-  const ColumnAnswers answers = TakeOffers();
+  const ColumnAnswers answers = CollectOffers();
   FindRows();
-  asks_ = search_->Next(pool_, answers);
-  for (const auto& [agent, ask] : asks_) waiting_.insert(names_[agent]);
+  requests_ = search_->Next(pool_, answers);
+  for (const auto& [agent, request] : requests_) waiting_.insert(names_[agent]);
   if (waiting_.empty()) {
     Finish();
     return true;
@@ -100,46 +90,52 @@ bool ColumnTeam::Advance() {
   return false;
 }
 
-ColumnAnswers ColumnTeam::TakeOffers() {
+ColumnAnswers ColumnTeam::CollectOffers() {
   ColumnAnswers answers;
   for (auto& [name, candidates] : offers_) {
-    const int agent = IndexOf(name);
+    const int agent = FindIndex(name);
+    // Nothing found, and proven: the agent adds 0 to any plan.
     const bool has_none = candidates.pathlets.empty() && candidates.proven;
-    Screened screened =
-        Screen(rules_, name, std::move(candidates.pathlets), round_);
+    ScreenedOffer screened =
+        ScreenOffer(rules_, name, std::move(candidates.pathlets), round_);
     refused_[agent] = screened.sound.empty() && !screened.rejected.empty();
     outcome_.rejections.insert(outcome_.rejections.end(),
                                screened.rejected.begin(),
                                screened.rejected.end());
     ColumnAnswer& answer = answers[agent];
     answer.bound = has_none ? 0.0 : candidates.bound;
-    for (Pathlet& pathlet : screened.sound)
-      answer.columns.push_back(ColumnOf(agent, std::move(pathlet)));
-    if (round_ == 0 && !answer.columns.empty())
+    for (Pathlet& pathlet : screened.sound) {
+      answer.columns.push_back(FindOrAddColumn(agent, std::move(pathlet)));
+    }
+    if (round_ == 0 && !answer.columns.empty()) {
       favourites_[agent] = answer.columns.front();
+    }
   }
   offers_.clear();
   return answers;
 }
 
-int ColumnTeam::ColumnOf(int agent, Pathlet pathlet) {
-  for (const int column : pool_.of_agent(agent))
+int ColumnTeam::FindOrAddColumn(int agent, Pathlet pathlet) {
+  for (const int column : pool_.columns_of(agent)) {
     if (SamePath(pathlets_[column], pathlet)) return column;
+  }
   rows_.Add(pathlet);
   Column column;
   column.agent = agent;
   column.score = pathlet.score();
-  column.load = LoadOf(pathlet);
+  column.load = FairnessLoad(pathlet);
   pathlets_.push_back(std::move(pathlet));
   return pool_.Add(std::move(column));
 }
 
 void ColumnTeam::FindRows() {
   const std::vector<int>& capacities = rows_.capacities();
-  while (pool_.capacities().size() < capacities.size())
+  while (pool_.capacities().size() < capacities.size()) {
     pool_.AddRow(capacities[pool_.capacities().size()]);
-  for (std::size_t c = 0; c < pathlets_.size(); ++c)
-    pool_.SetRows(static_cast<int>(c), rows_.RowsOf(pathlets_[c]));
+  }
+  for (std::size_t c = 0; c < pathlets_.size(); ++c) {
+    pool_.SetRows(static_cast<int>(c), rows_.UsedRows(pathlets_[c]));
+  }
 }
 
 bool ColumnTeam::TooClose(int a, int b) {
@@ -151,45 +147,49 @@ bool ColumnTeam::TooClose(int a, int b) {
   const double from_s =
       SeparationBegins_s(rules_, x.visits.front().window, x.track, y.track);
   known->second = ComeCloserThan(x.track, y.track, HardSeparation_m(rules_),
-                                 {from_s, Span().to_s});
+                                 {from_s, TimeSpan().to_s});
   return known->second;
 }
 
 // The share of its energy budget; an agent without one has no load.
-double ColumnTeam::LoadOf(const Pathlet& pathlet) const {
+double ColumnTeam::FairnessLoad(const Pathlet& pathlet) const {
   const auto budget_j = rules_.energy_budget_j.find(pathlet.agent);
-  if (budget_j == rules_.energy_budget_j.end() || !(budget_j->second > 0.0))
+  if (budget_j == rules_.energy_budget_j.end() || !(budget_j->second > 0.0)) {
     return 0.0;
+  }
   return std::max(0.0, pathlet.energy_j / budget_j->second);
 }
 
-Ask ColumnTeam::AskOf(const std::string& agent) const {
-  const auto asked = asks_.find(IndexOf(agent));
-  if (asked == asks_.end()) return AskAround(rules_, {});
+PlanRequest ColumnTeam::RequestFor(const std::string& agent) const {
+  const auto asked = requests_.find(FindIndex(agent));
+  if (asked == requests_.end()) return RequestAround(rules_, {});
   std::vector<Pathlet> around;
-  for (const int column : asked->second.around)
+  for (const int column : asked->second.around) {
     around.push_back(pathlets_[column]);
-  Ask ask = AskAround(rules_, around);
-  rows_.PutPrices(agent, asked->second.prices, &ask);
-  return ask;
+  }
+  PlanRequest request = RequestAround(rules_, around);
+  rows_.PutPrices(agent, asked->second.prices, &request);
+  return request;
 }
 
 void ColumnTeam::Finish() {
   finished_ = true;
   outcome_.bound = search_->bound();
-  for (const int column : search_->choice())
+  for (const int column : search_->choice()) {
     if (column != kNobody) outcome_.committed.push_back(pathlets_[column]);
+  }
   std::sort(outcome_.committed.begin(), outcome_.committed.end(),
             [](const Pathlet& a, const Pathlet& b) {
               return a.score() != b.score() ? a.score() > b.score()
                                             : a.agent < b.agent;
             });
+  // Why the others have no path, as far as is known.
   for (std::size_t a = 0; a < names_.size(); ++a) {
     const bool served =
         a < search_->choice().size() && search_->choice()[a] != kNobody;
     if (served || outcome_.unassigned.count(names_[a]) > 0) continue;
     outcome_.unassigned[names_[a]] =
-        !pool_.of_agent(static_cast<int>(a)).empty()
+        !pool_.columns_of(static_cast<int>(a)).empty()
             ? "found no path beside the others'"
         : refused_[static_cast<int>(a)] ? "offered nothing that keeps the rules"
                                         : "found no path";
@@ -202,14 +202,17 @@ void ColumnTeam::RejectFavourites() {
     const int chosen = search_->choice()[agent];
     if (chosen == column) continue;
     std::vector<Pathlet> others;
-    for (const Pathlet& pathlet : outcome_.committed)
+    for (const Pathlet& pathlet : outcome_.committed) {
       if (pathlet.agent != names_[agent]) others.push_back(pathlet);
+    }
     const Pathlet& favourite = pathlets_[column];
     const double kept = chosen == kNobody ? 0.0 : pathlets_[chosen].score();
+    // Without a hard conflict with the plan it was outbid.
     Conflict conflict{ConflictKind::kOutbid, "", -1, "",
                       favourite.score() - kept};
-    if (const auto hard = FindConflict(rules_, others, favourite))
+    if (const auto hard = FindConflict(rules_, others, favourite)) {
       conflict = *hard;
+    }
     std::ostringstream reason;
     reason << conflict.Line();
     const double price =

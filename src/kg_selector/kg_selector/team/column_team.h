@@ -1,6 +1,6 @@
 // Every mode with columns, as the team sees it: answers become columns over the
-// rows of team_rows.h, a TeamSearch says whom to ask what, and what it chooses
-// is the plan. Beyond rows two paths conflict if they come too close
+// rows of team_rows.h, a TeamSearch makes the requests, and what it chooses is
+// the plan. Beyond rows two paths conflict if they come too close
 // (conflict.h); where separation is soft a pair costs SoftPenalty().
 //
 // Who offered a path but got another, or none, has its first favourite among
@@ -30,21 +30,21 @@ class ColumnTeam : public Coordinator {
   ColumnTeam(const ColumnTeam&) = delete;
   ColumnTeam& operator=(const ColumnTeam&) = delete;
 
-  void Offer(const std::string& agent, Candidates candidates) override;
+  void Offer(const std::string& agent, AgentOffer candidates) override;
   void Drop(const std::string& agent, const std::string& why) override;
   bool Advance() override;
   const std::set<std::string>& waiting_for() const override { return waiting_; }
-  Ask AskOf(const std::string& agent) const override;
+  PlanRequest RequestFor(const std::string& agent) const override;
   // Before the end: nothing is committed.
   const TeamOutcome& outcome() const override { return outcome_; }
 
  private:
-  int IndexOf(const std::string& agent) const;  // kNobody = unknown.
-  ColumnAnswers TakeOffers();
-  int ColumnOf(int agent, Pathlet pathlet);
+  int FindIndex(const std::string& agent) const;  // kNobody = unknown.
+  ColumnAnswers CollectOffers();
+  int FindOrAddColumn(int agent, Pathlet pathlet);
   void FindRows();
   bool TooClose(int a, int b);
-  double LoadOf(const Pathlet& pathlet) const;
+  double FairnessLoad(const Pathlet& pathlet) const;
   void Finish();
   void RejectFavourites();
 
@@ -56,18 +56,15 @@ class ColumnTeam : public Coordinator {
   std::unique_ptr<TeamSearch> search_;
 
   std::set<std::string> waiting_;
-  std::map<std::string, Candidates> offers_;  // Of the round under way.
-  ColumnAsks asks_;
+  std::map<std::string, AgentOffer> offers_;  // Of the current round.
+  ColumnRequests requests_;
   std::map<int, int> favourites_;  // Column by agent, of round 0.
-  std::map<int, bool> refused_;    // Whether all it offered was turned away.
+  std::map<int, bool> refused_;    // Whether all it offered was rejected.
   std::unordered_map<std::size_t, bool> too_close_;  // By pair of columns.
   TeamOutcome outcome_;
   int round_ = 0;
   bool finished_ = false;
 };
-
-// By rules.mode "auction", "priced" or "exact".
-std::unique_ptr<TeamSearch> MakeSearch(const TeamRules& rules);
 
 }  // namespace kg_selector
 

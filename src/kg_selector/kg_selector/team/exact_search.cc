@@ -10,9 +10,9 @@
 namespace kg_selector {
 namespace {
 
-// How close to its bound a plan need not be bettered.
+// Relative gap below which a plan counts as optimal.
 constexpr double kNoGap = 1e-9;
-// As many columns as are compared each with each.
+// Up to this many columns all pairs are compared.
 constexpr int kFewColumns = 300;
 
 double SecondsSince(std::chrono::steady_clock::time_point begin) {
@@ -21,97 +21,107 @@ double SecondsSince(std::chrono::steady_clock::time_point begin) {
 }
 
 // Everything a choice may take, the pool's number of each column aside.
-struct Problem {
+struct ChoiceProblem {
   Packing packing;
   std::vector<int> pool_columns;
 };
 
 // Whether a plan with it could still be better than `start`, under any prices:
 // the relaxation of the pool, less what the agent forgoes by taking it.
-class Hopeful {
+class ColumnFilter {
  public:
-  Hopeful(const TeamColumns& pool, const std::vector<double>& prices,
-          const TeamChoice& start)
+  ColumnFilter(const TeamColumns& pool, const std::vector<double>& prices,
+               const TeamChoice& start)
       : pool_(pool), prices_(prices) {
-    for (std::size_t r = 0; r < prices.size(); ++r)
-      room_ += prices[r] * pool.capacities()[r];
-    for (int agent = 0; agent < pool.agents(); ++agent) {
-      double best = pool.of_agent(agent).empty() ? 0.0 : pool.unserved();
-      for (const int column : pool.of_agent(agent))
-        best = std::max(best, pool.Reduced(column, prices));
-      best_.push_back(best);
-      room_ += best;
+    for (std::size_t r = 0; r < prices.size(); ++r) {
+      gap_ += prices[r] * pool.capacities()[r];
     }
-    room_ -= pool.Worth(start).second;
+    for (int agent = 0; agent < pool.agents(); ++agent) {
+      double best = pool.columns_of(agent).empty() ? 0.0 : pool.unserved();
+      for (const int column : pool.columns_of(agent)) {
+        best = std::max(best, pool.Reduced(column, prices));
+      }
+      best_.push_back(best);
+      gap_ += best;
+    }
+    gap_ -= pool.Worth(start).second;
   }
   bool operator()(int column) const {
     if (pool_.fairness != Fairness::kNone) return true;
     const double forgone =
         best_[pool_.columns()[column].agent] - pool_.Reduced(column, prices_);
-    return !(forgone > room_ + kNoGap * (1.0 + std::abs(room_)));
+    return !(forgone > gap_ + kNoGap * (1.0 + std::abs(gap_)));
   }
 
  private:
   const TeamColumns& pool_;
   const std::vector<double>& prices_;
   std::vector<double> best_;  // By agent.
-  double room_ = 0.0;         // Between the relaxation and `start`.
+  double gap_ = 0.0;          // Between the relaxation and `start`.
 };
 
-Problem ToProblem(const TeamColumns& pool, const Hopeful& hopeful,
-                  const TeamChoice& start) {
-  Problem problem;
+ChoiceProblem ToProblem(const TeamColumns& pool, const ColumnFilter& filter,
+                        const TeamChoice& start) {
+  ChoiceProblem problem;
   problem.packing.agent_counts.assign(pool.agents(), 1);
   problem.packing.row_capacities = pool.capacities();
   problem.packing.fairness = pool.fairness;
   problem.packing.weight = pool.fairness_weight;
-  for (int agent = 0; agent < pool.agents(); ++agent)
-    for (const int c : pool.of_agent(agent)) {
-      if (start[agent] != c && !hopeful(c)) continue;
+  for (int agent = 0; agent < pool.agents(); ++agent) {
+    for (const int c : pool.columns_of(agent)) {
+      if (start[agent] != c && !filter(c)) continue;
       Column column = pool.columns()[c];
       column.score -= pool.unserved();
-      column.load = pool.LoadOf(c);
+      column.load = pool.FairnessLoad(c);
       problem.packing.columns.push_back(std::move(column));
       problem.pool_columns.push_back(c);
     }
+  }
   return problem;
 }
 
-std::vector<int> ToStart(const Problem& problem, const TeamChoice& choice) {
+std::vector<int> ToStart(const ChoiceProblem& problem,
+                         const TeamChoice& choice) {
   std::vector<int> start;
   for (std::size_t i = 0; i < problem.pool_columns.size(); ++i) {
     const int agent = problem.packing.columns[i].agent;
-    if (choice[agent] == problem.pool_columns[i])
+    if (choice[agent] == problem.pool_columns[i]) {
       start.push_back(static_cast<int>(i));
+    }
   }
   return start;
 }
 
 // Pairs of `chosen` that come too close; true if there are any.
 bool AddConflicts(const TeamColumns& pool, const std::vector<int>& chosen,
-                  Problem* problem) {
+                  ChoiceProblem* problem) {
   bool any = false;
-  for (std::size_t i = 0; i < chosen.size(); ++i)
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (!pool.Conflict(problem->pool_columns[chosen[k]],
-                         problem->pool_columns[chosen[i]]))
+                         problem->pool_columns[chosen[i]])) {
         continue;
+      }
       problem->packing.conflicts.emplace_back(chosen[k], chosen[i]);
       any = true;
     }
+  }
   return any;
 }
 
-// All pairs that come too close, if they are few enough to look at.
-void AddAllConflicts(const TeamColumns& pool, Problem* problem) {
+// Adds all pairs that come too close, if there are few enough columns.
+void AddAllConflicts(const TeamColumns& pool, ChoiceProblem* problem) {
   const int count = static_cast<int>(problem->pool_columns.size());
   if (count > kFewColumns) return;
-  for (int i = 0; i < count; ++i)
-    for (int k = 0; k < i; ++k)
+  for (int i = 0; i < count; ++i) {
+    for (int k = 0; k < i; ++k) {
       if (problem->packing.columns[i].agent !=
               problem->packing.columns[k].agent &&
-          pool.Conflict(problem->pool_columns[k], problem->pool_columns[i]))
+          pool.Conflict(problem->pool_columns[k], problem->pool_columns[i])) {
         problem->packing.conflicts.emplace_back(k, i);
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -120,20 +130,25 @@ ExactChoice ChooseExactly(const TeamColumns& pool, const TeamChoice& start,
                           const std::vector<double>& prices,
                           double time_limit_s) {
   const auto begin = std::chrono::steady_clock::now();
-  Problem problem = ToProblem(pool, Hopeful(pool, prices, start), start);
-  if (ToStart(problem, start).size() == problem.pool_columns.size())
+  ChoiceProblem problem =
+      ToProblem(pool, ColumnFilter(pool, prices, start), start);
+  if (ToStart(problem, start).size() == problem.pool_columns.size()) {
     return {start, true};
+  }
+  // Conflicts by distance are costly to find: all at once only for small pools,
+  // else those of each solution, until one has none (lazy constraints).
   AddAllConflicts(pool, &problem);
   PackingOptions options;
   options.start = ToStart(problem, start);
   while (true) {
     options.time_limit_s = time_limit_s - SecondsSince(begin);
     if (!(options.time_limit_s > 0.0)) return {start, false};
-    const Chosen found = SolvePacking(problem.packing, options);
+    const PackingChoice found = SolvePacking(problem.packing, options);
     if (AddConflicts(pool, found.chosen, &problem)) continue;
     ExactChoice exact{TeamChoice(pool.agents(), kNobody), found.optimal};
-    for (const int i : found.chosen)
+    for (const int i : found.chosen) {
       exact.choice[problem.packing.columns[i].agent] = problem.pool_columns[i];
+    }
     return exact;
   }
 }
@@ -151,22 +166,21 @@ void ExactSearch::Drop(int agent) {
   if (!best_.empty()) best_[agent] = kNobody;
 }
 
-ColumnAsks ExactSearch::Next(const TeamColumns& pool,
-                             const ColumnAnswers& answers) {
+ColumnRequests ExactSearch::Next(const TeamColumns& pool,
+                                 const ColumnAnswers& answers) {
   if (!chosen_) {
-    ColumnAsks asks = priced_.Next(pool, answers);
-    if (!asks.empty()) return asks;
+    ColumnRequests requests = priced_.Next(pool, answers);
+    if (!requests.empty()) return requests;
     chosen_ = true;
   }
   if (best_.empty()) best_ = priced_.choice();
   const ExactChoice exact =
       ChooseExactly(pool, best_, prices(), options_.time_limit_s);
-  optimal_ = exact.optimal;
   const TeamChoice filled = Exchange(pool, prices(), exact.choice, {});
   if (IsMore(pool.Worth(filled), pool.Worth(best_))) best_ = filled;
   if (priced_.rounds() >= options_.max_rounds || asked_unserved_) return {};
   asked_unserved_ = true;
-  return AskUnservedBeside(best_, dropped_);
+  return RequestUnservedBeside(best_, dropped_);
 }
 
 }  // namespace kg_selector

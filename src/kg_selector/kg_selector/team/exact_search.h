@@ -1,10 +1,10 @@
 // Mode "exact": columns by the rounds of mode "priced", then the best choice
 // among all of them by branch and cut (packing.h), started from the priced
-// plan. Pairs that come too close without sharing a row are told to it when it
-// chooses one, until it chooses none.
+// plan. Pairs that come too close without sharing a row become constraints when
+// they are chosen, until none is (lazy constraints).
 //
 // What it chooses is the best of all that was ever offered (if the time limit
-// allows: optimal()), not of all that could be: the bound says how far from
+// allows), not of all that could be: the bound says how far from
 // that it may be, as in mode "priced". Soft separation is left out of the
 // choice and put right by Exchange() after it.
 
@@ -33,15 +33,14 @@ class ExactSearch : public TeamSearch {
  public:
   explicit ExactSearch(const SearchOptions& options);
 
-  ColumnAsks Next(const TeamColumns& pool,
-                  const ColumnAnswers& answers) override;
+  ColumnRequests Next(const TeamColumns& pool,
+                      const ColumnAnswers& answers) override;
   void Drop(int agent) override;
   const TeamChoice& choice() const override { return best_; }
   double bound() const override { return priced_.bound(); }
   const std::vector<double>& prices() const override {
     return priced_.prices();
   }
-  bool optimal() const { return optimal_; }
 
  private:
   SearchOptions options_;
@@ -50,7 +49,6 @@ class ExactSearch : public TeamSearch {
   std::set<int> dropped_;
   bool chosen_ = false;
   bool asked_unserved_ = false;
-  bool optimal_ = false;
 };
 
 }  // namespace kg_selector

@@ -10,10 +10,10 @@
 namespace kg_selector {
 namespace {
 
-constexpr double kNothing = -std::numeric_limits<double>::infinity();
+constexpr double kNoValue = -std::numeric_limits<double>::infinity();
 
 // An agent without a path adds nothing.
-double BoundOf(const Candidates& candidates) {
+double OfferBound(const AgentOffer& candidates) {
   if (candidates.pathlets.empty() && candidates.proven) return 0.0;
   return candidates.bound < 0.0 ? 0.0 : candidates.bound;
 }
@@ -23,13 +23,13 @@ double BoundOf(const Candidates& candidates) {
 GreedyTeam::GreedyTeam(TeamRules rules, std::vector<std::string> agents)
     : rules_(std::move(rules)), waiting_(agents.begin(), agents.end()) {}
 
-void GreedyTeam::Offer(const std::string& agent, Candidates candidates) {
+void GreedyTeam::Offer(const std::string& agent, AgentOffer candidates) {
   if (waiting_.count(agent) == 0 && offers_.count(agent) == 0) return;
-  if (round_ == 0) bounds_[agent] = BoundOf(candidates);
-  Screened screened =
-      Screen(rules_, agent, std::move(candidates.pathlets), round_);
+  if (round_ == 0) bounds_[agent] = OfferBound(candidates);
+  ScreenedOffer screened =
+      ScreenOffer(rules_, agent, std::move(candidates.pathlets), round_);
   offers_[agent] = std::move(screened.sound);
-  turned_away_[agent] = std::move(screened.rejected);
+  rejected_[agent] = std::move(screened.rejected);
   waiting_.erase(agent);
 }
 
@@ -37,19 +37,19 @@ void GreedyTeam::Drop(const std::string& agent, const std::string& why) {
   if (waiting_.count(agent) == 0 && offers_.count(agent) == 0) return;
   offers_.erase(agent);
   bounds_.erase(agent);
-  turned_away_.erase(agent);
+  rejected_.erase(agent);
   waiting_.erase(agent);
   outcome_.unassigned[agent] = why;
 }
 
 bool GreedyTeam::Advance() {
   if (!waiting_.empty()) return false;
-  RecordTurnedAway();
-  RetireTheEmptyHanded();
-  SendBackConflicting();
+  RecordRejected();
+  DropAgentsWithoutPath();
+  RequestAgain();
   for (std::string agent = Next(); !agent.empty(); agent = Next()) {
-    Commit(agent, FavouriteOf(offers_.at(agent)).index);
-    SendBackConflicting();
+    Commit(agent, FindFavourite(offers_.at(agent)).index);
+    RequestAgain();
   }
   if (!waiting_.empty() && round_ + 1 < rules_.max_rounds) {
     outcome_.rounds = ++round_ + 1;
@@ -61,17 +61,17 @@ bool GreedyTeam::Advance() {
   return true;
 }
 
-Ask GreedyTeam::AskOf(const std::string& /*agent*/) const {
-  return AskAround(rules_, outcome_.committed);
+PlanRequest GreedyTeam::RequestFor(const std::string& /*agent*/) const {
+  return RequestAround(rules_, outcome_.committed);
 }
 
 double GreedyTeam::Value(const Pathlet& pathlet) const {
   return pathlet.score() - SoftPenalty(rules_, outcome_.committed, pathlet);
 }
 
-GreedyTeam::Favourite GreedyTeam::FavouriteOf(
+GreedyTeam::Favourite GreedyTeam::FindFavourite(
     const std::vector<Pathlet>& offer) const {
-  Favourite favourite{0, kNothing};
+  Favourite favourite{0, kNoValue};
   for (std::size_t i = 0; i < offer.size(); ++i) {
     const double value = Value(offer[i]);
     if (value > favourite.value) favourite = {i, value};
@@ -81,18 +81,19 @@ GreedyTeam::Favourite GreedyTeam::FavouriteOf(
 
 double GreedyTeam::SecondChoice(const std::vector<Pathlet>& offer,
                                 std::size_t favourite) const {
-  double second = kNothing;
+  double second = kNoValue;
   for (std::size_t i = 0; i < offer.size(); ++i) {
     const double value = Value(offer[i]);
     if (i != favourite && value > second &&
-        !FindConflict(rules_, outcome_.committed, offer[i]))
+        !FindConflict(rules_, outcome_.committed, offer[i])) {
       second = value;
+    }
   }
   return second;
 }
 
-void GreedyTeam::RecordTurnedAway() {
-  for (auto& [agent, rejected] : turned_away_) {
+void GreedyTeam::RecordRejected() {
+  for (auto& [agent, rejected] : rejected_) {
     outcome_.rejections.insert(outcome_.rejections.end(), rejected.begin(),
                                rejected.end());
     if (!rejected.empty() && offers_.count(agent) > 0 &&
@@ -101,10 +102,10 @@ void GreedyTeam::RecordTurnedAway() {
       offers_.erase(agent);
     }
   }
-  turned_away_.clear();
+  rejected_.clear();
 }
 
-void GreedyTeam::RetireTheEmptyHanded() {
+void GreedyTeam::DropAgentsWithoutPath() {
   for (auto offer = offers_.begin(); offer != offers_.end();) {
     if (!offer->second.empty()) {
       ++offer;
@@ -117,11 +118,11 @@ void GreedyTeam::RetireTheEmptyHanded() {
   }
 }
 
-// Whoever's favourite is ruled out must plan again.
-void GreedyTeam::SendBackConflicting() {
+// An agent whose favourite conflicts with a committed path must plan again.
+void GreedyTeam::RequestAgain() {
   for (const auto& [agent, offer] : offers_) {
     if (waiting_.count(agent) > 0) continue;
-    const Pathlet& favourite = offer[FavouriteOf(offer).index];
+    const Pathlet& favourite = offer[FindFavourite(offer).index];
     const auto conflict = FindConflict(rules_, outcome_.committed, favourite);
     if (!conflict) continue;
     outcome_.rejections.push_back(
@@ -130,7 +131,7 @@ void GreedyTeam::SendBackConflicting() {
   }
 }
 
-bool GreedyTeam::OutranksThoseWaiting(double value) const {
+bool GreedyTeam::OutranksWaiting(double value) const {
   return std::all_of(
       waiting_.begin(), waiting_.end(), [&](const std::string& agent) {
         const std::vector<Pathlet>& offer = offers_.at(agent);
@@ -142,19 +143,21 @@ bool GreedyTeam::OutranksThoseWaiting(double value) const {
 
 std::string GreedyTeam::Next() const {
   std::map<std::string, Favourite> ready;
-  double best = kNothing;
+  double best = kNoValue;
   for (const auto& [agent, offer] : offers_) {
     if (waiting_.count(agent) > 0) continue;
-    ready[agent] = FavouriteOf(offer);
+    ready[agent] = FindFavourite(offer);
     best = std::max(best, ready[agent].value);
   }
-  if (ready.empty() || !OutranksThoseWaiting(best)) return "";
+  if (ready.empty() || !OutranksWaiting(best)) return "";
   std::vector<std::pair<double, std::string>> tied;  // By second choice, IRI.
-  for (const auto& [agent, favourite] : ready)
+  for (const auto& [agent, favourite] : ready) {
     if (favourite.value == best) tied.emplace_back(0.0, agent);
+  }
   if (tied.size() == 1) return tied.front().second;
-  for (auto& [second, agent] : tied)
+  for (auto& [second, agent] : tied) {
     second = SecondChoice(offers_.at(agent), ready[agent].index);
+  }
   return std::min_element(tied.begin(), tied.end())->second;
 }
 
@@ -168,20 +171,24 @@ void GreedyTeam::Commit(const std::string& agent, std::size_t index) {
 // nobody.
 void GreedyTeam::CommitFromOffers() {
   while (true) {
-    std::tuple<double, std::string, std::size_t> best(kNothing, "", 0);
-    for (const auto& [agent, offer] : offers_)
+    // Value, agent, index of the path in its offer.
+    std::tuple<double, std::string, std::size_t> best(kNoValue, "", 0);
+    for (const auto& [agent, offer] : offers_) {
       for (std::size_t i = 0; i < offer.size(); ++i) {
         const double value = Value(offer[i]);
         if (value > std::get<0>(best) &&
-            !FindConflict(rules_, outcome_.committed, offer[i]))
+            !FindConflict(rules_, outcome_.committed, offer[i])) {
           best = {value, agent, i};
+        }
       }
+    }
     if (std::get<1>(best).empty()) break;
     Commit(std::get<1>(best), std::get<2>(best));
   }
-  for (const auto& [agent, offer] : offers_)
+  for (const auto& [agent, offer] : offers_) {
     outcome_.unassigned[agent] = "offered nothing without a conflict in " +
                                  std::to_string(outcome_.rounds) + " rounds";
+  }
   offers_.clear();
   waiting_.clear();
 }

@@ -2,7 +2,7 @@
 // rules out is masked, the others plan again around it, and so on.
 //
 // Planning is done by the agents' planners, wherever they run, so this is a
-// state machine: hand it every answer, it says who must plan again around what.
+// state machine: it takes every answer and returns the requests to plan again.
 // The result does not depend on the order of answers. An agent whose best path
 // conflicts with nobody needs no new plan (masks only take paths away), so a
 // team of A agents needs at most A rounds.
@@ -14,9 +14,8 @@
 // minus SoftPenalty() to those committed, and agents are ranked by that. With
 // hard separation the favourite is simply the best.
 //
-// Everybody who has a path gets one, even if it is worth less than nothing: an
-// agent must be somewhere. So the bound counts 0 for an agent whose own is
-// less.
+// Every agent that has a path gets one, even if its value is negative: an agent
+// must be somewhere. So the bound counts 0 for an agent whose own is negative.
 //
 // An agent that waits keeps others back only if its last offer, which its next
 // cannot beat, ranks as high as theirs. After rules.max_rounds the rest is
@@ -41,12 +40,12 @@ class GreedyTeam : public Coordinator {
  public:
   GreedyTeam(TeamRules rules, std::vector<std::string> agents);
 
-  void Offer(const std::string& agent, Candidates candidates) override;
+  void Offer(const std::string& agent, AgentOffer candidates) override;
   void Drop(const std::string& agent, const std::string& why) override;
   // Commits what can be committed.
   bool Advance() override;
   const std::set<std::string>& waiting_for() const override { return waiting_; }
-  Ask AskOf(const std::string& agent) const override;
+  PlanRequest RequestFor(const std::string& agent) const override;
   // While it goes on: the plan so far.
   const TeamOutcome& outcome() const override { return outcome_; }
 
@@ -56,22 +55,22 @@ class GreedyTeam : public Coordinator {
     double value = 0.0;
   };
   double Value(const Pathlet& pathlet) const;
-  Favourite FavouriteOf(const std::vector<Pathlet>& offer) const;
+  Favourite FindFavourite(const std::vector<Pathlet>& offer) const;
   double SecondChoice(const std::vector<Pathlet>& offer,
                       std::size_t favourite) const;
-  void RecordTurnedAway();
-  void RetireTheEmptyHanded();
-  void SendBackConflicting();
+  void RecordRejected();
+  void DropAgentsWithoutPath();
+  void RequestAgain();
   // The agent to commit next; empty if one must be waited for first.
   std::string Next() const;
-  bool OutranksThoseWaiting(double value) const;
+  bool OutranksWaiting(double value) const;
   void Commit(const std::string& agent, std::size_t index);
   void CommitFromOffers();
 
   TeamRules rules_;
   std::map<std::string, std::vector<Pathlet>> offers_;  // Not committed.
-  // What the door turned away of the offers since the last Advance(), by agent.
-  std::map<std::string, std::vector<Rejection>> turned_away_;
+  // Paths that screening rejected since the last Advance(), by agent.
+  std::map<std::string, std::vector<RejectedPath>> rejected_;
   std::set<std::string> waiting_;
   std::map<std::string, double> bounds_;  // Of round 0, by agent.
   TeamOutcome outcome_;

@@ -7,16 +7,16 @@
 namespace kg_selector {
 namespace {
 
-// What an agent would like most: its best column under prices.
-int WishOf(const TeamColumns& pool, int agent,
-           const std::vector<double>& prices) {
+// The best column of an agent under prices; kNobody = it has none.
+int FindWish(const TeamColumns& pool, int agent,
+             const std::vector<double>& prices) {
   int wish = kNobody;
-  double most = 0.0;
-  for (const int column : pool.of_agent(agent)) {
+  double max_value = 0.0;
+  for (const int column : pool.columns_of(agent)) {
     const double value = pool.Reduced(column, prices);
-    if (wish != kNobody && !(value > most)) continue;
+    if (wish != kNobody && !(value > max_value)) continue;
     wish = column;
-    most = value;
+    max_value = value;
   }
   return wish;
 }
@@ -33,22 +33,25 @@ int CommonRows(const Column& a, const Column& b) {
 void GroupExchange::Drop(int agent) {
   dropped_.insert(agent);
   if (agent < static_cast<int>(choice_.size())) choice_[agent] = kNobody;
-  for (Group& group : groups_)
-    if (std::count(group.members.begin(), group.members.end(), agent) > 0)
+  for (Group& group : groups_) {
+    if (std::count(group.members.begin(), group.members.end(), agent) > 0) {
       group.members.clear();  // Keeps what it has.
+    }
+  }
 }
 
 // The most wanted first; chance decides between equals.
-std::vector<int> GroupExchange::RivalsOf(const TeamColumns& pool, int agent,
-                                         const std::set<int>& free) {
-  const int wish = WishOf(pool, agent, prices_);
+std::vector<int> GroupExchange::FindRivals(const TeamColumns& pool, int agent,
+                                           const std::set<int>& free) {
+  const int wish = FindWish(pool, agent, prices_);
   std::vector<std::pair<int, std::pair<unsigned, int>>> order;
   for (const int other : free) {
     if (other == agent) continue;
     int overlap = 0;
-    if (wish != kNobody && choice_[other] != kNobody)
+    if (wish != kNobody && choice_[other] != kNobody) {
       overlap =
           CommonRows(pool.columns()[wish], pool.columns()[choice_[other]]);
+    }
     const unsigned chance = prng_();
     order.push_back({-overlap, {chance, other}});
   }
@@ -60,57 +63,69 @@ std::vector<int> GroupExchange::RivalsOf(const TeamColumns& pool, int agent,
 
 void GroupExchange::MakeGroups(const TeamColumns& pool) {
   std::set<int> free;
-  for (int agent = 0; agent < pool.agents(); ++agent)
+  for (int agent = 0; agent < pool.agents(); ++agent) {
     if (dropped_.count(agent) == 0) free.insert(agent);
+  }
+  // Groups of 2 to 4: larger ones seldom find anything better.
   const int size = 2 + Random(3);
   groups_.clear();
   while (!free.empty()) {
     auto first = free.begin();
     std::advance(first, Random(static_cast<int>(free.size())));
     Group group;
-    group.members = RivalsOf(pool, *first, free);
+    group.members = FindRivals(pool, *first, free);
     group.members.insert(group.members.begin(), *first);
-    if (static_cast<int>(group.members.size()) > size)
+    if (static_cast<int>(group.members.size()) > size) {
       group.members.resize(size);
-    for (std::size_t i = group.members.size(); i > 1; --i)
+    }
+    // Fisher-Yates, with this class's random numbers.
+    for (std::size_t i = group.members.size(); i > 1; --i) {
       std::swap(group.members[i - 1],
                 group.members[Random(static_cast<int>(i))]);
+    }
     for (const int member : group.members) free.erase(member);
+    // 0 to 1.2 of the prices: above 1 to leave contested rows to the last.
     group.share = 0.012 * Random(101);
     groups_.push_back(std::move(group));
   }
 }
 
-ColumnAsks GroupExchange::Begin(const TeamColumns& pool,
-                                const TeamChoice& choice,
-                                const std::vector<double>& prices) {
+ColumnRequests GroupExchange::Begin(const TeamColumns& pool,
+                                    const TeamChoice& choice,
+                                    const std::vector<double>& prices) {
   choice_ = choice;
   prices_ = prices;
   member_ = 0;
   MakeGroups(pool);
-  return AskMembers();
+  return RequestMembers();
 }
 
-ColumnAsks GroupExchange::AskMembers() const {
-  ColumnAsks asks;
+ColumnRequests GroupExchange::RequestMembers() const {
+  ColumnRequests requests;
   for (const Group& group : groups_) {
     if (member_ >= group.members.size()) continue;
-    ColumnAsk ask;
-    if (member_ + 1 < group.members.size())
-      for (const double price : prices_)
-        ask.prices.push_back(group.share * price);
+    ColumnRequest request;
+    // The last member pays nothing.
+    if (member_ + 1 < group.members.size()) {
+      for (const double price : prices_) {
+        request.prices.push_back(group.share * price);
+      }
+    }
+    // Around everybody outside the group, and the members that answered.
     TeamChoice others = choice_;
     for (const int member : group.members) others[member] = kNobody;
-    for (const int column : others)
-      if (column != kNobody) ask.around.push_back(column);
-    for (const int column : group.columns)
-      if (column != kNobody) ask.around.push_back(column);
-    asks[group.members[member_]] = std::move(ask);
+    for (const int column : others) {
+      if (column != kNobody) request.around.push_back(column);
+    }
+    for (const int column : group.columns) {
+      if (column != kNobody) request.around.push_back(column);
+    }
+    requests[group.members[member_]] = std::move(request);
   }
-  return asks;
+  return requests;
 }
 
-ColumnAsks GroupExchange::Next(const ColumnAnswers& answers) {
+ColumnRequests GroupExchange::Next(const ColumnAnswers& answers) {
   for (Group& group : groups_) {
     if (member_ >= group.members.size()) continue;
     const auto answer = answers.find(group.members[member_]);
@@ -118,7 +133,7 @@ ColumnAsks GroupExchange::Next(const ColumnAnswers& answers) {
     group.columns.push_back(none ? kNobody : answer->second.columns.front());
   }
   ++member_;
-  return AskMembers();
+  return RequestMembers();
 }
 
 TeamChoice GroupExchange::End(const TeamColumns& pool, const TeamWorth& best,
@@ -126,9 +141,10 @@ TeamChoice GroupExchange::End(const TeamColumns& pool, const TeamWorth& best,
   TeamChoice choice = choice_;
   for (const Group& group : groups_) {
     TeamChoice changed = choice;
-    for (std::size_t i = 0; i < group.members.size(); ++i)
+    for (std::size_t i = 0; i < group.members.size(); ++i) {
       changed[group.members[i]] =
           i < group.columns.size() ? group.columns[i] : kNobody;
+    }
     if (changed == choice || !pool.IsAllowed(changed)) continue;
     TeamWorth worth = pool.Worth(changed);
     const bool better = IsMore(worth, pool.Worth(choice));

@@ -1,6 +1,6 @@
-// Small groups of agents give up what they have and plan again, one after the
-// other, beside everybody else: the way out of plans that no single agent can
-// better. Large neighbourhood search [1] whose moves are questions to planners.
+// Small groups of agents give up their columns and plan again, one after the
+// other, beside all other agents: escapes plans that no single agent can
+// improve. Large neighbourhood search [1] whose moves are requests to planners.
 //
 // All groups of one wave work at the same time, so a wave takes as many rounds
 // as a group has members. The first members pay a random share of the prices,
@@ -8,15 +8,14 @@
 // its old ones if the plan stays within `slack` of the best known, which
 // shrinks to 0 (record-to-record travel [2]); the best is kept.
 //
-// Who is in a group: one agent, by turns, and those that hold what it would
-// like most under the prices. Chance is seeded: the same answers, the same
+// A group is one agent, chosen at random, and those that hold the rows of its
+// best column under the prices. Chance is seeded: the same answers, the same
 // plan.
 //
 // [1] P. Shaw, "Using Constraint Programming and Local Search Methods to Solve
 //     Vehicle Routing Problems", CP 1998, LNCS 1520, 417-431.
-// [2] G. Dueck, "New Optimization Heuristics: The Great Deluge Algorithm and
-// the
-//     Record-to-Record Travel", J. Comput. Phys. 104 (1993) 86-92.
+// [2] G. Dueck, "New Optimization Heuristics: The Great Deluge Algorithm
+//     and the Record-to-Record Travel", J. Comput. Phys. 104 (1993) 86-92.
 
 #ifndef KG_SELECTOR_TEAM_GROUP_EXCHANGE_H_
 #define KG_SELECTOR_TEAM_GROUP_EXCHANGE_H_
@@ -32,11 +31,12 @@ namespace kg_selector {
 
 class GroupExchange {
  public:
-  // Starts a wave from `choice`; the first questions. None if nobody is there.
-  ColumnAsks Begin(const TeamColumns& pool, const TeamChoice& choice,
-                   const std::vector<double>& prices);
+  // Starts a wave from `choice`; the first questions. None if there are no
+  // agents.
+  ColumnRequests Begin(const TeamColumns& pool, const TeamChoice& choice,
+                       const std::vector<double>& prices);
   // Takes the answers; the next questions. None = the wave is over.
-  ColumnAsks Next(const ColumnAnswers& answers);
+  ColumnRequests Next(const ColumnAnswers& answers);
   // What the wave ends with: at most `slack` below `best`.
   TeamChoice End(const TeamColumns& pool, const TeamWorth& best,
                  double slack) const;
@@ -46,12 +46,13 @@ class GroupExchange {
   struct Group {
     std::vector<int> members;  // In order of planning.
     std::vector<int> columns;  // New, of the members that have answered.
-    double share = 0.0;        // Of the prices that all but the last pay.
+    double share =
+        0.0;  // Share of the prices that all but the last member pay.
   };
   void MakeGroups(const TeamColumns& pool);
-  std::vector<int> RivalsOf(const TeamColumns& pool, int agent,
-                            const std::set<int>& free);
-  ColumnAsks AskMembers() const;
+  std::vector<int> FindRivals(const TeamColumns& pool, int agent,
+                              const std::set<int>& free);
+  ColumnRequests RequestMembers() const;
   int Random(int count) { return static_cast<int>(prng_() % count); }
 
   std::mt19937 prng_;  // Default seed.

@@ -17,7 +17,7 @@ using kg_compiler::NavGraphs;
 using kg_compiler::SeamRules;
 using kg_compiler::WindowWorld;
 
-struct Graphs {
+struct AgentGraphs {
   NavGraphs graphs;
   std::string trouble;  // Why there are none.
   GraphCache cache;
@@ -36,7 +36,7 @@ class RasterIndex {
   }
 
   // In the order of the rules' windows.
-  std::vector<WindowWorld> WorldsOf(const SeamRules& rules) const {
+  std::vector<WindowWorld> FindWorlds(const SeamRules& rules) const {
     std::vector<WindowWorld> worlds;
     for (const kg_compiler::WindowRules& window : rules.windows) {
       worlds.push_back({Find(tensors_, window.tensor_hash),
@@ -60,10 +60,10 @@ class RasterIndex {
   ByHash<kg_core::VectorField> fields_;
 };
 
-Graphs CompileGraphs(const SeamRules& rules,
-                     const std::vector<WindowWorld>& worlds,
-                     const PlannedMission* previous) {
-  Graphs made;
+AgentGraphs CompileGraphs(const SeamRules& rules,
+                          const std::vector<WindowWorld>& worlds,
+                          const PlannedMission* previous) {
+  AgentGraphs made;
   if (previous) {
     const auto last = previous->caches.find(rules.agent_id);
     if (last != previous->caches.end()) made.cache = last->second;
@@ -76,26 +76,26 @@ Graphs CompileGraphs(const SeamRules& rules,
   return made;
 }
 
-std::vector<Graphs> CompileAll(const Compilation& compilation,
-                               const PlannedMission* previous) {
+std::vector<AgentGraphs> CompileAll(const Compilation& compilation,
+                                    const PlannedMission* previous) {
   const RasterIndex rasters(compilation);
-  std::vector<Graphs> made(compilation.rules.size());
+  std::vector<AgentGraphs> made(compilation.rules.size());
   kg_core::ForEachInParallel(made.size(), [&](std::size_t i) {
     const SeamRules& rules = compilation.rules[i];
-    made[i] = CompileGraphs(rules, rasters.WorldsOf(rules), previous);
+    made[i] = CompileGraphs(rules, rasters.FindWorlds(rules), previous);
   });
   return made;
 }
 
-double ElapsedSeconds(std::chrono::steady_clock::time_point begin) {
+double SecondsSince(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
       .count();
 }
 
 // A planner that finds no path says so in its own words, which go before the
 // selector's.
-void TellWhy(const std::map<std::string, std::string>& unplannable,
-             TeamPlan* plan) {
+void AddReasons(const std::map<std::string, std::string>& unplannable,
+                TeamPlan* plan) {
   for (auto& [agent, why] : plan->unassigned) {
     const auto note = plan->notes.find(agent);
     if (note != plan->notes.end()) why = note->second;
@@ -135,37 +135,43 @@ TeamRules ToTeamRules(const Compilation& compilation) {
   team.time_limit_s = facts.select_limit_s;
   team.fairness = facts.fairness;
   team.fairness_weight = facts.fairness_weight;
-  for (const SeamRules& rules : compilation.rules)
+  for (const SeamRules& rules : compilation.rules) {
     team.energy_budget_j[rules.agent_id] = rules.energy_budget_j;
-  for (const kg_core::TimeWindow& window : compilation.mission.windows)
-    if (window.index >= compilation.first_window)
+  }
+  for (const kg_core::TimeWindow& window : compilation.mission.windows) {
+    // Windows before are over.
+    if (window.index >= compilation.first_window) {
       team.window_end_s[window.index] = window.end_s;
+    }
+  }
   return team;
 }
 
-std::vector<WindowWorld> WorldsOf(const Compilation& compilation,
-                                  const SeamRules& rules) {
-  return RasterIndex(compilation).WorldsOf(rules);
+std::vector<WindowWorld> FindWorlds(const Compilation& compilation,
+                                    const SeamRules& rules) {
+  return RasterIndex(compilation).FindWorlds(rules);
 }
 
 PlannedMission PlanMission(const Compilation& compilation,
                            const PlannedMission* previous) {
   PlannedMission planned;
+  // Waypoints and seams of all agents, in parallel.
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<Graphs> graphs = CompileAll(compilation, previous);
-  planned.stage_seconds["graphs"] = ElapsedSeconds(begin);
+  std::vector<AgentGraphs> graphs = CompileAll(compilation, previous);
+  planned.stage_seconds["graphs"] = SecondsSince(begin);
   planned.rules = ToTeamRules(compilation);
   for (const SeamRules& rules : compilation.rules) {
-    Graphs& made = graphs[planned.members.size()];
-    if (!made.trouble.empty())
+    AgentGraphs& made = graphs[planned.members.size()];
+    if (!made.trouble.empty()) {
       planned.unplannable[rules.agent_id] = made.trouble;
+    }
     planned.members.push_back({rules, std::move(made.graphs)});
     planned.caches[rules.agent_id] = std::move(made.cache);
   }
   const auto graphs_made = std::chrono::steady_clock::now();
   planned.plan = PlanTeam(planned.rules, planned.members);
-  planned.stage_seconds["team"] = ElapsedSeconds(graphs_made);
-  TellWhy(planned.unplannable, &planned.plan);
+  planned.stage_seconds["team"] = SecondsSince(graphs_made);
+  AddReasons(planned.unplannable, &planned.plan);
   return planned;
 }
 

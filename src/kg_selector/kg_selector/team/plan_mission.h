@@ -39,7 +39,7 @@ TeamRules ToTeamRules(const kg_compiler::Compilation& compilation);
 
 // The rasters of `rules`, in the order of its windows. Throws std::logic_error
 // if they are not of `compilation`.
-std::vector<kg_compiler::WindowWorld> WorldsOf(
+std::vector<kg_compiler::WindowWorld> FindWorlds(
     const kg_compiler::Compilation& compilation,
     const kg_compiler::SeamRules& rules);
 

@@ -1,6 +1,10 @@
 #include "kg_selector/team/plan_team.h"
 
+#include <memory>
 #include <set>
+
+#include "kg_selector/team/coordinator.h"
+#include "kg_selector/team/team_modes.h"
 
 namespace kg_selector {
 
@@ -16,15 +20,18 @@ TeamPlan PlanTeam(TeamRules rules, const std::vector<TeamMember>& members) {
   for (const TeamMember& member : members) {
     by_agent[NameOf(member)] = &member;
     agents.push_back(NameOf(member));
-    for (const auto& window : member.rules.windows)
+    for (const auto& window : member.rules.windows) {
       rules.window_end_s.emplace(window.window, window.end_s);
+    }
   }
   TeamPlan plan;
   const std::unique_ptr<Coordinator> team = MakeCoordinator(rules, agents);
   while (!team->Advance()) {
+    // A copy: Offer() changes the set.
     const std::set<std::string> waiting = team->waiting_for();
     for (const std::string& agent : waiting) {
-      Candidates found = PlanUnder(rules, *by_agent[agent], team->AskOf(agent));
+      AgentOffer found =
+          PlanPriced(rules, *by_agent[agent], team->RequestFor(agent));
       plan.proven = plan.proven && found.proven;
       plan.notes.erase(agent);
       if (!found.note.empty()) plan.notes[agent] = found.note;

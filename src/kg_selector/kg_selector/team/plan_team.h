@@ -1,4 +1,4 @@
-// The whole way from everybody's NavGraphs to a team plan, in one process: what
+// From the NavGraphs of all agents to a team plan, in one process: what
 // planner and selector nodes do together, for what-ifs and benchmarks.
 
 #ifndef KG_SELECTOR_TEAM_PLAN_TEAM_H_
@@ -12,8 +12,8 @@
 #include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_selector/paths/conflict.h"
 #include "kg_selector/paths/pathlet.h"
-#include "kg_selector/team/coordinator.h"
-#include "kg_selector/team/plan_under.h"
+#include "kg_selector/team/priced_replanning.h"
+#include "kg_selector/team/team_plan.h"
 
 namespace kg_selector {
 
@@ -24,7 +24,7 @@ struct TeamPlan : TeamOutcome {
   double score() const;
 };
 
-// rules.window_end_s as far as it is missing is taken from the members.
+// Missing entries of rules.window_end_s are taken from the members.
 TeamPlan PlanTeam(TeamRules rules, const std::vector<TeamMember>& members);
 
 }  // namespace kg_selector

@@ -9,8 +9,8 @@
 #include "gtest/gtest.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/team/greedy_team.h"
-#include "kg_selector/team/random_team.h"
-#include "kg_selector/team/sampled_distance.h"
+#include "kg_selector/testing/random_team.h"
+#include "kg_selector/testing/sampled_distance.h"
 
 namespace kg_selector {
 namespace {
@@ -19,26 +19,27 @@ using kg_compiler::TimedPoint;
 
 // --- The reference: all paths of all agents, best first, filter, again. ---
 
-struct Option {
+struct PathOption {
   std::vector<int> nodes;
   double score = 0.0;
   std::set<std::string> events;
   std::vector<TimedPoint> track;
 };
 
-class Reference {
+class ReferencePlan {
  public:
-  Reference(const TeamRules& rules, const std::vector<TeamMember>& members)
+  ReferencePlan(const TeamRules& rules, const std::vector<TeamMember>& members)
       : rules_(rules) {
-    for (const TeamMember& member : members)
+    for (const TeamMember& member : members) {
       left_[member.rules.agent_iri] = &member;
+    }
     while (CommitOne()) {
     }
   }
 
   struct Choice {
     std::string agent;
-    Option option;
+    PathOption option;
   };
   const std::vector<Choice>& choices() const { return choices_; }
 
@@ -51,7 +52,7 @@ class Reference {
     return agents >= rules_.event_capacity.at(event);
   }
 
-  bool Allowed(const Option& option) const {
+  bool Allowed(const PathOption& option) const {
     const double least_m = std::max(1.0, rules_.separation_m);
     return std::none_of(
         choices_.begin(), choices_.end(), [&](const Choice& choice) {
@@ -61,34 +62,37 @@ class Reference {
   }
 
   // Depth first over all paths of a member; `best` is the best allowed.
-  void Extend(const TeamMember& member, const Option& option, double energy_j,
-              std::map<std::string, double> events,
-              std::optional<Option>* best) const {
+  void Extend(const TeamMember& member, const PathOption& option,
+              double energy_j, std::map<std::string, double> events,
+              std::optional<PathOption>* best) const {
     const std::size_t stage = option.nodes.size();
     if (stage == member.graphs.size()) {
-      Option whole = option;
+      PathOption whole = option;
       for (const auto& [event, reward] : events) {
         whole.score += reward;
         whole.events.insert(event);
       }
       if (energy_j <= member.rules.energy_budget_j &&
-          (!*best || whole.score > (*best)->score) && Allowed(whole))
+          (!*best || whole.score > (*best)->score) && Allowed(whole)) {
         *best = whole;
+      }
       return;
     }
     for (const auto& edge : member.graphs[stage].edges) {
       if (edge.from != (stage == 0 ? 0 : option.nodes.back())) continue;
       const auto& waypoint = member.graphs[stage].waypoints[edge.to];
-      Option longer = option;
+      PathOption longer = option;
       longer.nodes.push_back(edge.to);
       longer.score += waypoint.score - edge.seam_cost;
       longer.track.insert(longer.track.end(), edge.flight.track.begin(),
                           edge.flight.track.end());
       auto earned = events;
-      for (const auto& rule : member.rules.windows[stage].events)
+      for (const auto& rule : member.rules.windows[stage].events) {
         if (!waypoint.events.empty() && waypoint.events[0] == rule.iri &&
-            !Full(rule.iri))
+            !Full(rule.iri)) {
           earned[rule.iri] = std::max(earned[rule.iri], rule.reward);
+        }
+      }
       Extend(member, longer, energy_j + edge.flight.energy_j, earned, best);
     }
   }
@@ -96,10 +100,11 @@ class Reference {
   bool CommitOne() {
     std::optional<Choice> best;
     for (const auto& [agent, member] : left_) {
-      std::optional<Option> own;
+      std::optional<PathOption> own;
       Extend(*member, {}, 0.0, {}, &own);
-      if (own && (!best || own->score > best->option.score))
+      if (own && (!best || own->score > best->option.score)) {
         best = Choice{agent, *own};
+      }
     }
     if (!best) return false;
     left_.erase(best->agent);
@@ -120,15 +125,16 @@ TEST(PlanTeamTest, EqualsBestFirstMaskAndPlanAgainByExhaustion) {
     const TeamRules rules = random.MakeRules();
     const auto members = random.MakeMembers();
     const TeamPlan plan = PlanTeam(rules, members);
-    const Reference reference(rules, members);
+    const ReferencePlan reference(rules, members);
     ASSERT_EQ(plan.committed.size(), reference.choices().size());
     for (std::size_t i = 0; i < plan.committed.size(); ++i) {
       const Pathlet& pathlet = plan.committed[i];
       const auto& choice = reference.choices()[i];
       ASSERT_EQ(pathlet.agent, choice.agent);
       ASSERT_NEAR(pathlet.score(), choice.option.score, 1e-9);
-      for (std::size_t w = 0; w < pathlet.visits.size(); ++w)
+      for (std::size_t w = 0; w < pathlet.visits.size(); ++w) {
         ASSERT_EQ(pathlet.visits[w].waypoint, choice.option.nodes[w]);
+      }
     }
     EXPECT_EQ(plan.committed.size() + plan.unassigned.size(), members.size());
     EXPECT_TRUE(plan.proven);
@@ -146,16 +152,21 @@ TEST(PlanTeamTest, EqualsBestFirstMaskAndPlanAgainByExhaustion) {
 int Violations(const TeamRules& rules, const std::vector<Pathlet>& plan,
                double from_s) {
   int violations = 0;
-  for (std::size_t i = 0; i < plan.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
       violations += LeastDistance_m(plan[i], plan[k], {from_s, 60.0}) <
                     0.9999 * std::max(1.0, rules.separation_m);
+    }
+  }
   for (const auto& [event, capacity] : rules.event_capacity) {
     std::set<std::string> agents;
-    for (const Pathlet& pathlet : plan)
-      for (const Visit& visit : pathlet.visits)
-        if (std::count(visit.events.begin(), visit.events.end(), event) > 0)
+    for (const Pathlet& pathlet : plan) {
+      for (const Visit& visit : pathlet.visits) {
+        if (std::count(visit.events.begin(), visit.events.end(), event) > 0) {
           agents.insert(pathlet.agent);
+        }
+      }
+    }
     violations += static_cast<int>(agents.size()) > capacity;
   }
   return violations;
@@ -179,7 +190,7 @@ TEST(PlanTeamTest, TwoHundredRandomTeamsKeepTheRules) {
     EXPECT_EQ(plan.committed.size() + plan.unassigned.size(), members.size());
     std::vector<Pathlet> selfish;
     for (const TeamMember& member : members) {
-      auto found = PlanUnder(rules, member, {});
+      auto found = PlanPriced(rules, member, {});
       if (!found.pathlets.empty()) selfish.push_back(found.pathlets.front());
     }
     would_violate += Violations(rules, selfish, from_s) > 0;
@@ -205,7 +216,8 @@ TeamPlan PlanInRandomOrder(const TeamRules& rules,
                                    team.waiting_for().end());
     std::shuffle(order.begin(), order.end(), *prng);
     for (const std::string& agent : order) {
-      team.Offer(agent, PlanUnder(rules, *by_agent[agent], team.AskOf(agent)));
+      team.Offer(agent,
+                 PlanPriced(rules, *by_agent[agent], team.RequestFor(agent)));
       if (team.waiting_for().empty()) break;
       EXPECT_FALSE(team.Advance());
     }
@@ -222,8 +234,9 @@ TEST(PlanTeamTest, TheOrderOfAnswersDoesNotMatter) {
     RandomTeam random(options, 7000 + seed);
     TeamRules rules = random.MakeRules();
     const auto members = random.MakeMembers();
-    for (const auto& window : members[0].rules.windows)
+    for (const auto& window : members[0].rules.windows) {
       rules.window_end_s[window.window] = window.end_s;
+    }
     const TeamPlan plan = PlanTeam(rules, members);
     for (int i = 0; i < 10; ++i) {
       const TeamPlan other = PlanInRandomOrder(rules, members, &random.prng());
@@ -235,8 +248,9 @@ TEST(PlanTeamTest, TheOrderOfAnswersDoesNotMatter) {
       EXPECT_EQ(plan.rounds, other.rounds);
       EXPECT_EQ(plan.unassigned, other.unassigned);
       ASSERT_EQ(plan.rejections.size(), other.rejections.size());
-      for (std::size_t k = 0; k < plan.rejections.size(); ++k)
+      for (std::size_t k = 0; k < plan.rejections.size(); ++k) {
         EXPECT_EQ(plan.rejections[k].reason, other.rejections[k].reason);
+      }
     }
   }
 }
@@ -255,9 +269,10 @@ TEST(PlanTeamTest, TwoIdenticalAgentsNeverShareAWaypoint) {
     const TeamPlan plan = PlanTeam(rules, members);
     if (plan.committed.size() < 2) continue;
     ++both;
-    for (std::size_t w = 0; w < plan.committed[0].visits.size(); ++w)
+    for (std::size_t w = 0; w < plan.committed[0].visits.size(); ++w) {
       EXPECT_NE(plan.committed[0].visits[w].waypoint,
                 plan.committed[1].visits[w].waypoint);
+    }
   }
   EXPECT_GT(both, 60);
 }

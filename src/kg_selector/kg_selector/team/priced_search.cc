@@ -7,28 +7,31 @@
 namespace kg_selector {
 namespace {
 
-// Of the rounds, how many may go into prices.
+// Share of the rounds that may be spent on prices.
 constexpr double kPriceShare = 0.5;
-// Columns of an agent that are tried: every round, and at the end of a phase.
-constexpr int kKeptColumns = 15;
+// Columns of an agent that Exchange() tries: in every round, and at the end of
+// a phase.
+constexpr int kFewColumns = 15;
 constexpr int kManyColumns = 100;
-// Groups may lead so far below the best plan, at first: of the plan's score,
-// over the square of the number of agents. In large teams better moves abound.
+// Groups may lead to plans this much worse than the best, at first: a share of
+// its score, over the square of the number of agents. In large teams better
+// moves abound.
 constexpr double kSlack = 0.3;
 
 }  // namespace
 
 void PricedSearch::Drop(int agent) {
   dropped_.insert(agent);
-  losers_.erase(agent);
+  displaced_.erase(agent);
   prices_.Drop(agent);
   groups_.Drop(agent);
-  for (TeamChoice* choice : {&best_, &current_, &partial_})
+  for (TeamChoice* choice : {&best_, &current_, &partial_}) {
     if (!choice->empty()) (*choice)[agent] = kNobody;
+  }
 }
 
-ColumnAsks PricedSearch::Next(const TeamColumns& pool,
-                              const ColumnAnswers& answers) {
+ColumnRequests PricedSearch::Next(const TeamColumns& pool,
+                                  const ColumnAnswers& answers) {
   if (best_.empty()) best_.assign(pool.agents(), kNobody);
   ++rounds_;
   switch (phase_) {
@@ -39,74 +42,81 @@ ColumnAsks PricedSearch::Next(const TeamColumns& pool,
     case Phase::kGroups:
       return AfterGroups(pool, answers);
     case Phase::kUnserved:
-      Keep(pool, best_, kManyColumns);
-      return AskUnserved();
+      KeepIfBetter(pool, best_, kManyColumns);
+      return RequestUnserved();
   }
   return {};
 }
 
-ColumnAsks PricedSearch::AfterPrices(const TeamColumns& pool,
-                                     const ColumnAnswers& answers) {
-  prices_.Learn(pool.capacities(), AnswersOf(pool, answers));
+ColumnRequests PricedSearch::AfterPrices(const TeamColumns& pool,
+                                         const ColumnAnswers& answers) {
+  prices_.Learn(pool.capacities(), SummarizeAnswers(pool, answers));
   partial_.assign(pool.agents(), kNobody);
-  Fit(pool, answers);
-  Keep(pool, partial_, kKeptColumns);
-  if (IsCloseEnough(pool)) return AskUnserved();
-  if (rounds_ < kPriceShare * options_.max_rounds && !prices_.settled())
-    return AskAtPrices(pool);
+  FitColumns(pool, answers);
+  KeepIfBetter(pool, partial_, kFewColumns);
+  if (IsCloseEnough(pool)) return RequestUnserved();
+  if (rounds_ < kPriceShare * options_.max_rounds && !prices_.settled()) {
+    return RequestAtPrices(pool);
+  }
   return AfterRepair(pool, {});
 }
 
-ColumnAsks PricedSearch::AfterRepair(const TeamColumns& pool,
-                                     const ColumnAnswers& answers) {
-  Fit(pool, answers);
-  if (!losers_.empty() && rounds_ + 1 < options_.max_rounds) {
+ColumnRequests PricedSearch::AfterRepair(const TeamColumns& pool,
+                                         const ColumnAnswers& answers) {
+  FitColumns(pool, answers);
+  if (!displaced_.empty() && rounds_ + 1 < options_.max_rounds) {
     phase_ = Phase::kRepair;
-    ColumnAsks asks;
-    for (const int agent : losers_)
-      asks[agent] = {prices_.prices(), ColumnsOf(partial_)};
-    return asks;
+    ColumnRequests requests;
+    for (const int agent : displaced_) {
+      requests[agent] = {prices_.prices(), ChosenColumns(partial_)};
+    }
+    return requests;
   }
-  Keep(pool, partial_, kManyColumns);
+  KeepIfBetter(pool, partial_, kManyColumns);
   current_ = best_;
-  return AskGroups(pool);
+  return RequestGroups(pool);
 }
 
-ColumnAsks PricedSearch::AfterGroups(const TeamColumns& pool,
-                                     const ColumnAnswers& answers) {
-  ColumnAsks asks = groups_.Next(answers);
-  if (!asks.empty() && rounds_ + 1 < options_.max_rounds) return asks;
+ColumnRequests PricedSearch::AfterGroups(const TeamColumns& pool,
+                                         const ColumnAnswers& answers) {
+  ColumnRequests requests = groups_.Next(answers);
+  if (!requests.empty() && rounds_ + 1 < options_.max_rounds) return requests;
   const double left = 1.0 - 1.0 * rounds_ / options_.max_rounds;
   const double slack = kSlack * left * std::abs(pool.Score(best_)) /
                        (static_cast<double>(pool.agents()) * pool.agents());
   current_ = groups_.End(pool, pool.Worth(best_), slack);
   if (IsMore(pool.Worth(current_), pool.Worth(best_))) best_ = current_;
-  return AskGroups(pool);
+  return RequestGroups(pool);
 }
 
 // Who has the most to lose keeps what it has.
-void PricedSearch::Fit(const TeamColumns& pool, const ColumnAnswers& answers) {
+void PricedSearch::FitColumns(const TeamColumns& pool,
+                              const ColumnAnswers& answers) {
   std::vector<std::pair<double, int>> order;
-  for (const auto& [agent, answer] : answers)
-    if (!answer.columns.empty())
+  for (const auto& [agent, answer] : answers) {
+    if (!answer.columns.empty()) {
       order.emplace_back(
           -pool.Reduced(answer.columns.front(), prices_.prices()),
           answer.columns.front());
+    }
+  }
   std::sort(order.begin(), order.end());
-  if (!answers.empty()) losers_.clear();
+  // Most valuable under the prices first: it has the most to lose.
+  if (!answers.empty()) displaced_.clear();
   for (const auto& [value, column] : order) {
     const int agent = pool.columns()[column].agent;
     TeamChoice with = partial_;
     with[agent] = column;
-    if (pool.IsAllowed(with))
+    if (pool.IsAllowed(with)) {
       partial_ = std::move(with);
-    else
-      losers_.insert(agent);
+    } else {
+      displaced_.insert(agent);
+    }
   }
 }
 
-void PricedSearch::Keep(const TeamColumns& pool, TeamChoice choice,
-                        int columns) {
+void PricedSearch::KeepIfBetter(const TeamColumns& pool, TeamChoice choice,
+                                int columns) {
   choice = Exchange(pool, prices_.best_prices(), std::move(choice),
                     {columns, columns / 5});
   if (IsMore(pool.Worth(choice), pool.Worth(best_))) best_ = std::move(choice);
@@ -117,27 +127,29 @@ bool PricedSearch::IsCloseEnough(const TeamColumns& pool) const {
   return bound() - plan <= options_.gap_goal * std::abs(bound());
 }
 
-ColumnAsks PricedSearch::AskAtPrices(const TeamColumns& pool) {
+ColumnRequests PricedSearch::RequestAtPrices(const TeamColumns& pool) {
   phase_ = Phase::kPrices;
   prices_.Step(pool.Score(best_));
-  return AskAllAt(prices_.prices(), pool.agents(), dropped_);
+  return RequestAll(prices_.prices(), pool.agents(), dropped_);
 }
 
-ColumnAsks PricedSearch::AskGroups(const TeamColumns& pool) {
+ColumnRequests PricedSearch::RequestGroups(const TeamColumns& pool) {
   if (rounds_ + 2 >= options_.max_rounds || IsCloseEnough(pool)) {
-    Keep(pool, best_, kManyColumns);
-    return AskUnserved();
+    KeepIfBetter(pool, best_, kManyColumns);
+    return RequestUnserved();
   }
   phase_ = Phase::kGroups;
-  ColumnAsks asks = groups_.Begin(pool, current_, prices_.best_prices());
-  return asks.empty() ? AskUnserved() : asks;
+  ColumnRequests requests =
+      groups_.Begin(pool, current_, prices_.best_prices());
+  return requests.empty() ? RequestUnserved() : requests;
 }
 
-ColumnAsks PricedSearch::AskUnserved() {
+ColumnRequests PricedSearch::RequestUnserved() {
   phase_ = Phase::kUnserved;
-  if (rounds_ >= options_.max_rounds || !asked_unserved_.insert(best_).second)
+  if (rounds_ >= options_.max_rounds || !asked_unserved_.insert(best_).second) {
     return {};
-  return AskUnservedBeside(best_, dropped_);
+  }
+  return RequestUnservedBeside(best_, dropped_);
 }
 
 }  // namespace kg_selector

@@ -30,8 +30,8 @@ class PricedSearch : public TeamSearch {
  public:
   explicit PricedSearch(SearchOptions options) : options_(options) {}
 
-  ColumnAsks Next(const TeamColumns& pool,
-                  const ColumnAnswers& answers) override;
+  ColumnRequests Next(const TeamColumns& pool,
+                      const ColumnAnswers& answers) override;
   void Drop(int agent) override;
   const TeamChoice& choice() const override { return best_; }
   double bound() const override { return prices_.bound(); }
@@ -43,23 +43,26 @@ class PricedSearch : public TeamSearch {
  private:
   enum class Phase { kPrices, kRepair, kGroups, kUnserved };
 
-  void Fit(const TeamColumns& pool, const ColumnAnswers& answers);
-  void Keep(const TeamColumns& pool, TeamChoice choice, int columns);
+  void FitColumns(const TeamColumns& pool, const ColumnAnswers& answers);
+  void KeepIfBetter(const TeamColumns& pool, TeamChoice choice, int columns);
   bool IsCloseEnough(const TeamColumns& pool) const;
-  ColumnAsks AfterPrices(const TeamColumns& pool, const ColumnAnswers& answers);
-  ColumnAsks AfterRepair(const TeamColumns& pool, const ColumnAnswers& answers);
-  ColumnAsks AfterGroups(const TeamColumns& pool, const ColumnAnswers& answers);
-  ColumnAsks AskAtPrices(const TeamColumns& pool);
-  ColumnAsks AskGroups(const TeamColumns& pool);
-  ColumnAsks AskUnserved();
+  ColumnRequests AfterPrices(const TeamColumns& pool,
+                             const ColumnAnswers& answers);
+  ColumnRequests AfterRepair(const TeamColumns& pool,
+                             const ColumnAnswers& answers);
+  ColumnRequests AfterGroups(const TeamColumns& pool,
+                             const ColumnAnswers& answers);
+  ColumnRequests RequestAtPrices(const TeamColumns& pool);
+  ColumnRequests RequestGroups(const TeamColumns& pool);
+  ColumnRequests RequestUnserved();
 
   SearchOptions options_;
   TeamPrices prices_;
   GroupExchange groups_;
   TeamChoice best_;
-  TeamChoice current_;    // That groups go on from.
-  TeamChoice partial_;    // Kept in the repair under way.
-  std::set<int> losers_;  // To be asked in it.
+  TeamChoice current_;       // That groups go on from.
+  TeamChoice partial_;       // Kept in the repair under way.
+  std::set<int> displaced_;  // To be asked in it.
   std::set<int> dropped_;
   std::set<TeamChoice> asked_unserved_;  // Plans around which it was done.
   Phase phase_ = Phase::kPrices;

@@ -9,12 +9,15 @@
 
 namespace kg_selector {
 
-Stability StabilityOf(const std::vector<Pathlet>& before,
-                      const std::vector<Pathlet>& now) {
+PlanStability ComputeStability(const std::vector<Pathlet>& before,
+                               const std::vector<Pathlet>& now) {
   std::map<std::pair<std::string, int>, kg_core::LonLat> places;
-  for (const Pathlet& pathlet : before)
-    for (const Visit& visit : pathlet.visits)
+  for (const Pathlet& pathlet : before) {
+    for (const Visit& visit : pathlet.visits) {
       places[{pathlet.agent, visit.window}] = visit.position;
+    }
+  }
+  // Only windows that both plans have count.
   int common = 0, same = 0;
   double sum_m = 0.0;
   for (const Pathlet& pathlet : now) {

@@ -11,14 +11,14 @@
 namespace kg_selector {
 
 // Over the agents' windows that both plans have; NaN if there are none.
-struct Stability {
+struct PlanStability {
   // Share that ends at the same place: within kSamePlace_m (conflict.h).
   double share = std::numeric_limits<double>::quiet_NaN();
   // Mean distance between where they end [m].
   double displacement_m = std::numeric_limits<double>::quiet_NaN();
 };
-Stability StabilityOf(const std::vector<Pathlet>& before,
-                      const std::vector<Pathlet>& now);
+PlanStability ComputeStability(const std::vector<Pathlet>& before,
+                               const std::vector<Pathlet>& now);
 
 }  // namespace kg_selector
 

@@ -22,7 +22,7 @@ Pathlet Path(const std::string& agent, int first_window,
 }
 
 TEST(StabilityTest, APlanIsAsStableAsItsWindowsThatStay) {
-  const Stability found = StabilityOf(
+  const PlanStability found = ComputeStability(
       {Path("a", 0, {-90, -91, -92}), Path("b", 0, {-80, -81, -82})},
       {Path("b", 0, {-80, -81, -82}), Path("a", 0, {-90, -91, -92.5})});
   EXPECT_DOUBLE_EQ(found.share, 5.0 / 6.0);
@@ -31,9 +31,9 @@ TEST(StabilityTest, APlanIsAsStableAsItsWindowsThatStay) {
 }
 
 TEST(StabilityTest, OnlyWindowsThatBothHaveCount) {
-  const Stability found =
-      StabilityOf({Path("a", 0, {-90, -91}), Path("gone", 0, {-80, -81})},
-                  {Path("a", 1, {-91, -95}), Path("new", 1, {-70, -71})});
+  const PlanStability found =
+      ComputeStability({Path("a", 0, {-90, -91}), Path("gone", 0, {-80, -81})},
+                       {Path("a", 1, {-91, -95}), Path("new", 1, {-70, -71})});
   EXPECT_EQ(found.share, 1.0);
   EXPECT_EQ(found.displacement_m, 0.0);
 }
@@ -41,7 +41,7 @@ TEST(StabilityTest, OnlyWindowsThatBothHaveCount) {
 TEST(StabilityTest, AMetreIsTheSamePlaceAndALittleMoreIsNot) {
   const double metre_deg = 1.0 / kg_core::Distance_m({-90, 25}, {-89, 25});
   for (const double metres : {0.9, 1.1}) {
-    const Stability found = StabilityOf(
+    const PlanStability found = ComputeStability(
         {Path("a", 0, {-90})}, {Path("a", 0, {-90 + metres * metre_deg})});
     EXPECT_EQ(found.share, metres < 1.0 ? 1.0 : 0.0);
     EXPECT_NEAR(found.displacement_m, metres, 1e-3);
@@ -51,7 +51,7 @@ TEST(StabilityTest, AMetreIsTheSamePlaceAndALittleMoreIsNot) {
 TEST(StabilityTest, NothingInCommonIsNoNumber) {
   for (const auto& before :
        {std::vector<Pathlet>(), std::vector<Pathlet>{Path("b", 0, {-90})}}) {
-    const Stability found = StabilityOf(before, {Path("a", 0, {-90})});
+    const PlanStability found = ComputeStability(before, {Path("a", 0, {-90})});
     EXPECT_TRUE(std::isnan(found.share));
     EXPECT_TRUE(std::isnan(found.displacement_m));
   }

@@ -50,8 +50,9 @@ void TeamColumns::Drop(int agent) { of_agent_[agent].clear(); }
 double TeamColumns::Reduced(int column,
                             const std::vector<double>& prices) const {
   double value = columns_[column].score;
-  for (const int row : columns_[column].rows)
+  for (const int row : columns_[column].rows) {
     if (row < static_cast<int>(prices.size())) value -= prices[row];
+  }
   return value;
 }
 
@@ -60,34 +61,37 @@ double TeamColumns::Score(const TeamChoice& choice) const {
   for (std::size_t a = 0; a < choice.size(); ++a) {
     if (choice[a] == kNobody) continue;
     sum += columns_[choice[a]].score;
-    for (std::size_t b = 0; penalty && b < a; ++b)
+    for (std::size_t b = 0; penalty && b < a; ++b) {
       if (choice[b] != kNobody) sum -= penalty(choice[b], choice[a]);
+    }
   }
   return sum;
 }
 
-double TeamColumns::LoadOf(int column) const {
+double TeamColumns::FairnessLoad(int column) const {
   if (fairness == Fairness::kMaxMin) return columns_[column].score - unserved_;
   return columns_[column].load;
 }
 
 TeamWorth TeamColumns::Worth(const TeamChoice& choice) const {
   TeamWorth worth{0.0, Score(choice)};
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0.0;
+  double min_value = std::numeric_limits<double>::infinity();
+  double max_value = 0.0;
   for (std::size_t a = 0; a < choice.size(); ++a) {
+    // Agents that never offered anything count nothing.
     if (of_agent_[a].empty()) continue;
     const bool served = choice[a] != kNobody;
     if (!served) worth.second += unserved_;
-    const double load = served ? LoadOf(choice[a]) : 0.0;
-    least = std::min(least, load);
-    most = std::max(most, load);
+    const double load = served ? FairnessLoad(choice[a]) : 0.0;
+    min_value = std::min(min_value, load);
+    max_value = std::max(max_value, load);
   }
-  if (fairness == Fairness::kNone || !std::isfinite(least)) return worth;
-  if (fairness == Fairness::kMaxMin)
-    worth.first = least;
-  else
-    worth.second -= fairness_weight * (most - least);
+  if (fairness == Fairness::kNone || !std::isfinite(min_value)) return worth;
+  if (fairness == Fairness::kMaxMin) {
+    worth.first = min_value;
+  } else {
+    worth.second -= fairness_weight * (max_value - min_value);
+  }
   return worth;
 }
 
@@ -95,10 +99,12 @@ bool TeamColumns::IsAllowed(const TeamChoice& choice) const {
   std::vector<int> used(capacities_.size(), 0);
   for (std::size_t a = 0; a < choice.size(); ++a) {
     if (choice[a] == kNobody) continue;
-    for (const int row : columns_[choice[a]].rows)
+    for (const int row : columns_[choice[a]].rows) {
       if (++used[row] > capacities_[row]) return false;
-    for (std::size_t b = 0; conflict && b < a; ++b)
+    }
+    for (std::size_t b = 0; conflict && b < a; ++b) {
       if (choice[b] != kNobody && conflict(choice[b], choice[a])) return false;
+    }
   }
   return true;
 }
@@ -106,49 +112,56 @@ bool TeamColumns::IsAllowed(const TeamChoice& choice) const {
 namespace {
 
 // A choice under change, with who uses what.
-class Table {
+class ChoiceTable {
  public:
-  Table(const TeamColumns& pool, const TeamChoice& choice)
+  ChoiceTable(const TeamColumns& pool, const TeamChoice& choice)
       : pool_(pool),
         choice_(pool.agents(), kNobody),
         users_(pool.capacities().size()) {
-    for (const int column : choice)
+    for (const int column : choice) {
       if (column != kNobody) Put(column);
+    }
   }
 
   const TeamChoice& choice() const { return choice_; }
 
   bool Fits(int column) const {
-    for (const int row : pool_.columns()[column].rows)
+    for (const int row : pool_.columns()[column].rows) {
       if (IsFull(row)) return false;
-    for (const int other : choice_)
+    }
+    for (const int other : choice_) {
       if (other != kNobody && pool_.Conflict(other, column)) return false;
+    }
     return true;
   }
 
   void Put(int column) {
     choice_[pool_.columns()[column].agent] = column;
-    for (const int row : pool_.columns()[column].rows)
+    for (const int row : pool_.columns()[column].rows) {
       users_[row].push_back(column);
+    }
   }
 
-  void Take(int agent) {
+  void Remove(int agent) {
     const int column = std::exchange(choice_[agent], kNobody);
     if (column == kNobody) return;
-    for (const int row : pool_.columns()[column].rows)
+    for (const int row : pool_.columns()[column].rows) {
       users_[row].erase(
           std::find(users_[row].begin(), users_[row].end(), column));
+    }
   }
 
   // Puts it, whoever is in its way; who had to go. False if it never fits.
-  bool Oust(int column, std::vector<int>* ousted) {
+  bool Displace(int column, std::vector<int>* displaced) {
     for (const int row : pool_.columns()[column].rows) {
       if (pool_.capacities()[row] < 1) return false;
-      while (IsFull(row)) TakeInto(LeastOf(users_[row]), ousted);
+      while (IsFull(row)) RemoveInto(FindWorst(users_[row]), displaced);
     }
-    for (const int other : TeamChoice(choice_))
-      if (other != kNobody && pool_.Conflict(other, column))
-        TakeInto(other, ousted);
+    for (const int other : TeamChoice(choice_)) {
+      if (other != kNobody && pool_.Conflict(other, column)) {
+        RemoveInto(other, displaced);
+      }
+    }
     Put(column);
     return true;
   }
@@ -156,38 +169,40 @@ class Table {
   // The best column of an agent that fits, penalties counted.
   int BestFitting(int agent, const std::vector<int>& columns) const {
     int best = kNobody;
-    double most = -std::numeric_limits<double>::infinity();
+    double max_value = -std::numeric_limits<double>::infinity();
     for (const int column : columns) {
-      if (!(pool_.columns()[column].score > most)) continue;
-      const double value = pool_.columns()[column].score - PenaltyOf(column);
-      if (value > most && Fits(column)) {
-        most = value;
+      if (!(pool_.columns()[column].score > max_value)) continue;
+      const double value = pool_.columns()[column].score - TotalPenalty(column);
+      if (value > max_value && Fits(column)) {
+        max_value = value;
         best = column;
       }
     }
-    return pool_.of_agent(agent).empty() ? kNobody : best;
+    return pool_.columns_of(agent).empty() ? kNobody : best;
   }
 
  private:
   bool IsFull(int row) const {
     return static_cast<int>(users_[row].size()) >= pool_.capacities()[row];
   }
-  int LeastOf(const std::vector<int>& users) const {
+  int FindWorst(const std::vector<int>& users) const {
     return *std::min_element(users.begin(), users.end(), [&](int a, int b) {
       const double x = pool_.columns()[a].score;
       const double y = pool_.columns()[b].score;
       return x != y ? x < y : a < b;
     });
   }
-  void TakeInto(int column, std::vector<int>* ousted) {
-    ousted->push_back(pool_.columns()[column].agent);
-    Take(ousted->back());
+  void RemoveInto(int column, std::vector<int>* displaced) {
+    displaced->push_back(pool_.columns()[column].agent);
+    Remove(displaced->back());
   }
-  double PenaltyOf(int column) const {
+  double TotalPenalty(int column) const {
     double sum = 0.0;
-    for (const int other : choice_)
-      if (pool_.penalty && other != kNobody)
+    for (const int other : choice_) {
+      if (pool_.penalty && other != kNobody) {
         sum += pool_.Penalty(other, column);
+      }
+    }
     return sum;
   }
 
@@ -196,19 +211,21 @@ class Table {
   std::vector<std::vector<int>> users_;  // By row: columns.
 };
 
-// Of every agent the columns worth trying, best first under prices.
+// The columns of every agent that are worth trying, best first under prices.
 std::vector<std::vector<int>> Shortlists(const TeamColumns& pool,
                                          const std::vector<double>& prices,
                                          std::size_t length) {
   std::vector<std::vector<int>> lists;
+  // Reduced values once: sorting reads them often.
   std::vector<double> reduced;
-  for (std::size_t c = 0; c < pool.columns().size(); ++c)
+  for (std::size_t c = 0; c < pool.columns().size(); ++c) {
     reduced.push_back(pool.Reduced(static_cast<int>(c), prices));
+  }
   const auto better = [&](int a, int b) {
     return reduced[a] != reduced[b] ? reduced[a] > reduced[b] : a < b;
   };
   for (int agent = 0; agent < pool.agents(); ++agent) {
-    std::vector<int> list = pool.of_agent(agent);
+    std::vector<int> list = pool.columns_of(agent);
     const std::size_t kept = std::min(length, list.size());
     std::partial_sort(list.begin(), list.begin() + kept, list.end(), better);
     list.resize(kept);
@@ -217,10 +234,10 @@ std::vector<std::vector<int>> Shortlists(const TeamColumns& pool,
   return lists;
 }
 
-class Exchanger {
+class ColumnExchanger {
  public:
-  Exchanger(const TeamColumns& pool, const std::vector<double>& prices,
-            const TeamChoice& choice, const ExchangeOptions& options)
+  ColumnExchanger(const TeamColumns& pool, const std::vector<double>& prices,
+                  const TeamChoice& choice, const ExchangeOptions& options)
       : pool_(pool),
         lists_(Shortlists(pool, prices, options.columns)),
         table_(pool, choice),
@@ -229,9 +246,11 @@ class Exchanger {
   // True if anything was exchanged.
   bool Pass() {
     bool changed = Fill();
-    for (int agent = 0; agent < pool_.agents(); ++agent)
-      for (const int column : lists_[agent])
+    for (int agent = 0; agent < pool_.agents(); ++agent) {
+      for (const int column : lists_[agent]) {
         if (column != table_.choice()[agent] && Try(column)) changed = true;
+      }
+    }
     return changed;
   }
   const TeamChoice& choice() const { return table_.choice(); }
@@ -241,7 +260,7 @@ class Exchanger {
     bool filled = false;
     for (int agent = 0; agent < pool_.agents(); ++agent) {
       if (table_.choice()[agent] != kNobody) continue;
-      const int column = table_.BestFitting(agent, pool_.of_agent(agent));
+      const int column = table_.BestFitting(agent, pool_.columns_of(agent));
       if (column == kNobody) continue;
       table_.Put(column);
       filled = true;
@@ -253,10 +272,10 @@ class Exchanger {
   bool Try(int column) {
     const TeamChoice before = table_.choice();
     const int agent = pool_.columns()[column].agent;
-    std::vector<int> ousted;
-    table_.Take(agent);
-    const bool possible = table_.Oust(column, &ousted);
-    for (const int other : ousted) Refill(other);
+    std::vector<int> displaced;
+    table_.Remove(agent);
+    const bool possible = table_.Displace(column, &displaced);
+    for (const int other : displaced) Refill(other);
     const TeamWorth worth = pool_.Worth(table_.choice());
     if (possible && IsMore(worth, worth_)) {
       worth_ = worth;
@@ -272,16 +291,19 @@ class Exchanger {
   }
 
   void Restore(const TeamChoice& before) {
-    for (int agent = 0; agent < pool_.agents(); ++agent)
-      if (table_.choice()[agent] != before[agent]) table_.Take(agent);
-    for (int agent = 0; agent < pool_.agents(); ++agent)
-      if (table_.choice()[agent] != before[agent] && before[agent] != kNobody)
+    for (int agent = 0; agent < pool_.agents(); ++agent) {
+      if (table_.choice()[agent] != before[agent]) table_.Remove(agent);
+    }
+    for (int agent = 0; agent < pool_.agents(); ++agent) {
+      if (table_.choice()[agent] != before[agent] && before[agent] != kNobody) {
         table_.Put(before[agent]);
+      }
+    }
   }
 
   const TeamColumns& pool_;
   std::vector<std::vector<int>> lists_;
-  Table table_;
+  ChoiceTable table_;
   TeamWorth worth_;
 };
 
@@ -290,24 +312,29 @@ class Exchanger {
 TeamChoice ChooseGreedily(const TeamColumns& pool,
                           const std::vector<double>& prices) {
   std::vector<std::pair<double, int>> order;
-  for (int agent = 0; agent < pool.agents(); ++agent)
-    for (const int column : pool.of_agent(agent))
+  for (int agent = 0; agent < pool.agents(); ++agent) {
+    for (const int column : pool.columns_of(agent)) {
       order.emplace_back(-pool.Reduced(column, prices), column);
+    }
+  }
   std::sort(order.begin(), order.end());
-  Table table(pool, TeamChoice(pool.agents(), kNobody));
-  for (const auto& [value, column] : order)
+  ChoiceTable table(pool, TeamChoice(pool.agents(), kNobody));
+  for (const auto& [value, column] : order) {
     if (table.choice()[pool.columns()[column].agent] == kNobody &&
-        table.Fits(column))
+        table.Fits(column)) {
       table.Put(column);
+    }
+  }
   return table.choice();
 }
 
 TeamChoice Exchange(const TeamColumns& pool, const std::vector<double>& prices,
                     TeamChoice choice, const ExchangeOptions& options) {
   choice.resize(pool.agents(), kNobody);
-  Exchanger exchanger(pool, prices, choice, options);
-  for (int pass = 0; pass < options.passes; ++pass)
+  ColumnExchanger exchanger(pool, prices, choice, options);
+  for (int pass = 0; pass < options.passes; ++pass) {
     if (!exchanger.Pass()) break;
+  }
   return exchanger.choice();
 }
 

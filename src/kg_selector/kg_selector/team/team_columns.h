@@ -1,4 +1,4 @@
-// All that everybody has offered, as columns over rows, and the choice of one
+// All offers of the agents, as columns over rows, and the choice of one
 // column an agent. Knows neither missions nor planners: missions and benchmarks
 // have it in common.
 //
@@ -7,8 +7,8 @@
 //   conflicts
 //
 // An agent without a column counts unserved(): the worst score on offer, at
-// most 0. So leaving somebody out who could be served never pays, and a plan
-// whose every agent has a column is worth its sum.
+// most 0. So it never pays to leave out an agent that could be served, and a
+// plan in which every agent has a column is worth the sum of their scores.
 
 #ifndef KG_SELECTOR_TEAM_TEAM_COLUMNS_H_
 #define KG_SELECTOR_TEAM_TEAM_COLUMNS_H_
@@ -46,7 +46,7 @@ class TeamColumns {
   void SetRows(int column, std::vector<int> rows);
   void Drop(int agent);  // Its columns are not chosen any more.
 
-  // Of two columns of distinct agents, beyond rows. None = never, 0.
+  // Between two columns of distinct agents, beyond rows. Empty = never; 0.
   std::function<bool(int, int)> conflict;
   std::function<double(int, int)> penalty;
   Fairness fairness = Fairness::kNone;
@@ -55,7 +55,9 @@ class TeamColumns {
   int agents() const { return static_cast<int>(of_agent_.size()); }
   const std::vector<int>& capacities() const { return capacities_; }
   const std::vector<Column>& columns() const { return columns_; }
-  const std::vector<int>& of_agent(int agent) const { return of_agent_[agent]; }
+  const std::vector<int>& columns_of(int agent) const {
+    return of_agent_[agent];
+  }
   double unserved() const { return unserved_; }
 
   double Score(const TeamChoice& choice) const;  // Sum, less penalties.
@@ -63,8 +65,8 @@ class TeamColumns {
   bool IsAllowed(const TeamChoice& choice) const;
   bool Conflict(int a, int b) const { return conflict && conflict(a, b); }
   double Penalty(int a, int b) const { return penalty ? penalty(a, b) : 0.0; }
-  // What fairness looks at: of kMaxMin what it is worth beyond unserved().
-  double LoadOf(int column) const;
+  // The load that fairness compares; for kMaxMin the score beyond unserved().
+  double FairnessLoad(int column) const;
   // The score less the prices of its rows.
   double Reduced(int column, const std::vector<double>& prices) const;
 
@@ -81,7 +83,7 @@ TeamChoice ChooseGreedily(const TeamColumns& pool,
                           const std::vector<double>& prices);
 
 struct ExchangeOptions {
-  int columns = 60;  // Of an agent that are tried, the best under prices.
+  int columns = 60;  // Tried for each agent, the best under prices.
   int passes = 20;
 };
 // A column for what is in its way, and a new one for each agent so ousted, as

@@ -7,8 +7,7 @@
 // agent: successive shortest paths [1] by Dijkstra's algorithm on costs reduced
 // by potentials, which a first pass through the stages gives. At most agents *
 // seams steps. Exact but for rounding; deterministic.
-//
-// As many agents are served as there is room for.
+// As many agents are served as the capacities allow.
 //
 // [1] R. K. Ahuja, T. L. Magnanti and J. B. Orlin, "Network Flows", 1993, 9.7.
 

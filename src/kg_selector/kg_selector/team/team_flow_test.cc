@@ -27,8 +27,9 @@ TeamFlow RandomFlow(std::mt19937* prng) {
     for (int v = 0; v < nodes; ++v) {
       stage.rewards.push_back(Number(prng));
       stage.capacities.push_back(Whole(prng, 0, 2));
-      for (int u = 0; u < before; ++u)
+      for (int u = 0; u < before; ++u) {
         if (Whole(prng, 0, 4) > 0) stage.seams.push_back({u, v, Number(prng)});
+      }
     }
     before = nodes;
     flow.stages.push_back(stage);
@@ -37,11 +38,12 @@ TeamFlow RandomFlow(std::mt19937* prng) {
 }
 
 // Agent by agent, all paths or none: first as many as can be, then the best.
-class Reference {
+class ReferenceFlow {
  public:
-  explicit Reference(const TeamFlow& flow) : flow_(flow) {
-    for (const FlowStage& stage : flow.stages)
+  explicit ReferenceFlow(const TeamFlow& flow) : flow_(flow) {
+    for (const FlowStage& stage : flow.stages) {
       room_.push_back(stage.capacities);
+    }
     Agent(0, 0, 0.0);
   }
   int served() const { return served_; }
@@ -85,18 +87,21 @@ TEST(TeamFlowTest, EqualsTheBestOfAllPlans) {
     std::mt19937 prng(seed);
     const TeamFlow flow = RandomFlow(&prng);
     const FlowPlan plan = SolveFlow(flow);
-    const Reference best(flow);
+    const ReferenceFlow best(flow);
     int served = 0;
     std::vector<std::vector<int>> used;
-    for (const FlowStage& stage : flow.stages)
+    for (const FlowStage& stage : flow.stages) {
       used.emplace_back(stage.rewards.size(), 0);
+    }
     for (const auto& nodes : plan.nodes) {
       served += !nodes.empty();
       for (std::size_t s = 0; s < nodes.size(); ++s) ++used[s][nodes[s]];
     }
-    for (std::size_t s = 0; s < used.size(); ++s)
-      for (std::size_t v = 0; v < used[s].size(); ++v)
+    for (std::size_t s = 0; s < used.size(); ++s) {
+      for (std::size_t v = 0; v < used[s].size(); ++v) {
         ASSERT_LE(used[s][v], flow.stages[s].capacities[v]);
+      }
+    }
     ASSERT_EQ(served, best.served()) << seed;
     ASSERT_NEAR(plan.value, best.value(), 1e-9) << seed;
     unserved += served < flow.agents;

@@ -8,21 +8,24 @@
 namespace kg_selector {
 namespace {
 
-constexpr double kLeastShare = 0.1;  // Of the newest answers in the average.
-constexpr int kPatience = 2;         // Steps in vain before they get shorter.
-// Of the bound: where the best plan will be, if none so good is known yet.
+constexpr double kLeastShare =
+    0.1;  // Least weight of the newest answers in the average.
+constexpr int kMaxFailedSteps =
+    2;  // Steps without gain before they get shorter.
+// Expected gap of the best plan, as a share of the bound, while no plan so good
+// is known.
 constexpr double kLikelyGap = 0.05;
 // Settled: the bound fell by less than this share in so many rounds.
-constexpr double kHardly = 2e-4;
-constexpr std::size_t kWhile = 30;
+constexpr double kSettledShare = 2e-4;
+constexpr std::size_t kSettledRounds = 30;
 
-double WorthOf(double bound) { return bound < 0.0 ? 0.0 : bound; }
+double AtLeastZero(double bound) { return bound < 0.0 ? 0.0 : bound; }
 
 }  // namespace
 
 void TeamPrices::Grow(std::size_t rows) {
   prices_.resize(rows, 0.0);
-  centre_.resize(rows, 0.0);
+  best_prices_.resize(rows, 0.0);
   average_usage_.resize(rows, 0.0);
 }
 
@@ -38,62 +41,71 @@ void TeamPrices::Learn(const std::vector<int>& capacities,
                        const Answers& answers) {
   capacities_ = capacities;
   Grow(capacities.size());
+  // L at the prices asked: rows' part and agents' part.
   double rows = 0.0;
-  for (std::size_t r = 0; r < capacities.size(); ++r)
+  for (std::size_t r = 0; r < capacities.size(); ++r) {
     rows += prices_[r] * capacities[r];
+  }
   std::vector<double> agents;
-  for (const double bound : answers.bounds) agents.push_back(WorthOf(bound));
+  for (const double bound : answers.bounds) {
+    agents.push_back(AtLeastZero(bound));
+  }
   const double value = std::accumulate(agents.begin(), agents.end(), rows);
+  // A running mean of the first answers, later an exponential one.
   const double share = std::max(kLeastShare, 1.0 / (1.0 + bounds_.size()));
-  for (std::size_t r = 0; r < capacities.size(); ++r)
+  for (std::size_t r = 0; r < capacities.size(); ++r) {
     average_usage_[r] += share * (answers.usage[r] - average_usage_[r]);
+  }
+  // Better: longer steps from here. Two steps without gain: shorter ones.
   if (value < bound()) {
     rows_part_ = rows;
     agents_part_ = std::move(agents);
-    centre_ = prices_;
-    in_vain_ = 0;
+    best_prices_ = prices_;
+    failed_steps_ = 0;
     step_ = std::min(2.0, 1.2 * step_);
-  } else if (++in_vain_ >= kPatience) {
-    in_vain_ = 0;
+  } else if (++failed_steps_ >= kMaxFailedSteps) {
+    failed_steps_ = 0;
     step_ = std::max(1e-3, 0.66 * step_);
   }
   bounds_.push_back(bound());
 }
 
 bool TeamPrices::settled() const {
-  if (bounds_.size() <= kWhile) return false;
-  const double before = bounds_[bounds_.size() - 1 - kWhile];
-  return !(before - bounds_.back() > kHardly * std::abs(before));
+  if (bounds_.size() <= kSettledRounds) return false;
+  const double before = bounds_[bounds_.size() - 1 - kSettledRounds];
+  return !(before - bounds_.back() > kSettledShare * std::abs(before));
 }
 
 void TeamPrices::Step(double plan) {
   double squared = 0.0;
-  std::vector<double> excess(centre_.size());
-  for (std::size_t r = 0; r < centre_.size(); ++r) {
+  std::vector<double> excess(best_prices_.size());
+  for (std::size_t r = 0; r < best_prices_.size(); ++r) {
     excess[r] = average_usage_[r] - capacities_[r];
-    if (excess[r] < 0.0 && centre_[r] <= 0.0) excess[r] = 0.0;
+    if (excess[r] < 0.0 && best_prices_[r] <= 0.0) excess[r] = 0.0;
     squared += excess[r] * excess[r];
   }
-  prices_ = centre_;
+  prices_ = best_prices_;
   const double gap = std::min(bound() - plan, kLikelyGap * std::abs(bound()));
   if (!(squared > 0.0) || !std::isfinite(gap)) return;
   const double length = step_ * std::max(gap, 0.0) / squared;
-  for (std::size_t r = 0; r < prices_.size(); ++r)
-    prices_[r] = std::max(0.0, centre_[r] + length * excess[r]);
+  for (std::size_t r = 0; r < prices_.size(); ++r) {
+    prices_[r] = std::max(0.0, best_prices_[r] + length * excess[r]);
+  }
 }
 
-TeamPrices::Answers AnswersOf(const TeamColumns& pool,
-                              const ColumnAnswers& answers) {
-  TeamPrices::Answers learnt;
-  learnt.bounds.assign(pool.agents(), 0.0);
-  learnt.usage.assign(pool.capacities().size(), 0);
+TeamPrices::Answers SummarizeAnswers(const TeamColumns& pool,
+                                     const ColumnAnswers& answers) {
+  TeamPrices::Answers summary;
+  summary.bounds.assign(pool.agents(), 0.0);
+  summary.usage.assign(pool.capacities().size(), 0);
   for (const auto& [agent, answer] : answers) {
-    learnt.bounds[agent] = answer.bound;
+    summary.bounds[agent] = answer.bound;
     if (answer.columns.empty()) continue;
-    for (const int row : pool.columns()[answer.columns.front()].rows)
-      ++learnt.usage[row];
+    for (const int row : pool.columns()[answer.columns.front()].rows) {
+      ++summary.usage[row];
+    }
   }
-  return learnt;
+  return summary;
 }
 
 }  // namespace kg_selector

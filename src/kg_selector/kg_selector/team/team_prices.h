@@ -34,7 +34,7 @@ namespace kg_selector {
 
 class TeamPrices {
  public:
-  // What everybody answered under prices().
+  // The answers of all agents under prices().
   struct Answers {
     std::vector<double> bounds;  // By agent, prices taken off; NaN = unknown.
     std::vector<int> usage;      // By row: agents whose best path uses it.
@@ -50,7 +50,7 @@ class TeamPrices {
 
   const std::vector<double>& prices() const { return prices_; }
   // Those of the least L so far, and it; infinite if there was none.
-  const std::vector<double>& best_prices() const { return centre_; }
+  const std::vector<double>& best_prices() const { return best_prices_; }
   double bound() const;
   // The bound has hardly moved for a while.
   bool settled() const;
@@ -62,19 +62,19 @@ class TeamPrices {
 
   std::vector<int> capacities_;
   std::vector<double> prices_;         // Asked for.
-  std::vector<double> centre_;         // Of the least L.
-  std::vector<double> average_usage_;  // Of past answers.
+  std::vector<double> best_prices_;    // Of the least L.
+  std::vector<double> average_usage_;  // Of past answers, by row.
   double rows_part_ =
       std::numeric_limits<double>::infinity();  // Of the least L.
   std::vector<double> agents_part_;
   double step_ = 1.0;
   std::vector<double> bounds_;  // By round, the least until then.
-  int in_vain_ = 0;
+  int failed_steps_ = 0;
 };
 
 // What a round at common prices taught.
-TeamPrices::Answers AnswersOf(const TeamColumns& pool,
-                              const ColumnAnswers& answers);
+TeamPrices::Answers SummarizeAnswers(const TeamColumns& pool,
+                                     const ColumnAnswers& answers);
 
 }  // namespace kg_selector
 

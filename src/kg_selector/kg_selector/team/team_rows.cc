@@ -10,7 +10,7 @@ namespace kg_selector {
 namespace {
 
 // Distances are geodesics here and in a plane where conflicts are found.
-constexpr double kHair = 0.999;
+constexpr double kSafetyFactor = 0.999;
 constexpr double kSamePosition_deg = 1e-9;
 
 bool SamePosition(kg_core::LonLat a, kg_core::LonLat b) {
@@ -21,14 +21,14 @@ bool SamePosition(kg_core::LonLat a, kg_core::LonLat b) {
 }  // namespace
 
 TeamRows::TeamRows(const TeamRules& rules)
-    : rules_(rules), separation_m_(kHair * HardSeparation_m(rules)) {
+    : rules_(rules), separation_m_(kSafetyFactor * HardSeparation_m(rules)) {
   for (const auto& [event, capacity] : rules.event_capacity) {
     events_[event] = static_cast<int>(capacities_.size());
     capacities_.push_back(std::max(0, capacity));
   }
 }
 
-bool TeamRows::EndsThere(const Pathlet& pathlet, const Visit& visit) const {
+bool TeamRows::HoldsStation(const Pathlet& pathlet, const Visit& visit) const {
   const auto end = rules_.window_end_s.find(visit.window);
   if (end == rules_.window_end_s.end()) return false;
   // The points on either side of the end, or at it.
@@ -38,8 +38,9 @@ bool TeamRows::EndsThere(const Pathlet& pathlet, const Visit& visit) const {
                          return point.time_s < time_s;
                        });
   if (after == pathlet.track.end()) return false;
-  if (after->time_s > end->second && after == pathlet.track.begin())
+  if (after->time_s > end->second && after == pathlet.track.begin()) {
     return false;
+  }
   const bool before_there =
       after->time_s == end->second ||
       SamePosition(std::prev(after)->position, visit.position);
@@ -57,60 +58,70 @@ bool TeamRows::FitsInto(int place, const Clique& clique) const {
                      [&](int q) { return AreClose(clique.window, place, q); });
 }
 
-void TeamRows::PutInto(int row, int place) {
+void TeamRows::AddToClique(int row, int place) {
   Clique& clique = cliques_.at(row);
   clique.places.push_back(place);
   places_.at(clique.window)[place].rows.push_back(row);
 }
 
-void TeamRows::Join(int window, int place) {
-  for (const auto& [row, clique] : cliques_)
-    if (clique.window == window && FitsInto(place, clique)) PutInto(row, place);
+void TeamRows::JoinCliques(int window, int place) {
+  for (const auto& [row, clique] : cliques_) {
+    if (clique.window == window && FitsInto(place, clique)) {
+      AddToClique(row, place);
+    }
+  }
 }
 
 // A row for every place close to this one (itself, too) that shares none yet.
-void TeamRows::Cover(int window, int place) {
+void TeamRows::AddMissingRows(int window, int place) {
   const int count = static_cast<int>(places_.at(window).size());
   for (int other = 0; other < count; ++other) {
     if (!AreClose(window, place, other)) continue;
+    // They have a row in common already.
     const std::vector<int>& mine = places_.at(window)[place].rows;
     const std::vector<int>& its = places_.at(window)[other].rows;
     if (std::any_of(mine.begin(), mine.end(), [&](int row) {
           return std::count(its.begin(), its.end(), row) > 0;
-        }))
+        })) {
       continue;
+    }
+    // A maximal clique around the pair, grown greedily.
     const int row = static_cast<int>(capacities_.size());
     capacities_.push_back(1);
     cliques_[row] = {window, {}};
-    PutInto(row, place);
-    if (other != place) PutInto(row, other);
-    for (int third = 0; third < count; ++third)
-      if (third != place && third != other && FitsInto(third, cliques_.at(row)))
-        PutInto(row, third);
+    AddToClique(row, place);
+    if (other != place) AddToClique(row, other);
+    for (int third = 0; third < count; ++third) {
+      if (third != place && third != other &&
+          FitsInto(third, cliques_.at(row))) {
+        AddToClique(row, third);
+      }
+    }
   }
 }
 
 int TeamRows::AddPlace(int window, kg_core::LonLat position) {
   std::vector<Place>& places = places_[window];
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < places.size(); ++i) {
     if (SamePosition(places[i].position, position)) return static_cast<int>(i);
+  }
   places.push_back({position, {}, {}});
   const int place = static_cast<int>(places.size()) - 1;
-  Join(window, place);
-  Cover(window, place);
+  JoinCliques(window, place);
+  AddMissingRows(window, place);
   return place;
 }
 
 void TeamRows::Add(const Pathlet& pathlet) {
   for (const Visit& visit : pathlet.visits) {
-    if (!EndsThere(pathlet, visit)) continue;
+    if (!HoldsStation(pathlet, visit)) continue;
     const int place = AddPlace(visit.window, visit.position);
     places_.at(visit.window)[place].waypoints.insert(
         {pathlet.agent, visit.waypoint});
   }
 }
 
-std::vector<int> TeamRows::RowsOf(const Pathlet& pathlet) const {
+std::vector<int> TeamRows::UsedRows(const Pathlet& pathlet) const {
   std::set<int> rows;
   for (const Visit& visit : pathlet.visits) {
     for (const std::string& event : visit.events) {
@@ -118,32 +129,40 @@ std::vector<int> TeamRows::RowsOf(const Pathlet& pathlet) const {
       if (row != events_.end()) rows.insert(row->second);
     }
     const auto places = places_.find(visit.window);
-    if (places == places_.end() || !EndsThere(pathlet, visit)) continue;
-    for (const Place& place : places->second)
+    if (places == places_.end() || !HoldsStation(pathlet, visit)) continue;
+    for (const Place& place : places->second) {
       if (SamePosition(place.position, visit.position)) {
         rows.insert(place.rows.begin(), place.rows.end());
         break;
       }
+    }
   }
   return {rows.begin(), rows.end()};
 }
 
 void TeamRows::PutPrices(const std::string& agent,
-                         const std::vector<double>& prices, Ask* ask) const {
+                         const std::vector<double>& prices,
+                         PlanRequest* request) const {
+  // Rows added since the prices were made cost nothing.
   const auto price_of = [&](int row) {
     return row < static_cast<int>(prices.size()) ? prices[row] : 0.0;
   };
-  for (const auto& [event, row] : events_)
-    if (price_of(row) > 0.0) ask->event_prices[event] = price_of(row);
-  for (const auto& [window, places] : places_)
+  for (const auto& [event, row] : events_) {
+    if (price_of(row) > 0.0) request->event_prices[event] = price_of(row);
+  }
+  for (const auto& [window, places] : places_) {
     for (const Place& place : places) {
       double sum = 0.0;
       for (const int row : place.rows) sum += price_of(row);
       if (!(sum > 0.0)) continue;
-      for (const auto& [owner, waypoint] : place.waypoints)
-        if (owner == agent)
-          ask->waypoint_prices.push_back({window, waypoint, sum});
+      // In the numbering of the agent's own graph.
+      for (const auto& [owner, waypoint] : place.waypoints) {
+        if (owner == agent) {
+          request->waypoint_prices.push_back({window, waypoint, sum});
+        }
+      }
     }
+  }
 }
 
 }  // namespace kg_selector

@@ -5,7 +5,8 @@
 // Places: of agents that hold station at a window's end, only one may be among
 // places that all lie closer to each other than the separation. Rows are made
 // as places are seen (relax and cut); a new place joins every row it fits into.
-// They are said with a hair to spare, so two paths of one row surely conflict.
+// The separation is taken 0.1 % shorter for them, so that two paths of one row
+// always conflict.
 
 #ifndef KG_SELECTOR_TEAM_TEAM_ROWS_H_
 #define KG_SELECTOR_TEAM_TEAM_ROWS_H_
@@ -18,7 +19,7 @@
 
 #include "kg_selector/paths/conflict.h"
 #include "kg_selector/paths/pathlet.h"
-#include "kg_selector/team/coordinator.h"
+#include "kg_selector/team/team_plan.h"
 
 namespace kg_selector {
 
@@ -29,12 +30,12 @@ class TeamRows {
   // Gets to know the places where its windows end.
   void Add(const Pathlet& pathlet);
   // Ascending; of a path that was added. More rows may come with later ones.
-  std::vector<int> RowsOf(const Pathlet& pathlet) const;
+  std::vector<int> UsedRows(const Pathlet& pathlet) const;
   const std::vector<int>& capacities() const { return capacities_; }
 
   // What `agent` has to pay for rows, in words of its own.
   void PutPrices(const std::string& agent, const std::vector<double>& prices,
-                 Ask* ask) const;
+                 PlanRequest* request) const;
 
  private:
   struct Place {
@@ -48,13 +49,13 @@ class TeamRows {
     std::vector<int> places;  // Index in the window's.
   };
   // The place where a visit holds station; nothing if it is elsewhere then.
-  bool EndsThere(const Pathlet& pathlet, const Visit& visit) const;
+  bool HoldsStation(const Pathlet& pathlet, const Visit& visit) const;
   int AddPlace(int window, kg_core::LonLat position);
-  void Join(int window, int place);
-  void Cover(int window, int place);
+  void JoinCliques(int window, int place);
+  void AddMissingRows(int window, int place);
   bool AreClose(int window, int a, int b) const;
   bool FitsInto(int place, const Clique& clique) const;
-  void PutInto(int row, int place);
+  void AddToClique(int row, int place);
 
   const TeamRules& rules_;
   double separation_m_ = 0.0;

@@ -5,20 +5,19 @@
 #include <cmath>
 
 #include "gtest/gtest.h"
-#include "kg_selector/team/every_path.h"
 #include "kg_selector/team/plan_team.h"
-#include "kg_selector/team/random_team.h"
-#include "kg_selector/team/sampled_distance.h"
+#include "kg_selector/team/team_modes.h"
+#include "kg_selector/testing/every_path.h"
+#include "kg_selector/testing/random_team.h"
+#include "kg_selector/testing/sampled_distance.h"
 
 namespace kg_selector {
 namespace {
 
-const char* const kModes[] = {"greedy", "auction", "priced", "exact"};
-
 // --- The checker: looks at plan and members only, every two minutes, with
 // geodesics. ---
 
-struct Mission {
+struct MissionRules {
   double separation_m = 0.0;  // None may come closer.
   std::map<std::string, int> capacity;
   std::map<std::string, std::set<int>> open;  // Windows of an event.
@@ -26,33 +25,39 @@ struct Mission {
   double from_s = 0.0;  // Separation is looked at from here on.
 };
 
-int TooCloseOnes(const Mission& mission, const std::vector<Pathlet>& plan) {
+int TooCloseOnes(const MissionRules& mission,
+                 const std::vector<Pathlet>& plan) {
   int count = 0;
-  for (std::size_t i = 0; i < plan.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
       count += LeastDistance_m(plan[i], plan[k], {mission.from_s, 120.0}) <
                0.9999 * mission.separation_m;
+    }
+  }
   return count;
 }
 
-int BadVisits(const Mission& mission, const std::vector<Pathlet>& plan) {
+int BadVisits(const MissionRules& mission, const std::vector<Pathlet>& plan) {
   int count = 0;
   std::map<std::string, std::set<std::string>> users;
-  for (const Pathlet& pathlet : plan)
-    for (const Visit& visit : pathlet.visits)
+  for (const Pathlet& pathlet : plan) {
+    for (const Visit& visit : pathlet.visits) {
       for (const std::string& event : visit.events) {
         users[event].insert(pathlet.agent);
         const auto open = mission.open.find(event);
         count +=
             open != mission.open.end() && open->second.count(visit.window) == 0;
       }
-  for (const auto& [event, agents] : users)
+    }
+  }
+  for (const auto& [event, agents] : users) {
     count += static_cast<int>(agents.size()) > mission.capacity.at(event);
+  }
   return count;
 }
 
 // Score and energy are those of the edges that the visits say.
-int WrongSums(const Mission& mission, const std::vector<Pathlet>& plan) {
+int WrongSums(const MissionRules& mission, const std::vector<Pathlet>& plan) {
   int count = 0;
   for (const Pathlet& pathlet : plan) {
     const TeamMember& member = *mission.members.at(pathlet.agent);
@@ -61,11 +66,12 @@ int WrongSums(const Mission& mission, const std::vector<Pathlet>& plan) {
     int from = 0;
     for (std::size_t w = 0; w < pathlet.visits.size(); ++w) {
       const int to = pathlet.visits[w].waypoint;
-      for (const auto& edge : member.graphs[w].edges)
+      for (const auto& edge : member.graphs[w].edges) {
         if (edge.from == from && edge.to == to) {
           cost += edge.seam_cost;
           energy_j += edge.flight.energy_j;
         }
+      }
       from = to;
     }
     count += energy_j > member.rules.energy_budget_j;
@@ -78,7 +84,7 @@ int WrongSums(const Mission& mission, const std::vector<Pathlet>& plan) {
   return count;
 }
 
-int Violations(const Mission& mission, const std::vector<Pathlet>& plan) {
+int Violations(const MissionRules& mission, const std::vector<Pathlet>& plan) {
   std::set<std::string> agents;
   for (const Pathlet& pathlet : plan) agents.insert(pathlet.agent);
   return static_cast<int>(plan.size() - agents.size()) +
@@ -86,27 +92,28 @@ int Violations(const Mission& mission, const std::vector<Pathlet>& plan) {
          WrongSums(mission, plan);
 }
 
-struct Scene {
+struct TestScene {
   TeamRules rules;
   std::vector<TeamMember> members;
-  Mission mission;
+  MissionRules mission;
 };
 
 // One in three is launched from one place; one in two has an event that is over
 // after the first window, and a member that thinks it is not.
-Scene MakeScene(unsigned seed) {
+TestScene MakeScene(unsigned seed) {
   RandomTeamOptions options;
   options.agents = 2 + static_cast<int>(seed % 4);
   options.places = 10;
   options.same_start = seed % 3 == 0;
   RandomTeam random(options, 5000 + seed);
-  Scene scene;
+  TestScene scene;
   scene.rules = random.MakeRules();
   scene.rules.max_rounds = 12;
   scene.members = random.MakeMembers();
   if (seed % 2 == 0) scene.rules.event_windows["ex:event0"] = {0};
-  for (const TeamMember& member : scene.members)
+  for (const TeamMember& member : scene.members) {
     scene.rules.energy_budget_j[NameOf(member)] = member.rules.energy_budget_j;
+  }
   scene.members.back().rules.energy_budget_j = 1e9;
   scene.rules.energy_budget_j[NameOf(scene.members.back())] = 9000.0;
   scene.mission.separation_m = std::max(1.0, scene.rules.separation_m);
@@ -114,18 +121,19 @@ Scene MakeScene(unsigned seed) {
   scene.mission.open = scene.rules.event_windows;
   const auto& first = scene.members[0].rules.windows[0];
   scene.mission.from_s = options.same_start ? first.end_s : first.begin_s;
-  for (const TeamMember& member : scene.members)
+  for (const TeamMember& member : scene.members) {
     scene.mission.members[NameOf(member)] = &member;
+  }
   return scene;
 }
 
-class RulesOfMode : public testing::TestWithParam<const char*> {};
+class RulesOfMode : public testing::TestWithParam<std::string> {};
 
 TEST_P(RulesOfMode, AreKeptInTwoHundredRandomMissions) {
   int would_violate = 0;
   int turned_away = 0;
   for (unsigned seed = 1; seed <= 200; ++seed) {
-    Scene scene = MakeScene(seed);
+    TestScene scene = MakeScene(seed);
     scene.rules.mode = GetParam();
     const TeamPlan plan = PlanTeam(scene.rules, scene.members);
     TeamMember honest = scene.members.back();
@@ -137,13 +145,14 @@ TEST_P(RulesOfMode, AreKeptInTwoHundredRandomMissions) {
               scene.members.size());
     std::vector<Pathlet> selfish;
     for (const TeamMember& member : scene.members) {
-      auto found = PlanUnder(scene.rules, member, {});
+      auto found = PlanPriced(scene.rules, member, {});
       if (!found.pathlets.empty()) selfish.push_back(found.pathlets.front());
     }
     would_violate += Violations(scene.mission, selfish) > 0;
-    for (const Rejection& rejection : plan.rejections)
+    for (const RejectedPath& rejection : plan.rejections) {
       turned_away += rejection.conflict.kind == ConflictKind::kEnergy ||
                      rejection.conflict.kind == ConflictKind::kExpired;
+    }
   }
   EXPECT_GT(would_violate, 100);  // Else nothing was tested.
   EXPECT_GT(turned_away, 50);
@@ -167,8 +176,8 @@ TeamOutcome InRandomOrder(const TeamRules& rules,
                                    team->waiting_for().end());
     std::shuffle(order.begin(), order.end(), *prng);
     for (const std::string& agent : order) {
-      Candidates answer =
-          PlanUnder(rules, *by_agent[agent], team->AskOf(agent));
+      AgentOffer answer =
+          PlanPriced(rules, *by_agent[agent], team->RequestFor(agent));
       if ((*prng)() % 2 == 0) {  // Twice, and each path twice.
         team->Offer(agent, answer);
         const auto once = answer.pathlets;
@@ -195,8 +204,9 @@ void ExpectSame(const TeamOutcome& a, const TeamOutcome& b) {
   EXPECT_EQ(a.bound, b.bound);
   EXPECT_EQ(a.unassigned, b.unassigned);
   ASSERT_EQ(a.rejections.size(), b.rejections.size());
-  for (std::size_t k = 0; k < a.rejections.size(); ++k)
+  for (std::size_t k = 0; k < a.rejections.size(); ++k) {
     EXPECT_EQ(a.rejections[k].reason, b.rejections[k].reason);
+  }
 }
 
 TEST_P(RulesOfMode, TheOrderOfAnswersDoesNotMatter) {
@@ -210,11 +220,13 @@ TEST_P(RulesOfMode, TheOrderOfAnswersDoesNotMatter) {
     rules.gap_goal = 0.001;
     rules.time_limit_s = 1e9;
     const auto members = random.MakeMembers();
-    for (const auto& window : members[0].rules.windows)
+    for (const auto& window : members[0].rules.windows) {
       rules.window_end_s[window.window] = window.end_s;
+    }
     const TeamPlan plan = PlanTeam(rules, members);
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i) {
       ExpectSame(plan, InRandomOrder(rules, members, &random.prng()));
+    }
   }
 }
 
@@ -232,15 +244,18 @@ TEST_P(RulesOfMode, ADeadAgentIsPlannedWithout) {
     const auto team = MakeCoordinator(rules, agents);
     for (int round = 0; !team->Advance(); ++round) {
       const std::set<std::string> waiting = team->waiting_for();
-      for (const TeamMember& member : members)
+      for (const TeamMember& member : members) {
         if (waiting.count(NameOf(member)) > 0) {
           if (NameOf(member) == agents[1] &&
-              round >= static_cast<int>(seed % 4))
+              round >= static_cast<int>(seed % 4)) {
             team->Drop(agents[1], "dead");
-          else
-            team->Offer(NameOf(member),
-                        PlanUnder(rules, member, team->AskOf(NameOf(member))));
+          } else {
+            team->Offer(
+                NameOf(member),
+                PlanPriced(rules, member, team->RequestFor(NameOf(member))));
+          }
         }
+      }
     }
     const TeamOutcome& outcome = team->outcome();
     EXPECT_EQ(outcome.committed.size() + outcome.unassigned.size(), 4u);
@@ -253,8 +268,9 @@ TEST_P(RulesOfMode, ADeadAgentIsPlannedWithout) {
       EXPECT_TRUE(dead);
     }
     if (dead) {
-      for (const Pathlet& pathlet : outcome.committed)
+      for (const Pathlet& pathlet : outcome.committed) {
         EXPECT_NE(pathlet.agent, agents[1]);
+      }
     }
   }
 }
@@ -266,9 +282,10 @@ TEST_P(RulesOfMode, NonsenseIsTurnedAwayWithAReason) {
   TeamRules rules;
   rules.mode = GetParam();
   const auto members = random.MakeMembers();
-  for (const auto& window : members[0].rules.windows)
+  for (const auto& window : members[0].rules.windows) {
     rules.window_end_s[window.window] = window.end_s;
-  const Pathlet sound = PlanUnder(rules, members[0], {}).pathlets.front();
+  }
+  const Pathlet sound = PlanPriced(rules, members[0], {}).pathlets.front();
   std::vector<Pathlet> bad(6, sound);
   bad[0].reward = std::nan("");
   bad[1].visits[1].window = 77;
@@ -276,21 +293,24 @@ TEST_P(RulesOfMode, NonsenseIsTurnedAwayWithAReason) {
   bad[3].track[0].position.lon_deg = std::nan("");
   bad[4].energy_j = HUGE_VAL;
   bad[5].visits[0].window = 2;
-  Candidates candidates;
+  AgentOffer candidates;
   candidates.pathlets = bad;
   candidates.pathlets.push_back(sound);
   const auto team = MakeCoordinator(rules, {"ex:agent0"});
-  for (int i = 0; i < 20 && !team->Advance(); ++i)
+  for (int i = 0; i < 20 && !team->Advance(); ++i) {
     team->Offer("ex:agent0", candidates);
+  }
   ASSERT_TRUE(team->Advance());
   ASSERT_EQ(team->outcome().committed.size(), 1u);
   EXPECT_EQ(team->outcome().committed[0].rank, sound.rank);
   ASSERT_GE(team->outcome().rejections.size(), 6u);
-  for (std::size_t i = 0; i < 6; ++i)
+  for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(team->outcome().rejections[i].reason.rfind("malformed: ", 0), 0u);
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllModes, RulesOfMode, testing::ValuesIn(kModes));
+INSTANTIATE_TEST_SUITE_P(AllModes, RulesOfMode,
+                         testing::ValuesIn(TeamModeNames()));
 
 }  // namespace
 }  // namespace kg_selector

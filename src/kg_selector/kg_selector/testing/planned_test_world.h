@@ -1,8 +1,8 @@
 // For tests: random missions of three agents and three windows on a small grid
 // with a current, compiled and planned in process.
 
-#ifndef KG_SELECTOR_EXPLAIN_PLANNED_TEST_WORLD_H_
-#define KG_SELECTOR_EXPLAIN_PLANNED_TEST_WORLD_H_
+#ifndef KG_SELECTOR_TESTING_PLANNED_TEST_WORLD_H_
+#define KG_SELECTOR_TESTING_PLANNED_TEST_WORLD_H_
 
 #include <memory>
 #include <random>
@@ -40,8 +40,9 @@ class PlannedTestWorld {
     world.view = store_.Read();
     kg_compiler::MissionCompiler compiler(Readers());
     world.compilation = compiler.Compile(mission, 1, 0);
-    for (const kg_compiler::SeamRules& rules : world.compilation->rules)
+    for (const kg_compiler::SeamRules& rules : world.compilation->rules) {
       world.members.push_back(Member(*world.compilation, rules));
+    }
     world.rules = ToTeamRules(*world.compilation);
     world.plan = PlanTeam(world.rules, world.members);
     world.has_plan = true;
@@ -133,12 +134,15 @@ class PlannedTestWorld {
     std::vector<kg_compiler::WindowWorld> worlds;
     for (const kg_compiler::WindowRules& window : rules.windows) {
       kg_compiler::WindowWorld world;
-      for (const auto& tensor : compilation.tensors)
+      for (const auto& tensor : compilation.tensors) {
         if (tensor->agent_iri == rules.agent_iri &&
-            tensor->window == window.window)
+            tensor->window == window.window) {
           world.tensor = tensor.get();
-      for (const auto& field : compilation.fields)
+        }
+      }
+      for (const auto& field : compilation.fields) {
         if (field->window == window.window) world.field = &field->field;
+      }
       worlds.push_back(world);
     }
     return {rules, CompileWalkedGraphs(rules, worlds, nullptr)};
@@ -151,4 +155,4 @@ class PlannedTestWorld {
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_EXPLAIN_PLANNED_TEST_WORLD_H_
+#endif  // KG_SELECTOR_TESTING_PLANNED_TEST_WORLD_H_

@@ -18,7 +18,7 @@
 #include "kg_selector/team/exact_search.h"
 #include "kg_selector/team/priced_search.h"
 #include "kg_selector/team/team_flow.h"
-#include "kg_selector/team/trellis_team.h"
+#include "kg_selector/testing/trellis_team.h"
 
 namespace kg_selector {
 namespace {
@@ -33,26 +33,30 @@ double ProcessorSeconds(const std::function<void()>& work) {
 TeamChoice PlanGreedily(const TrellisTeam& team, TeamColumns* pool) {
   TeamChoice choice(team.options().agents, kNobody);
   std::vector<int> wish;
-  for (int a = 0; a < team.options().agents; ++a)
+  for (int a = 0; a < team.options().agents; ++a) {
     wish.push_back(team.Answer(a, {}, pool).columns.front());
+  }
   for (std::size_t left = wish.size(); left > 0;) {
     int first = kNobody;
-    for (const int column : wish)
+    for (const int column : wish) {
       if (column != kNobody &&
           (first == kNobody ||
-           pool->columns()[column].score > pool->columns()[first].score))
+           pool->columns()[column].score > pool->columns()[first].score)) {
         first = column;
+      }
+    }
     if (first == kNobody) break;
     const int agent = pool->columns()[first].agent;
     choice[agent] = first;
     wish[agent] = kNobody;
+    // No conflict: committed.
     if (pool->IsAllowed(choice)) {
       --left;
       continue;
     }
     choice[agent] = kNobody;
     const ColumnAnswer again =
-        team.Answer(agent, {{}, ColumnsOf(choice)}, pool);
+        team.Answer(agent, {{}, ChosenColumns(choice)}, pool);
     wish[agent] = again.columns.empty() ? kNobody : again.columns.front();
     left -= again.columns.empty();
   }
@@ -65,49 +69,54 @@ TeamFlow ToFlow(const TrellisTeam& team) {
   flow.agents = options.agents;
   for (int t = 0; t < options.stages; ++t) {
     FlowStage stage;
+    // The agents differ by where they start only: seams of later stages are
+    // those of agent 0.
     const int before = t == 0 ? options.agents : options.nodes;
-    for (int v = 0; v < options.nodes; ++v)
+    for (int v = 0; v < options.nodes; ++v) {
       stage.rewards.push_back(static_cast<double>(team.Reward(0, t, v)));
+    }
     stage.capacities.assign(options.nodes, options.capacity);
-    for (int u = 0; u < before; ++u)
-      for (int v = 0; v < options.nodes; ++v)
+    for (int u = 0; u < before; ++u) {
+      for (int v = 0; v < options.nodes; ++v) {
         stage.seams.push_back(
             {u, v,
              static_cast<double>(team.SeamCost(t == 0 ? u : 0, t, u, v))});
+      }
+    }
     flow.stages.push_back(std::move(stage));
   }
   return flow;
 }
 
-struct Run {
+struct SearchRun {
   double score = 0.0;
   double bound = 0.0;
   double seconds = 0.0;
 };
 
-Run RunGreedy(const TrellisTeam& team) {
+SearchRun RunGreedy(const TrellisTeam& team) {
   TeamColumns pool = team.MakePool();
-  Run run;
+  SearchRun run;
   run.seconds = ProcessorSeconds(
       [&] { run.score = pool.Score(PlanGreedily(team, &pool)); });
   return run;
 }
 
 template <typename Search>
-Run RunMode(const TrellisTeam& team, const SearchOptions& options) {
+SearchRun RunMode(const TrellisTeam& team, const SearchOptions& options) {
   TeamColumns pool = team.MakePool();
   Search search(options);
-  Run run;
+  SearchRun run;
   run.seconds = ProcessorSeconds([&] { RunSearch(team, &search, &pool); });
   run.score = pool.Score(search.choice());
   run.bound = search.bound();
   return run;
 }
 
-struct Size {
+struct TeamSize {
   TrellisTeamOptions team;
   int rounds = 1000;
-  double goal = 99.0;  // Of the bound, per cent.
+  double goal = 99.0;  // Share of the bound [%].
 };
 
 std::string NameOf(const TrellisTeamOptions& o) {
@@ -116,13 +125,13 @@ std::string NameOf(const TrellisTeamOptions& o) {
          std::to_string(o.capacity);
 }
 
-void Print(const char* mode, const Run& run, double of) {
+void Print(const char* mode, const SearchRun& run, double of) {
   std::printf("    %-8s %7.3f %%   %8.3f s\n", mode, 100.0 * run.score / of,
               run.seconds);
   std::fflush(stdout);
 }
 
-void Homogeneous(const Size& size) {
+void Homogeneous(const TeamSize& size) {
   TrellisTeamOptions options = size.team;
   options.homogeneous = true;
   const TrellisTeam team(options, 1);
@@ -143,47 +152,51 @@ void Homogeneous(const Size& size) {
   }
 }
 
-void Heterogeneous(const Size& size) {
+void Heterogeneous(const TeamSize& size) {
   const TrellisTeam team(size.team, 1);
   SearchOptions options;
   options.max_rounds = size.rounds;
   options.gap_goal = 1e-4;
-  const Run priced = RunMode<PricedSearch>(team, options);
+  const SearchRun priced = RunMode<PricedSearch>(team, options);
   std::printf("of their own: %s: bound %.6g; of it\n",
               NameOf(size.team).c_str(), priced.bound);
   Print("greedy", RunGreedy(team), priced.bound);
   SearchOptions auction = options;
   auction.epsilon = 0.02;
   auction.max_rounds = 20 * options.max_rounds;
-  if (size.team.agents <= 50)
+  if (size.team.agents <= 50) {
     Print("auction", RunMode<AuctionSearch>(team, auction), priced.bound);
+  }
   Print("priced", priced, priced.bound);
   options.time_limit_s = 10.0;
-  if (size.team.agents <= 20)
+  if (size.team.agents <= 20) {
     Print("exact", RunMode<ExactSearch>(team, options), priced.bound);
+  }
   kg_compiler::Report(
       {11, "priced, of own bound, " + NameOf(size.team), size.goal, true, "%"},
       100.0 * priced.score / priced.bound);
 }
 
 int Main(bool quick) {
-  const std::vector<Size> alike = {{{3, 20, 7, 1, true}, 200, 99.5},
-                                   {{10, 20, 7, 1, true}, 500, 99.5},
-                                   {{20, 40, 24, 1, true}, 1000, 99.5},
-                                   {{50, 100, 24, 1, true}, 1000, 99.5},
-                                   {{100, 200, 24, 1, true}, 0, 99.5}};
-  const std::vector<Size> own = {
+  const std::vector<TeamSize> alike = {{{3, 20, 7, 1, true}, 200, 99.5},
+                                       {{10, 20, 7, 1, true}, 500, 99.5},
+                                       {{20, 40, 24, 1, true}, 1000, 99.5},
+                                       {{50, 100, 24, 1, true}, 1000, 99.5},
+                                       {{100, 200, 24, 1, true}, 0, 99.5}};
+  const std::vector<TeamSize> own = {
       {{3, 20, 7, 1}, 200, 99.0},    {{10, 20, 7, 1}, 600, 99.0},
       {{20, 20, 7, 2}, 600, 99.0},   {{20, 40, 24, 1}, 4000, 99.0},
       {{50, 40, 24, 2}, 3000, 98.0}, {{100, 200, 24, 1}, 4000, 98.0}};
-  for (const Size& size : alike)
+  for (const TeamSize& size : alike) {
     if (!quick || size.team.agents != 50) {
-      Size shorter = size;
+      TeamSize shorter = size;
       if (quick) shorter.rounds = std::min(size.rounds, 300);
       Homogeneous(shorter);
     }
-  for (const Size& size : own)
+  }
+  for (const TeamSize& size : own) {
     if (!quick || size.rounds <= 600) Heterogeneous(size);
+  }
   return 0;
 }
 

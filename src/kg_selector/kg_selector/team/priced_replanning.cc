@@ -1,4 +1,4 @@
-#include "kg_selector/team/plan_under.h"
+#include "kg_selector/team/priced_replanning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +19,8 @@ using kg_compiler::NavGraphs;
 using kg_compiler::SeamRules;
 using kg_planner::Trellis;
 
-double PriceOf(const std::map<std::string, double>& prices,
-               const std::string& event) {
+double FindPrice(const std::map<std::string, double>& prices,
+                 const std::string& event) {
   const auto price = prices.find(event);
   return price == prices.end() ? 0.0 : price->second;
 }
@@ -31,7 +31,8 @@ void CheckPrice(const std::string& of, double price) {
                             ": expected a finite number >= 0");
 }
 
-std::size_t StageOf(const NavGraphs& graphs, const WaypointPrice& price) {
+std::size_t FindPricedStage(const NavGraphs& graphs,
+                            const WaypointPrice& price) {
   const std::string name = "waypoint " + std::to_string(price.waypoint) +
                            " of window " + std::to_string(price.window);
   CheckPrice(name, price.price);
@@ -43,13 +44,13 @@ std::size_t StageOf(const NavGraphs& graphs, const WaypointPrice& price) {
   throw kg_core::InputError("price of " + name + ": there is none");
 }
 
-bool HasPrices(const Ask& ask) {
-  return !ask.waypoint_prices.empty() || !ask.event_prices.empty();
+bool HasPrices(const PlanRequest& request) {
+  return !request.waypoint_prices.empty() || !request.event_prices.empty();
 }
 
 // The seam a path takes into a stage: that it names, or the one of its nodes.
-std::size_t SeamOf(const Trellis& trellis, const kg_planner::Path& path,
-                   std::size_t s) {
+std::size_t TakenSeam(const Trellis& trellis, const kg_planner::Path& path,
+                      std::size_t s) {
   if (!path.seams.empty()) return path.seams[s];
   const int from = s == 0 ? 0 : path.nodes[s - 1];
   const auto& seams = trellis.stages[s].seams;
@@ -81,15 +82,17 @@ const char* NoPathNote(const bool alone) {
                : "no path is left beside the others'";
 }
 
-SeamRules OpenUnder(const SeamRules& rules, const Ask& ask) {
-  for (const auto& [event, price] : ask.event_prices) CheckPrice(event, price);
-  SeamRules open = CloseEvents(rules, ask.full_events);
+SeamRules OpenRules(const SeamRules& rules, const PlanRequest& request) {
+  for (const auto& [event, price] : request.event_prices) {
+    CheckPrice(event, price);
+  }
+  SeamRules open = CloseEvents(rules, request.full_events);
   for (auto& window : open.windows) {
     auto& events = window.events;
     events.erase(std::remove_if(events.begin(), events.end(),
                                 [&](const kg_compiler::EventRule& event) {
-                                  const double price =
-                                      PriceOf(ask.event_prices, event.iri);
+                                  const double price = FindPrice(
+                                      request.event_prices, event.iri);
                                   return price > 0.0 && !(event.reward > price);
                                 }),
                  events.end());
@@ -98,20 +101,26 @@ SeamRules OpenUnder(const SeamRules& rules, const Ask& ask) {
 }
 
 Trellis PricedTrellis(const SeamRules& open, const NavGraphs& graphs,
-                      const Ask& ask) {
+                      const PlanRequest& request) {
   SeamRules priced = open;
-  for (auto& window : priced.windows)
-    for (kg_compiler::EventRule& event : window.events)
-      event.reward -= PriceOf(ask.event_prices, event.iri);
+  for (auto& window : priced.windows) {
+    for (kg_compiler::EventRule& event : window.events) {
+      event.reward -= FindPrice(request.event_prices, event.iri);
+    }
+  }
   Trellis trellis = ToTrellis(priced, graphs);
+  // Prices of one waypoint add up. They are paid on the seam that ends there,
+  // so that stops on the way are free.
   std::vector<std::map<int, double>> paid(graphs.size());
-  for (const WaypointPrice& price : ask.waypoint_prices)
-    paid[StageOf(graphs, price)][price.waypoint] += price.price;
-  for (std::size_t s = 0; s < graphs.size(); ++s)
+  for (const WaypointPrice& price : request.waypoint_prices) {
+    paid[FindPricedStage(graphs, price)][price.waypoint] += price.price;
+  }
+  for (std::size_t s = 0; s < graphs.size(); ++s) {
     for (kg_planner::Seam& seam : trellis.stages[s].seams) {
       const auto price = paid[s].find(seam.to);
       if (price != paid[s].end()) seam.cost += price->second;
     }
+  }
   return trellis;
 }
 
@@ -121,11 +130,12 @@ kg_planner::Path Unpriced(const Trellis& unpriced, kg_planner::Path path) {
   path.cost = 0.0;
   for (std::size_t s = 0; s < path.nodes.size(); ++s) {
     const kg_planner::Stage& stage = unpriced.stages[s];
-    const std::size_t seam = SeamOf(unpriced, path, s);
+    const std::size_t seam = TakenSeam(unpriced, path, s);
     for (const int node : VisitedNodes(stage, seam)) {
       path.reward += stage.nodes[node].reward;
-      for (const auto& token : stage.nodes[node].tokens)
+      for (const auto& token : stage.nodes[node].tokens) {
         tokens[token.token] = std::max(tokens[token.token], token.reward);
+      }
     }
     path.cost += stage.seams[seam].cost;
   }
@@ -133,28 +143,31 @@ kg_planner::Path Unpriced(const Trellis& unpriced, kg_planner::Path path) {
   return path;
 }
 
-Candidates PlanUnder(const TeamRules& team, const TeamMember& member,
-                     const Ask& ask) {
+AgentOffer PlanPriced(const TeamRules& team, const TeamMember& member,
+                      const PlanRequest& request) {
   const SeamRules& rules = member.rules;
   const NavGraphs& graphs = member.graphs;
   if (graphs.empty()) return {};
-  const SeamRules open = OpenUnder(rules, ask);
+  const SeamRules open = OpenRules(rules, request);
   const Trellis unpriced = ToTrellis(open, graphs);
-  const bool priced = HasPrices(ask);
-  const kg_planner::KBest best =
-      ChoosePaths(rules, priced ? PricedTrellis(open, graphs, ask) : unpriced,
-                  MaskCommitted(team, graphs, ask.around), member.memory.get());
-  Candidates candidates;
+  const bool priced = HasPrices(request);
+  const kg_planner::KBest best = ChoosePaths(
+      rules, priced ? PricedTrellis(open, graphs, request) : unpriced,
+      MaskCommitted(team, graphs, request.around), member.memory.get());
+  AgentOffer candidates;
   candidates.proven = best.proven;
+  // The bound counts prices, the pathlets do not.
   candidates.bound = best.bound;
-  for (const kg_planner::Path& path : best.paths)
+  for (const kg_planner::Path& path : best.paths) {
     candidates.pathlets.push_back(
         ToPathlet(open, graphs, priced ? Unpriced(unpriced, path) : path,
                   static_cast<int>(candidates.pathlets.size())));
+  }
   for (Pathlet& pathlet : candidates.pathlets) pathlet.agent = NameOf(member);
   if (best.paths.empty()) candidates.note = BudgetNote(rules, best);
-  if (best.paths.empty() && candidates.note.empty())
-    candidates.note = NoPathNote(ask.around.empty());
+  if (best.paths.empty() && candidates.note.empty()) {
+    candidates.note = NoPathNote(request.around.empty());
+  }
   return candidates;
 }
 

@@ -10,11 +10,12 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_selector/orienteering/top_report.h"
+#include "kg_selector/team/team_modes.h"
 
 namespace kg_selector {
 namespace {
 
-constexpr char kHelp[] =
+constexpr char kHelpBegin[] =
     R"(usage: team_orienteering FOLDER REFERENCE_FILE [--mode MODE] [--seconds S]
 
 Plans every Team Orienteering instance of FOLDER (n, m, tmax, then x y score
@@ -22,7 +23,9 @@ lines; first point start, last end; each of m paths at most tmax, within 1e-9
 for rounding; each score once) and compares with the values of REFERENCE_FILE
 (lines of a file name and a value).
 
-  --mode greedy|auction|priced|exact   how the team comes about (exact)
+  --mode )";
+
+constexpr char kHelpEnd[] = R"(   how the team comes about (exact)
   --seconds S   processor time of the search for each instance, one thread,
                 CBC's part included (0.5); not time on the wall
 
@@ -34,13 +37,13 @@ has one. Every plan is checked for lengths and points visited twice; a fault
 ends the program. The last line is the share of all sets.
 )";
 
-struct Arguments {
+struct ProgramArguments {
   std::string folder;
   std::string reference_file;
   TeamTourOptions options;
 };
 
-double SecondsOf(const std::string& text) {
+double ParseSeconds(const std::string& text) {
   double seconds = 0.0;
   const char* end = text.data() + text.size();
   const auto parsed = std::from_chars(text.data(), end, seconds);
@@ -52,18 +55,26 @@ double SecondsOf(const std::string& text) {
   return seconds;
 }
 
-TeamMode ModeOf(const std::string& text) {
-  const auto mode = TeamModeOf(text);
-  if (!mode) {
-    throw kg_core::InputError(
-        "--mode: expected greedy, auction, priced or exact, got '" + text +
-        "'");
+TourPlanner FindPlanner(const std::string& text) {
+  const TeamMode* mode = FindTeamMode(text);
+  if (mode == nullptr) {
+    throw kg_core::InputError("--mode: expected " + TeamModeChoices() +
+                              ", got '" + text + "'");
   }
-  return *mode;
+  return mode->plan_tours;
 }
 
-Arguments Parse(const std::vector<std::string>& words) {
-  Arguments arguments;
+// The names of all modes, parted by '|'.
+std::string ModeNames() {
+  std::string names;
+  for (const std::string& name : TeamModeNames()) {
+    names += (names.empty() ? "" : "|") + name;
+  }
+  return names;
+}
+
+ProgramArguments Parse(const std::vector<std::string>& words) {
+  ProgramArguments arguments;
   std::vector<std::string> places;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const bool option = words[i].rfind("--", 0) == 0;
@@ -74,13 +85,14 @@ Arguments Parse(const std::vector<std::string>& words) {
     if (words[i] != "--mode" && words[i] != "--seconds") {
       throw kg_core::InputError(words[i] + ": no such option; see --help");
     }
+    // Every option has a value.
     if (i + 1 == words.size()) {
       throw kg_core::InputError(words[i] + ": expected a value after it");
     }
     if (words[i] == "--mode") {
-      arguments.options.mode = ModeOf(words[i + 1]);
+      arguments.options.planner = FindPlanner(words[i + 1]);
     } else {
-      arguments.options.seconds = SecondsOf(words[i + 1]);
+      arguments.options.seconds = ParseSeconds(words[i + 1]);
     }
     ++i;
   }
@@ -93,7 +105,7 @@ Arguments Parse(const std::vector<std::string>& words) {
 }
 
 void Run(const std::vector<std::string>& words) {
-  const Arguments arguments = Parse(words);
+  const ProgramArguments arguments = Parse(words);
   TopScore all;
   for (const auto& [set, score] :
        RunTop(arguments.folder, arguments.reference_file, arguments.options,
@@ -114,7 +126,8 @@ int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   for (const std::string& word : words) {
     if (word == "--help" || word == "-h") {
-      std::cout << kg_selector::kHelp;
+      std::cout << kg_selector::kHelpBegin << kg_selector::ModeNames()
+                << kg_selector::kHelpEnd;
       return 0;
     }
   }

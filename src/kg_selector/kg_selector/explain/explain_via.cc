@@ -1,4 +1,4 @@
-#include "kg_selector/explain/way_round.h"
+#include "kg_selector/explain/explain_via.h"
 
 #include <limits>
 #include <optional>
@@ -18,20 +18,22 @@ using kg_compiler::operator+;
 using kg_compiler::Short;
 using kg_core::AbbreviateIri;
 
-class WayRound {
+class ViaExplainer {
  public:
-  WayRound(const PlannedWorld& world, const kg_core::Agent& agent,
-           const ByWayOf& by)
+  ViaExplainer(const PlannedWorld& world, const kg_core::Agent& agent,
+               const ViaWaypoints& by)
       : world_(world),
         agent_(agent),
         member_(FindMember(world, agent)),
         by_(by),
         before_(CommittedBefore(world, agent.iri)),
         facts_(world.facts()) {
-    for (const auto& edge : member_.graphs[by.stage].edges)
-      if (!IsByWay(edge))
+    for (const auto& edge : member_.graphs[by.stage].edges) {
+      if (!IsByWay(edge)) {
         masks_.seams.push_back(
             {static_cast<int>(by.stage), edge.from, edge.to, edge.via});
+      }
+    }
   }
 
   Explanation Explain() {
@@ -50,8 +52,9 @@ class WayRound {
   };
 
   bool IsByWay(const kg_compiler::TraverseEdge& edge) const {
-    for (const int stop : kg_compiler::StopsOf(edge))
+    for (const int stop : kg_compiler::StopsOf(edge)) {
       if (by_.waypoints.count(stop) > 0) return true;
+    }
     return false;
   }
 
@@ -60,7 +63,7 @@ class WayRound {
         CloseEvents(member_.rules, FullEvents(world_.rules, before_));
     kg_planner::Trellis trellis = ToTrellis(open, member_.graphs);
     if (!kept.energy) CountEnergyOnly(&trellis);
-    kg_planner::Masks masks = masks_;
+    kg_planner::PathMasks masks = masks_;
     if (kept.distance) {
       const auto close = MaskCommitted(world_.rules, member_.graphs, before_);
       masks.seams.insert(masks.seams.end(), close.seams.begin(),
@@ -96,9 +99,10 @@ class WayRound {
         "the best path by way of it scores " + Short(best.pathlet->score()) +
             ", the path chosen " + Short(chosen.score()) + ", " +
             Short(margin.value) + " more.");
-    if (margin.value < -1e-9)
+    if (margin.value < -1e-9) {
       explanation.text +=
           " It was not among the paths that the choice was made from.";
+    }
     if (!best.proven) explanation.text += " The search for it was cut short.";
     explanation.value = margin.value;
     explanation.parts = std::move(margin.parts);
@@ -107,6 +111,7 @@ class WayRound {
 
   Explanation Conflict(const Pathlet& path) const {
     const auto conflict = FindConflict(world_.rules, before_, path);
+    // Nobody is too close after all: no way leads on.
     if (!conflict) return DeadEnd();
     const double least_m = HardSeparation_m(world_.rules);
     const std::string other = AbbreviateIri(conflict->with_agent);
@@ -133,8 +138,9 @@ class WayRound {
   kg_compiler::Facts CommittedFacts(
       const kg_selector::Conflict& conflict) const {
     const kg_core::Agent& other = FindAgent(world_, conflict.with_agent);
-    if (world_.run_iri.empty() || conflict.window < 0)
+    if (world_.run_iri.empty() || conflict.window < 0) {
       return facts_.Quote({other.iri, {"ex:id"}});
+    }
     return facts_.Quote({world_.run_iri + "/" + other.id + "/w" +
                              std::to_string(conflict.window),
                          {"ex:forAgent", "ex:waypointWKT"}});
@@ -153,6 +159,7 @@ class WayRound {
            "window " + std::to_string(path.visits[s].window) + ": " +
                Short(energy_j / kg_core::kJoulesPerWh) + " Wh"});
     }
+    // The margin: what all windows take, less the budget.
     const double needed_wh = explanation.value / kg_core::kJoulesPerWh;
     explanation.value -= budget_j;
     explanation.parts.push_back(
@@ -180,10 +187,10 @@ class WayRound {
   const PlannedWorld& world_;
   const kg_core::Agent& agent_;
   const TeamMember& member_;
-  const ByWayOf& by_;
+  const ViaWaypoints& by_;
   std::vector<Pathlet> before_;
   kg_compiler::CitedFacts facts_;
-  kg_planner::Masks masks_;
+  kg_planner::PathMasks masks_;
 };
 
 }  // namespace
@@ -203,9 +210,10 @@ Explanation ExplainTaken(const PlannedWorld& world, const kg_core::Agent& agent,
   return explanation;
 }
 
-Explanation ExplainWayRound(const PlannedWorld& world,
-                            const kg_core::Agent& agent, const ByWayOf& by) {
-  return WayRound(world, agent, by).Explain();
+Explanation ExplainPathVia(const PlannedWorld& world,
+                           const kg_core::Agent& agent,
+                           const ViaWaypoints& by) {
+  return ViaExplainer(world, agent, by).Explain();
 }
 
 }  // namespace kg_selector

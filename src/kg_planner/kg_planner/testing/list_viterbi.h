@@ -5,8 +5,8 @@
 // [1] N. Seshadri and C.-E. W. Sundberg, "List Viterbi Decoding Algorithms with
 //     Applications", IEEE Trans. Communications 42 (1994), 313-323.
 
-#ifndef KG_PLANNER_K_BEST_LIST_VITERBI_H_
-#define KG_PLANNER_K_BEST_LIST_VITERBI_H_
+#ifndef KG_PLANNER_TESTING_LIST_VITERBI_H_
+#define KG_PLANNER_TESTING_LIST_VITERBI_H_
 
 #include <algorithm>
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace kg_planner {
 
 class ListViterbi {
  public:
-  // Of a trellis without tokens, stops and limits, seams ascending by `from`.
+  // For a trellis without tokens, stops and limits, seams ascending by `from`.
   ListViterbi(const Trellis& trellis, std::size_t paths)
       : trellis_(trellis), paths_(paths), levels_(trellis.stages.size() + 1) {
     const std::size_t stages = trellis.stages.size();
@@ -65,8 +65,9 @@ class ListViterbi {
     while (i < stage.seams.size()) {
       const int from = stage.seams[i].from;
       heap.clear();
-      for (; i < stage.seams.size() && stage.seams[i].from == from; ++i)
+      for (; i < stage.seams.size() && stage.seams[i].from == from; ++i) {
         AddRest(s, static_cast<int>(i), 0, &heap);
+      }
       std::make_heap(heap.begin(), heap.end(), Worse);
       TakeBest(s, &heap, &levels_[s][from]);
     }
@@ -89,8 +90,9 @@ class ListViterbi {
       heap->pop_back();
       const std::size_t size = heap->size();
       AddRest(s, best->back().seam, best->back().rank + 1, heap);
-      if (heap->size() > size)
+      if (heap->size() > size) {
         std::push_heap(heap->begin(), heap->end(), Worse);
+      }
     }
   }
 
@@ -101,4 +103,4 @@ class ListViterbi {
 
 }  // namespace kg_planner
 
-#endif  // KG_PLANNER_K_BEST_LIST_VITERBI_H_
+#endif  // KG_PLANNER_TESTING_LIST_VITERBI_H_

@@ -1,8 +1,8 @@
 // Small random trellises, and all their paths by exhaustion: what the tests of
 // this package compare with.
 
-#ifndef KG_PLANNER_K_BEST_RANDOM_TRELLIS_H_
-#define KG_PLANNER_K_BEST_RANDOM_TRELLIS_H_
+#ifndef KG_PLANNER_TESTING_RANDOM_TRELLIS_H_
+#define KG_PLANNER_TESTING_RANDOM_TRELLIS_H_
 
 #include <algorithm>
 #include <limits>
@@ -42,24 +42,27 @@ class RandomTrellis {
       AddSeams(before, &stage);
       before = static_cast<int>(stage.nodes.size());
     }
-    if (options_.limited)
+    if (options_.limited) {
       trellis.resource_limit = trellis.stages.size() * Number(1.0, 6.0);
-    for (int r = 0; r < options_.more_resources; ++r)
+    }
+    for (int r = 0; r < options_.more_resources; ++r) {
       trellis.more_limits.push_back(
           options_.limited && Whole(0, 4) > 0
               ? trellis.stages.size() * Number(1.0, 6.0)
               : std::numeric_limits<double>::infinity());
+    }
     return trellis;
   }
 
-  Masks MakeMasks(const Trellis& trellis) {
-    Masks masks;
+  PathMasks MakeMasks(const Trellis& trellis) {
+    PathMasks masks;
     if (!options_.masked) return masks;
     for (int s = 0; s < static_cast<int>(trellis.stages.size()); ++s) {
       const Stage& stage = trellis.stages[s];
-      if (!stage.nodes.empty() && Whole(0, 2) == 0)
+      if (!stage.nodes.empty() && Whole(0, 2) == 0) {
         masks.nodes.push_back(
             {s, Whole(0, static_cast<int>(stage.nodes.size()) - 1)});
+      }
       for (std::size_t i = 0; i < stage.seams.size(); ++i) {
         if (Whole(0, 9) > 0) continue;
         const Seam& seam = stage.seams[i];
@@ -76,29 +79,35 @@ class RandomTrellis {
 
  private:
   double Number(double low, double high) {
-    if (options_.whole_numbers)
+    if (options_.whole_numbers) {
       return Whole(static_cast<int>(low), static_cast<int>(high));
+    }
     return std::uniform_real_distribution<double>(low, high)(prng_);
   }
   Node MakeNode() {
     Node node;
     node.reward = Number(-2.0, 5.0);
-    for (int i = options_.tokens ? Whole(0, 2) : 0; i > 0; --i)
+    for (int i = options_.tokens ? Whole(0, 2) : 0; i > 0; --i) {
       node.tokens.push_back({Whole(-1, 2), Number(0.0, 6.0)});
+    }
     return node;
   }
   void AddSeams(int before, Stage* stage) {
     std::bernoulli_distribution missing(options_.missing);
-    for (int u = 0; u < before; ++u)
-      for (int v = 0; v < static_cast<int>(stage->nodes.size()); ++v)
-        if (!missing(prng_))
+    for (int u = 0; u < before; ++u) {
+      for (int v = 0; v < static_cast<int>(stage->nodes.size()); ++v) {
+        if (!missing(prng_)) {
           stage->seams.push_back({u, v, Number(0.0, 3.0), Number(0.0, 6.0)});
+        }
+      }
+    }
     if (options_.stops && Whole(0, 3) > 0) AddStops(stage);
     if (Whole(0, 1) == 0) Shuffle(stage);
     for (int r = 0; r < options_.more_resources; ++r) {
       auto& resource = stage->more_resources.emplace_back();
-      for (std::size_t i = 0; i < stage->seams.size(); ++i)
+      for (std::size_t i = 0; i < stage->seams.size(); ++i) {
         resource.push_back(Number(0.0, 6.0));
+      }
     }
   }
   // Beside some direct seams, others over one or more of the other nodes.
@@ -111,8 +120,9 @@ class RandomTrellis {
         seam.cost = Number(0.0, 3.0);
         seam.resource = Number(0.0, 6.0);
         std::vector<int> via;
-        for (int v = 0; v < static_cast<int>(stage->nodes.size()); ++v)
+        for (int v = 0; v < static_cast<int>(stage->nodes.size()); ++v) {
           if (v != seam.to && Whole(0, 1) == 0) via.push_back(v);
+        }
         std::shuffle(via.begin(), via.end(), prng_);
         if (Known(*stage, seam, via)) continue;
         stage->seams.push_back(seam);
@@ -122,10 +132,12 @@ class RandomTrellis {
   }
   static bool Known(const Stage& stage, const Seam& seam,
                     const std::vector<int>& via) {
-    for (std::size_t i = 0; i < stage.seams.size(); ++i)
+    for (std::size_t i = 0; i < stage.seams.size(); ++i) {
       if (stage.seams[i].from == seam.from && stage.seams[i].to == seam.to &&
-          stage.via[i] == via)
+          stage.via[i] == via) {
         return true;
+      }
+    }
     return false;
   }
   void Shuffle(Stage* stage) {
@@ -146,9 +158,9 @@ class RandomTrellis {
 };
 
 // All allowed paths, best first, the same score stage by stage by node, via.
-class Exhaustion {
+class ExhaustiveSearch {
  public:
-  Exhaustion(const Trellis& trellis, const Masks& masks)
+  ExhaustiveSearch(const Trellis& trellis, const PathMasks& masks)
       : trellis_(trellis), masks_(masks) {
     if (!trellis.stages.empty()) Extend({}, 0);
     std::stable_sort(paths_.begin(), paths_.end(),
@@ -160,7 +172,7 @@ class Exhaustion {
   const std::vector<Path>& paths() const { return paths_; }
 
  private:
-  std::vector<int> ViaOf(std::size_t stage, int seam) const {
+  std::vector<int> NodesVia(std::size_t stage, int seam) const {
     const auto& via = trellis_.stages[stage].via;
     return via.empty() ? std::vector<int>() : via[seam];
   }
@@ -169,23 +181,28 @@ class Exhaustion {
     std::vector<std::vector<int>> visited;
     for (std::size_t s = 0; s < path.nodes.size(); ++s) {
       visited.push_back({path.nodes[s]});
-      for (const int node : ViaOf(s, path.seams[s]))
+      for (const int node : NodesVia(s, path.seams[s])) {
         visited.back().push_back(node);
+      }
     }
     return visited;
   }
   bool Masked(int stage, int index) const {
     const Seam& seam = trellis_.stages[stage].seams[index];
-    std::vector<int> visited = ViaOf(stage, index);
-    for (const SeamMask& mask : masks_.seams)
+    std::vector<int> visited = NodesVia(stage, index);
+    for (const SeamMask& mask : masks_.seams) {
       if (mask.stage == stage && mask.from == seam.from && mask.to == seam.to &&
-          mask.via == visited)
+          mask.via == visited) {
         return true;
+      }
+    }
     visited.push_back(seam.to);
-    for (const NodeMask& mask : masks_.nodes)
+    for (const NodeMask& mask : masks_.nodes) {
       if (mask.stage == stage &&
-          std::count(visited.begin(), visited.end(), mask.node) > 0)
+          std::count(visited.begin(), visited.end(), mask.node) > 0) {
         return true;
+      }
+    }
     return false;
   }
   void Extend(const std::vector<int>& path, int at) {
@@ -210,27 +227,30 @@ class Exhaustion {
       path.nodes.push_back(seam.to);
       path.cost += seam.cost;
       path.resource += seam.resource;
-      for (std::size_t r = 0; r < path.more_resources.size(); ++r)
+      for (std::size_t r = 0; r < path.more_resources.size(); ++r) {
         path.more_resources[r] += stage.more_resources[r][seams[s]];
-      std::vector<int> visited = ViaOf(s, seams[s]);
+      }
+      std::vector<int> visited = NodesVia(s, seams[s]);
       visited.push_back(seam.to);
       for (const int node : visited) {
         path.reward += stage.nodes[node].reward;
-        for (const TokenReward& token : stage.nodes[node].tokens)
+        for (const TokenReward& token : stage.nodes[node].tokens) {
           tokens[token.token] = std::max(tokens[token.token], token.reward);
+        }
       }
     }
     for (const auto& [token, reward] : tokens) path.reward += reward;
-    for (std::size_t r = 0; r < path.more_resources.size(); ++r)
+    for (std::size_t r = 0; r < path.more_resources.size(); ++r) {
       if (!(path.more_resources[r] <= trellis_.more_limits[r])) return;
+    }
     if (path.resource <= trellis_.resource_limit) paths_.push_back(path);
   }
 
   const Trellis& trellis_;
-  const Masks& masks_;
+  const PathMasks& masks_;
   std::vector<Path> paths_;
 };
 
 }  // namespace kg_planner
 
-#endif  // KG_PLANNER_K_BEST_RANDOM_TRELLIS_H_
+#endif  // KG_PLANNER_TESTING_RANDOM_TRELLIS_H_

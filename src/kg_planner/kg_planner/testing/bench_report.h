@@ -1,8 +1,8 @@
 // Lines of `make bench`: one for each target, with what was wanted and what was
-// measured. Of this package, which may include nothing of others.
+// measured. This package may include no other, so it has its own.
 
-#ifndef KG_PLANNER_TRELLIS_BENCH_REPORT_H_
-#define KG_PLANNER_TRELLIS_BENCH_REPORT_H_
+#ifndef KG_PLANNER_TESTING_BENCH_REPORT_H_
+#define KG_PLANNER_TESTING_BENCH_REPORT_H_
 
 #include <algorithm>
 #include <chrono>
@@ -14,7 +14,7 @@
 namespace kg_planner {
 
 struct BenchTarget {
-  int number = 0;    // Of the table in docs/performance.md.
+  int number = 0;    // Row of the table in docs/performance.md.
   std::string what;  // What is measured, against what.
   double goal = 0.0;
   bool at_least = true;  // Else at most.
@@ -51,4 +51,4 @@ double Milliseconds(const Work& work) {
 
 }  // namespace kg_planner
 
-#endif  // KG_PLANNER_TRELLIS_BENCH_REPORT_H_
+#endif  // KG_PLANNER_TESTING_BENCH_REPORT_H_

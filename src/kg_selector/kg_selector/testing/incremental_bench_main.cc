@@ -28,15 +28,15 @@ using CompilationPtr = std::shared_ptr<const Compilation>;
 constexpr double kWindow_s = 86400.0;
 constexpr int kRings = 11;  // Distinct windows of water; then they come again.
 
-struct Team {
+struct BenchTeam {
   int agents = 3;
   int windows = 7;
   int classes = 3;  // Policies; and as many speeds.
-  int slices = 2;   // Of each window's field, its end not counted.
+  int slices = 2;   // Of each window's field, without its end.
 };
 
 // Slices of one window, from time 0.
-kg_compiler::WorkField MakeField(int window, const Team& team) {
+kg_compiler::WorkField MakeField(int window, const BenchTeam& team) {
   kg_compiler::WorkField made;
   const double step_s = kWindow_s / team.slices;
   const double end_s = team.slices > 1 ? kWindow_s : 0.5 * kWindow_s;
@@ -47,7 +47,7 @@ kg_compiler::WorkField MakeField(int window, const Team& team) {
   return made;
 }
 
-kg_compiler::RasterReaders ReadersFor(const Team& team) {
+kg_compiler::RasterReaders ReadersFor(const BenchTeam& team) {
   return {[team](const kg_core::Mission&, const kg_core::WorkFieldRef& ref) {
             return MakeField(ref.window, team).field;
           },
@@ -66,7 +66,7 @@ void AddWindow(int t, kg_core::Mission* mission) {
       {"ex:value" + name, t, "delta_sst", "ex:file", t + 1, t});
 }
 
-kg_core::Agent MakeAgent(int i, const Team& team) {
+kg_core::Agent MakeAgent(int i, const BenchTeam& team) {
   kg_core::Agent agent = kg_compiler::TestAgent("a" + std::to_string(i));
   const int kind = i % team.classes;
   agent.policy.iri = "ex:policy" + std::to_string(kind);
@@ -81,7 +81,7 @@ kg_core::Agent MakeAgent(int i, const Team& team) {
   return agent;
 }
 
-kg_core::Mission MakeMission(const Team& team) {
+kg_core::Mission MakeMission(const BenchTeam& team) {
   kg_core::Mission mission;
   mission.iri = "ex:mission";
   mission.files["ex:file"] = {"ex:file", "/file.nc", "sha"};
@@ -96,11 +96,11 @@ kg_core::Mission MakeMission(const Team& team) {
 }
 
 // Where an area comes to lie.
-enum class Where { kAnywhere, kInTheWay };
+enum class ChangePlace { kAnywhere, kInTheWay };
 
-kg_core::LonLat MiddleOf(Where where, const kg_core::Mission& mission,
+kg_core::LonLat MiddleOf(ChangePlace where, const kg_core::Mission& mission,
                          std::mt19937* rng) {
-  if (where == Where::kAnywhere) {  // In the grid.
+  if (where == ChangePlace::kAnywhere) {  // In the grid.
     return {kg_compiler::Uniform(*rng, -97.0, -77.5),
             kg_compiler::Uniform(*rng, 19.0, 32.5)};
   }
@@ -122,26 +122,26 @@ kg_core::Mission WithArea(kg_core::Mission mission, kg_core::LonLat at) {
   return mission;
 }
 
-struct World {
+struct BenchWorld {
   MissionCompiler compiler;
   CompilationPtr compilation;
   PlannedMission planned;
 };
 
-World PlanAll(MissionCompiler compiler, const kg_core::Mission& mission,
-              const PlannedMission* previous) {
-  World world{std::move(compiler), nullptr, {}};
+BenchWorld PlanAll(MissionCompiler compiler, const kg_core::Mission& mission,
+                   const PlannedMission* previous) {
+  BenchWorld world{std::move(compiler), nullptr, {}};
   world.compilation = world.compiler.Compile(mission, 1, 0);
   world.planned = PlanMission(*world.compilation, previous);
   return world;
 }
 
-struct Stages {
+struct StageTimes {
   double compile_s = 0.0, graphs_s = 0.0, team_s = 0.0;
   double total_s() const { return compile_s + graphs_s + team_s; }
 };
 
-Stages StagesOf(const World& world) {
+StageTimes StagesOf(const BenchWorld& world) {
   const auto& compile = world.compilation->stage_seconds;
   return {compile.at("tensors") + compile.at("rules"),
           world.planned.stage_seconds.at("graphs"),
@@ -160,8 +160,8 @@ SeamCounts CountsOf(const PlannedMission& planned) {
   return all;
 }
 
-void Show(const char* name, const World& world) {
-  const Stages stages = StagesOf(world);
+void Show(const char* name, const BenchWorld& world) {
+  const StageTimes stages = StagesOf(world);
   const SeamCounts seams = CountsOf(world.planned);
   std::printf(
       "  %-12s compile %8.3f ms, graphs %9.3f ms (seams %9.3f ms of all "
@@ -173,7 +173,7 @@ void Show(const char* name, const World& world) {
       seams.reaches, seams.reaches_kept, seams.flights, seams.flights_kept);
 }
 
-bool SameBits(const World& a, const World& b) {
+bool SameBits(const BenchWorld& a, const BenchWorld& b) {
   auto found = kg_compiler::Compare(*a.compilation, *b.compilation);
   for (std::size_t i = 0; i < a.planned.members.size(); ++i) {
     const auto graphs = kg_compiler::Compare(a.planned.members[i].graphs,
@@ -195,10 +195,10 @@ bool SameBits(const World& a, const World& b) {
 }
 
 // Medians over areas, one after the other, of full / incremental.
-class Ratios {
+class TimeRatios {
  public:
-  void Add(const World& full, const World& step) {
-    const Stages a = StagesOf(full), b = StagesOf(step);
+  void Add(const BenchWorld& full, const BenchWorld& step) {
+    const StageTimes a = StagesOf(full), b = StagesOf(step);
     whole_.push_back(a.total_s() / b.total_s());
     compile_.push_back(a.compile_s / b.compile_s);
     graphs_.push_back(a.graphs_s / b.graphs_s);
@@ -217,14 +217,15 @@ class Ratios {
   std::vector<double> whole_, compile_, graphs_, team_;
 };
 
-struct Trial {
-  Team team;
-  Where where = Where::kAnywhere;
+struct BenchTrial {
+  BenchTeam team;
+  ChangePlace where = ChangePlace::kAnywhere;
   int rounds = 1;
 };
 
 // False if a bit differs.
-bool Measure(const Trial& trial, const World& base, Ratios* ratios) {
+bool Measure(const BenchTrial& trial, const BenchWorld& base,
+             TimeRatios* ratios) {
   const MissionCompiler empty(ReadersFor(trial.team));
   const kg_core::Mission before = MakeMission(trial.team);
   std::mt19937 rng(7);
@@ -232,8 +233,9 @@ bool Measure(const Trial& trial, const World& base, Ratios* ratios) {
   for (int i = 0; i < trial.rounds; ++i) {
     const kg_core::Mission after =
         WithArea(before, MiddleOf(trial.where, before, &rng));
-    const World full = PlanAll(empty, after, nullptr);
-    const World step = PlanAll(base.compiler, after, &base.planned);
+    // Once from nothing, once with what the mission before left.
+    const BenchWorld full = PlanAll(empty, after, nullptr);
+    const BenchWorld step = PlanAll(base.compiler, after, &base.planned);
     Show("full", full);
     Show("incremental", step);
     ratios->Add(full, step);
@@ -242,18 +244,18 @@ bool Measure(const Trial& trial, const World& base, Ratios* ratios) {
   return same;
 }
 
-bool CompareTeam(const Team& team, double goal, int rounds) {
+bool CompareTeam(const BenchTeam& team, double goal, int rounds) {
   const kg_core::Mission mission = MakeMission(team);
-  const World base =
+  const BenchWorld base =
       PlanAll(MissionCompiler(ReadersFor(team)), mission, nullptr);
   std::printf("%d agents x %d windows, %zu cells, %d waypoints\n", team.agents,
               team.windows, base.compilation->fields[0]->field.grid.size(),
               mission.coordination.waypoints_per_window);
-  Ratios anywhere, in_the_way;
-  bool same = Measure({team, Where::kAnywhere, rounds}, base, &anywhere);
-  same =
-      Measure({team, Where::kInTheWay, (rounds + 2) / 3}, base, &in_the_way) &&
-      same;
+  TimeRatios anywhere, in_the_way;
+  bool same = Measure({team, ChangePlace::kAnywhere, rounds}, base, &anywhere);
+  same = Measure({team, ChangePlace::kInTheWay, (rounds + 2) / 3}, base,
+                 &in_the_way) &&
+         same;
   anywhere.Show("anywhere in the grid");
   in_the_way.Show("in an agent's way");
   const std::string what = "full against incremental, " +
@@ -280,14 +282,14 @@ double Cpu_s() {
 }
 
 // One agent of a policy of its own, so that all rasters are there.
-kg_core::Mission Scout(const Team& team) {
+kg_core::Mission Scout(const BenchTeam& team) {
   kg_core::Mission mission = MakeMission(team);
   mission.agents.resize(1);
   mission.agents[0].policy.alpha_base = 0.123;
   return mission;
 }
 
-bool Scale(const Team& team) {
+bool Scale(const BenchTeam& team) {
   MissionCompiler compiler(ReadersFor(team));
   compiler.Compile(Scout(team), 1, 0);
   const double before_s = Cpu_s();

@@ -1,9 +1,10 @@
-#include "kg_planner/trellis/survey.h"
+#include "kg_planner/trellis/trellis_check.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -39,14 +40,17 @@ bool IsCost(double x) { return x >= 0.0 && x <= kLargest; }
 
 void CheckNode(std::size_t stage, std::size_t index, const Node& node) {
   const std::string where = "node " + std::to_string(index);
-  if (!std::isfinite(node.reward))
+  if (!std::isfinite(node.reward)) {
     Refuse(stage, where, Expected("reward", node.reward, ""));
-  for (const TokenReward& token : node.tokens)
-    if (!IsCost(token.reward))
+  }
+  for (const TokenReward& token : node.tokens) {
+    if (!IsCost(token.reward)) {
       Refuse(
           stage, where,
           Expected(("reward of token " + std::to_string(token.token)).c_str(),
                    token.reward, " >= 0"));
+    }
+  }
 }
 
 bool SeamIsSound(const Seam& seam, int before, int nodes) {
@@ -56,15 +60,18 @@ bool SeamIsSound(const Seam& seam, int before, int nodes) {
 
 [[noreturn]] void ExplainSeam(std::size_t stage, std::size_t index,
                               const Seam& seam, int before) {
-  if (!(seam.from >= 0 && seam.from < before))
+  if (!(seam.from >= 0 && seam.from < before)) {
     RefuseSeam(
         stage, index, seam,
         "from is not one of the " + std::to_string(before) + " nodes before");
-  if (!IsCost(seam.cost))
+  }
+  if (!IsCost(seam.cost)) {
     RefuseSeam(stage, index, seam, Expected("cost", seam.cost, " >= 0"));
-  if (!IsCost(seam.resource))
+  }
+  if (!IsCost(seam.resource)) {
     RefuseSeam(stage, index, seam,
                Expected("resource", seam.resource, " >= 0"));
+  }
   RefuseSeam(stage, index, seam, "to is not one of the stage's nodes");
 }
 
@@ -75,14 +82,16 @@ void CheckSeamsDiffer(std::size_t s, const Stage& stage) {
     if (StandsBefore(stage, a, b)) return true;
     return !StandsBefore(stage, b, a) && a < b;
   });
-  for (std::size_t i = 1; i < order.size(); ++i)
-    if (!StandsBefore(stage, order[i - 1], order[i]))
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (!StandsBefore(stage, order[i - 1], order[i])) {
       RefuseSeam(s, order[i], stage.seams[order[i]],
                  stage.via.empty() ? "the pair occurs twice"
                                    : "the pair occurs twice with the same via");
+    }
+  }
 }
 
-void CheckViaOf(std::size_t s, const Stage& stage, std::size_t i) {
+void CheckSeamVia(std::size_t s, const Stage& stage, std::size_t i) {
   const Seam& seam = stage.seams[i];
   std::vector<int> visited = stage.via[i];
   visited.push_back(seam.to);
@@ -90,39 +99,47 @@ void CheckViaOf(std::size_t s, const Stage& stage, std::size_t i) {
   for (std::size_t v = 0; v < visited.size(); ++v) {
     const std::string node = "via node " + std::to_string(visited[v]);
     if (visited[v] < 0 ||
-        static_cast<std::size_t>(visited[v]) >= stage.nodes.size())
+        static_cast<std::size_t>(visited[v]) >= stage.nodes.size()) {
       RefuseSeam(s, i, seam, node + " is not one of the stage's nodes");
-    if (v > 0 && visited[v] == visited[v - 1])
+    }
+    if (v > 0 && visited[v] == visited[v - 1]) {
       RefuseSeam(s, i, seam, node + " is visited twice");
+    }
   }
 }
 
 // The seams must be sound.
 void CheckVia(std::size_t s, const Stage& stage) {
   if (stage.via.empty()) return;
-  if (stage.via.size() != stage.seams.size())
+  if (stage.via.size() != stage.seams.size()) {
     Refuse(s, "via",
            "of " + std::to_string(stage.via.size()) + " seams, expected " +
                std::to_string(stage.seams.size()) + " or none");
-  for (std::size_t i = 0; i < stage.via.size(); ++i) CheckViaOf(s, stage, i);
+  }
+  for (std::size_t i = 0; i < stage.via.size(); ++i) CheckSeamVia(s, stage, i);
 }
 
 void CheckMoreResources(std::size_t s, const Stage& stage, std::size_t limits) {
   const auto& resources = stage.more_resources;
-  if (resources.size() != limits)
+  if (resources.size() != limits) {
     Refuse(s, "more_resources",
            std::to_string(resources.size()) + " resources, expected " +
                std::to_string(limits) + " as in more_limits");
+  }
+  // Resource 0 is in the seams themselves, so these count from 1.
   for (std::size_t r = 0; r < resources.size(); ++r) {
     const std::string name = "resource " + std::to_string(r + 1);
-    if (resources[r].size() != stage.seams.size())
+    if (resources[r].size() != stage.seams.size()) {
       Refuse(s, name,
              "of " + std::to_string(resources[r].size()) + " seams, expected " +
                  std::to_string(stage.seams.size()));
-    for (std::size_t i = 0; i < resources[r].size(); ++i)
-      if (!IsCost(resources[r][i]))
+    }
+    for (std::size_t i = 0; i < resources[r].size(); ++i) {
+      if (!IsCost(resources[r][i])) {
         RefuseSeam(s, i, stage.seams[i],
                    Expected(name.c_str(), resources[r][i], " >= 0"));
+      }
+    }
   }
 }
 
@@ -158,12 +175,12 @@ SeamMaxima Maxima(const std::vector<Seam>& seams) {
   return maxima;
 }
 
-struct SeamSurvey {
+struct SeamSummary {
   bool sorted = true;
   double largest_cost = 0.0;
 };
 
-SeamSurvey SurveySeams(const Trellis& trellis, std::size_t s) {
+SeamSummary SummarizeSeams(const Trellis& trellis, std::size_t s) {
   const std::vector<Seam>& seams = trellis.stages[s].seams;
   const int before = NodesBefore(trellis, s);
   const int nodes = static_cast<int>(trellis.stages[s].nodes.size());
@@ -172,20 +189,22 @@ SeamSurvey SurveySeams(const Trellis& trellis, std::size_t s) {
                      maxima.to < static_cast<std::uint32_t>(nodes) &&
                      maxima.cost <= Bits(kLargest) &&
                      maxima.resource <= Bits(kLargest);
-  SeamSurvey survey{maxima.sorted, 0.0};
-  std::memcpy(&survey.largest_cost, &maxima.cost, sizeof maxima.cost);
-  if (!sound) survey.largest_cost = 0.0;
+  SeamSummary summary{maxima.sorted, 0.0};
+  std::memcpy(&summary.largest_cost, &maxima.cost, sizeof maxima.cost);
+  if (!sound) summary.largest_cost = 0.0;
   for (std::size_t i = 0; !sound && i < seams.size(); ++i) {  // Or a -0.
-    if (!SeamIsSound(seams[i], before, nodes))
+    if (!SeamIsSound(seams[i], before, nodes)) {
       ExplainSeam(s, i, seams[i], before);
-    survey.largest_cost = std::max(survey.largest_cost, seams[i].cost);
+    }
+    summary.largest_cost = std::max(summary.largest_cost, seams[i].cost);
   }
-  return survey;
+  return summary;
 }
 
 bool Ascend(const Stage& stage) {
-  for (std::size_t i = 1; i < stage.seams.size(); ++i)
+  for (std::size_t i = 1; i < stage.seams.size(); ++i) {
     if (!StandsBefore(stage, i - 1, i)) return false;
+  }
   return true;
 }
 
@@ -195,8 +214,9 @@ double LargestReward(std::size_t s, const Stage& stage) {
   for (std::size_t i = 0; i < stage.nodes.size(); ++i) {
     CheckNode(s, i, stage.nodes[i]);
     totals.push_back(std::abs(stage.nodes[i].reward));
-    for (const TokenReward& token : stage.nodes[i].tokens)
+    for (const TokenReward& token : stage.nodes[i].tokens) {
       totals.back() += token.reward;
+    }
   }
   double largest = 0.0;
   for (const double total : totals) largest = std::max(largest, total);
@@ -209,12 +229,15 @@ double LargestReward(std::size_t s, const Stage& stage) {
 }
 
 void CheckLimits(const Trellis& trellis) {
-  if (std::isnan(trellis.resource_limit))
+  if (std::isnan(trellis.resource_limit)) {
     throw std::invalid_argument("resource limit is not a number");
-  for (std::size_t r = 0; r < trellis.more_limits.size(); ++r)
-    if (std::isnan(trellis.more_limits[r]))
+  }
+  for (std::size_t r = 0; r < trellis.more_limits.size(); ++r) {
+    if (std::isnan(trellis.more_limits[r])) {
       throw std::invalid_argument("limit of resource " + std::to_string(r + 1) +
                                   " is not a number");
+    }
+  }
 }
 
 }  // namespace
@@ -224,7 +247,7 @@ bool StandsBefore(const Stage& stage, std::size_t a, std::size_t b) {
   const Seam& y = stage.seams[b];
   if (x.from != y.from) return x.from < y.from;
   if (x.to != y.to) return x.to < y.to;
-  return ViaOf(stage, a) < ViaOf(stage, b);
+  return NodesVia(stage, a) < NodesVia(stage, b);
 }
 
 int NodesBefore(const Trellis& trellis, std::size_t stage) {
@@ -232,22 +255,23 @@ int NodesBefore(const Trellis& trellis, std::size_t stage) {
                     : static_cast<int>(trellis.stages[stage - 1].nodes.size());
 }
 
-Survey CheckAndSurvey(const Trellis& trellis) {
+TrellisSummary CheckTrellis(const Trellis& trellis) {
   CheckLimits(trellis);
-  Survey survey;
+  TrellisSummary summary;
   for (std::size_t s = 0; s < trellis.stages.size(); ++s) {
     const Stage& stage = trellis.stages[s];
-    const SeamSurvey seams = SurveySeams(trellis, s);
+    const SeamSummary seams = SummarizeSeams(trellis, s);
     CheckVia(s, stage);
     CheckMoreResources(s, stage, trellis.more_limits.size());
     const bool sorted = seams.sorted || Ascend(stage);
     if (!sorted) CheckSeamsDiffer(s, stage);
-    survey.sorted.push_back(sorted);
-    survey.largest_total += LargestReward(s, stage) + seams.largest_cost;
+    summary.sorted.push_back(sorted);
+    summary.largest_total += LargestReward(s, stage) + seams.largest_cost;
   }
-  if (!std::isfinite(survey.largest_total))
+  if (!std::isfinite(summary.largest_total)) {
     throw std::invalid_argument("the sum of all stages is not finite");
-  return survey;
+  }
+  return summary;
 }
 
 }  // namespace kg_planner

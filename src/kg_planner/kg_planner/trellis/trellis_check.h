@@ -1,10 +1,11 @@
-// One look at every number of a trellis: is it sound, in which order do its
-// seams stand, and how large can a path's total get.
+// Checks every number of a trellis in one pass, and summarises what the
+// searches need to know: are the seams sorted, and how large can a path's total
+// be.
 //
 // The order of ties of seams from one node: by (to, via).
 
-#ifndef KG_PLANNER_TRELLIS_SURVEY_H_
-#define KG_PLANNER_TRELLIS_SURVEY_H_
+#ifndef KG_PLANNER_TRELLIS_TRELLIS_CHECK_H_
+#define KG_PLANNER_TRELLIS_TRELLIS_CHECK_H_
 
 #include <cstddef>
 #include <vector>
@@ -13,19 +14,20 @@
 
 namespace kg_planner {
 
-struct Survey {
+struct TrellisSummary {
   std::vector<char> sorted;    // By stage: its seams ascend by (from, to, via).
   double largest_total = 0.0;  // No part of a path's score is larger.
 };
 
 // The nodes a seam visits on its way.
-inline const std::vector<int>& ViaOf(const Stage& stage, std::size_t seam) {
+inline const std::vector<int>& NodesVia(const Stage& stage, std::size_t seam) {
   static const std::vector<int> none;
   return stage.via.empty() ? none : stage.via[seam];
 }
 
 // Of resource r, the first being 0.
-inline double ResourceOf(const Stage& stage, std::size_t seam, std::size_t r) {
+inline double SeamResource(const Stage& stage, std::size_t seam,
+                           std::size_t r) {
   return r == 0 ? stage.seams[seam].resource
                 : stage.more_resources[r - 1][seam];
 }
@@ -36,9 +38,12 @@ bool StandsBefore(const Stage& stage, std::size_t a, std::size_t b);
 // Nodes that seams into `stage` come from: one before the first stage.
 int NodesBefore(const Trellis& trellis, std::size_t stage);
 
-// Throws as Check() does.
-Survey CheckAndSurvey(const Trellis& trellis);
+// Throws std::invalid_argument naming stage and seam if indices are out of
+// range, a number is not finite, a cost is negative, a seam occurs twice, a
+// seam visits a node twice, or `via`, `more_resources` and `more_limits` are of
+// different lengths.
+TrellisSummary CheckTrellis(const Trellis& trellis);
 
 }  // namespace kg_planner
 
-#endif  // KG_PLANNER_TRELLIS_SURVEY_H_
+#endif  // KG_PLANNER_TRELLIS_TRELLIS_CHECK_H_

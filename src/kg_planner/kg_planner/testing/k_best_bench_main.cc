@@ -21,14 +21,14 @@
 
 #include "kg_planner/k_best/diverse_paths.h"
 #include "kg_planner/k_best/k_best.h"
-#include "kg_planner/k_best/list_viterbi.h"
-#include "kg_planner/trellis/bench_report.h"
+#include "kg_planner/testing/bench_report.h"
+#include "kg_planner/testing/list_viterbi.h"
 #include "kg_planner/trellis/trellis.h"
 
 namespace kg_planner {
 namespace {
 
-struct Case {
+struct BenchCase {
   int nodes;
   int stages;
   int paths;
@@ -38,7 +38,7 @@ struct Case {
   }
 };
 
-Trellis DenseTrellis(const Case& one, unsigned seed) {
+Trellis DenseTrellis(const BenchCase& one, unsigned seed) {
   std::mt19937 prng(seed);
   const auto share = [&] { return static_cast<double>(prng() >> 2) * 0x1p-30; };
   Trellis trellis;
@@ -47,9 +47,11 @@ Trellis DenseTrellis(const Case& one, unsigned seed) {
   for (Stage& stage : trellis.stages) {
     stage.nodes.resize(one.nodes);
     for (Node& node : stage.nodes) node.reward = share();
-    for (int from = 0; from < before; ++from)
-      for (int to = 0; to < one.nodes; ++to)
+    for (int from = 0; from < before; ++from) {
+      for (int to = 0; to < one.nodes; ++to) {
         stage.seams.push_back({from, to, 0.5 * share(), 0.0});
+      }
+    }
     before = one.nodes;
   }
   return trellis;
@@ -59,10 +61,12 @@ double Viterbi(const Trellis& trellis) {
   std::vector<double> best{0.0};
   for (const Stage& stage : trellis.stages) {
     std::vector<double> next(stage.nodes.size(), -1e300);
-    for (const Seam& seam : stage.seams)
+    for (const Seam& seam : stage.seams) {
       next[seam.to] = std::max(next[seam.to], best[seam.from] - seam.cost);
-    for (std::size_t i = 0; i < next.size(); ++i)
+    }
+    for (std::size_t i = 0; i < next.size(); ++i) {
       next[i] += stage.nodes[i].reward;
+    }
     best = std::move(next);
   }
   return *std::max_element(best.begin(), best.end());
@@ -73,20 +77,21 @@ int CountDifferent(const std::vector<Path>& paths,
                    const std::vector<double>& scores) {
   int different =
       static_cast<int>(scores.size()) - static_cast<int>(paths.size());
-  for (std::size_t i = 0; i < std::min(paths.size(), scores.size()); ++i)
+  for (std::size_t i = 0; i < std::min(paths.size(), scores.size()); ++i) {
     different += paths[i].score() != scores[i];
+  }
   return different;
 }
 
-struct Times {
+struct BenchTimes {
   std::vector<double> in_viterbis;
   std::vector<double> list_in_k_bests;
   std::vector<double> k_best_ms;
   int different = 0;
 };
 
-Times TimeKBest(const Trellis& trellis, const Case& one, int rounds) {
-  Times times;
+BenchTimes TimeKBest(const Trellis& trellis, const BenchCase& one, int rounds) {
+  BenchTimes times;
   for (int i = 0; i < rounds; ++i) {
     KBest found;
     std::vector<double> scores;
@@ -104,9 +109,9 @@ Times TimeKBest(const Trellis& trellis, const Case& one, int rounds) {
   return times;
 }
 
-void MeasureKBest(const Trellis& trellis, const Case& one, int rounds,
+void MeasureKBest(const Trellis& trellis, const BenchCase& one, int rounds,
                   bool is_target) {
-  const Times times = TimeKBest(trellis, one, rounds);
+  const BenchTimes times = TimeKBest(trellis, one, rounds);
   const double passes = Median(times.in_viterbis);
   const double faster = Median(times.list_in_k_bests);
   if (!is_target) {
@@ -128,15 +133,20 @@ void MeasureKBest(const Trellis& trellis, const Case& one, int rounds,
 double MeanDifference(const std::vector<Path>& paths) {
   double sum = 0.0;
   int pairs = 0;
-  for (std::size_t a = 0; a < paths.size(); ++a)
-    for (std::size_t b = 0; b < a; ++b, ++pairs)
-      for (std::size_t s = 0; s < paths[a].nodes.size(); ++s)
+  for (std::size_t a = 0; a < paths.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b, ++pairs) {
+      for (std::size_t s = 0; s < paths[a].nodes.size(); ++s) {
         sum += paths[a].nodes[s] != paths[b].nodes[s];
+      }
+    }
+  }
   return pairs == 0 ? 0.0 : sum / pairs;
 }
 
 // A quarter of the stages must differ; half of them do on the average.
-void MeasureDiverse(const Trellis& trellis, const Case& one, int rounds) {
+void MeasureDiverse(const Trellis& trellis, const BenchCase& one, int rounds) {
+  // Timed in turn with a plain Viterbi pass, so that load on the machine
+  // touches both alike.
   KBest found;
   std::vector<double> passes;
   for (int i = 0; i < rounds; ++i) {
@@ -169,9 +179,10 @@ void MeasureDiverse(const Trellis& trellis, const Case& one, int rounds) {
 int main(int argc, char** argv) {
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
   const int rounds = quick ? 1 : 11;
-  for (const kg_planner::Case& one :
-       {kg_planner::Case{20, 7, 50}, kg_planner::Case{20, 7, 1000},
-        kg_planner::Case{100, 28, 100}, kg_planner::Case{200, 168, 100}}) {
+  for (const kg_planner::BenchCase& one :
+       {kg_planner::BenchCase{20, 7, 50}, kg_planner::BenchCase{20, 7, 1000},
+        kg_planner::BenchCase{100, 28, 100},
+        kg_planner::BenchCase{200, 168, 100}}) {
     const kg_planner::Trellis trellis = kg_planner::DenseTrellis(one, 42);
     const bool is_target = one.nodes == 200;
     kg_planner::MeasureKBest(trellis, one, rounds, is_target);

@@ -1,8 +1,8 @@
 // For tests: how close two tracks come, by looking at them every so often with
 // geodesics. Shares no code with the closed form (pathlet.h).
 
-#ifndef KG_SELECTOR_TEAM_SAMPLED_DISTANCE_H_
-#define KG_SELECTOR_TEAM_SAMPLED_DISTANCE_H_
+#ifndef KG_SELECTOR_TESTING_SAMPLED_DISTANCE_H_
+#define KG_SELECTOR_TESTING_SAMPLED_DISTANCE_H_
 
 #include <algorithm>
 #include <cstddef>
@@ -26,21 +26,22 @@ inline kg_core::LonLat PlaceAt(
       p.position.lat_deg + share * (q.position.lat_deg - p.position.lat_deg)};
 }
 
-struct Sampling {
+struct SampleTimes {
   double from_s = 0.0;  // Until a's track ends.
   double step_s = 60.0;
 };
 
 inline double LeastDistance_m(const Pathlet& a, const Pathlet& b,
-                              const Sampling& sampling) {
+                              const SampleTimes& sampling) {
   double least_m = 1e12;
   const double end_s = a.track.back().time_s;
-  for (double t_s = sampling.from_s; t_s <= end_s; t_s += sampling.step_s)
+  for (double t_s = sampling.from_s; t_s <= end_s; t_s += sampling.step_s) {
     least_m = std::min(least_m, kg_core::Distance_m(PlaceAt(a.track, t_s),
                                                     PlaceAt(b.track, t_s)));
+  }
   return least_m;
 }
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_TEAM_SAMPLED_DISTANCE_H_
+#endif  // KG_SELECTOR_TESTING_SAMPLED_DISTANCE_H_

@@ -5,8 +5,8 @@
 // Seam costs are one table a stage, times the agent's weight; rewards are the
 // agent's own blend of three layers.
 
-#ifndef KG_SELECTOR_TEAM_TRELLIS_TEAM_H_
-#define KG_SELECTOR_TEAM_TRELLIS_TEAM_H_
+#ifndef KG_SELECTOR_TESTING_TRELLIS_TEAM_H_
+#define KG_SELECTOR_TESTING_TRELLIS_TEAM_H_
 
 #include <algorithm>
 #include <cstddef>
@@ -54,8 +54,9 @@ class TrellisTeam {
 
   float Reward(int agent, int stage, int node) const {
     float sum = 0.0F;
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k) {
       sum += agents_[agent].blend[k] * layers_[k][stage][node];
+    }
     return sum;
   }
   // From 0, the start, if it is the first.
@@ -67,21 +68,23 @@ class TrellisTeam {
 
   TeamColumns MakePool() const {
     TeamColumns pool(options_.agents);
-    for (int r = 0; r < options_.stages * options_.nodes; ++r)
+    for (int r = 0; r < options_.stages * options_.nodes; ++r) {
       pool.AddRow(options_.capacity);
+    }
     return pool;
   }
 
   // The agent's best path; its column goes to the pool.
-  ColumnAnswer Answer(int agent, const ColumnAsk& ask,
+  ColumnAnswer Answer(int agent, const ColumnRequest& request,
                       TeamColumns* pool) const {
     const int n = options_.nodes;
-    std::vector<float> value = NodeValues(agent, ask, *pool);
+    std::vector<float> value = NodeValues(agent, request, *pool);
     std::vector<int> before(value.size(), 0);
     for (int v = 0; v < n; ++v) value[v] -= SeamCost(agent, 0, 0, v);
     const float weight = agents_[agent].weight;
     std::vector<float> best(n);
     for (int t = 1; t < options_.stages; ++t) {
+      // The inner loop runs over targets so that the compiler vectorises it.
       const float* from = &value[row(t - 1, 0)];
       std::fill(best.begin(), best.end(), -kNever);
       int* came = &before[row(t, 0)];
@@ -118,21 +121,25 @@ class TrellisTeam {
     return agent;
   }
 
-  std::vector<float> NodeValues(int agent, const ColumnAsk& ask,
+  std::vector<float> NodeValues(int agent, const ColumnRequest& request,
                                 const TeamColumns& pool) const {
     const std::size_t rows = pool.capacities().size();
+    // Full nodes are priced out of reach.
     std::vector<int> used(rows, 0);
-    for (const int column : ask.around)
+    for (const int column : request.around) {
       for (const int r : pool.columns()[column].rows) ++used[r];
+    }
     std::vector<float> value(rows);
-    for (int t = 0; t < options_.stages; ++t)
+    for (int t = 0; t < options_.stages; ++t) {
       for (int v = 0; v < options_.nodes; ++v) {
         const int r = row(t, v);
         value[r] = Reward(agent, t, v);
-        if (r < static_cast<int>(ask.prices.size()))
-          value[r] -= static_cast<float>(ask.prices[r]);
+        if (r < static_cast<int>(request.prices.size())) {
+          value[r] -= static_cast<float>(request.prices[r]);
+        }
         if (used[r] >= pool.capacities()[r]) value[r] = -kNever;
       }
+    }
     return value;
   }
 
@@ -144,6 +151,7 @@ class TrellisTeam {
         static_cast<int>(std::max_element(ends, ends + options_.nodes) - ends);
     ColumnAnswer answer;
     answer.bound = static_cast<double>(ends[node]);
+    // Every path leads through a full node.
     if (ends[node] < -0.5F * kNever) return {{}, 0.0};
     Column column;
     column.agent = agent;
@@ -169,16 +177,17 @@ class TrellisTeam {
 // Runs a search to its end.
 inline void RunSearch(const TrellisTeam& team, TeamSearch* search,
                       TeamColumns* pool) {
-  ColumnAsks asks;
-  for (int a = 0; a < team.options().agents; ++a) asks[a] = {};
-  while (!asks.empty()) {
+  ColumnRequests requests;
+  for (int a = 0; a < team.options().agents; ++a) requests[a] = {};
+  while (!requests.empty()) {
     ColumnAnswers answers;
-    for (const auto& [agent, ask] : asks)
-      answers[agent] = team.Answer(agent, ask, pool);
-    asks = search->Next(*pool, answers);
+    for (const auto& [agent, request] : requests) {
+      answers[agent] = team.Answer(agent, request, pool);
+    }
+    requests = search->Next(*pool, answers);
   }
 }
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_TEAM_TRELLIS_TEAM_H_
+#endif  // KG_SELECTOR_TESTING_TRELLIS_TEAM_H_

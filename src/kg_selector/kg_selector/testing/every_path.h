@@ -1,8 +1,8 @@
 // Every path of a member of a small team, by walking its graphs: what the tests
 // compare planners and teams with. Knows nothing of trellises and prices.
 
-#ifndef KG_SELECTOR_TEAM_EVERY_PATH_H_
-#define KG_SELECTOR_TEAM_EVERY_PATH_H_
+#ifndef KG_SELECTOR_TESTING_EVERY_PATH_H_
+#define KG_SELECTOR_TESTING_EVERY_PATH_H_
 
 #include <algorithm>
 #include <map>
@@ -33,21 +33,25 @@ inline void ExtendPath(const TeamMember& member, const EveryPath& path,
   for (const auto& edge : member.graphs[stage].edges) {
     if (edge.from != (stage == 0 ? 0 : path.nodes.back())) continue;
     const auto& waypoint = member.graphs[stage].waypoints[edge.to];
+    // Events are met, not earned: which ones count is decided by capacity.
     EveryPath longer = path;
     longer.nodes.push_back(edge.to);
     longer.score += waypoint.score - edge.seam_cost;
     longer.energy_j += edge.flight.energy_j;
     longer.track.insert(longer.track.end(), edge.flight.track.begin(),
                         edge.flight.track.end());
-    for (const auto& rule : member.rules.windows[stage].events)
-      if (std::count(waypoint.events.begin(), waypoint.events.end(), rule.iri))
+    for (const auto& rule : member.rules.windows[stage].events) {
+      if (std::count(waypoint.events.begin(), waypoint.events.end(),
+                     rule.iri)) {
         longer.events[rule.iri] =
             std::max(longer.events[rule.iri], rule.reward);
+      }
+    }
     ExtendPath(member, longer, all);
   }
 }
 
-inline std::vector<EveryPath> EveryPathOf(const TeamMember& member) {
+inline std::vector<EveryPath> EnumeratePaths(const TeamMember& member) {
   std::vector<EveryPath> all;
   ExtendPath(member, {}, &all);
   return all;
@@ -55,4 +59,4 @@ inline std::vector<EveryPath> EveryPathOf(const TeamMember& member) {
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_TEAM_EVERY_PATH_H_
+#endif  // KG_SELECTOR_TESTING_EVERY_PATH_H_

@@ -2,8 +2,8 @@
 // path from being flown: energy, those committed before, or that no way leads
 // on.
 
-#ifndef KG_SELECTOR_EXPLAIN_WAY_ROUND_H_
-#define KG_SELECTOR_EXPLAIN_WAY_ROUND_H_
+#ifndef KG_SELECTOR_EXPLAIN_EXPLAIN_VIA_H_
+#define KG_SELECTOR_EXPLAIN_EXPLAIN_VIA_H_
 
 #include <cstddef>
 #include <set>
@@ -14,7 +14,7 @@
 
 namespace kg_selector {
 
-struct ByWayOf {
+struct ViaWaypoints {
   std::size_t stage = 0;
   std::set<int> waypoints;  // Any of them, as a stop or where it ends.
   std::string name;         // For a person: "waypoint 3 of window 2".
@@ -22,9 +22,9 @@ struct ByWayOf {
 
 // The agent must have a path. The verdicts worth_less, energy, conflict and
 // dead_end (why_not.h).
-kg_compiler::Explanation ExplainWayRound(const PlannedWorld& world,
-                                         const kg_core::Agent& agent,
-                                         const ByWayOf& by);
+kg_compiler::Explanation ExplainPathVia(const PlannedWorld& world,
+                                        const kg_core::Agent& agent,
+                                        const ViaWaypoints& by);
 
 // The verdict taken: it does go there.
 kg_compiler::Explanation ExplainTaken(const PlannedWorld& world,
@@ -34,4 +34,4 @@ kg_compiler::Explanation ExplainTaken(const PlannedWorld& world,
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_EXPLAIN_WAY_ROUND_H_
+#endif  // KG_SELECTOR_EXPLAIN_EXPLAIN_VIA_H_

@@ -16,24 +16,25 @@
 
 #include "kg_compiler/bench_report.h"
 #include "kg_selector/orienteering/top_report.h"
+#include "kg_selector/team/team_modes.h"
 
 namespace kg_selector {
 namespace {
 
-struct Data {
+struct BenchData {
   std::string instances;
   std::string references;
 };
 
-Data FindData() {
+BenchData FindData() {
   const char* given = std::getenv("KG_SHARED_DATA");
   const std::string folder =
       std::string(given != nullptr ? given : "../shared/data") + "/top";
   return {folder + "/instances", folder + "/reference_values.txt"};
 }
 
-double ShareOf(const Data& data, const TeamTourOptions& options,
-               std::size_t step) {
+double MeasureShare(const BenchData& data, const TeamTourOptions& options,
+                    std::size_t step) {
   std::ostringstream lines;
   TopScore all;
   for (const auto& [set, score] :
@@ -43,28 +44,30 @@ double ShareOf(const Data& data, const TeamTourOptions& options,
   return all.share();
 }
 
-void CompareModes(const Data& data, double seconds, std::size_t step) {
-  for (const char* name : {"greedy", "auction", "priced"}) {
+void CompareModes(const BenchData& data, double seconds, std::size_t step) {
+  for (const TeamMode& mode : TeamModes()) {
+    if (mode.plan_tours == PlanToursExactly) continue;
     TeamTourOptions options;
-    options.mode = *TeamModeOf(name);
+    options.planner = mode.plan_tours;
     options.seconds = seconds;
-    std::printf("%s: %.2f %% of the published values at %g s\n", name,
-                ShareOf(data, options, step), seconds);
+    std::printf("%s: %.2f %% of the published values at %g s\n", mode.name,
+                MeasureShare(data, options, step), seconds);
     std::fflush(stdout);
   }
 }
 
-void Measure(const Data& data, double seconds, std::size_t step, double goal) {
+void Measure(const BenchData& data, double seconds, std::size_t step,
+             double goal) {
   TeamTourOptions options;
   options.seconds = seconds;
   char what[64];
   std::snprintf(what, sizeof what, "Team Orienteering, exact, %g s an instance",
                 seconds);
   kg_compiler::Report({12, what, goal, true, "%"},
-                      ShareOf(data, options, step));
+                      MeasureShare(data, options, step));
 }
 
-void Run(const Data& data, bool quick) {
+void Run(const BenchData& data, bool quick) {
   const std::size_t step = quick ? 40 : 1;
   CompareModes(data, quick ? 0.05 : 0.5, quick ? step : 10);
   Measure(data, quick ? 0.05 : 0.5, step, 99.5);
@@ -76,7 +79,7 @@ void Run(const Data& data, bool quick) {
 
 int main(int argc, char** argv) {
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
-  const kg_selector::Data data = kg_selector::FindData();
+  const kg_selector::BenchData data = kg_selector::FindData();
   if (!std::filesystem::exists(data.instances)) {
     std::printf("target 12 skipped: no benchmark data at %s\n",
                 data.instances.c_str());

@@ -1,8 +1,8 @@
 // Small random teams with flights between shared places: what the tests of this
 // package run on.
 
-#ifndef KG_SELECTOR_TEAM_RANDOM_TEAM_H_
-#define KG_SELECTOR_TEAM_RANDOM_TEAM_H_
+#ifndef KG_SELECTOR_TESTING_RANDOM_TEAM_H_
+#define KG_SELECTOR_TESTING_RANDOM_TEAM_H_
 
 #include <algorithm>
 #include <random>
@@ -38,8 +38,9 @@ class RandomTeam {
     TeamRules rules;
     rules.max_rounds = 100;
     rules.separation_m = Whole(0, 1) == 0 ? 0.0 : Number(500.0, kLeastApart_m);
-    for (int i = 0; i < options_.events; ++i)
+    for (int i = 0; i < options_.events; ++i) {
       rules.event_capacity[Event(i)] = Whole(0, 2);
+    }
     return rules;
   }
 
@@ -54,8 +55,9 @@ class RandomTeam {
         return kg_core::Distance_m(*taken, other) < kLeastApart_m;
       }));
     }
-    for (int i = 0; i < options_.agents; ++i)
+    for (int i = 0; i < options_.agents; ++i) {
       members.push_back(MakeMember(i, starts[i]));
+    }
     return members;
   }
 
@@ -95,8 +97,9 @@ class RandomTeam {
     window.window = w;
     window.begin_s = options_.begin_s + w * options_.window_s;
     window.end_s = window.begin_s + options_.window_s - options_.gap_s;
-    for (int i = 0; i < options_.events; ++i)
+    for (int i = 0; i < options_.events; ++i) {
       window.events.push_back({Event(i), places_[i], Number(1.0, 8.0), 1000.0});
+    }
     return window;
   }
 
@@ -104,17 +107,20 @@ class RandomTeam {
     kg_compiler::NavGraph graph;
     graph.agent_iri = member.rules.agent_iri;
     graph.window = w;
+    // Each window offers another sample of the shared places.
     std::vector<int> places(places_.size());
-    for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t i = 0; i < places.size(); ++i) {
       places[i] = static_cast<int>(i);
+    }
     std::shuffle(places.begin(), places.end(), prng_);
     for (int i = 0; i < options_.waypoints; ++i) {
       kg_compiler::Waypoint waypoint;
       waypoint.id = i;
       waypoint.position = places_[places[i]];
       waypoint.score = Number(0.0, 10.0);
-      if (places[i] < options_.events)
+      if (places[i] < options_.events) {
         waypoint.events.push_back(Event(places[i]));
+      }
       graph.waypoints.push_back(waypoint);
     }
     AddEdges(member, w, &graph);
@@ -125,15 +131,17 @@ class RandomTeam {
     const auto& before =
         w == 0 ? graph->waypoints : member.graphs[w - 1].waypoints;
     const int from_count = w == 0 ? 1 : static_cast<int>(before.size());
-    for (int u = 0; u < from_count; ++u)
+    for (int u = 0; u < from_count; ++u) {
       for (const kg_compiler::Waypoint& to : graph->waypoints) {
         const kg_core::LonLat from =
             w == 0 ? member.rules.start : before[u].position;
-        if (Whole(0, 9) > 0)
+        if (Whole(0, 9) > 0) {
           graph->edges.push_back(
               MakeEdge(u, to, from, member.rules.windows[w]));
+        }
         if (options_.walks) AddWalk(graph->edges, to, graph);
       }
+    }
   }
 
   // As the last edge goes to `to`, by way of a waypoint where it bends.
@@ -142,8 +150,9 @@ class RandomTeam {
     const int count = static_cast<int>(graph->waypoints.size());
     const int stop = Whole(0, count - 1);
     if (edges.empty() || edges.back().to != to.id || stop == to.id ||
-        !edges.back().via.empty() || !(edges.back().flight.travel_s > 0.0))
+        !edges.back().via.empty() || !(edges.back().flight.travel_s > 0.0)) {
       return;
+    }
     kg_compiler::TraverseEdge walk = edges.back();
     walk.via = {stop};
     walk.flight.track[1].position = graph->waypoints[stop].position;
@@ -182,4 +191,4 @@ class RandomTeam {
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_TEAM_RANDOM_TEAM_H_
+#endif  // KG_SELECTOR_TESTING_RANDOM_TEAM_H_

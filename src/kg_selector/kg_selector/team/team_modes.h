@@ -1,0 +1,45 @@
+// The table of team modes. A mode is a row: its name, as ex:teamMode, the
+// message CoordinationRules and the option --mode have it, and what makes its
+// plans. To add one: a file for it, and a row in team_modes.cc.
+
+#ifndef KG_SELECTOR_TEAM_TEAM_MODES_H_
+#define KG_SELECTOR_TEAM_TEAM_MODES_H_
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kg_selector/orienteering/team_orienteering.h"
+#include "kg_selector/paths/conflict.h"
+#include "kg_selector/team/coordinator.h"
+
+namespace kg_selector {
+
+struct TeamMode {
+  const char* name;
+  // The coordinator of a team by these rules.
+  std::unique_ptr<Coordinator> (*make_coordinator)(
+      const TeamRules& rules, const std::vector<std::string>& agents);
+  // The same idea for tours of the Team Orienteering benchmark.
+  TourPlanner plan_tours;
+};
+
+// Every mode, the default first.
+const std::vector<TeamMode>& TeamModes();
+
+// Null: there is no such mode.
+const TeamMode* FindTeamMode(const std::string& name);
+
+std::vector<std::string> TeamModeNames();
+
+// "greedy, auction, priced or exact", each name in `quote`: for error messages.
+std::string TeamModeChoices(const std::string& quote = "");
+
+// By rules.mode. Throws kg_core::InputError for another one, and, of a mode
+// with columns, for a fairness that is not known.
+std::unique_ptr<Coordinator> MakeCoordinator(
+    const TeamRules& rules, const std::vector<std::string>& agents);
+
+}  // namespace kg_selector
+
+#endif  // KG_SELECTOR_TEAM_TEAM_MODES_H_
