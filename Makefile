@@ -1,13 +1,14 @@
-# Two commands matter: `make bringup` and `make test`. Each installs what is
-# missing (apt), builds, and runs. What they do stands in scripts/.
+# The main commands are `make bringup` and `make test`. Each installs missing
+# packages (apt), builds and runs. The commands are scripts in scripts/.
 
-.PHONY: help install build bringup test bench figures lint clean fuzz second_opinion kill_rounds sanitize
+.PHONY: help install build bringup test bench figures lint clean fuzz second_opinion kill_rounds sanitize colcon
 
 help:
 	@echo 'make bringup   install, build and run the default mission; launch arguments'
 	@echo '               in ARGS, e.g. make bringup ARGS="mission:=gulf once:=true rviz:=false"'
 	@echo 'make test      install, build, run every test; last line: N passed, N failed'
-	@echo 'make build     build into build/ and devel/ (BUILD_TYPE=Debug, JOBS=1)'
+	@echo 'make build     build into build/ and devel/ (BUILD_TYPE=Debug, JOBS=1, PLAIN=1)'
+	@echo 'make colcon    build with colcon into build/colcon/'
 	@echo 'make install   install the Debian packages of apt-packages.txt'
 	@echo 'make bench     run the benchmark programs'
 	@echo 'make figures   make the pictures of README and docs'
@@ -16,7 +17,7 @@ help:
 	@echo 'make kill_rounds  SIGKILL the KG node at random moments (ROUNDS=500)'
 	@echo 'make sanitize  the C++ tests under AddressSanitizer and UBSan'
 	@echo 'make lint      clang-format, catkin_lint and clang-tidy'
-	@echo 'make clean     remove everything made here: build, devel, install, state'
+	@echo 'make clean     remove all that was built or written: build, devel, install, state'
 
 install:
 	@scripts/install_packages.sh base gui
@@ -24,6 +25,9 @@ install:
 build:
 	@scripts/install_packages.sh base
 	@scripts/build.sh
+
+colcon:
+	@scripts/colcon.sh $(ARGS)
 
 bringup:
 	@scripts/bringup.sh $(ARGS)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the libraries without ROS and their tests with AddressSanitizer and
+# Builds the libraries that do not use ROS, and their tests, with AddressSanitizer and
 # UndefinedBehaviorSanitizer, in build/sanitize, and runs every test.
 #     scripts/sanitize.sh [PACKAGE...]
 set -euo pipefail
@@ -7,16 +7,13 @@ source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 source "$repository/scripts/stage.sh"
 cd "$repository"
 
+mapfile -t libraries < <(library_packages)
 packages=("$@")
-[ $# -gt 0 ] || packages=(kg_core kg_compiler kg_planner kg_selector)
+[ $# -gt 0 ] || packages=("${libraries[@]}")
 build=$repository/build/sanitize
 scripts/install_packages.sh base
 mkdir -p "$build/devel/lib/python3/dist-packages"
-rm -rf "$build/src" && mkdir "$build/src"
-ln -s /usr/share/catkin/cmake/toplevel.cmake "$build/src/CMakeLists.txt"
-for package in kg_core kg_compiler kg_planner kg_selector; do
-  ln -s "$repository/src/$package" "$build/src/$package"
-done
+link_packages "$build/src" "${libraries[@]}"
 
 if ! { cmake -S "$build/src" -B "$build" -DKG_SANITIZE=address,undefined \
     -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
@@ -25,7 +22,7 @@ if ! { cmake -S "$build/src" -B "$build" -DKG_SANITIZE=address,undefined \
   } </dev/null >"$build/build.log" 2>&1
 then
   grep -nE 'error|\*\*\*' "$build/build.log" | head -n 20 >&2 || true
-  fail sanitize "did not build: $build/build.log"
+  fail sanitize "build failed, log: $build/build.log"
 fi
 stage sanitize "built"
 
@@ -43,5 +40,5 @@ for package in "${packages[@]}"; do
     fi
   done
 done
-stage sanitize "$passed test programs clean, ${#broken[@]} not"
-[ ${#broken[@]} -eq 0 ] || fail sanitize "${broken[*]}: see build/sanitize/*.log"
+stage sanitize "$passed test programs passed, ${#broken[@]} failed"
+[ ${#broken[@]} -eq 0 ] || fail sanitize "${broken[*]}: logs: build/sanitize/*.log"
