@@ -20,7 +20,7 @@ struct EdgeCost {
 };
 
 // What the flight alone says; the rest is 0.
-inline EdgeCost CostOfFlight(const Flight& flight) {
+inline EdgeCost CostOfFlight(const FlownPath& flight) {
   EdgeCost cost;
   cost.travel_s = flight.travel_s;
   cost.energy_j = flight.energy_j;

@@ -31,10 +31,10 @@ std::string Where(const SeamRules& rules, const WindowRules& window) {
 }
 
 // The next cache on its way, made from the last one.
-class Graphs {
+class GraphBuilds {
  public:
   // With `keep`, for one more time.
-  Graphs(const SeamRules& rules, const SeamCache& last, bool keep)
+  GraphBuilds(const SeamRules& rules, const SeamCache& last, bool keep)
       : rules_(rules), last_(last), keep_(keep) {}
 
   const NavGraph& Add(const WindowInputs& inputs) {
@@ -120,7 +120,7 @@ NavGraphs CompileNavGraphs(const SeamRules& rules,
         ", which is on land, in a no_go area or off the grid");
   }
   const SeamCache none;
-  Graphs graphs(rules, cache ? *cache : none, cache != nullptr);
+  GraphBuilds graphs(rules, cache ? *cache : none, cache != nullptr);
   for (std::size_t t = 0; t < worlds.size(); ++t) {
     sources = PositionsOf(
         graphs.Add({&rules, &rules.windows[t], worlds[t], sources}).waypoints);

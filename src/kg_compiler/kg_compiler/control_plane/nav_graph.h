@@ -56,10 +56,10 @@ struct Waypoint {
 // A directed edge to a waypoint of this graph's window, with its cost
 // (ex:EdgeCost).
 struct TraverseEdge {
-  int from = 0;   // Waypoint id of the window before; 0 = the start if first.
-                  // Of an inner edge: of this window.
-  int to = 0;     // Waypoint id of this window.
-  Flight flight;  // The whole way, stops included.
+  int from = 0;  // Waypoint id of the window before; 0 = the start if first.
+                 // Of an inner edge: of this window.
+  int to = 0;    // Waypoint id of this window.
+  FlownPath flight;          // The whole way, stops included.
   double seam_cost = 0.0;    // S, in reward units.
   double isolation_s = 0.0;  // I.
   // Waypoints of this window visited on the way, in order: a walk.

@@ -5,28 +5,28 @@
 namespace kg_compiler {
 namespace {
 
-constexpr int kMostIdle = 3;  // Constraints come and go, and waypoints with
-                              // them.
+constexpr int kMaxIdle = 3;  // Constraints come and go, and waypoints with
+                             // them.
 
 KeptSeams::Place PlaceOf(kg_core::LonLat position) {
   return {position.lon_deg, position.lat_deg};
 }
 
-bool Holds(const SurfacePatch& patch, const SeaSurface& surface,
+bool Holds(const SurfacePatch& patch, const WindowSurface& surface,
            const KeptSeams::Arrivals& arrivals) {
   return patch.SameOpen(surface, arrivals.hazard) &&
          patch.SameAttenuation(surface, arrivals.read);
 }
 
 // Adds the time that it lives to a sum.
-class Spent {
+class ElapsedTimer {
  public:
-  explicit Spent(double* sum_s) : sum_s_(sum_s) {}
-  ~Spent() {
+  explicit ElapsedTimer(double* sum_s) : sum_s_(sum_s) {}
+  ~ElapsedTimer() {
     *sum_s_ += std::chrono::duration<double>(Clock::now() - begin_).count();
   }
-  Spent(const Spent&) = delete;
-  Spent& operator=(const Spent&) = delete;
+  ElapsedTimer(const ElapsedTimer&) = delete;
+  ElapsedTimer& operator=(const ElapsedTimer&) = delete;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -37,7 +37,7 @@ class Spent {
 template <typename Map>
 void LetGoOfIdle(Map* kept) {
   for (auto at = kept->begin(); at != kept->end();) {
-    at = at->second.idle >= kMostIdle ? kept->erase(at) : std::next(at);
+    at = at->second.idle >= kMaxIdle ? kept->erase(at) : std::next(at);
   }
 }
 
@@ -48,10 +48,13 @@ void Age(Map* kept) {
 
 }  // namespace
 
-SeamFlyer::SeamFlyer(const WindowSea& sea, const std::string& tensor_hash,
-                     const KeptSeams* last, SeamCounts* counts)
-    : sea_(sea), counts_(counts), now_(std::make_shared<KeptSeams>()) {
-  now_->terms = sea.Terms();
+SeamFlyer::SeamFlyer(const WindowTraversal& traversal,
+                     const std::string& tensor_hash, const KeptSeams* last,
+                     SeamCounts* counts)
+    : traversal_(traversal),
+      counts_(counts),
+      now_(std::make_shared<KeptSeams>()) {
+  now_->terms = traversal.Terms();
   now_->tensor_hash = tensor_hash;
   if (last == nullptr) return;
   if (last->terms == now_->terms) {
@@ -62,7 +65,8 @@ SeamFlyer::SeamFlyer(const WindowSea& sea, const std::string& tensor_hash,
 
 void SeamFlyer::TakeOver(const KeptSeams& last, bool same_tensor) {
   for (const auto& [place, source] : last.sources) {
-    if (!same_tensor && !Holds(last.patch, sea_.surface(), *source.arrivals)) {
+    if (!same_tensor &&
+        !Holds(last.patch, traversal_.surface(), *source.arrivals)) {
       continue;
     }
     KeptSeams::Source& kept =
@@ -75,12 +79,13 @@ void SeamFlyer::TakeOver(const KeptSeams& last, bool same_tensor) {
 std::shared_ptr<const KeptSeams::Arrivals> SeamFlyer::Arrive(
     kg_core::LonLat source) const {
   auto arrivals = std::make_shared<KeptSeams::Arrivals>();
-  arrivals->reach = sea_.ReachFrom(source);
-  const kg_core::Grid& grid = sea_.grid();
+  arrivals->reach = traversal_.ReachFrom(source);
+  const kg_core::Grid& grid = traversal_.grid();
   for (const ReachedCell& cell : arrivals->reach.cells) {
     const kg_core::LonLat centre =
         grid.Centre({cell.index / grid.cols(), cell.index % grid.cols()});
-    if (sea_.begin_s() + cell.arrival_s >= sea_.HoldableFrom_s(centre)) {
+    if (traversal_.begin_s() + cell.arrival_s >=
+        traversal_.HoldableFrom_s(centre)) {
       arrivals->landings.push_back(cell.index);
     }
   }
@@ -89,14 +94,14 @@ std::shared_ptr<const KeptSeams::Arrivals> SeamFlyer::Arrive(
     arrivals->read = Join(arrivals->read,
                           {cell->row, cell->row + 1, cell->col, cell->col + 1});
   }
-  arrivals->hazard = sea_.HazardBox(arrivals->read);
+  arrivals->hazard = traversal_.HazardBox(arrivals->read);
   return arrivals;
 }
 
 KeptSeams::Source& SeamFlyer::SourceAt(kg_core::LonLat place) {
   KeptSeams::Source& source = now_->sources[PlaceOf(place)];
   if (source.arrivals == nullptr) {
-    const Spent spent(&counts_->seams_s);
+    const ElapsedTimer spent(&counts_->seams_s);
     source.arrivals = Arrive(place);
     ++counts_->reaches;
   } else if (source.idle > 0) {
@@ -110,15 +115,17 @@ const std::vector<int>& SeamFlyer::Landings(kg_core::LonLat source) {
   return SourceAt(source).arrivals->landings;
 }
 
-std::shared_ptr<const Flight> SeamFlyer::Fly(kg_core::LonLat source,
-                                             kg_core::LonLat to) {
+std::shared_ptr<const FlownPath> SeamFlyer::Fly(kg_core::LonLat source,
+                                                kg_core::LonLat to) {
   KeptSeams::Source& from = SourceAt(source);
   const auto [flown, is_new] = from.flights.try_emplace(PlaceOf(to));
   if (is_new) {
-    const Spent spent(&counts_->seams_s);
-    std::optional<Flight> flight = sea_.Fly(source, from.arrivals->reach, to);
+    const ElapsedTimer spent(&counts_->seams_s);
+    std::optional<FlownPath> flight =
+        traversal_.Fly(source, from.arrivals->reach, to);
     if (flight) {
-      flown->second.flight = std::make_shared<const Flight>(std::move(*flight));
+      flown->second.flight =
+          std::make_shared<const FlownPath>(std::move(*flight));
     }
     ++counts_->flights;
   } else if (flown->second.idle > 0) {
@@ -135,7 +142,7 @@ std::shared_ptr<const KeptSeams> SeamFlyer::Keep() {
     LetGoOfIdle(&source.flights);
     all = Join(all, source.arrivals->hazard);
   }
-  now_->patch = SurfacePatch(sea_.surface(), all);
+  now_->patch = SurfacePatch(traversal_.surface(), all);
   return std::move(now_);
 }
 

@@ -12,10 +12,10 @@
 namespace kg_compiler {
 namespace {
 
-constexpr int kMostWaypoints = 20;
+constexpr int kMaxWaypoints = 20;
 
 // Hands out facts and notes them down, so that what is cited is what was read.
-class Reading {
+class FactReading {
  public:
   template <typename Fact>
   const Fact& operator()(const Fact& fact) {
@@ -170,7 +170,7 @@ bool SameButForWindows(const SeamRules& a, const SeamRules& b) {
 
 SeamRules CompileSeamRules(const kg_core::Mission& mission,
                            const kg_core::Agent& agent, int first_window) {
-  Reading read;
+  FactReading read;
   const kg_core::CoordinationFacts& team = read(mission).coordination;
   const kg_core::Capabilities& capabilities = read(agent.capabilities);
   SeamRules rules;
@@ -184,7 +184,7 @@ SeamRules CompileSeamRules(const kg_core::Mission& mission,
   rules.energy_budget_j = capabilities.energy_budget_j;
   rules.sensor_radius_m = capabilities.sensor_radius_m;
   rules.spacing_m = team.waypoint_spacing_m;
-  rules.max_waypoints = std::min(team.waypoints_per_window, kMostWaypoints);
+  rules.max_waypoints = std::min(team.waypoints_per_window, kMaxWaypoints);
   rules.candidates = team.candidates_per_agent;
   rules.start = agent.start;
   rules.start_heading_rad = agent.start_heading_rad;

@@ -18,7 +18,7 @@ namespace kg_compiler {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kMostDoublings = 5;  // Of the window's length, looking farther.
+constexpr int kMaxDoublings = 5;  // Of the window's length, looking farther.
 
 std::string Hours(double seconds) {
   return Short(seconds / kg_core::kSecondsPerHour) + " h";
@@ -120,7 +120,7 @@ class Place {
     return std::min(Window_s(), in_.seam.window->base_travel_m /
                                     in_.seam.rules->motion.cruise_mps);
   }
-  Voyage From(kg_core::LonLat source) const {
+  VoyageRequest From(kg_core::LonLat source) const {
     return {{field_, &open_, nullptr},
             in_.seam.rules->motion,
             {source, in_.seam.window->begin_s, in_.seam.window->end_s,
@@ -131,7 +131,7 @@ class Place {
   bool CanBeFlownTo() const {
     return std::any_of(
         in_.sources.begin(), in_.sources.end(), [&](kg_core::LonLat source) {
-          const Voyage voyage = From(source);
+          const VoyageRequest voyage = From(source);
           return Traverse(voyage, ComputeReach(voyage), in_.place).has_value();
         });
   }
@@ -139,12 +139,12 @@ class Place {
   // The least time in which the place's cell is reached from a source, if less
   // than `below_s`.
   double Travel_s(kg_core::LonLat source, double below_s) const {
-    Voyage voyage = From(source);
+    VoyageRequest voyage = From(source);
     voyage.departure.base_travel_m = kInfinity;
-    for (int i = 0; i <= kMostDoublings; ++i) {
+    for (int i = 0; i <= kMaxDoublings; ++i) {
       const double limit_s = std::min(below_s, std::ldexp(Window_s(), i));
       voyage.departure.deadline_s = voyage.departure.time_s + limit_s;
-      const Reach reach = ComputeReach(voyage);
+      const ReachMap reach = ComputeReach(voyage);
       const ReachedCell* found =
           reach.Find(static_cast<int>(rasters_.grid.Index(cell_)));
       if (found) return found->arrival_s;
@@ -195,7 +195,7 @@ class Place {
   }
 
   Explanation NoWay() const {
-    const double looked_s = std::ldexp(Window_s(), kMostDoublings);
+    const double looked_s = std::ldexp(Window_s(), kMaxDoublings);
     Explanation explanation = Named(
         "unreachable", "s", "no way was found within " + Hours(looked_s) + ".");
     explanation.value = looked_s - Allowed_s();

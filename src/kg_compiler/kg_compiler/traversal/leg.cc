@@ -9,7 +9,7 @@
 namespace kg_compiler {
 namespace {
 
-constexpr double kLongestStep_s = 600.0;
+constexpr double kMaxStep_s = 600.0;
 
 // Metres per degree along a leg, by a parabola through its ends and middle
 // (error below 1e-6 for legs within two degrees of latitude).
@@ -40,10 +40,10 @@ class LegScale {
 };
 
 // A leg under way: s in [0, 1] along it.
-class Progress {
+class LegProgress {
  public:
-  Progress(const LegFlyer& flyer, const Leg& leg, double speed_mps,
-           double slack)
+  LegProgress(const LegFlyer& flyer, const TrackLeg& leg, double speed_mps,
+              double slack)
       : flyer_(flyer),
         from_(leg.from),
         lon_(leg.to.lon_deg - leg.from.lon_deg),
@@ -96,12 +96,13 @@ bool MayCross(const LegFlyer& flyer, kg_core::Cell a, kg_core::Cell b) {
 
 }  // namespace
 
-double LatestArrival_s(const MotionModel& motion, const Departure& departure) {
+double LatestArrival_s(const MotionModel& motion,
+                       const VoyageDeparture& departure) {
   return std::min(departure.deadline_s - departure.time_s,
                   departure.base_travel_m / motion.cruise_mps);
 }
 
-LegFlyer::LegFlyer(const Voyage& voyage, const CellBox* box)
+LegFlyer::LegFlyer(const VoyageRequest& voyage, const CellBox* box)
     : world_(voyage.world),
       motion_(voyage.motion),
       box_(box ? *box : CellBox{0, grid().rows(), 0, grid().cols()}),
@@ -132,8 +133,9 @@ kg_core::Cell LegFlyer::CellOf(kg_core::GridPoint at) const {
 
 // Second order: the rate in the middle of each step, at the time one gets there
 // by the rate at its begin.
-std::optional<LegEnd> LegFlyer::Fly(const Leg& leg, const LegCare& care) const {
-  const Progress progress(*this, leg, motion_.cruise_mps, care.slack);
+std::optional<LegEnd> LegFlyer::Fly(const TrackLeg& leg,
+                                    const LegCare& care) const {
+  const LegProgress progress(*this, leg, motion_.cruise_mps, care.slack);
   std::optional<kg_core::GridPoint> at = progress.At(0.0);
   const std::optional<kg_core::GridPoint> to = progress.At(1.0);
   if (!at || !to || !IsOpen(CellOf(*at))) return std::nullopt;
@@ -148,7 +150,7 @@ std::optional<LegEnd> LegFlyer::Fly(const Leg& leg, const LegCare& care) const {
     if (!begin) return std::nullopt;
     double h = std::min(longest, 1.0 - s);
     if (1.0 - s - h < 1e-9) h = 1.0 - s;
-    h = std::min(h, kLongestStep_s * *begin);
+    h = std::min(h, kMaxStep_s * *begin);
     const auto middle = progress.At(s + 0.5 * h);
     const auto next = progress.At(h == 1.0 - s ? 1.0 : s + h);
     if (!middle || !next) return std::nullopt;

@@ -28,10 +28,10 @@ inline kg_core::Cell CellOf(const kg_core::Grid& grid, kg_core::GridPoint at) {
           col < grid.cols() ? (col > 0 ? col : 0) : grid.cols() - 1};
 }
 
-class Sight {
+class LineOfSight {
  public:
   // What lies outside of `box` counts as closed. The world must outlive it.
-  Sight(const TraversalWorld& world, const CellBox& box);
+  LineOfSight(const TraversalWorld& world, const CellBox& box);
 
   // In the box, open, and with a current.
   bool IsOpen(kg_core::Cell cell) const {
@@ -51,7 +51,7 @@ class Sight {
 
   // Is a cell of a block of kBlock by kBlock, or one beside it, closed?
   static constexpr int kBlock = 4;
-  bool NearCoast(kg_core::Cell cell);
+  bool NearClosed(kg_core::Cell cell);
 
   // Corners of closed cells that a track may go round, from an open cell: bit
   // k is set if the cell diagonally kDiagonals[k] is closed, those beside it
@@ -62,14 +62,14 @@ class Sight {
   static kg_core::GridPoint CornerAt(kg_core::Cell cell, int diagonal);
 
  private:
-  bool FindCoast(int block_row, int block_col) const;
+  bool FindClosed(int block_row, int block_col) const;
 
   const kg_core::Grid& grid_;
   const kg_core::Mask& open_;
   const kg_core::Raster& east_mps_;
   CellBox box_;
   int block_cols_;
-  std::vector<signed char> coast_;  // By block: -1 = not known yet.
+  std::vector<signed char> near_closed_;  // By block: -1 = not known yet.
 };
 
 }  // namespace kg_compiler

@@ -6,8 +6,9 @@
 // to a place, also where the current is stronger than the agent.
 //
 // What counts is the flight: FlyTrack() integrates a track with sub-cell steps,
-// crabbing into the cross current, and every figure of a Flight comes from it.
-// Then station is held until the deadline (|current| <= max_mps, else refused):
+// crabbing into the cross current, and every figure of a FlownPath comes from
+// it. Then station is held until the deadline (|current| <= max_mps, else
+// refused):
 //
 //   c = boost_gain current, split along and across the leg
 //   ground speed  ds/dt = c_along + sqrt(V^2 - c_across^2)
@@ -40,7 +41,7 @@ struct TimedPoint {
 
 // A flown path: from the departure through its turning points to the arrival,
 // then at rest there until the deadline.
-struct Flight {
+struct FlownPath {
   std::vector<TimedPoint> track;  // Ends with arrival and, if later, deadline.
   double travel_s = 0.0;          // Departure to arrival.
   double energy_j = 0.0;          // Propulsion, hotel load and holding station.
@@ -56,7 +57,7 @@ struct TraversalWorld {
   const HazardMap* hazard = nullptr;    // Null = no hazard.
 };
 
-struct Departure {
+struct VoyageDeparture {
   kg_core::LonLat from;
   double time_s = 0.0;  // Unix seconds, as the deadline.
   double deadline_s = 0.0;
@@ -74,10 +75,10 @@ struct FlightPrice {
 };
 
 // Who sets out from where, into what world.
-struct Voyage {
+struct VoyageRequest {
   TraversalWorld world;
   MotionModel motion;
-  Departure departure;
+  VoyageDeparture departure;
   FlightPrice price;
 };
 
@@ -102,7 +103,7 @@ struct ReachRoot {
 
 class SlowerReaches;
 
-struct Reach {
+struct ReachMap {
   std::vector<ReachedCell> cells;  // By index.
   std::vector<ReachRoot> roots;    // The departure first.
   double cells_per_s = 0.0;        // The fastest met.
@@ -118,12 +119,12 @@ struct Reach {
 
 // Where one can be before the deadline at full speed. Empty if the departure
 // itself is not in an open cell.
-Reach ComputeReach(const Voyage& voyage);
+ReachMap ComputeReach(const VoyageRequest& voyage);
 
 // Earliest time from which station can be held at a place until the deadline:
 // |boost_gain * current| <= max_mps all along. Infinite if not even then, or
 // where the current is unknown.
-double HoldableFrom_s(const Voyage& voyage, kg_core::LonLat place);
+double HoldableFrom_s(const VoyageRequest& voyage, kg_core::LonLat place);
 
 // Flies along `via` (first = departure, legs straight in longitude and
 // latitude), holding V = cruise_mps through water on every leg. Nothing if a
@@ -132,12 +133,12 @@ double HoldableFrom_s(const Voyage& voyage, kg_core::LonLat place);
 // station cannot be held then. A leg is held where 99.8 % of V make up for the
 // cross current and at least 0.2 % of V are left over ground, looked at every
 // 0.05 cells.
-std::optional<Flight> FlyTrack(const Voyage& voyage,
-                               const std::vector<kg_core::LonLat>& via);
+std::optional<FlownPath> FlyTrack(const VoyageRequest& voyage,
+                                  const std::vector<kg_core::LonLat>& via);
 
 // A stretch of a way at one speed through water. Its first place is where the
 // one before ended, or the departure.
-struct Stretch {
+struct TrackStretch {
   std::vector<kg_core::LonLat> via;
   double speed_mps = 0.0;
 };
@@ -146,8 +147,8 @@ struct Stretch {
 // before has arrived. Station is held at the end of the last only; base travel
 // is what all of them take together. speed_mps of the flight is the mean until
 // the arrival.
-std::optional<Flight> FlyStretches(const Voyage& voyage,
-                                   const std::vector<Stretch>& stretches);
+std::optional<FlownPath> FlyStretches(
+    const VoyageRequest& voyage, const std::vector<TrackStretch>& stretches);
 
 // The flight from the departure to `to` with the least
 //   per_s travel_s + per_j energy_j + per_hazard_s hazard_s,
@@ -161,8 +162,8 @@ std::optional<Flight> FlyStretches(const Voyage& voyage,
 // The track is the extremal, simplified: linear interpolation in time between
 // its points stays within 0.05 cells of where the extremal is; what is flown
 // and claimed is the simplified track.
-std::optional<Flight> Traverse(const Voyage& voyage, const Reach& reach,
-                               kg_core::LonLat to);
+std::optional<FlownPath> Traverse(const VoyageRequest& voyage,
+                                  const ReachMap& reach, kg_core::LonLat to);
 
 }  // namespace kg_compiler
 

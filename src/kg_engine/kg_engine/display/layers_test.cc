@@ -8,7 +8,7 @@
 namespace kg_engine {
 namespace {
 
-using kg_compiler::Access;
+using kg_compiler::CellAccess;
 using kg_compiler::Layer;
 
 constexpr float kLand = std::numeric_limits<float>::quiet_NaN();
@@ -31,8 +31,9 @@ kg_compiler::MissionTensor SixCells() {
 kg_compiler::WorkMap Work() {
   kg_compiler::WorkMap work;
   work.budget_s = 1000.0;
-  work.access = {Access::kTooFar, Access::kForbidden, Access::kNoData,
-                 Access::kTooFar, Access::kReached,   Access::kReached};
+  work.access = {CellAccess::kTooFar,  CellAccess::kForbidden,
+                 CellAccess::kNoData,  CellAccess::kTooFar,
+                 CellAccess::kReached, CellAccess::kReached};
   work.time_s = {kLand, kLand, kLand, kLand, 500.0F, 0.0F};
   return work;
 }

@@ -10,14 +10,12 @@
 #include "kg_planner/k_best/detours.h"
 #include "kg_planner/k_best/limited_search.h"
 #include "kg_planner/k_best/max_marginals.h"
+#include "kg_planner/k_best/no_value.h"
 #include "kg_planner/k_best/path_value.h"
 #include "kg_planner/k_best/resource_prices.h"
 
 namespace kg_planner {
 namespace {
-
-constexpr double kNone = -std::numeric_limits<double>::infinity();
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 // Ratio of the penalties that are tried one after the other.
 constexpr double kPenaltyStep = 1.1;

@@ -5,10 +5,11 @@
 #include <limits>
 #include <optional>
 
+#include "kg_planner/k_best/no_value.h"
+
 namespace kg_planner {
 namespace {
 
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr int kMaxSecants = 30;
 constexpr int kMaxDoublings = 60;
 constexpr int kMaxSteps = 120;

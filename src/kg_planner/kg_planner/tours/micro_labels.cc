@@ -29,7 +29,7 @@ bool ByKeyThenOrder(const MicroLabel& a, const MicroLabel& b) {
   return BetterOrder(a.path, b.path);
 }
 
-bool ByEndThenScore(const MicroLabel& a, const MicroLabel& b) {
+bool LabelsByEndThenScore(const MicroLabel& a, const MicroLabel& b) {
   if (a.end() != b.end()) return a.end() < b.end();
   const double a_score = a.path.score();
   const double b_score = b.path.score();
@@ -118,7 +118,7 @@ class LabelSetting {
   // Keeps the best labels of each end, and the quickest: it may reach nodes
   // that no other can.
   void CutToBeam(std::vector<MicroLabel>* level) {
-    std::sort(level->begin(), level->end(), ByEndThenScore);
+    std::sort(level->begin(), level->end(), LabelsByEndThenScore);
     std::vector<MicroLabel> kept;
     for (std::size_t begin = 0, end = 0; begin < level->size(); begin = end) {
       while (end < level->size() &&

@@ -23,7 +23,7 @@ using kg_core::Agent;
 using kg_core::Event;
 using kg_core::InputError;
 
-std::string WindowName(int window) {
+std::string EventWindowName(int window) {
   return "window " + std::to_string(window);
 }
 
@@ -118,7 +118,8 @@ class EventQuestion {
                       ? Facts()
                       : facts_.QuoteTriple(assignment, "ex:visits", event_.iri);
     if (facts.empty()) facts = facts_.Quote({other.agent, {"ex:id"}});
-    return {other.agent, std::move(facts), "in " + WindowName(visit.window)};
+    return {other.agent, std::move(facts),
+            "in " + EventWindowName(visit.window)};
   }
 
   bool IsFull() const {
@@ -179,14 +180,15 @@ class EventQuestion {
     const double edge_s =
         is_early ? Window(event_.windows.front()).begin_s : Expiry_s();
     const double sign = is_early ? -1.0 : 1.0;
-    Explanation explanation = Named(
-        is_early ? "not_active" : "expired", "s",
-        WindowName(window) + " begins " + Hours(sign * (begin_s - edge_s)) +
-            (is_early ? " before it does." : " after it has expired."));
+    Explanation explanation =
+        Named(is_early ? "not_active" : "expired", "s",
+              EventWindowName(window) + " begins " +
+                  Hours(sign * (begin_s - edge_s)) +
+                  (is_early ? " before it does." : " after it has expired."));
     explanation.value = sign * (begin_s - edge_s);
     explanation.parts = {
         {sign * (begin_s - zero_s), "begin of the window", when,
-         WindowName(window) + " begins " + Hours(begin_s - zero_s) +
+         EventWindowName(window) + " begins " + Hours(begin_s - zero_s) +
              " into the mission"},
         {-sign * (edge_s - zero_s),
          is_early ? "- begin of the event" : "- expiry", facts,
@@ -208,7 +210,7 @@ class EventQuestion {
   Explanation InStage(std::size_t stage) const {
     ViaWaypoints by;
     by.stage = stage;
-    by.name = name_ + " in " + WindowName(member_.graphs[stage].window);
+    by.name = name_ + " in " + EventWindowName(member_.graphs[stage].window);
     for (const Waypoint& waypoint : member_.graphs[stage].waypoints) {
       if (Names(waypoint.events)) by.waypoints.insert(waypoint.id);
     }

@@ -20,7 +20,7 @@ using kg_planner::TourSearch;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = 0.1;  // Least raise, of the mean reward.
 constexpr int kChunks = 6;        // Of steps, for one agent's tour.
-constexpr std::size_t kSteps = 40;
+constexpr std::size_t kChunkSteps = 40;
 constexpr double kBoundShare = 0.15;  // Share of the time kept for the bound.
 constexpr int kMaxFailedRounds = 8;   // Rounds before a smaller step.
 
@@ -39,7 +39,7 @@ Tour PlanAlone(const OrienteeringProblem& problem,
   }
   double share = 0.04;
   for (int chunk = 0; chunk < kChunks; ++chunk, share *= 0.6) {
-    search.Run(kSteps, share * search.reward());
+    search.Run(kChunkSteps, share * search.reward());
   }
   return search.best()[0];
 }

@@ -8,14 +8,14 @@
 #include <tuple>
 #include <utility>
 
-#include "kg_compiler/control_plane/window_sea.h"
+#include "kg_compiler/control_plane/window_traversal.h"
 #include "kg_core/geo/geodesy.h"
 #include "kg_planner/tours/micro_paths.h"
 
 namespace kg_selector {
 namespace {
 
-using kg_compiler::Flight;
+using kg_compiler::FlownPath;
 using kg_compiler::MovementMode;
 using kg_compiler::NavGraph;
 using kg_compiler::NavGraphs;
@@ -40,7 +40,7 @@ constexpr SearchPass kSearchPasses[] = {{1.0, 1}, {1.1, 2}};
 
 enum class TravelPace { kPriced, kCruise };
 
-double Length_m(const Flight& flight) {
+double Length_m(const FlownPath& flight) {
   double length_m = 0.0;
   for (std::size_t i = 1; i < flight.track.size(); ++i) {
     length_m += kg_core::Distance_m(flight.track[i - 1].position,
@@ -52,7 +52,7 @@ double Length_m(const Flight& flight) {
 // An edge as a leg: what it takes at either pace when the window begins,
 // holding station not counted.
 struct WalkLeg {
-  const Flight* flight = nullptr;
+  const FlownPath* flight = nullptr;
   double cruise_mps = 0.0;
   double length_m = 0.0;
   double hazard = 0.0;       // Mean, under way.
@@ -77,7 +77,7 @@ class WindowWalks {
       : in_(inputs),
         weights_(inputs.rules->weights),
         places_(kg_compiler::PositionsOf(inputs.graph->waypoints)),
-        sea_(*inputs.rules, *inputs.window, inputs.world) {
+        traversal_(*inputs.rules, *inputs.window, inputs.world) {
     for (const TraverseEdge& edge : in_.graph->edges) {
       if (edge.via.empty()) entries_[{edge.from, edge.to}] = ToWalkLeg(edge);
     }
@@ -97,7 +97,7 @@ class WindowWalks {
 
   std::optional<TraverseEdge> Fly(int from,
                                   const std::vector<int>& stops) const {
-    std::vector<const Flight*> legs;
+    std::vector<const FlownPath*> legs;
     double isolation_s = 0.0;
     int at = from;
     for (const int stop : stops) {
@@ -109,7 +109,7 @@ class WindowWalks {
       isolation_s = way->second.isolation_s;
       at = stop;
     }
-    auto walk = sea_.FlyWalk(in_.sources[from], legs, isolation_s);
+    auto walk = traversal_.FlyWalk(in_.sources[from], legs, isolation_s);
     if (!walk) return std::nullopt;
     walk->from = from;
     walk->to = stops.back();
@@ -121,7 +121,7 @@ class WindowWalks {
   using Ends = std::pair<int, int>;
 
   WalkLeg ToWalkLeg(const TraverseEdge& edge) const {
-    const Flight& flight = edge.flight;
+    const FlownPath& flight = edge.flight;
     WalkLeg way;
     way.flight = &flight;
     way.cruise_mps = in_.rules->motion.cruise_mps;
@@ -129,11 +129,11 @@ class WindowWalks {
     const double rest_s =
         in_.window->end_s - in_.window->begin_s - flight.travel_s;
     const double under_way_s =
-        flight.hazard_s - rest_s * sea_.HazardAt(places_[edge.to]);
+        flight.hazard_s - rest_s * traversal_.HazardAt(places_[edge.to]);
     if (flight.travel_s > 0.0) {
       way.hazard = std::clamp(under_way_s / flight.travel_s, 0.0, 1.0);
     }
-    way.isolation_s = sea_.Isolation(places_[edge.to], places_);
+    way.isolation_s = traversal_.Isolation(places_[edge.to], places_);
     return way;
   }
 
@@ -301,7 +301,7 @@ class WindowWalks {
   const WalkInputs& in_;  // Its graph's flights are pointed to.
   const kg_compiler::SeamWeights& weights_;
   std::vector<kg_core::LonLat> places_;
-  kg_compiler::WindowSea sea_;
+  kg_compiler::WindowTraversal traversal_;
   std::map<Ends, WalkLeg> entries_;
   std::map<Ends, WalkLeg> inner_;
 };

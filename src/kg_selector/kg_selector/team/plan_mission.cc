@@ -87,7 +87,7 @@ std::vector<AgentGraphs> CompileAll(const Compilation& compilation,
   return made;
 }
 
-double SecondsSince(std::chrono::steady_clock::time_point begin) {
+double ElapsedSeconds(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
       .count();
 }
@@ -158,7 +158,7 @@ PlannedMission PlanMission(const Compilation& compilation,
   // Waypoints and seams of all agents, in parallel.
   const auto begin = std::chrono::steady_clock::now();
   std::vector<AgentGraphs> graphs = CompileAll(compilation, previous);
-  planned.stage_seconds["graphs"] = SecondsSince(begin);
+  planned.stage_seconds["graphs"] = ElapsedSeconds(begin);
   planned.rules = ToTeamRules(compilation);
   for (const SeamRules& rules : compilation.rules) {
     AgentGraphs& made = graphs[planned.members.size()];
@@ -170,7 +170,7 @@ PlannedMission PlanMission(const Compilation& compilation,
   }
   const auto graphs_made = std::chrono::steady_clock::now();
   planned.plan = PlanTeam(planned.rules, planned.members);
-  planned.stage_seconds["team"] = SecondsSince(graphs_made);
+  planned.stage_seconds["team"] = ElapsedSeconds(graphs_made);
   AddReasons(planned.unplannable, &planned.plan);
   return planned;
 }

@@ -11,7 +11,7 @@ namespace {
 constexpr double kPriceShare = 0.5;
 // Columns of an agent that Exchange() tries: in every round, and at the end of
 // a phase.
-constexpr int kFewColumns = 15;
+constexpr int kKeptColumns = 15;
 constexpr int kManyColumns = 100;
 // Groups may lead to plans this much worse than the best, at first: a share of
 // its score, over the square of the number of agents. In large teams better
@@ -53,7 +53,7 @@ ColumnRequests PricedSearch::AfterPrices(const TeamColumns& pool,
   prices_.Learn(pool.capacities(), SummarizeAnswers(pool, answers));
   partial_.assign(pool.agents(), kNobody);
   FitColumns(pool, answers);
-  KeepIfBetter(pool, partial_, kFewColumns);
+  KeepIfBetter(pool, partial_, kKeptColumns);
   if (IsCloseEnough(pool)) return RequestUnserved();
   if (rounds_ < kPriceShare * options_.max_rounds && !prices_.settled()) {
     return RequestAtPrices(pool);

@@ -10,22 +10,22 @@
 
 namespace kg_compiler {
 
-struct SeaSurface {
+struct WindowSurface {
   int cols = 0;
   kg_core::Mask open;           // 1 = may be entered.
   kg_core::Raster attenuation;  // M_soft.
 };
-SeaSurface SurfaceOf(const MissionTensor& tensor);
+WindowSurface SurfaceOf(const MissionTensor& tensor);
 
 // A box cut out of a surface.
 class SurfacePatch {
  public:
   SurfacePatch() = default;
-  SurfacePatch(const SeaSurface& surface, const CellBox& box);
+  SurfacePatch(const WindowSurface& surface, const CellBox& box);
 
   // Has `other` the same cells in a box? The box lies within the patch.
-  bool SameOpen(const SeaSurface& other, const CellBox& box) const;
-  bool SameAttenuation(const SeaSurface& other, const CellBox& box) const;
+  bool SameOpen(const WindowSurface& other, const CellBox& box) const;
+  bool SameAttenuation(const WindowSurface& other, const CellBox& box) const;
 
  private:
   CellBox box_;
