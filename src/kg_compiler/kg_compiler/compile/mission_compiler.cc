@@ -50,9 +50,9 @@ CoordinationRules Coordinate(const kg_core::Mission& mission) {
 }
 
 // A compilation's artifacts by what they are looked up by.
-class Known {
+class KnownArtifacts {
  public:
-  explicit Known(const Compilation* compilation) : all_(compilation) {
+  explicit KnownArtifacts(const Compilation* compilation) : all_(compilation) {
     if (!compilation) return;
     for (const auto& field : compilation->fields) {
       fields_.insert({field->window, field->hash});
@@ -111,7 +111,7 @@ class Known {
 };
 
 // A tensor to be: of one agent and window.
-struct Wanted {
+struct WantedTensor {
   const Agent* agent = nullptr;
   const TimeWindow* window = nullptr;
   std::shared_ptr<const WindowRasters> rasters;
@@ -120,17 +120,17 @@ struct Wanted {
 };
 
 // What a compiler keeps beside its last compilation.
-struct Stores {
+struct CompilerStores {
   RasterStore* rasters;
   std::map<std::string, Normaliser>* horizons;
   DataPlaneCache* cache;
 };
 
 // One compilation on the way.
-class Run {
+class CompilationRun {
  public:
-  Run(const kg_core::Mission& mission, const Compilation* last, Stores stores,
-      int first_window)
+  CompilationRun(const kg_core::Mission& mission, const Compilation* last,
+                 CompilerStores stores, int first_window)
       : last_(last),
         known_(last),
         stores_(stores),
@@ -189,7 +189,7 @@ class Run {
       }
     }
     *stores_.horizons = std::move(measured);
-    for (Wanted& tensor : wanted_) {
+    for (WantedTensor& tensor : wanted_) {
       const auto horizon = now_->horizons.find(tensor.agent->iri);
       if (horizon != now_->horizons.end()) tensor.horizon = &horizon->second;
     }
@@ -226,7 +226,7 @@ class Run {
 
   void HashTensors() {
     kg_core::ForEachInParallel(wanted_.size(), [&](std::size_t i) {
-      Wanted& tensor = wanted_[i];
+      WantedTensor& tensor = wanted_[i];
       tensor.hash = TensorHash(now_->mission, *tensor.agent, *tensor.window,
                                *tensor.rasters, tensor.horizon);
     });
@@ -234,14 +234,14 @@ class Run {
 
   // Of every hash one; those of the last compilation stay what they are.
   void MakeTensors() {
-    std::vector<const Wanted*> missing;
-    for (const Wanted& tensor : wanted_) {
+    std::vector<const WantedTensor*> missing;
+    for (const WantedTensor& tensor : wanted_) {
       const auto [made, is_new] = made_.try_emplace(tensor.hash);
       if (!is_new) continue;
       made->second = known_.TensorOf(tensor.hash);
       if (!made->second) missing.push_back(&tensor);
     }
-    std::vector<Known::Tensor> compiled(missing.size());
+    std::vector<KnownArtifacts::Tensor> compiled(missing.size());
     kg_core::ForEachInParallel(missing.size(), [&](std::size_t i) {
       compiled[i] = std::make_shared<const MissionTensor>(Make(*missing[i]));
     });
@@ -252,8 +252,8 @@ class Run {
   }
 
   // From what the agent had in that window, where that is of use.
-  MissionTensor Make(const Wanted& tensor) const {
-    const Known::Tensor last =
+  MissionTensor Make(const WantedTensor& tensor) const {
+    const KnownArtifacts::Tensor last =
         known_.TensorAt(tensor.agent->iri, tensor.window->index);
     return CompileTensor({&now_->mission, tensor.agent, tensor.window,
                           tensor.rasters.get(), tensor.horizon, stores_.cache},
@@ -270,20 +270,20 @@ class Run {
 
   // The tensor of that hash under this agent's and window's name: the very one
   // that they had, if nothing changed.
-  Known::Tensor Named(const Wanted& tensor) const {
+  KnownArtifacts::Tensor Named(const WantedTensor& tensor) const {
     const std::string& agent = tensor.agent->iri;
     const int window = tensor.window->index;
     std::vector<std::string> sources =
         tensor.horizon ? tensor.horizon->derived_from
                        : TensorSources(now_->mission, *tensor.agent,
                                        *tensor.window, *tensor.rasters);
-    const auto is_it = [&](const Known::Tensor& one) {
+    const auto is_it = [&](const KnownArtifacts::Tensor& one) {
       return one && one->hash == tensor.hash && one->agent_iri == agent &&
              one->window == window && one->derived_from == sources;
     };
-    const Known::Tensor& made = made_.find(tensor.hash)->second;
+    const KnownArtifacts::Tensor& made = made_.find(tensor.hash)->second;
     if (is_it(made)) return made;
-    const Known::Tensor own = known_.TensorAt(agent, window);
+    const KnownArtifacts::Tensor own = known_.TensorAt(agent, window);
     if (is_it(own)) return own;
     auto copy = std::make_shared<MissionTensor>(*made);
     copy->agent_iri = agent;
@@ -292,9 +292,10 @@ class Run {
     return copy;
   }
 
-  void NoteTensor(const Wanted& tensor) {
+  void NoteTensor(const WantedTensor& tensor) {
     const std::string& agent = tensor.agent->iri;
-    const Known::Tensor last = known_.TensorAt(agent, tensor.window->index);
+    const KnownArtifacts::Tensor last =
+        known_.TensorAt(agent, tensor.window->index);
     if (last && last->hash == tensor.hash) return;
     std::optional<CellBox> box;
     if (last) {
@@ -307,7 +308,7 @@ class Run {
   }
 
   // Of a tensor that was there the last time.
-  std::optional<CellBox> DirtyBoxOf(const Wanted& tensor) const {
+  std::optional<CellBox> DirtyBoxOf(const WantedTensor& tensor) const {
     const int window = tensor.window->index;
     const Agent* agent = known_.AgentOf(tensor.agent->iri);
     const auto horizon = last_->horizons.find(agent->iri);
@@ -346,13 +347,14 @@ class Run {
   }
 
   const Compilation* last_;
-  Known known_;
-  Stores stores_;
+  KnownArtifacts known_;
+  CompilerStores stores_;
   std::shared_ptr<Compilation> now_;
   StageClock clock_;
   std::vector<const TimeWindow*> windows_;  // Those to be planned.
-  std::vector<Wanted> wanted_;              // Agent, window.
-  std::unordered_map<std::string_view, Known::Tensor> made_;  // By hash.
+  std::vector<WantedTensor> wanted_;        // Agent, window.
+  std::unordered_map<std::string_view, KnownArtifacts::Tensor>
+      made_;  // By hash.
   // Dirty boxes by the hashes before and after, which agents alike share.
   std::map<std::pair<std::string_view, std::string_view>,
            std::optional<CellBox>>
@@ -375,8 +377,8 @@ MissionCompiler::MissionCompiler(RasterReaders readers)
 std::shared_ptr<const Compilation> MissionCompiler::Compile(
     const kg_core::Mission& mission, std::uint64_t world_version,
     int first_window) {
-  Run run(mission, last_.get(), {&rasters_, &horizons_, cache_.get()},
-          first_window);
+  CompilationRun run(mission, last_.get(),
+                     {&rasters_, &horizons_, cache_.get()}, first_window);
   last_ = run.Compile(world_version);
   rasters_.ForgetUnused();
   return last_;

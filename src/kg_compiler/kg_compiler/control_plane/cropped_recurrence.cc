@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "kg_compiler/control_plane/sea_surface.h"
+#include "kg_compiler/control_plane/window_surface.h"
 #include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
@@ -63,16 +63,17 @@ std::vector<T> Cut(const std::vector<T>& whole, int cols, const CellBox& box) {
 }
 
 // The picks of the part, named as cells of the whole.
-std::vector<Pick> PicksOf(const kg_core::Grid& grid, const PickMemo& memo) {
+std::vector<RecurrencePick> PicksOf(const kg_core::Grid& grid,
+                                    const PickMemo& memo) {
   const auto axis = [](const std::vector<double>& whole, int begin, int end) {
     return std::vector<double>(whole.begin() + begin, whole.begin() + end);
   };
   const CellBox& box = memo.box;
   const kg_core::Grid part(axis(grid.lon_deg(), box.col, box.col_end),
                            axis(grid.lat_deg(), box.row, box.row_end));
-  std::vector<Pick> picks =
+  std::vector<RecurrencePick> picks =
       ProximalRecurrence(part, memo.utility, memo.allowed, memo.options);
-  for (Pick& pick : picks) {
+  for (RecurrencePick& pick : picks) {
     pick.cell = {pick.cell.row + box.row, pick.cell.col + box.col};
     for (int& cell : pick.footprint) {
       cell = static_cast<int>(grid.Index(
@@ -106,11 +107,10 @@ CellBox SeenFrom(const CellBox& cells, const kg_core::Grid& grid,
 
 }  // namespace
 
-const std::vector<Pick>& RecurrenceWithin(const kg_core::Grid& grid,
-                                          const kg_core::Raster& utility,
-                                          const std::vector<int>& allowed,
-                                          const RecurrenceOptions& options,
-                                          PickMemo* memo) {
+const std::vector<RecurrencePick>& RecurrenceWithin(
+    const kg_core::Grid& grid, const kg_core::Raster& utility,
+    const std::vector<int>& allowed, const RecurrenceOptions& options,
+    PickMemo* memo) {
   if (utility.size() != grid.size()) {
     throw std::logic_error("utility is not of the grid's size");
   }

@@ -18,16 +18,15 @@ struct PickMemo {
   kg_core::Raster utility;
   kg_core::Mask allowed;
   RecurrenceOptions options;
-  std::vector<Pick> picks;
+  std::vector<RecurrencePick> picks;
 };
 
 // `allowed`: cells' indices, ascending. Picks of `memo` are taken over if they
 // were made from the same cells of the same grid; else it is made anew.
-const std::vector<Pick>& RecurrenceWithin(const kg_core::Grid& grid,
-                                          const kg_core::Raster& utility,
-                                          const std::vector<int>& allowed,
-                                          const RecurrenceOptions& options,
-                                          PickMemo* memo);
+const std::vector<RecurrencePick>& RecurrenceWithin(
+    const kg_core::Grid& grid, const kg_core::Raster& utility,
+    const std::vector<int>& allowed, const RecurrenceOptions& options,
+    PickMemo* memo);
 
 }  // namespace kg_compiler
 

@@ -7,8 +7,8 @@
 namespace kg_compiler {
 namespace {
 
-void ExpectSamePicks(const std::vector<Pick>& whole,
-                     const std::vector<Pick>& part) {
+void ExpectSamePicks(const std::vector<RecurrencePick>& whole,
+                     const std::vector<RecurrencePick>& part) {
   ASSERT_EQ(whole.size(), part.size());
   for (std::size_t i = 0; i < whole.size(); ++i) {
     EXPECT_EQ(whole[i].cell, part[i].cell);

@@ -3,7 +3,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "kg_compiler/control_plane/nav_graphs.h"
 #include "kg_compiler/control_plane/seam_cache.h"
 #include "kg_compiler/control_plane/window_graph.h"
 #include "kg_core/base/input_error.h"
@@ -31,10 +30,10 @@ std::string Where(const SeamRules& rules, const WindowRules& window) {
 }
 
 // The next cache on its way, made from the last one.
-class Graphs {
+class GraphBuilds {
  public:
   // With `keep`, for one more time.
-  Graphs(const SeamRules& rules, const SeamCache& last, bool keep)
+  GraphBuilds(const SeamRules& rules, const SeamCache& last, bool keep)
       : rules_(rules), last_(last), keep_(keep) {}
 
   const NavGraph& Add(const WindowInputs& inputs) {
@@ -86,28 +85,6 @@ class Graphs {
 
 }  // namespace
 
-const TraverseEdge* FindEdge(const NavGraph& graph, int from, int to,
-                             const std::vector<int>& via) {
-  for (const TraverseEdge& edge : graph.edges) {
-    if (edge.from == from && edge.to == to && edge.via == via) return &edge;
-  }
-  return nullptr;
-}
-
-std::vector<int> StopsOf(const TraverseEdge& edge) {
-  std::vector<int> stops = edge.via;
-  stops.push_back(edge.to);
-  return stops;
-}
-
-double SeamCost(const SeamWeights& weights, const TraverseEdge& edge,
-                double confidence) {
-  return weights.time_per_s * edge.flight.travel_s +
-         weights.energy_per_j * edge.flight.energy_j +
-         weights.risk_per_s * (edge.flight.hazard_s + edge.isolation_s) +
-         weights.uncertainty * (1.0 - confidence);
-}
-
 NavGraphs CompileNavGraphs(const SeamRules& rules,
                            const std::vector<WindowWorld>& worlds,
                            SeamCache* cache) {
@@ -120,7 +97,7 @@ NavGraphs CompileNavGraphs(const SeamRules& rules,
         ", which is on land, in a no_go area or off the grid");
   }
   const SeamCache none;
-  Graphs graphs(rules, cache ? *cache : none, cache != nullptr);
+  GraphBuilds graphs(rules, cache ? *cache : none, cache != nullptr);
   for (std::size_t t = 0; t < worlds.size(); ++t) {
     sources = PositionsOf(
         graphs.Add({&rules, &rules.windows[t], worlds[t], sources}).waypoints);

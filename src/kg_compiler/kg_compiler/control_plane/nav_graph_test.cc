@@ -359,7 +359,8 @@ TEST(NavGraph, HasEdgesWithinAWindowInTheModeEdgesOnly) {
       EXPECT_EQ(MovementMode::kEdges, graph.movement_mode);
       EXPECT_NE(hops[t].hash, graph.hash);
       ExpectSameEdges(hops[t].edges, graph.edges);
-      const WindowSea window(sea.rules, sea.rules.windows[t], sea.worlds[t]);
+      const WindowTraversal window(sea.rules, sea.rules.windows[t],
+                                   sea.worlds[t]);
       const auto places = PositionsOf(graph.waypoints);
       std::map<int, int> leaving;
       std::map<std::pair<int, int>, double> times_s;
@@ -397,7 +398,7 @@ double IsolationAmong(const std::vector<LonLat>& waypoints) {
   const MissionTensor tensor = CompileTensor(
       mission, mission.agents[0], mission.windows[0],
       TestRasters(grid, kg_core::Raster(grid.size(), 1), field.NoData()));
-  return WindowSea(rules, rules.windows[0], {&tensor, &field})
+  return WindowTraversal(rules, rules.windows[0], {&tensor, &field})
       .Isolation({-91, 24}, waypoints);
 }
 
@@ -454,7 +455,7 @@ TEST(NavGraph, FindsMoreRiskTheNearerAForbiddenArea) {
   const MissionTensor tensor = CompileTensor(
       mission, mission.agents[0], mission.windows[0],
       TestRasters(grid, kg_core::Raster(grid.size(), 1), field.NoData()));
-  const WindowSea sea(rules, rules.windows[0], {&tensor, &field});
+  const WindowTraversal sea(rules, rules.windows[0], {&tensor, &field});
   double last_s = 0.0;
   for (double lon = -91.38; lon > -91.75; lon -= 0.04) {
     const auto price = PriceWays(sea, {{{lon, 23.8}, {lon, 24.1}}}, {});
@@ -465,8 +466,8 @@ TEST(NavGraph, FindsMoreRiskTheNearerAForbiddenArea) {
   // Each policy its own range.
   SeamRules far = rules;
   far.hazard_range_m = 16e3;
-  const WindowSea other(far, far.windows[0], {&tensor, &field});
-  const Way way = {{-91.3, 23.8}, {-91.3, 24.1}};
+  const WindowTraversal other(far, far.windows[0], {&tensor, &field});
+  const WaypointRoute way = {{-91.3, 23.8}, {-91.3, 24.1}};
   EXPECT_GT(PriceWays(other, {way}, {})[0]->flight.hazard_s,
             PriceWays(sea, {way}, {})[0]->flight.hazard_s);
 }

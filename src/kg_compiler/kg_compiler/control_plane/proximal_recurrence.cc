@@ -73,14 +73,14 @@ class Recurrence {
   }
 
   // The best allowed cell, the first of equals.
-  std::optional<Pick> Best() {
+  std::optional<RecurrencePick> Best() {
     const auto best = std::max_element(row_best_.begin(), row_best_.end());
     if (*best == 0) return std::nullopt;
     const int row =
         box_.rows.first + static_cast<int>(best - row_best_.begin());
     const kg_core::Cell cell{row, ColumnOf(row, *best)};
-    return Pick{cell, static_cast<double>(*best) * sums_.unit(),
-                sums_.Footprint(cell)};
+    return RecurrencePick{cell, static_cast<double>(*best) * sums_.unit(),
+                          sums_.Footprint(cell)};
   }
 
   // Blanks the disc around a pick and forbids it to later picks.
@@ -199,19 +199,18 @@ class Recurrence {
 
 }  // namespace
 
-std::vector<Pick> ProximalRecurrence(const kg_core::Grid& grid,
-                                     const kg_core::Raster& utility,
-                                     const kg_core::Mask& allowed,
-                                     const RecurrenceOptions& options) {
+std::vector<RecurrencePick> ProximalRecurrence(
+    const kg_core::Grid& grid, const kg_core::Raster& utility,
+    const kg_core::Mask& allowed, const RecurrenceOptions& options) {
   if (utility.size() != grid.size() || allowed.size() != grid.size()) {
     throw std::logic_error("utility and allowed are not of the grid's size");
   }
-  std::vector<Pick> picks;
+  std::vector<RecurrencePick> picks;
   const Box box = AllowedBox(grid, allowed);
   if (options.count <= 0 || box.rows.empty()) return picks;
   Recurrence recurrence(grid, utility, allowed, box, options);
   while (static_cast<int>(picks.size()) < options.count) {
-    std::optional<Pick> best = recurrence.Best();
+    std::optional<RecurrencePick> best = recurrence.Best();
     if (!best) break;
     recurrence.Blank(best->cell);
     picks.push_back(std::move(*best));
@@ -219,10 +218,11 @@ std::vector<Pick> ProximalRecurrence(const kg_core::Grid& grid,
   return picks;
 }
 
-Pick DiscSum(const kg_core::Grid& grid, const kg_core::Raster& utility,
-             kg_core::Cell cell, double radius_m) {
+RecurrencePick DiscSum(const kg_core::Grid& grid,
+                       const kg_core::Raster& utility, kg_core::Cell cell,
+                       double radius_m) {
   const Discs discs(grid, radius_m, {cell.row, cell.row + 1});
-  Pick pick{cell, 0.0, {}};
+  RecurrencePick pick{cell, 0.0, {}};
   const Span rows = discs.Rows(cell.row);
   for (int row = rows.first; row < rows.last; ++row) {
     const Span cols = discs.Columns(cell, row);

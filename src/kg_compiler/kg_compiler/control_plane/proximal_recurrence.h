@@ -26,7 +26,7 @@ struct RecurrenceOptions {
   int count = 20;
 };
 
-struct Pick {
+struct RecurrencePick {
   kg_core::Cell cell;
   double score = 0.0;  // R when it was picked: sum of U over the disc (A12).
   // The cells that the score sums, ascending: those of the disc that are worth
@@ -39,14 +39,14 @@ struct Pick {
 // above the largest that is read, so that sums are exact; read is the box of
 // the allowed cells and what discs around them see. Throws std::logic_error if
 // sizes do not agree or a radius is not >= 0.
-std::vector<Pick> ProximalRecurrence(const kg_core::Grid& grid,
-                                     const kg_core::Raster& utility,
-                                     const kg_core::Mask& allowed,
-                                     const RecurrenceOptions& options);
+std::vector<RecurrencePick> ProximalRecurrence(
+    const kg_core::Grid& grid, const kg_core::Raster& utility,
+    const kg_core::Mask& allowed, const RecurrenceOptions& options);
 
 // R at one cell with nothing blanked: the sum of U over the disc around it.
-Pick DiscSum(const kg_core::Grid& grid, const kg_core::Raster& utility,
-             kg_core::Cell cell, double radius_m);
+RecurrencePick DiscSum(const kg_core::Grid& grid,
+                       const kg_core::Raster& utility, kg_core::Cell cell,
+                       double radius_m);
 
 }  // namespace kg_compiler
 

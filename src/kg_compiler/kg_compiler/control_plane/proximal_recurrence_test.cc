@@ -37,10 +37,11 @@ std::vector<std::vector<int>> AllDiscs(const kg_core::Grid& grid,
 }
 
 // Every disc summed anew, cell by cell, for every pick.
-std::vector<Pick> Naive(const kg_core::Grid& grid, kg_core::Raster utility,
-                        kg_core::Mask allowed,
-                        const RecurrenceOptions& options) {
-  std::vector<Pick> picks;
+std::vector<RecurrencePick> Naive(const kg_core::Grid& grid,
+                                  kg_core::Raster utility,
+                                  kg_core::Mask allowed,
+                                  const RecurrenceOptions& options) {
+  std::vector<RecurrencePick> picks;
   const int size = static_cast<int>(grid.size());
   const auto footprints = AllDiscs(grid, options.radius_m);
   const auto spacings = AllDiscs(grid, options.spacing_m);
@@ -66,8 +67,8 @@ std::vector<Pick> Naive(const kg_core::Grid& grid, kg_core::Raster utility,
   return picks;
 }
 
-void ExpectSamePicks(const std::vector<Pick>& wanted,
-                     const std::vector<Pick>& got) {
+void ExpectSamePicks(const std::vector<RecurrencePick>& wanted,
+                     const std::vector<RecurrencePick>& got) {
   ASSERT_EQ(wanted.size(), got.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     EXPECT_TRUE(wanted[i].cell == got[i].cell) << "pick " << i;

@@ -119,7 +119,7 @@ Cells PlainPicks(const kg_core::Grid& grid, kg_core::Raster utility,
   return picks;
 }
 
-int Same(const std::vector<Pick>& picks, const Cells& others) {
+int Same(const std::vector<RecurrencePick>& picks, const Cells& others) {
   int same = 0;
   for (std::size_t i = 0; i < std::min(picks.size(), others.size()); ++i) {
     same += picks[i].cell == others[i];
@@ -134,7 +134,7 @@ class Case {
 
   // The ratio of the times; prints times and how many picks are the same.
   double Run(int radius, int rounds) const {
-    std::vector<Pick> ours;
+    std::vector<RecurrencePick> ours;
     Cells theirs;
     std::vector<double> our_s, their_s, ratios;
     for (int i = 0; i < rounds; ++i) {
@@ -183,7 +183,7 @@ class Case {
     const double radius_m = radius * kCell_m * 1.0002;
     return {radius_m, radius_m, kPicks};
   }
-  std::vector<Pick> Picks(int radius) const {
+  std::vector<RecurrencePick> Picks(int radius) const {
     return ProximalRecurrence(grid_, utility_, kg_core::Mask(grid_.size(), 1),
                               Options(radius));
   }

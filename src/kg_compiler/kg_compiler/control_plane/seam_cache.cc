@@ -12,21 +12,21 @@ KeptSeams::Place PlaceOf(kg_core::LonLat position) {
   return {position.lon_deg, position.lat_deg};
 }
 
-bool Holds(const SurfacePatch& patch, const SeaSurface& surface,
+bool Holds(const SurfacePatch& patch, const WindowSurface& surface,
            const KeptSeams::Arrivals& arrivals) {
   return patch.SameOpen(surface, arrivals.hazard) &&
          patch.SameAttenuation(surface, arrivals.read);
 }
 
 // Adds the time that it lives to a sum.
-class Spent {
+class ElapsedTimer {
  public:
-  explicit Spent(double* sum_s) : sum_s_(sum_s) {}
-  ~Spent() {
+  explicit ElapsedTimer(double* sum_s) : sum_s_(sum_s) {}
+  ~ElapsedTimer() {
     *sum_s_ += std::chrono::duration<double>(Clock::now() - begin_).count();
   }
-  Spent(const Spent&) = delete;
-  Spent& operator=(const Spent&) = delete;
+  ElapsedTimer(const ElapsedTimer&) = delete;
+  ElapsedTimer& operator=(const ElapsedTimer&) = delete;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -48,7 +48,7 @@ void Age(Map* kept) {
 
 }  // namespace
 
-SeamFlyer::SeamFlyer(const WindowSea& sea, const std::string& tensor_hash,
+SeamFlyer::SeamFlyer(const WindowTraversal& sea, const std::string& tensor_hash,
                      const KeptSeams* last, SeamCounts* counts)
     : sea_(sea), counts_(counts), now_(std::make_shared<KeptSeams>()) {
   now_->terms = sea.Terms();
@@ -96,7 +96,7 @@ std::shared_ptr<const KeptSeams::Arrivals> SeamFlyer::Arrive(
 KeptSeams::Source& SeamFlyer::SourceAt(kg_core::LonLat place) {
   KeptSeams::Source& source = now_->sources[PlaceOf(place)];
   if (source.arrivals == nullptr) {
-    const Spent spent(&counts_->seams_s);
+    const ElapsedTimer spent(&counts_->seams_s);
     source.arrivals = Arrive(place);
     ++counts_->reaches;
   } else if (source.idle > 0) {
@@ -110,15 +110,17 @@ const std::vector<int>& SeamFlyer::Landings(kg_core::LonLat source) {
   return SourceAt(source).arrivals->landings;
 }
 
-std::shared_ptr<const Flight> SeamFlyer::Fly(kg_core::LonLat source,
-                                             kg_core::LonLat to) {
+std::shared_ptr<const FlownPath> SeamFlyer::Fly(kg_core::LonLat source,
+                                                kg_core::LonLat to) {
   KeptSeams::Source& from = SourceAt(source);
   const auto [flown, is_new] = from.flights.try_emplace(PlaceOf(to));
   if (is_new) {
-    const Spent spent(&counts_->seams_s);
-    std::optional<Flight> flight = sea_.Fly(source, from.arrivals->reach, to);
+    const ElapsedTimer spent(&counts_->seams_s);
+    std::optional<FlownPath> flight =
+        sea_.Fly(source, from.arrivals->reach, to);
     if (flight) {
-      flown->second.flight = std::make_shared<const Flight>(std::move(*flight));
+      flown->second.flight =
+          std::make_shared<const FlownPath>(std::move(*flight));
     }
     ++counts_->flights;
   } else if (flown->second.idle > 0) {

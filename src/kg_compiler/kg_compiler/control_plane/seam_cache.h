@@ -2,11 +2,11 @@
 // within a window the arrival field and the flights of each place.
 //
 // What is kept of a place is valid while nothing changed that was read to make
-// it: the terms it was flown on (WindowSea::Terms: motion, times, base travel,
-// field, prices, hazard range), and the tensor's cells in the box that was
-// read, compared bit by bit. So it does not matter who says what changed, or if
-// anybody does: a planner that is sent another tensor knows as much as the
-// knowledge graph.
+// it: the terms it was flown on (WindowTraversal::Terms: motion, times, base
+// travel, field, prices, hazard range), and the tensor's cells in the box that
+// was read, compared bit by bit. So it does not matter who says what changed,
+// or if anybody does: a planner that is sent another tensor knows as much as
+// the knowledge graph.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_SEAM_CACHE_H_
 #define KG_COMPILER_CONTROL_PLANE_SEAM_CACHE_H_
@@ -19,8 +19,8 @@
 
 #include "kg_compiler/control_plane/cropped_recurrence.h"
 #include "kg_compiler/control_plane/nav_graphs.h"
-#include "kg_compiler/control_plane/sea_surface.h"
-#include "kg_compiler/control_plane/window_sea.h"
+#include "kg_compiler/control_plane/window_surface.h"
+#include "kg_compiler/control_plane/window_traversal.h"
 
 namespace kg_compiler {
 
@@ -37,14 +37,14 @@ struct KeptSeams {
   using Place = std::pair<double, double>;  // Longitude, latitude [deg].
   // What a place's arrival field gives.
   struct Arrivals {
-    Reach reach;
+    ReachMap reach;
     std::vector<int> landings;  // Cells one can be at and hold from arrival on.
     CellBox read;
     CellBox hazard;
   };
   struct Flown {
-    std::shared_ptr<const Flight> flight;  // Null = it cannot be flown.
-    int idle = 0;                          // Graphs since it was asked for.
+    std::shared_ptr<const FlownPath> flight;  // Null = it cannot be flown.
+    int idle = 0;                             // Graphs since it was asked for.
   };
   struct Source {
     std::shared_ptr<const Arrivals> arrivals;
@@ -64,14 +64,15 @@ struct KeptSeams {
 class SeamFlyer {
  public:
   // `last` may be null.
-  SeamFlyer(const WindowSea& sea, const std::string& tensor_hash,
+  SeamFlyer(const WindowTraversal& sea, const std::string& tensor_hash,
             const KeptSeams* last, SeamCounts* counts);
 
   // Cells that one can be at coming from a place, holding station there from
   // arrival until the window ends; ascending.
   const std::vector<int>& Landings(kg_core::LonLat source);
   // Null = it cannot be flown.
-  std::shared_ptr<const Flight> Fly(kg_core::LonLat source, kg_core::LonLat to);
+  std::shared_ptr<const FlownPath> Fly(kg_core::LonLat source,
+                                       kg_core::LonLat to);
   PickMemo* picks() { return &now_->picks; }
 
   // All of it, for the next time; what was not asked for three times is let go.
@@ -84,7 +85,7 @@ class SeamFlyer {
   std::shared_ptr<const KeptSeams::Arrivals> Arrive(
       kg_core::LonLat source) const;
 
-  const WindowSea& sea_;
+  const WindowTraversal& sea_;
   SeamCounts* counts_;
   std::shared_ptr<KeptSeams> now_;
 };

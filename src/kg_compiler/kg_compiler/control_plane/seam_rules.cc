@@ -15,7 +15,7 @@ namespace {
 constexpr int kMostWaypoints = 20;
 
 // Hands out facts and notes them down, so that what is cited is what was read.
-class Reading {
+class FactReading {
  public:
   template <typename Fact>
   const Fact& operator()(const Fact& fact) {
@@ -170,7 +170,7 @@ bool SameButForWindows(const SeamRules& a, const SeamRules& b) {
 
 SeamRules CompileSeamRules(const kg_core::Mission& mission,
                            const kg_core::Agent& agent, int first_window) {
-  Reading read;
+  FactReading read;
   const kg_core::CoordinationFacts& team = read(mission).coordination;
   const kg_core::Capabilities& capabilities = read(agent.capabilities);
   SeamRules rules;

@@ -6,7 +6,7 @@
 
 #include "kg_compiler/control_plane/cropped_recurrence.h"
 #include "kg_compiler/control_plane/proximal_recurrence.h"
-#include "kg_compiler/control_plane/window_sea.h"
+#include "kg_compiler/control_plane/window_traversal.h"
 #include "kg_core/base/sha256.h"
 #include "kg_core/geo/geodesy.h"
 
@@ -17,16 +17,17 @@ constexpr int kFewWaypoints = 3;      // Below it, staying put is a choice, too.
 constexpr int kPicksPerWaypoint = 2;  // Some picks cannot be flown to.
 
 // A waypoint to be, with the flights to it.
-struct Draft {
+struct WaypointDraft {
   Waypoint waypoint;
   kg_core::Cell cell;
   // By the source they come from.
-  std::vector<std::pair<int, std::shared_ptr<const Flight>>> flights;
+  std::vector<std::pair<int, std::shared_ptr<const FlownPath>>> flights;
 };
 
-class Builder {
+class GraphBuilder {
  public:
-  Builder(const WindowInputs& inputs, const KeptSeams* last, SeamCounts* counts)
+  GraphBuilder(const WindowInputs& inputs, const KeptSeams* last,
+               SeamCounts* counts)
       : in_(inputs),
         grid_(inputs.world.tensor->grid),
         fused_(inputs.world.tensor->Get(Layer::kFused)),
@@ -47,7 +48,7 @@ class Builder {
   bool Add(kg_core::LonLat position) {
     const std::optional<kg_core::Cell> cell = grid_.CellAt(position);
     if (!cell || !sea_.IsOpen(*cell)) return false;
-    Draft draft;
+    WaypointDraft draft;
     draft.cell = *cell;
     draft.waypoint.position = position;
     for (std::size_t i = 0; i < in_.sources.size(); ++i) {
@@ -60,13 +61,15 @@ class Builder {
   }
 
   bool Taken(kg_core::LonLat position) const {
-    return std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& draft) {
-      return draft.waypoint.position == position;
-    });
+    return std::any_of(drafts_.begin(), drafts_.end(),
+                       [&](const WaypointDraft& draft) {
+                         return draft.waypoint.position == position;
+                       });
   }
   bool TakenCell(kg_core::Cell cell) const {
-    return std::any_of(drafts_.begin(), drafts_.end(),
-                       [&](const Draft& draft) { return draft.cell == cell; });
+    return std::any_of(
+        drafts_.begin(), drafts_.end(),
+        [&](const WaypointDraft& draft) { return draft.cell == cell; });
   }
   // Is it the place that the plan in force ends at, which comes first?
   bool IsCommitted(kg_core::Cell cell) const {
@@ -75,7 +78,7 @@ class Builder {
            drafts_.front().cell == cell &&
            grid_.Centre(cell) == *in_.window->committed;
   }
-  static void Score(const Pick& pick, Draft* draft) {
+  static void Score(const RecurrencePick& pick, WaypointDraft* draft) {
     draft->waypoint.score = pick.score;
     draft->waypoint.footprint = pick.footprint;
   }
@@ -114,7 +117,7 @@ class Builder {
     options.spacing_m = in_.rules->spacing_m > 0.0 ? in_.rules->spacing_m
                                                    : in_.rules->sensor_radius_m;
     options.count = kPicksPerWaypoint * in_.rules->max_waypoints;
-    for (const Pick& pick :
+    for (const RecurrencePick& pick :
          RecurrenceWithin(grid_, fused_, Allowed(), options, seams_.picks())) {
       if (IsCommitted(pick.cell)) {
         Score(pick, &drafts_.front());
@@ -133,11 +136,11 @@ class Builder {
     }
   }
 
-  void Describe(Draft* draft) const {
+  void Describe(WaypointDraft* draft) const {
     Waypoint& waypoint = draft->waypoint;
     waypoint.value = fused_[grid_.Index(draft->cell)];
     if (waypoint.score == 0.0) {
-      Pick pick =
+      RecurrencePick pick =
           DiscSum(grid_, fused_, draft->cell, in_.rules->sensor_radius_m);
       waypoint.score = pick.score;
       waypoint.footprint = std::move(pick.footprint);
@@ -152,9 +155,10 @@ class Builder {
   }
 
   void Order() {
-    for (Draft& draft : drafts_) Describe(&draft);
+    for (WaypointDraft& draft : drafts_) Describe(&draft);
     std::stable_sort(
-        drafts_.begin(), drafts_.end(), [](const Draft& a, const Draft& b) {
+        drafts_.begin(), drafts_.end(),
+        [](const WaypointDraft& a, const WaypointDraft& b) {
           return std::tie(b.waypoint.score, a.cell.row, a.cell.col) <
                  std::tie(a.waypoint.score, b.cell.row, b.cell.col);
         });
@@ -167,7 +171,7 @@ class Builder {
     graph.window = in_.window->window;
     graph.movement_mode = in_.rules->movement_mode;
     graph.hash = WindowGraphHash(in_);
-    for (Draft& draft : drafts_) {
+    for (WaypointDraft& draft : drafts_) {
       draft.waypoint.id = static_cast<int>(graph.waypoints.size());
       graph.waypoints.push_back(std::move(draft.waypoint));
     }
@@ -237,9 +241,9 @@ class Builder {
   const WindowInputs& in_;
   const kg_core::Grid& grid_;
   const kg_core::Raster fused_;
-  WindowSea sea_;
+  WindowTraversal sea_;
   SeamFlyer seams_;
-  std::vector<Draft> drafts_;
+  std::vector<WaypointDraft> drafts_;
 };
 
 void HashRules(const SeamRules& rules, kg_core::Hasher* hash) {
@@ -292,7 +296,7 @@ std::string WindowGraphHash(const WindowInputs& inputs) {
 
 BuiltWindow BuildWindowGraph(const WindowInputs& inputs, const KeptSeams* last,
                              SeamCounts* counts) {
-  return Builder(inputs, last, counts).Build();
+  return GraphBuilder(inputs, last, counts).Build();
 }
 
 bool IsOpenAt(const MissionTensor& tensor, kg_core::LonLat position) {

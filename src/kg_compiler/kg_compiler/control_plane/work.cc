@@ -4,22 +4,22 @@
 #include <cmath>
 #include <limits>
 
-#include "kg_compiler/control_plane/window_sea.h"
+#include "kg_compiler/control_plane/window_traversal.h"
 
 namespace kg_compiler {
 namespace {
 
 constexpr float kNotReached = std::numeric_limits<float>::quiet_NaN();
 
-Access AccessOf(float feasibility) {
-  if (std::isnan(feasibility)) return Access::kNoData;
-  return feasibility == 1.0f ? Access::kTooFar : Access::kForbidden;
+CellAccess AccessOf(float feasibility) {
+  if (std::isnan(feasibility)) return CellAccess::kNoData;
+  return feasibility == 1.0f ? CellAccess::kTooFar : CellAccess::kForbidden;
 }
 
 }  // namespace
 
 std::optional<double> WorkMap::Share(std::size_t cell) const {
-  if (access[cell] != Access::kReached) return std::nullopt;
+  if (access[cell] != CellAccess::kReached) return std::nullopt;
   return std::clamp(time_s[cell] / budget_s, 0.0, 1.0);
 }
 
@@ -34,16 +34,17 @@ WorkMap ComputeWork(const SeamRules& rules, const WindowRules& window,
   }
   work.time_s.assign(work.access.size(), kNotReached);
   if (!(work.budget_s > 0.0)) return work;
-  const WindowSea sea(rules, window, world);
+  const WindowTraversal sea(rules, window, world);
   for (const kg_core::LonLat& place : places) {
     for (const ReachedCell& cell : sea.ReachFrom(place).cells) {
       float& time_s = work.time_s[cell.index];
       const float arrival_s = static_cast<float>(cell.arrival_s);
-      if (time_s <= arrival_s || work.access[cell.index] < Access::kTooFar) {
+      if (time_s <= arrival_s ||
+          work.access[cell.index] < CellAccess::kTooFar) {
         continue;
       }
       time_s = arrival_s;
-      work.access[cell.index] = Access::kReached;
+      work.access[cell.index] = CellAccess::kReached;
     }
   }
   return work;

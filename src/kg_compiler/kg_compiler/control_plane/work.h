@@ -17,13 +17,13 @@
 #include <optional>
 #include <vector>
 
-#include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/waypoint_graph.h"
 #include "kg_core/geo/lon_lat.h"
 #include "kg_core/raster/grid.h"
 
 namespace kg_compiler {
 
-enum class Access : unsigned char {
+enum class CellAccess : unsigned char {
   kNoData,     // Land, or no currents known.
   kForbidden,  // Closed by a constraint.
   kTooFar,     // Open, but not within the budget.
@@ -32,8 +32,8 @@ enum class Access : unsigned char {
 
 struct WorkMap {
   double budget_s = 0.0;
-  std::vector<Access> access;  // By cell.
-  kg_core::Raster time_s;      // t; NaN where not reached.
+  std::vector<CellAccess> access;  // By cell.
+  kg_core::Raster time_s;          // t; NaN where not reached.
 
   // WORK of a cell; nothing where it is not reached.
   std::optional<double> Share(std::size_t cell) const;

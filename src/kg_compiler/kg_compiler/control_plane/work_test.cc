@@ -103,10 +103,10 @@ TEST(Work, NothingUpstreamIsReachedWhereTheCurrentIsStronger) {
   const WorkMap work = sea.From({kMiddle});
   for (int row = 0; row < 81; ++row) {
     for (int col = 0; col < 40; ++col) {
-      EXPECT_EQ(Access::kTooFar, work.access[sea.grid.Index({row, col})]);
+      EXPECT_EQ(CellAccess::kTooFar, work.access[sea.grid.Index({row, col})]);
     }
   }
-  EXPECT_EQ(Access::kReached, work.access[sea.grid.Index({40, 60})]);
+  EXPECT_EQ(CellAccess::kReached, work.access[sea.grid.Index({40, 60})]);
 }
 
 TEST(Work, IsAnotherFromAnotherPoseAndTheLeastOfSeveral) {
@@ -117,11 +117,12 @@ TEST(Work, IsAnotherFromAnotherPoseAndTheLeastOfSeveral) {
   const WorkMap both = sea.From({kMiddle, east});
   int differ = 0;
   for (std::size_t i = 0; i < sea.grid.size(); ++i) {
-    const double a_s = one.access[i] == Access::kReached ? one.time_s[i] : 1e9;
+    const double a_s =
+        one.access[i] == CellAccess::kReached ? one.time_s[i] : 1e9;
     const double b_s =
-        other.access[i] == Access::kReached ? other.time_s[i] : 1e9;
+        other.access[i] == CellAccess::kReached ? other.time_s[i] : 1e9;
     differ += a_s != b_s;
-    EXPECT_EQ(std::min(a_s, b_s) < 1e9, both.access[i] == Access::kReached);
+    EXPECT_EQ(std::min(a_s, b_s) < 1e9, both.access[i] == CellAccess::kReached);
     if (std::min(a_s, b_s) < 1e9) {
       EXPECT_EQ(std::min(a_s, b_s), both.time_s[i]);
     }
@@ -134,10 +135,10 @@ TEST(Work, SaysWhyACellIsNotReached) {
   sea.Close({40, 45}, 0.0f);
   sea.Close({40, 35}, kGap);
   const WorkMap work = sea.From({kMiddle});
-  EXPECT_EQ(Access::kForbidden, work.access[sea.grid.Index({40, 45})]);
-  EXPECT_EQ(Access::kNoData, work.access[sea.grid.Index({40, 35})]);
-  EXPECT_EQ(Access::kReached, work.access[sea.grid.Index({40, 44})]);
-  EXPECT_EQ(Access::kTooFar, work.access[0]);  // 62 km; 43 km in a day.
+  EXPECT_EQ(CellAccess::kForbidden, work.access[sea.grid.Index({40, 45})]);
+  EXPECT_EQ(CellAccess::kNoData, work.access[sea.grid.Index({40, 35})]);
+  EXPECT_EQ(CellAccess::kReached, work.access[sea.grid.Index({40, 44})]);
+  EXPECT_EQ(CellAccess::kTooFar, work.access[0]);  // 62 km; 43 km in a day.
   EXPECT_FALSE(work.Share(0));
 }
 
@@ -145,7 +146,8 @@ TEST(Work, ReachesNothingFromAForbiddenPlaceOrWithoutTime) {
   UniformSea sea(0.0, 0.0);
   sea.Close({40, 40}, 0.0f);
   const auto reached = [&](const WorkMap& work) {
-    return std::count(work.access.begin(), work.access.end(), Access::kReached);
+    return std::count(work.access.begin(), work.access.end(),
+                      CellAccess::kReached);
   };
   EXPECT_EQ(0, reached(sea.From({kMiddle})));
   EXPECT_EQ(0, reached(sea.From({{0.0, 50.0}})));
@@ -161,7 +163,7 @@ TEST(FusedView, IsTheValueLessWhatTheWayTakes) {
   const WorkMap work = sea.From({kMiddle});
   const kg_core::Raster view = FusedView(sea.Tensor(), work);
   for (std::size_t i = 0; i < view.size(); ++i) {
-    const float wanted = work.access[i] == Access::kReached
+    const float wanted = work.access[i] == CellAccess::kReached
                              ? 0.5f * (1.0f - work.time_s[i] / 86400.0f)
                              : 0.0f;
     EXPECT_NEAR(wanted, view[i], 1e-6f);

@@ -120,7 +120,7 @@ class Place {
     return std::min(Window_s(), in_.seam.window->base_travel_m /
                                     in_.seam.rules->motion.cruise_mps);
   }
-  Voyage From(kg_core::LonLat source) const {
+  VoyageRequest From(kg_core::LonLat source) const {
     return {{field_, &open_, nullptr},
             in_.seam.rules->motion,
             {source, in_.seam.window->begin_s, in_.seam.window->end_s,
@@ -131,7 +131,7 @@ class Place {
   bool CanBeFlownTo() const {
     return std::any_of(
         in_.sources.begin(), in_.sources.end(), [&](kg_core::LonLat source) {
-          const Voyage voyage = From(source);
+          const VoyageRequest voyage = From(source);
           return Traverse(voyage, ComputeReach(voyage), in_.place).has_value();
         });
   }
@@ -139,12 +139,12 @@ class Place {
   // The least time in which the place's cell is reached from a source, if less
   // than `below_s`.
   double Travel_s(kg_core::LonLat source, double below_s) const {
-    Voyage voyage = From(source);
+    VoyageRequest voyage = From(source);
     voyage.departure.base_travel_m = kInfinity;
     for (int i = 0; i <= kMostDoublings; ++i) {
       const double limit_s = std::min(below_s, std::ldexp(Window_s(), i));
       voyage.departure.deadline_s = voyage.departure.time_s + limit_s;
-      const Reach reach = ComputeReach(voyage);
+      const ReachMap reach = ComputeReach(voyage);
       const ReachedCell* found =
           reach.Find(static_cast<int>(rasters_.grid.Index(cell_)));
       if (found) return found->arrival_s;

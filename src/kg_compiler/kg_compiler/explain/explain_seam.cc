@@ -127,7 +127,7 @@ class SeamExplainer {
 
   const SeamContext& in_;
   const TraverseEdge& edge_;
-  const Flight& flight_;
+  const FlownPath& flight_;
   const CitedFacts& facts_;
   Explanation explanation_;
 };

@@ -164,7 +164,7 @@ TEST_F(ExplainTensor, AFootprintsPartsSumToAWaypointsScore) {
     const TensorInputs in = random.Inputs(1);
     const MissionTensor tensor = random.Compile(in);
     const TensorExplainer explainer(in, facts_);
-    for (const Pick& pick : ProximalRecurrence(
+    for (const RecurrencePick& pick : ProximalRecurrence(
              tensor.grid, tensor.Get(Layer::kFused),
              kg_core::Mask(tensor.grid.size(), 1), {15e3, 9e3, 6})) {
       const Explanation sum = explainer.ExplainSum(pick.footprint);

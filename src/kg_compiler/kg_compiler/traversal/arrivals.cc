@@ -4,13 +4,13 @@
 
 namespace kg_compiler {
 
-Arrivals::Arrivals(const kg_core::Grid& grid)
+ArrivalTiles::ArrivalTiles(const kg_core::Grid& grid)
     : grid_(grid),
       tile_cols_((grid.cols() + kTile - 1) / kTile),
       tiles_(static_cast<std::size_t>(tile_cols_) *
              ((grid.rows() + kTile - 1) / kTile)) {}
 
-std::vector<ReachedCell> Arrivals::Reached() const {
+std::vector<ReachedCell> ArrivalTiles::Reached() const {
   std::vector<ReachedCell> cells;
   for (int row = 0; row < grid_.rows(); ++row) {
     const std::size_t first = TileOf({row, 0});

@@ -8,11 +8,11 @@
 #include <memory>
 #include <vector>
 
-#include "kg_compiler/traversal/traversal.h"
+#include "kg_compiler/traversal/reach.h"
 
 namespace kg_compiler {
 
-class Arrivals {
+class ArrivalTiles {
  public:
   struct Node {
     double arrival_s = std::numeric_limits<double>::infinity();
@@ -21,7 +21,7 @@ class Arrivals {
     float spread_rad = 0.0f;
   };
 
-  explicit Arrivals(const kg_core::Grid& grid);
+  explicit ArrivalTiles(const kg_core::Grid& grid);
 
   Node& At(kg_core::Cell cell) {
     auto& tile = tiles_[TileOf(cell)];

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "kg_compiler/traversal/leg.h"
+#include "kg_compiler/traversal/flight.h"
 #include "kg_compiler/traversal/sight.h"
 
 namespace kg_compiler {
@@ -31,15 +31,17 @@ CellBox Inside(const CellBox& box, const kg_core::Grid& grid) {
           box.col_end < grid.cols() ? box.col_end - 1 : box.col_end};
 }
 
-void KeepFaster(std::optional<Flight> flight, std::optional<Flight>* best) {
+void KeepFaster(std::optional<FlownPath> flight,
+                std::optional<FlownPath>* best) {
   if (!flight || (*best && (*best)->travel_s <= flight->travel_s)) return;
   *best = std::move(flight);
 }
 
 }  // namespace
 
-Crossing::Crossing(const Voyage& voyage, const Reach& reach, kg_core::LonLat to,
-                   kg_core::GridPoint at)
+FastestCrossing::FastestCrossing(const VoyageRequest& voyage,
+                                 const ReachMap& reach, kg_core::LonLat to,
+                                 kg_core::GridPoint at)
     : voyage_(voyage),
       reach_(reach),
       grid_(voyage.world.field->grid),
@@ -47,16 +49,16 @@ Crossing::Crossing(const Voyage& voyage, const Reach& reach, kg_core::LonLat to,
       to_(to),
       at_(at) {}
 
-std::optional<Flight> Crossing::Best(bool as_expected) const {
+std::optional<FlownPath> FastestCrossing::Best(bool as_expected) const {
   if (!Holds(inside_, CellOf(grid_, at_))) return std::nullopt;
-  std::optional<Flight> best = Fly({voyage_.departure.from, to_});
-  const std::vector<Shooter::Guess> guesses = Guesses();
+  std::optional<FlownPath> best = Fly({voyage_.departure.from, to_});
+  const std::vector<ExtremalShooter::Guess> guesses = Guesses();
   if (guesses.empty()) return best;
   for (const double reserve : kReserves) {
-    const Shooter shooter(voyage_, reach_,
-                          (1.0 - reserve) * voyage_.motion.cruise_mps);
+    const ExtremalShooter shooter(voyage_, reach_,
+                                  (1.0 - reserve) * voyage_.motion.cruise_mps);
     std::vector<double> refused_s;
-    for (const Shooter::Guess& guess : guesses) {
+    for (const ExtremalShooter::Guess& guess : guesses) {
       KeepFaster(Shoot(shooter, guess, &refused_s), &best);
       if (!best) continue;
       if (!as_expected || IsExpected(best->travel_s, guesses.front())) {
@@ -65,20 +67,21 @@ std::optional<Flight> Crossing::Best(bool as_expected) const {
     }
     if (refused_s.empty()) break;  // No course: none with less speed.
   }
-  for (const Shooter::Guess& guess : guesses) {
+  for (const ExtremalShooter::Guess& guess : guesses) {
     if (guess.root > 0) KeepFaster(Fly(Corners(guess.root)), &best);
   }
   return best;
 }
 
 // About as early as the fan says of a cell as far away.
-bool Crossing::IsExpected(double travel_s, const Shooter::Guess& guess) const {
+bool FastestCrossing::IsExpected(double travel_s,
+                                 const ExtremalShooter::Guess& guess) const {
   const double near_s = kNearCells / reach_.cells_per_s;
   return travel_s <= (1.0 + kExpected) * guess.arrival_s + near_s;
 }
 
 // Straight from corner to corner.
-std::vector<kg_core::LonLat> Crossing::Corners(int root) const {
+std::vector<kg_core::LonLat> FastestCrossing::Corners(int root) const {
   std::vector<kg_core::LonLat> via(1, to_);
   for (; root > 0; root = reach_.roots[root].parent) {
     via.push_back(grid_.Position(reach_.roots[root].place));
@@ -88,12 +91,12 @@ std::vector<kg_core::LonLat> Crossing::Corners(int root) const {
   return via;
 }
 
-std::optional<Flight> Crossing::Fly(
+std::optional<FlownPath> FastestCrossing::Fly(
     const std::vector<kg_core::LonLat>& via) const {
   return FlyTrackWithin(voyage_, via, &inside_);
 }
 
-std::optional<Flight> Crossing::Fly(const Course& course) const {
+std::optional<FlownPath> FastestCrossing::Fly(const TimedCourse& course) const {
   std::vector<kg_core::LonLat> via(1, voyage_.departure.from);
   for (std::size_t i = 1; i + 1 < course.size(); ++i) {
     const kg_core::LonLat at = grid_.Position(course[i].place);
@@ -105,7 +108,7 @@ std::optional<Flight> Crossing::Fly(const Course& course) const {
 
 // Extremals through the cells around, the earliest first, the place's own
 // cell before all others.
-std::vector<Shooter::Guess> Crossing::Guesses() const {
+std::vector<ExtremalShooter::Guess> FastestCrossing::Guesses() const {
   const kg_core::Cell target = CellOf(grid_, at_);
   struct Seed {
     double rank_s;
@@ -126,7 +129,7 @@ std::vector<Shooter::Guess> Crossing::Guesses() const {
   std::stable_sort(
       seeds.begin(), seeds.end(),
       [](const Seed& a, const Seed& b) { return a.rank_s < b.rank_s; });
-  std::vector<Shooter::Guess> guesses;
+  std::vector<ExtremalShooter::Guess> guesses;
   for (const Seed& seed : seeds) {
     if (guesses.size() == kMostSeeds) break;
     guesses.push_back({seed.cell->root, seed.cell->heading_rad,
@@ -136,9 +139,9 @@ std::vector<Shooter::Guess> Crossing::Guesses() const {
 }
 
 // Not again the course that was refused.
-std::optional<Flight> Crossing::Shoot(const Shooter& shooter,
-                                      const Shooter::Guess& guess,
-                                      std::vector<double>* refused_s) const {
+std::optional<FlownPath> FastestCrossing::Shoot(
+    const ExtremalShooter& shooter, const ExtremalShooter::Guess& guess,
+    std::vector<double>* refused_s) const {
   const auto course = shooter.To(at_, guess, kStep_cells);
   if (!course) return std::nullopt;
   const double time_s = course->back().time_s;

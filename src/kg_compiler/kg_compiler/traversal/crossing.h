@@ -7,36 +7,36 @@
 #include <vector>
 
 #include "kg_compiler/traversal/shooting.h"
-#include "kg_compiler/traversal/traversal.h"
+#include "kg_compiler/traversal/voyage.h"
 
 namespace kg_compiler {
 
-class Crossing {
+class FastestCrossing {
  public:
   // `reach` is that of the voyage, or of one at about its speed; all must
   // outlive it. `at` is `to` in cell units.
-  Crossing(const Voyage& voyage, const Reach& reach, kg_core::LonLat to,
-           kg_core::GridPoint at);
+  FastestCrossing(const VoyageRequest& voyage, const ReachMap& reach,
+                  kg_core::LonLat to, kg_core::GridPoint at);
 
   // Never slower than straight there.
-  std::optional<Flight> Fastest() const { return Best(true); }
+  std::optional<FlownPath> Fastest() const { return Best(true); }
   // The first found, for a reach at another speed, which does not tell when
   // to expect it.
-  std::optional<Flight> First() const { return Best(false); }
+  std::optional<FlownPath> First() const { return Best(false); }
 
  private:
-  std::optional<Flight> Best(bool as_expected) const;
-  std::optional<Flight> Fly(const std::vector<kg_core::LonLat>& via) const;
-  std::optional<Flight> Fly(const Course& course) const;
-  std::vector<Shooter::Guess> Guesses() const;
-  bool IsExpected(double travel_s, const Shooter::Guess& guess) const;
+  std::optional<FlownPath> Best(bool as_expected) const;
+  std::optional<FlownPath> Fly(const std::vector<kg_core::LonLat>& via) const;
+  std::optional<FlownPath> Fly(const TimedCourse& course) const;
+  std::vector<ExtremalShooter::Guess> Guesses() const;
+  bool IsExpected(double travel_s, const ExtremalShooter::Guess& guess) const;
   std::vector<kg_core::LonLat> Corners(int root) const;
-  std::optional<Flight> Shoot(const Shooter& shooter,
-                              const Shooter::Guess& guess,
-                              std::vector<double>* refused_s) const;
+  std::optional<FlownPath> Shoot(const ExtremalShooter& shooter,
+                                 const ExtremalShooter::Guess& guess,
+                                 std::vector<double>* refused_s) const;
 
-  const Voyage& voyage_;
-  const Reach& reach_;
+  const VoyageRequest& voyage_;
+  const ReachMap& reach_;
   const kg_core::Grid& grid_;
   CellBox inside_;  // Flights in it read nothing that the reach did not.
   kg_core::LonLat to_;

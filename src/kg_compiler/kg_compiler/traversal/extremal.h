@@ -24,39 +24,41 @@
 
 namespace kg_compiler {
 
-struct Extremal {
+struct ExtremalState {
   double col = 0.0, row = 0.0;      // Position in cell units.
   double p_lon = 0.0, p_lat = 0.0;  // Normal of the front [1/deg].
 };
 
 // Setting out from a place; heading counter-clockwise from east.
-Extremal SetOut(const Flow& flow, kg_core::GridPoint from, double heading_rad);
+ExtremalState SetOut(const FlowSampler& flow, kg_core::GridPoint from,
+                     double heading_rad);
 
 // Heading of an extremal, counter-clockwise from east.
-double HeadingOf(const Flow& flow, const Extremal& at);
+double HeadingOf(const FlowSampler& flow, const ExtremalState& at);
 
 // Steers extremals of one speed through one flow.
-class Helm {
+class ExtremalStepper {
  public:
-  Helm(const Flow& flow, double speed_mps)
+  ExtremalStepper(const FlowSampler& flow, double speed_mps)
       : flow_(flow), speed_mps_(speed_mps) {}
 
   // Times at which one step of Runge and Kutta's method (RK4) looks.
   struct Step {
-    Step(const Flow& flow, double begin_s, double length_s);
+    Step(const FlowSampler& flow, double begin_s, double length_s);
     double length_s;
-    Flow::Moment begin, middle, end;
+    FlowSampler::Moment begin, middle, end;
   };
-  Extremal Advance(const Extremal& from, const Step& step) const;
+  ExtremalState Advance(const ExtremalState& from, const Step& step) const;
 
   // Over ground, in cells per second.
-  kg_core::GridPoint Velocity(const Extremal& at,
-                              const Flow::Moment& moment) const;
+  kg_core::GridPoint Velocity(const ExtremalState& at,
+                              const FlowSampler::Moment& moment) const;
 
  private:
-  Extremal Rate(const Extremal& at, const Flow::Moment& moment) const;
+  ExtremalState Rate(const ExtremalState& at,
+                     const FlowSampler::Moment& moment) const;
 
-  const Flow& flow_;
+  const FlowSampler& flow_;
   double speed_mps_;
 };
 

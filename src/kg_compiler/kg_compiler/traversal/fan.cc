@@ -30,13 +30,13 @@ constexpr double kSharp = 0.3;
 constexpr double kThinner = 1.0;   // One is left out between two so close
 constexpr double kThinBend = 0.2;  // whose front bends by less than this.
 
-bool Finite(const Extremal& at) {
+bool Finite(const ExtremalState& at) {
   return std::isfinite(at.col + at.row + at.p_lon + at.p_lat);
 }
 
 }  // namespace
 
-Fan::Fan(const Voyage& voyage)
+ExtremalFan::ExtremalFan(const VoyageRequest& voyage)
     : voyage_(voyage),
       flow_(voyage),
       helm_(flow_, voyage.motion.cruise_mps),
@@ -45,7 +45,7 @@ Fan::Fan(const Voyage& voyage)
       arrivals_(grid_),
       latest_s_(LatestArrival_s(voyage.motion, voyage.departure)) {}
 
-bool Fan::Begin() {
+bool ExtremalFan::Begin() {
   const auto from = grid_.Locate(voyage_.departure.from);
   if (!from || !(latest_s_ > 0.0) || !(voyage_.motion.cruise_mps > 0.0)) {
     return false;
@@ -64,7 +64,7 @@ bool Fan::Begin() {
   return true;
 }
 
-double Fan::StepLength_s() const {
+double ExtremalFan::StepLength_s() const {
   const double far = static_cast<double>(steps_.size()) / kStepsToOneCell;
   const double cells = std::clamp(far * far, kFirstStep, kLongestStep);
   const double length_s = cells / fastest_;
@@ -75,7 +75,7 @@ double Fan::StepLength_s() const {
   return wanted_s > 0.999 * rest_s ? rest_s : wanted_s;
 }
 
-Reach Fan::Run() {
+ReachMap ExtremalFan::Run() {
   if (Begin()) {
     while (!rays_.empty() && now_s_ < latest_s_) {
       reach_.cells_per_s = std::max(reach_.cells_per_s, fastest_);
@@ -89,10 +89,10 @@ Reach Fan::Run() {
   return std::move(reach_);
 }
 
-void Fan::Advance(double length_s) {
+void ExtremalFan::Advance(double length_s) {
   const double end_s =
       length_s >= latest_s_ - now_s_ ? latest_s_ : now_s_ + length_s;
-  const Helm::Step step(flow_, now_s_, end_s - now_s_);
+  const ExtremalStepper::Step step(flow_, now_s_, end_s - now_s_);
   margin_s_ = kLate * length_s;
   next_.clear();
   restarts_.clear();
@@ -107,13 +107,15 @@ void Fan::Advance(double length_s) {
   Thin();
 }
 
-void Fan::AdvanceChain(const Stride& stride, const std::vector<Ray>& rays,
-                       std::size_t first) {
-  Strand last = Advance(stride, rays[first].at, rays[first].heading_rad);
+void ExtremalFan::AdvanceChain(const Stride& stride,
+                               const std::vector<Ray>& rays,
+                               std::size_t first) {
+  ExtremalStrand last =
+      Advance(stride, rays[first].at, rays[first].heading_rad);
   Keep(stride, last);
   FindCornersBeside(stride, last);
   for (std::size_t i = first; rays[i].linked; ++i) {
-    const Strand strand =
+    const ExtremalStrand strand =
         Advance(stride, rays[i + 1].at, rays[i + 1].heading_rad);
     Between(stride, last, strand, 0);
     Keep(stride, strand);
@@ -122,9 +124,11 @@ void Fan::AdvanceChain(const Stride& stride, const std::vector<Ray>& rays,
   FindCornersBeside(stride, last);
 }
 
-Strand Fan::Advance(const Stride& stride, const Extremal& from,
-                    double heading_rad) {
-  Strand strand{from, helm_.Advance(from, *stride.step), heading_rad, false};
+ExtremalStrand ExtremalFan::Advance(const Stride& stride,
+                                    const ExtremalState& from,
+                                    double heading_rad) {
+  ExtremalStrand strand{from, helm_.Advance(from, *stride.step), heading_rad,
+                        false};
   if (!Finite(strand.end)) strand.end = from;
   // Outside it would leave the field for good.
   strand.end.col = std::clamp(strand.end.col, -1.0, grid_.cols() + 0.0);
@@ -142,12 +146,13 @@ Strand Fan::Advance(const Stride& stride, const Extremal& from,
 }
 
 // Neighbours stay linked while both live.
-void Fan::Keep(const Stride& stride, const Strand& strand) {
+void ExtremalFan::Keep(const Stride& stride, const ExtremalStrand& strand) {
   if (strand.dead) return;
   next_.push_back({strand.end, strand.heading_rad, stride.root, false});
 }
 
-bool Fan::IsWide(const Strand& a, const Strand& b, const Sweep& sweep) {
+bool ExtremalFan::IsWide(const ExtremalStrand& a, const ExtremalStrand& b,
+                         const FrontSweep& sweep) {
   if (next_.size() >= kMostRays) return false;
   const double begin = Length(PlaceOf(b.begin) - PlaceOf(a.begin));
   const double end = Length(PlaceOf(b.end) - PlaceOf(a.end));
@@ -162,8 +167,8 @@ bool Fan::IsWide(const Strand& a, const Strand& b, const Sweep& sweep) {
          (end > kWidestSharp && slope > kSharp);
 }
 
-Extremal Fan::Replay(int root, double heading_rad) const {
-  Extremal at = SetOut(flow_, reach_.roots[root].place, heading_rad);
+ExtremalState ExtremalFan::Replay(int root, double heading_rad) const {
+  ExtremalState at = SetOut(flow_, reach_.roots[root].place, heading_rad);
   std::size_t next = 0;
   if (root > 0) {
     const FirstStep& first = first_steps_[root - 1];
@@ -179,11 +184,12 @@ Extremal Fan::Replay(int root, double heading_rad) const {
 
 // Neighbours far apart get the true extremal between them, whose heading at
 // the root is known; close ones the front's middle.
-std::optional<Extremal> Fan::Insert(const Stride& stride, const Strand& a,
-                                    const Strand& b) const {
+std::optional<ExtremalState> ExtremalFan::Insert(
+    const Stride& stride, const ExtremalStrand& a,
+    const ExtremalStrand& b) const {
   const double gap = Length(PlaceOf(b.begin) - PlaceOf(a.begin));
   if (gap > kFillIn && steps_.size() <= kMostReplayed) {
-    const Extremal at =
+    const ExtremalState at =
         Replay(stride.root, 0.5 * (a.heading_rad + b.heading_rad));
     if (Length(PlaceOf(at) - PlaceOf(a.begin)) < 1.5 * gap &&
         Length(PlaceOf(at) - PlaceOf(b.begin)) < 1.5 * gap) {
@@ -193,13 +199,13 @@ std::optional<Extremal> Fan::Insert(const Stride& stride, const Strand& a,
   return Halfway(flow_, a.begin, b.begin);
 }
 
-void Fan::Between(const Stride& stride, const Strand& a, const Strand& b,
-                  int depth) {
-  const Sweep sweep(flow_, a, b, stride.step->length_s);
+void ExtremalFan::Between(const Stride& stride, const ExtremalStrand& a,
+                          const ExtremalStrand& b, int depth) {
+  const FrontSweep sweep(flow_, a, b, stride.step->length_s);
   if (depth < kDeepest && IsWide(a, b, sweep)) {
     const auto half = Insert(stride, a, b);
     if (half && sight_.IsOpen(CellOf(grid_, {half->row, half->col}))) {
-      const Strand middle =
+      const ExtremalStrand middle =
           Advance(stride, *half, 0.5 * (a.heading_rad + b.heading_rad));
       Between(stride, a, middle, depth + 1);
       Keep(stride, middle);
@@ -214,14 +220,14 @@ void Fan::Between(const Stride& stride, const Strand& a, const Strand& b,
   FindGraze(stride, a.dead ? b : a, a.dead ? a : b);
 }
 
-void Fan::Touch(Offset at) {
+void ExtremalFan::Touch(CellOffset at) {
   low_ = {std::min(low_.col, at.col), std::min(low_.row, at.row)};
   high_ = {std::max(high_.col, at.col), std::max(high_.row, at.row)};
 }
 
-void Fan::Paint(const Stride& stride, const Strand& a, const Strand& b,
-                const Sweep& sweep) {
-  const Offset low = sweep.low(), high = sweep.high();
+void ExtremalFan::Paint(const Stride& stride, const ExtremalStrand& a,
+                        const ExtremalStrand& b, const FrontSweep& sweep) {
+  const CellOffset low = sweep.low(), high = sweep.high();
   const int row0 = std::max(static_cast<int>(std::ceil(low.row - 0.5)), 0);
   const int col0 = std::max(static_cast<int>(std::ceil(low.col - 0.5)), 0);
   const int row1 =
@@ -237,9 +243,11 @@ void Fan::Paint(const Stride& stride, const Strand& a, const Strand& b,
   }
 }
 
-bool Fan::NearCoast(kg_core::Cell low, kg_core::Cell high) {
-  for (int row = low.row;; row = std::min(row + Sight::kBlock, high.row)) {
-    for (int col = low.col;; col = std::min(col + Sight::kBlock, high.col)) {
+bool ExtremalFan::NearCoast(kg_core::Cell low, kg_core::Cell high) {
+  for (int row = low.row;;
+       row = std::min(row + LineOfSight::kBlock, high.row)) {
+    for (int col = low.col;;
+         col = std::min(col + LineOfSight::kBlock, high.col)) {
       if (sight_.NearCoast({row, col})) return true;
       if (col >= high.col) break;
     }
@@ -247,18 +255,19 @@ bool Fan::NearCoast(kg_core::Cell low, kg_core::Cell high) {
   }
 }
 
-void Fan::PaintCell(const Stride& stride, const Strand& a, const Strand& b,
-                    const Sweep& sweep, kg_core::Cell cell, bool coast) {
-  const Offset place{static_cast<double>(cell.col),
-                     static_cast<double>(cell.row)};
+void ExtremalFan::PaintCell(const Stride& stride, const ExtremalStrand& a,
+                            const ExtremalStrand& b, const FrontSweep& sweep,
+                            kg_core::Cell cell, bool coast) {
+  const CellOffset place{static_cast<double>(cell.col),
+                         static_cast<double>(cell.row)};
   const auto share = sweep.Find(place);
   if (!share) return;
   const double time_s = stride.begin_s + sweep.Time_s(*share);
   if (!(time_s <= latest_s_)) return;
-  Arrivals::Node& node = arrivals_.At(cell);
+  ArrivalTiles::Node& node = arrivals_.At(cell);
   if (!(time_s < node.arrival_s) || !sight_.IsOpen(cell)) return;
   if (coast) {
-    const Offset from = sweep.BeginAt(share->across);
+    const CellOffset from = sweep.BeginAt(share->across);
     if (!sight_.IsClear({from.row, from.col}, {place.row, place.col})) return;
   }
   node.arrival_s = time_s;
@@ -270,7 +279,7 @@ void Fan::PaintCell(const Stride& stride, const Strand& a, const Strand& b,
 
 // Earlier at all four centres around, by more than a step: what sets out from
 // here comes later everywhere than what set out before.
-bool Fan::IsLate(const Extremal& at) const {
+bool ExtremalFan::IsLate(const ExtremalState& at) const {
   const int row = std::clamp(static_cast<int>(at.row), 0, grid_.rows() - 2);
   const int col = std::clamp(static_cast<int>(at.col), 0, grid_.cols() - 2);
   const double late_s = now_s_ - margin_s_;
@@ -281,14 +290,14 @@ bool Fan::IsLate(const Extremal& at) const {
 }
 
 // Can what lies between two do without one more?
-bool Fan::IsThin(const Extremal& a, const Extremal& b) const {
-  const Offset na = NormalOf(flow_, a), nb = NormalOf(flow_, b);
+bool ExtremalFan::IsThin(const ExtremalState& a, const ExtremalState& b) const {
+  const CellOffset na = NormalOf(flow_, a), nb = NormalOf(flow_, b);
   return Length(PlaceOf(b) - PlaceOf(a)) < kThinner && Dot(na, nb) > 0.0 &&
          std::abs(Cross(na, nb)) < kThinBend * Dot(na, nb);
 }
 
 // Leaves out rays that come late, and those between close neighbours.
-void Fan::Thin() {
+void ExtremalFan::Thin() {
   rays_.clear();
   bool linked = false;  // Is the next a neighbour of the last one kept?
   for (std::size_t i = 0; i < next_.size(); ++i) {
@@ -309,15 +318,16 @@ void Fan::Thin() {
 }
 
 // What the extremals felt, and what was looked at around their tracks.
-CellBox Fan::ReadBox() const {
+CellBox ExtremalFan::ReadBox() const {
   const auto down = [](double at, int felt) {
     const int cell = static_cast<int>(std::floor(at)) - 2;
-    const int seen = std::max(cell, 0) / Sight::kBlock * Sight::kBlock - 1;
+    const int seen =
+        std::max(cell, 0) / LineOfSight::kBlock * LineOfSight::kBlock - 1;
     return std::max(std::min(seen, felt), 0);
   };
   const auto up = [](double at, int felt, int size) {
     const int cell = static_cast<int>(std::ceil(at)) + 2;
-    const int seen = (cell / Sight::kBlock + 1) * Sight::kBlock + 1;
+    const int seen = (cell / LineOfSight::kBlock + 1) * LineOfSight::kBlock + 1;
     return std::min(std::max(seen, felt), size);
   };
   const CellBox& felt = flow_.felt();

@@ -15,19 +15,21 @@
 
 #include "kg_compiler/traversal/arrivals.h"
 #include "kg_compiler/traversal/extremal.h"
+#include "kg_compiler/traversal/reach.h"
 #include "kg_compiler/traversal/sight.h"
 #include "kg_compiler/traversal/sweep.h"
+#include "kg_compiler/traversal/voyage.h"
 
 namespace kg_compiler {
 
-class Fan {
+class ExtremalFan {
  public:
-  explicit Fan(const Voyage& voyage);  // Must outlive it.
-  Reach Run();
+  explicit ExtremalFan(const VoyageRequest& voyage);  // Must outlive it.
+  ReachMap Run();
 
  private:
   struct Ray {
-    Extremal at;
+    ExtremalState at;
     double heading_rad;
     int root;
     bool linked;  // The next in the list is its neighbour.
@@ -49,7 +51,7 @@ class Fan {
   };
   // A chain of extremals of one root being advanced by one step.
   struct Stride {
-    const Helm::Step* step;
+    const ExtremalStepper::Step* step;
     double begin_s;
     int root;
   };
@@ -59,48 +61,53 @@ class Fan {
   void Advance(double length_s);
   void AdvanceChain(const Stride& stride, const std::vector<Ray>& rays,
                     std::size_t first);
-  Strand Advance(const Stride& stride, const Extremal& from,
-                 double heading_rad);
+  ExtremalStrand Advance(const Stride& stride, const ExtremalState& from,
+                         double heading_rad);
   // The extremal half way in heading, from its root on, at a stride's begin.
-  Extremal Replay(int root, double heading_rad) const;
-  std::optional<Extremal> Insert(const Stride& stride, const Strand& a,
-                                 const Strand& b) const;
+  ExtremalState Replay(int root, double heading_rad) const;
+  std::optional<ExtremalState> Insert(const Stride& stride,
+                                      const ExtremalStrand& a,
+                                      const ExtremalStrand& b) const;
   // What lies between two neighbours: more of them where needed, else painted.
-  void Between(const Stride& stride, const Strand& a, const Strand& b,
-               int depth);
-  bool IsWide(const Strand& a, const Strand& b, const Sweep& sweep);
-  void Paint(const Stride& stride, const Strand& a, const Strand& b,
-             const Sweep& sweep);
+  void Between(const Stride& stride, const ExtremalStrand& a,
+               const ExtremalStrand& b, int depth);
+  bool IsWide(const ExtremalStrand& a, const ExtremalStrand& b,
+              const FrontSweep& sweep);
+  void Paint(const Stride& stride, const ExtremalStrand& a,
+             const ExtremalStrand& b, const FrontSweep& sweep);
   bool NearCoast(kg_core::Cell low, kg_core::Cell high);
-  void PaintCell(const Stride& stride, const Strand& a, const Strand& b,
-                 const Sweep& sweep, kg_core::Cell cell, bool coast);
-  void FindCorners(const Stride& stride, const Strand& a, const Strand& b,
-                   const Sweep& sweep, kg_core::Cell cell);
-  void FindCornersBeside(const Stride& stride, const Strand& strand);
-  void AddCorner(const Stride& stride, Restart found, Offset from,
-                 const Strand& near);
-  void FindGraze(const Stride& stride, const Strand& alive, const Strand& dead);
-  void Keep(const Stride& stride, const Strand& strand);
+  void PaintCell(const Stride& stride, const ExtremalStrand& a,
+                 const ExtremalStrand& b, const FrontSweep& sweep,
+                 kg_core::Cell cell, bool coast);
+  void FindCorners(const Stride& stride, const ExtremalStrand& a,
+                   const ExtremalStrand& b, const FrontSweep& sweep,
+                   kg_core::Cell cell);
+  void FindCornersBeside(const Stride& stride, const ExtremalStrand& strand);
+  void AddCorner(const Stride& stride, Restart found, CellOffset from,
+                 const ExtremalStrand& near);
+  void FindGraze(const Stride& stride, const ExtremalStrand& alive,
+                 const ExtremalStrand& dead);
+  void Keep(const Stride& stride, const ExtremalStrand& strand);
   std::vector<Ray> ShadowRays(const Restart& restart);
   void Restarts(double end_s);
-  bool IsLate(const Extremal& at) const;
-  bool IsThin(const Extremal& a, const Extremal& b) const;
+  bool IsLate(const ExtremalState& at) const;
+  bool IsThin(const ExtremalState& a, const ExtremalState& b) const;
   void Thin();
-  void Touch(Offset at);
+  void Touch(CellOffset at);
   CellBox ReadBox() const;
 
-  const Voyage& voyage_;
-  Flow flow_;
-  Helm helm_;
+  const VoyageRequest& voyage_;
+  FlowSampler flow_;
+  ExtremalStepper helm_;
   const kg_core::Grid& grid_;
-  Sight sight_;
-  Arrivals arrivals_;
+  LineOfSight sight_;
+  ArrivalTiles arrivals_;
   double latest_s_;
   double now_s_ = 0.0;
-  std::vector<Helm::Step> steps_;  // So far.
+  std::vector<ExtremalStepper::Step> steps_;  // So far.
   struct FirstStep {
-    Helm::Step step;   // From the root's time to the next common one.
-    std::size_t next;  // Of steps_.
+    ExtremalStepper::Step step;  // From the root's time to the next common one.
+    std::size_t next;            // Of steps_.
   };
   std::vector<FirstStep> first_steps_;  // By root, but for the departure.
   double margin_s_ = 0.0;               // By which a ray may be late and live.
@@ -109,8 +116,8 @@ class Fan {
   std::vector<Restart> restarts_;  // Found in this step, not yet begun.
   std::vector<Graze> grazes_;
   std::unordered_set<int> rounded_;  // Corners, by key.
-  Offset low_, high_;                // Of all places looked at.
-  Reach reach_;
+  CellOffset low_, high_;            // Of all places looked at.
+  ReachMap reach_;
 };
 
 }  // namespace kg_compiler

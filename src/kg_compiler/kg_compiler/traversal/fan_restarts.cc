@@ -22,16 +22,17 @@ constexpr double kGrazeAside = 0.8;
 
 }  // namespace
 
-void Fan::FindCorners(const Stride& stride, const Strand& a, const Strand& b,
-                      const Sweep& sweep, kg_core::Cell cell) {
+void ExtremalFan::FindCorners(const Stride& stride, const ExtremalStrand& a,
+                              const ExtremalStrand& b, const FrontSweep& sweep,
+                              kg_core::Cell cell) {
   if (!sight_.IsOpen(cell)) return;
   const unsigned corners = sight_.Corners(cell);
   for (int k = 0; k < 4; ++k) {
     if (!(corners & (1u << k))) continue;
-    const kg_core::GridPoint at = Sight::CornerAt(cell, k);
+    const kg_core::GridPoint at = LineOfSight::CornerAt(cell, k);
     const auto share = sweep.Find({at.col, at.row});
     if (!share) continue;
-    const Offset from = sweep.BeginAt(share->across);
+    const CellOffset from = sweep.BeginAt(share->across);
     const double spread_rad = b.heading_rad - a.heading_rad;
     AddCorner(stride,
               {sweep.Time_s(*share), at, stride.root,
@@ -42,9 +43,10 @@ void Fan::FindCorners(const Stride& stride, const Strand& a, const Strand& b,
 }
 
 // An extremal without a neighbour may pass a corner close by.
-void Fan::FindCornersBeside(const Stride& stride, const Strand& strand) {
-  const Offset from = PlaceOf(strand.begin);
-  const Offset go = PlaceOf(strand.end) - from;
+void ExtremalFan::FindCornersBeside(const Stride& stride,
+                                    const ExtremalStrand& strand) {
+  const CellOffset from = PlaceOf(strand.begin);
+  const CellOffset go = PlaceOf(strand.end) - from;
   const kg_core::Cell a = CellOf(grid_, {strand.begin.row, strand.begin.col});
   const kg_core::Cell b = CellOf(grid_, {strand.end.row, strand.end.col});
   if (strand.dead || !(Length(go) > 0.0) ||
@@ -59,8 +61,8 @@ void Fan::FindCornersBeside(const Stride& stride, const Strand& strand) {
       const unsigned corners = sight_.Corners({row, col});
       for (int k = 0; k < 4; ++k) {
         if (!(corners & (1u << k))) continue;
-        const kg_core::GridPoint at = Sight::CornerAt({row, col}, k);
-        const Offset away = Offset{at.col, at.row} - from;
+        const kg_core::GridPoint at = LineOfSight::CornerAt({row, col}, k);
+        const CellOffset away = CellOffset{at.col, at.row} - from;
         const double share = Dot(away, go) / Dot(go, go);
         if (!(share >= 0.0 && share <= 1.0) ||
             !(Length(away - share * go) < kBeside)) {
@@ -77,8 +79,8 @@ void Fan::FindCornersBeside(const Stride& stride, const Strand& strand) {
 }
 
 // `found` knows all but how one arrives, and its time from the step's begin.
-void Fan::AddCorner(const Stride& stride, Restart found, Offset from,
-                    const Strand& near) {
+void ExtremalFan::AddCorner(const Stride& stride, Restart found,
+                            CellOffset from, const ExtremalStrand& near) {
   // Within the step, whatever the front's bow says.
   found.time_s = stride.begin_s +
                  std::clamp(found.time_s, 0.0, 0.999 * stride.step->length_s);
@@ -87,15 +89,16 @@ void Fan::AddCorner(const Stride& stride, Restart found, Offset from,
     return;
   }
   // Going by it, neither towards the corner nor away from it.
-  const Offset go = PlaceOf(near.end) - PlaceOf(near.begin);
+  const CellOffset go = PlaceOf(near.end) - PlaceOf(near.begin);
   const kg_core::Cell d =
-      Sight::kDiagonals[static_cast<std::size_t>(found.key % 4)];
+      LineOfSight::kDiagonals[static_cast<std::size_t>(found.key % 4)];
   const double slack = kHeadOn * Length(go);
   const double east = d.col * go.col, north = d.row * go.row;
   if ((east > slack && north > slack) || (east < -slack && north < -slack)) {
     return;
   }
-  const Offset corner{static_cast<double>(d.col), static_cast<double>(d.row)};
+  const CellOffset corner{static_cast<double>(d.col),
+                          static_cast<double>(d.row)};
   found.side = Cross(go, corner) > 0.0 ? 1 : -1;
   found.arriving_rad = HeadingOf(flow_, near.end);
   restarts_.push_back(found);
@@ -103,21 +106,21 @@ void Fan::AddCorner(const Stride& stride, Restart found, Offset from,
 
 // The last that passes a wall beside one that hits it: unless it is about to
 // hit the wall itself, what lies behind is in its shadow.
-void Fan::FindGraze(const Stride& stride, const Strand& alive,
-                    const Strand& dead) {
-  const Offset end = PlaceOf(alive.end);
+void ExtremalFan::FindGraze(const Stride& stride, const ExtremalStrand& alive,
+                            const ExtremalStrand& dead) {
+  const CellOffset end = PlaceOf(alive.end);
   if (!sight_.Contains({dead.end.row, dead.end.col})) return;
-  const Offset go = end - PlaceOf(alive.begin);
+  const CellOffset go = end - PlaceOf(alive.begin);
   const double length = Length(go);
   if (!(length > 0.0)) return;
-  const Offset ahead = end + (kGrazeAhead / length) * go;
+  const CellOffset ahead = end + (kGrazeAhead / length) * go;
   if (!sight_.Contains({ahead.row, ahead.col}) ||
       !sight_.IsClear({end.row, end.col}, {ahead.row, ahead.col})) {
     return;
   }
   const int side = Cross(go, PlaceOf(dead.end) - end) > 0.0 ? 1 : -1;
-  const Offset aside =
-      end + (side * kGrazeAside / length) * Offset{-go.row, go.col};
+  const CellOffset aside =
+      end + (side * kGrazeAside / length) * CellOffset{-go.row, go.col};
   const kg_core::Cell shadow = CellOf(grid_, {aside.row, aside.col});
   if (!sight_.IsOpen(shadow)) return;
   grazes_.push_back({{stride.begin_s + stride.step->length_s,
@@ -131,7 +134,7 @@ void Fan::FindGraze(const Stride& stride, const Strand& alive,
                      shadow});
 }
 
-std::vector<Fan::Ray> Fan::ShadowRays(const Restart& restart) {
+std::vector<ExtremalFan::Ray> ExtremalFan::ShadowRays(const Restart& restart) {
   const int root = static_cast<int>(reach_.roots.size());
   reach_.roots.push_back({restart.place, restart.time_s, restart.root,
                           restart.heading_rad, restart.spread_rad});
@@ -149,7 +152,7 @@ std::vector<Fan::Ray> Fan::ShadowRays(const Restart& restart) {
 }
 
 // Earliest first: a corner behind another is reached in the same step.
-void Fan::Restarts(double end_s) {
+void ExtremalFan::Restarts(double end_s) {
   const auto later = [](const Restart& a, const Restart& b) {
     return a.time_s > b.time_s || (a.time_s == b.time_s && a.key > b.key);
   };
@@ -160,14 +163,16 @@ void Fan::Restarts(double end_s) {
     restarts_.erase(first);
     if (!rounded_.insert(restart.key).second) continue;
     const std::vector<Ray> rays = ShadowRays(restart);
-    const Helm::Step step(flow_, restart.time_s, end_s - restart.time_s);
+    const ExtremalStepper::Step step(flow_, restart.time_s,
+                                     end_s - restart.time_s);
     first_steps_.push_back({step, steps_.size() + 1});
     AdvanceChain({&step, restart.time_s, rays[0].root}, rays, 0);
   }
   for (const Graze& graze : grazes_) {
     if (std::isfinite(arrivals_.Arrival_s(graze.shadow))) continue;
     const std::vector<Ray> rays = ShadowRays(graze.restart);
-    first_steps_.push_back({Helm::Step(flow_, end_s, 0.0), steps_.size() + 1});
+    first_steps_.push_back(
+        {ExtremalStepper::Step(flow_, end_s, 0.0), steps_.size() + 1});
     next_.insert(next_.end(), rays.begin(), rays.end());
   }
 }

@@ -1,11 +1,11 @@
-// FlyTrack and holding station.
+#include "kg_compiler/traversal/flight.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "kg_compiler/traversal/leg.h"
-#include "kg_compiler/traversal/traversal.h"
 
 namespace kg_compiler {
 namespace {
@@ -62,11 +62,11 @@ double Crossing(const kg_core::Velocity& c, const kg_core::Velocity& d,
   return std::clamp((-half - root) / square, 0.0, 1.0);
 }
 
-void CheckStretches(const Departure& departure,
-                    const std::vector<Stretch>& stretches) {
+void CheckStretches(const VoyageDeparture& departure,
+                    const std::vector<TrackStretch>& stretches) {
   if (stretches.empty()) throw std::logic_error("a flight has a stretch");
   kg_core::LonLat at = departure.from;
-  for (const Stretch& stretch : stretches) {
+  for (const TrackStretch& stretch : stretches) {
     if (stretch.via.empty() || stretch.via.front() != at) {
       throw std::logic_error("a track begins at its departure");
     }
@@ -76,19 +76,19 @@ void CheckStretches(const Departure& departure,
 
 // The voyage at a stretch's speed, when `through_m` have been made in
 // `spent_s`: the same departure, and what is left of the base travel.
-Voyage OnStretch(Voyage voyage, const Stretch& stretch, double through_m,
-                 double spent_s) {
+VoyageRequest OnStretch(VoyageRequest voyage, const TrackStretch& stretch,
+                        double through_m, double spent_s) {
   voyage.motion.cruise_mps = stretch.speed_mps;
   voyage.departure.base_travel_m += stretch.speed_mps * spent_s - through_m;
   return voyage;
 }
 
 // Adds one stretch to a flight, holding station not included.
-bool FlyStretch(const LegFlyer& flyer, const Stretch& stretch, double begin_s,
-                Flight* flight) {
+bool FlyStretch(const LegFlyer& flyer, const TrackStretch& stretch,
+                double begin_s, FlownPath* flight) {
   for (std::size_t i = 0; i < stretch.via.size(); ++i) {
-    const Leg leg{stretch.via[i == 0 ? 0 : i - 1], stretch.via[i],
-                  flight->travel_s};
+    const TrackLeg leg{stretch.via[i == 0 ? 0 : i - 1], stretch.via[i],
+                       flight->travel_s};
     const std::optional<LegEnd> end = flyer.Fly(leg, kFlight);
     if (!end) return false;
     flight->travel_s = end->arrive_s;
@@ -100,9 +100,10 @@ bool FlyStretch(const LegFlyer& flyer, const Stretch& stretch, double begin_s,
 }
 
 // Adds holding station until the deadline, where the flight has got to.
-bool HoldStation(const Voyage& voyage, const LegFlyer& flyer, Flight* flight) {
+bool HoldStation(const VoyageRequest& voyage, const LegFlyer& flyer,
+                 FlownPath* flight) {
   const MotionModel& motion = voyage.motion;
-  const Departure& departure = voyage.departure;
+  const VoyageDeparture& departure = voyage.departure;
   const double whole_s = departure.deadline_s - departure.time_s;
   const kg_core::LonLat place = flight->track.back().position;
   const kg_core::GridPoint at = *flyer.grid().Locate(place);
@@ -119,17 +120,17 @@ bool HoldStation(const Voyage& voyage, const LegFlyer& flyer, Flight* flight) {
   return true;
 }
 
-std::optional<Flight> FlyAll(const Voyage& voyage,
-                             const std::vector<Stretch>& stretches,
-                             const CellBox* box) {
+std::optional<FlownPath> FlyAll(const VoyageRequest& voyage,
+                                const std::vector<TrackStretch>& stretches,
+                                const CellBox* box) {
   CheckStretches(voyage.departure, stretches);
   const double begin_s = voyage.departure.time_s;
-  Flight flight;
+  FlownPath flight;
   flight.speed_mps = stretches.front().speed_mps;
   flight.track.push_back({voyage.departure.from, begin_s});
-  for (const Stretch& stretch : stretches) {
+  for (const TrackStretch& stretch : stretches) {
     const double before_s = flight.travel_s;
-    const Voyage piece =
+    const VoyageRequest piece =
         OnStretch(voyage, stretch, flight.through_water_m, before_s);
     if (!FlyStretch(LegFlyer(piece, box), stretch, begin_s, &flight)) {
       return std::nullopt;
@@ -145,9 +146,9 @@ std::optional<Flight> FlyAll(const Voyage& voyage,
 
 }  // namespace
 
-double HoldableFrom_s(const Voyage& voyage, kg_core::LonLat place) {
+double HoldableFrom_s(const VoyageRequest& voyage, kg_core::LonLat place) {
   const MotionModel& motion = voyage.motion;
-  const Departure& departure = voyage.departure;
+  const VoyageDeparture& departure = voyage.departure;
   const LegFlyer flyer(voyage);
   const std::optional<kg_core::GridPoint> at = flyer.grid().Locate(place);
   if (!at) return kInfinity;
@@ -168,19 +169,19 @@ double HoldableFrom_s(const Voyage& voyage, kg_core::LonLat place) {
   return departure.time_s;
 }
 
-std::optional<Flight> FlyTrack(const Voyage& voyage,
-                               const std::vector<kg_core::LonLat>& via) {
+std::optional<FlownPath> FlyTrack(const VoyageRequest& voyage,
+                                  const std::vector<kg_core::LonLat>& via) {
   return FlyTrackWithin(voyage, via, nullptr);
 }
 
-std::optional<Flight> FlyTrackWithin(const Voyage& voyage,
-                                     const std::vector<kg_core::LonLat>& via,
-                                     const CellBox* box) {
+std::optional<FlownPath> FlyTrackWithin(const VoyageRequest& voyage,
+                                        const std::vector<kg_core::LonLat>& via,
+                                        const CellBox* box) {
   return FlyAll(voyage, {{via, voyage.motion.cruise_mps}}, box);
 }
 
-std::optional<Flight> FlyStretches(const Voyage& voyage,
-                                   const std::vector<Stretch>& stretches) {
+std::optional<FlownPath> FlyStretches(
+    const VoyageRequest& voyage, const std::vector<TrackStretch>& stretches) {
   return FlyAll(voyage, stretches, nullptr);
 }
 

@@ -24,7 +24,7 @@ std::vector<double> Inverse(std::vector<double> values) {
 
 }  // namespace
 
-Flow::Flow(const Voyage& voyage)
+FlowSampler::FlowSampler(const VoyageRequest& voyage)
     : field_(*voyage.world.field),
       gain_(voyage.motion.boost_gain),
       epoch_s_(voyage.departure.time_s),
@@ -41,7 +41,7 @@ Flow::Flow(const Voyage& voyage)
   }
 }
 
-Flow::Moment Flow::At(double time_s) const {
+FlowSampler::Moment FlowSampler::At(double time_s) const {
   const auto after = std::upper_bound(slice_s_.begin(), slice_s_.end(), time_s);
   const std::size_t k = after - slice_s_.begin();
   const std::size_t a = k == 0 ? 0 : k - 1;
@@ -54,20 +54,20 @@ Flow::Moment Flow::At(double time_s) const {
           span_s > 0.0 ? (time_s - slice_s_[a]) / span_s : 0.0};
 }
 
-double Flow::NextSlice_s(double time_s) const {
+double FlowSampler::NextSlice_s(double time_s) const {
   const auto after = std::upper_bound(slice_s_.begin(), slice_s_.end(), time_s);
   return after == slice_s_.end() ? std::numeric_limits<double>::infinity()
                                  : *after;
 }
 
-void Flow::FillScale(int row) const {
+void FlowSampler::FillScale(int row) const {
   const kg_core::DegreesPerMetre scale =
       kg_core::LocalScale(field_.grid.lat_deg()[row]);
   lon_per_m_[row] = scale.lon_deg;
   lat_per_m_[row] = scale.lat_deg;
 }
 
-kg_core::LonLat Flow::Scale(double row) const {
+kg_core::LonLat FlowSampler::Scale(double row) const {
   const int r = Lower(row, rows_);
   if (lon_per_m_[r] == 0.0) FillScale(r);
   if (lon_per_m_[r + 1] == 0.0) FillScale(r + 1);

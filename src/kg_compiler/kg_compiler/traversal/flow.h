@@ -11,7 +11,8 @@
 #include <cmath>
 #include <vector>
 
-#include "kg_compiler/traversal/traversal.h"
+#include "kg_compiler/data_plane/cell_box.h"
+#include "kg_compiler/traversal/voyage.h"
 
 namespace kg_compiler {
 
@@ -46,9 +47,9 @@ inline FlowSlope Bilinear(const FlowCorners& c, double north, double east) {
           n - s};
 }
 
-class Flow {
+class FlowSampler {
  public:
-  explicit Flow(const Voyage& voyage);  // Must outlive it.
+  explicit FlowSampler(const VoyageRequest& voyage);  // Must outlive it.
 
   // The slices around a time [s after the departure's].
   struct Moment {
@@ -104,8 +105,9 @@ class Flow {
 };
 
 // In the header: inlined, extremals take half the time.
-inline void Flow::Interpolate(const Moment& moment, std::size_t corner,
-                              double north, double east, Sample* at) const {
+inline void FlowSampler::Interpolate(const Moment& moment, std::size_t corner,
+                                     double north, double east,
+                                     Sample* at) const {
   const std::size_t cols = static_cast<std::size_t>(cols_);
   FlowCorners u(moment.east0 + corner, cols), v(moment.north0 + corner, cols);
   if (u.Missing() || v.Missing()) {
@@ -129,8 +131,9 @@ inline void Flow::Interpolate(const Moment& moment, std::size_t corner,
   at->north_row = gain_ * n.north;
 }
 
-inline Flow::Sample Flow::operator()(const Moment& moment, double col,
-                                     double row) const {
+inline FlowSampler::Sample FlowSampler::operator()(const Moment& moment,
+                                                   double col,
+                                                   double row) const {
   const int c = Lower(col, cols_), r = Lower(row, rows_);
   const double east = col - c, north = row - r;
   const double held_east = std::min(std::max(east, 0.0), 1.0);

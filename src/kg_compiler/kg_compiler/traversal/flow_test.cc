@@ -3,14 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "kg_compiler/test_world.h"
-#include "kg_compiler/traversal/test_sea.h"
+#include "kg_compiler/traversal/testing/test_flow_world.h"
 
 namespace kg_compiler {
 namespace {
 
 // A random sea with land, between two random slices.
-Sea RandomSea(std::mt19937& rng) {
-  Sea sea(RandomFlow(rng, UnevenGrid(rng, 20, 25), 0.8, 7200, kDay_s));
+TestFlowWorld RandomSea(std::mt19937& rng) {
+  TestFlowWorld sea(
+      RandomFlow(rng, UnevenGrid(rng, 20, 25), 0.8, 7200, kDay_s));
   for (std::size_t i = 0; i < sea.open.size(); ++i) {
     if (Uniform(rng, 0, 1) > 0.03) continue;
     for (kg_core::FieldSlice& slice : sea.field.slices) {
@@ -20,22 +21,23 @@ Sea RandomSea(std::mt19937& rng) {
   return sea;
 }
 
-TEST(Flow, IsTheFieldSampledTimesTheBoost) {
+TEST(FlowSampler, IsTheFieldSampledTimesTheBoost) {
   std::mt19937 rng(1);
   int compared = 0;
   for (int round = 0; round < 10; ++round) {
-    const Sea sea = RandomSea(rng);
+    const TestFlowWorld sea = RandomSea(rng);
     MotionModel motion = Glider(0.5);
     motion.boost_gain = 0.7;
-    const Voyage voyage = sea.From(motion, {{-91, 23.4}, 5000.0, kDay_s});
-    const Flow flow(voyage);
+    const VoyageRequest voyage =
+        sea.From(motion, {{-91, 23.4}, 5000.0, kDay_s});
+    const FlowSampler flow(voyage);
     for (int k = 0; k < 500; ++k) {
       const kg_core::GridPoint at{Uniform(rng, -0.5, 19.5),
                                   Uniform(rng, -0.5, 24.5)};
       const double time_s = Uniform(rng, -9e3, 9e4);
       const auto wanted = sea.field.Sample(at, 5000.0 + time_s);
       if (!wanted) continue;
-      const Flow::Sample got = flow(flow.At(time_s), at.col, at.row);
+      const FlowSampler::Sample got = flow(flow.At(time_s), at.col, at.row);
       ASSERT_NEAR(0.7 * wanted->east_mps, got.east, 1e-9);
       ASSERT_NEAR(0.7 * wanted->north_mps, got.north, 1e-9);
       ++compared;
@@ -44,18 +46,20 @@ TEST(Flow, IsTheFieldSampledTimesTheBoost) {
   EXPECT_GT(compared, 4000);
 }
 
-TEST(Flow, HasTheGradientsOfTheFieldWithinAPatch) {
+TEST(FlowSampler, HasTheGradientsOfTheFieldWithinAPatch) {
   std::mt19937 rng(2);
-  const Sea sea = RandomSea(rng);
-  const Voyage voyage = sea.From(Glider(0.5), {{-91, 23.4}, 0.0, kDay_s});
-  const Flow flow(voyage);
+  const TestFlowWorld sea = RandomSea(rng);
+  const VoyageRequest voyage =
+      sea.From(Glider(0.5), {{-91, 23.4}, 0.0, kDay_s});
+  const FlowSampler flow(voyage);
   const double d = 1e-4;
   for (int k = 0; k < 500; ++k) {
     const double col = std::floor(Uniform(rng, 0, 23)) + 0.3;
     const double row = std::floor(Uniform(rng, 0, 18)) + 0.6;
-    const Flow::Moment t = flow.At(Uniform(rng, 0, kDay_s));
-    const Flow::Sample at = flow(t, col, row);
-    const Flow::Sample e = flow(t, col + d, row), n = flow(t, col, row + d);
+    const FlowSampler::Moment t = flow.At(Uniform(rng, 0, kDay_s));
+    const FlowSampler::Sample at = flow(t, col, row);
+    const FlowSampler::Sample e = flow(t, col + d, row),
+                              n = flow(t, col, row + d);
     ASSERT_NEAR((e.east - at.east) / d, at.east_col, 1e-6);
     ASSERT_NEAR((e.north - at.north) / d, at.north_col, 1e-6);
     ASSERT_NEAR((n.east - at.east) / d, at.east_row, 1e-6);
@@ -64,11 +68,12 @@ TEST(Flow, HasTheGradientsOfTheFieldWithinAPatch) {
   }
 }
 
-TEST(Flow, KnowsWhichCellsItWasAskedFor) {
+TEST(FlowSampler, KnowsWhichCellsItWasAskedFor) {
   std::mt19937 rng(3);
-  const Sea sea = RandomSea(rng);
-  const Voyage voyage = sea.From(Glider(0.5), {{-91, 23.4}, 0.0, kDay_s});
-  const Flow flow(voyage);
+  const TestFlowWorld sea = RandomSea(rng);
+  const VoyageRequest voyage =
+      sea.From(Glider(0.5), {{-91, 23.4}, 0.0, kDay_s});
+  const FlowSampler flow(voyage);
   flow(flow.At(0.0), 3.2, 7.9);
   flow(flow.At(0.0), 5.0, 6.1);
   EXPECT_EQ(3, flow.felt().col);

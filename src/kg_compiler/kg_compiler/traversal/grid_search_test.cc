@@ -1,4 +1,4 @@
-#include "kg_compiler/traversal/grid_search.h"
+#include "kg_compiler/traversal/testing/grid_search.h"
 
 #include <gtest/gtest.h>
 
@@ -54,10 +54,10 @@ TEST(Mover, AgreesWithTheLegFlown) {
     MotionModel motion;
     motion.cruise_mps = 0.6;
     motion.boost_gain = 0.9;
-    const Voyage voyage{{&field, &open, nullptr},
-                        motion,
-                        {grid.Centre({15, 15}), 3000.0, 86400.0},
-                        {}};
+    const VoyageRequest voyage{{&field, &open, nullptr},
+                               motion,
+                               {grid.Centre({15, 15}), 3000.0, 86400.0},
+                               {}};
     const Mover mover(voyage);
     const LegFlyer flyer(voyage);
     for (const Move& move : NeighbourMoves(32)) {

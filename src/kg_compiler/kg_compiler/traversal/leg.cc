@@ -40,10 +40,10 @@ class LegScale {
 };
 
 // A leg under way: s in [0, 1] along it.
-class Progress {
+class LegProgress {
  public:
-  Progress(const LegFlyer& flyer, const Leg& leg, double speed_mps,
-           double slack)
+  LegProgress(const LegFlyer& flyer, const TrackLeg& leg, double speed_mps,
+              double slack)
       : flyer_(flyer),
         from_(leg.from),
         lon_(leg.to.lon_deg - leg.from.lon_deg),
@@ -96,12 +96,13 @@ bool MayCross(const LegFlyer& flyer, kg_core::Cell a, kg_core::Cell b) {
 
 }  // namespace
 
-double LatestArrival_s(const MotionModel& motion, const Departure& departure) {
+double LatestArrival_s(const MotionModel& motion,
+                       const VoyageDeparture& departure) {
   return std::min(departure.deadline_s - departure.time_s,
                   departure.base_travel_m / motion.cruise_mps);
 }
 
-LegFlyer::LegFlyer(const Voyage& voyage, const CellBox* box)
+LegFlyer::LegFlyer(const VoyageRequest& voyage, const CellBox* box)
     : world_(voyage.world),
       motion_(voyage.motion),
       box_(box ? *box : CellBox{0, grid().rows(), 0, grid().cols()}),
@@ -132,8 +133,9 @@ kg_core::Cell LegFlyer::CellOf(kg_core::GridPoint at) const {
 
 // Second order: the rate in the middle of each step, at the time one gets there
 // by the rate at its begin.
-std::optional<LegEnd> LegFlyer::Fly(const Leg& leg, const LegCare& care) const {
-  const Progress progress(*this, leg, motion_.cruise_mps, care.slack);
+std::optional<LegEnd> LegFlyer::Fly(const TrackLeg& leg,
+                                    const LegCare& care) const {
+  const LegProgress progress(*this, leg, motion_.cruise_mps, care.slack);
   std::optional<kg_core::GridPoint> at = progress.At(0.0);
   const std::optional<kg_core::GridPoint> to = progress.At(1.0);
   if (!at || !to || !IsOpen(CellOf(*at))) return std::nullopt;

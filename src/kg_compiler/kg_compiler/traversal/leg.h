@@ -6,7 +6,8 @@
 
 #include <optional>
 
-#include "kg_compiler/traversal/traversal.h"
+#include "kg_compiler/data_plane/cell_box.h"
+#include "kg_compiler/traversal/voyage.h"
 
 namespace kg_compiler {
 
@@ -19,7 +20,7 @@ struct LegCare {
 };
 inline constexpr LegCare kFlight = {0.1, 0.002};
 
-struct Leg {
+struct TrackLeg {
   kg_core::LonLat from;
   kg_core::LonLat to;
   double depart_s = 0.0;  // After the departure's time.
@@ -32,16 +33,17 @@ struct LegEnd {
 
 // When one must be there [s after the departure's time]: by the deadline, and
 // before the base travel is used up.
-double LatestArrival_s(const MotionModel& motion, const Departure& departure);
+double LatestArrival_s(const MotionModel& motion,
+                       const VoyageDeparture& departure);
 
 // Flies legs of one departure.
 class LegFlyer {
  public:
   // The voyage must outlive it. What lies outside of `box`, if any is given,
   // counts as closed.
-  explicit LegFlyer(const Voyage& voyage, const CellBox* box = nullptr);
+  explicit LegFlyer(const VoyageRequest& voyage, const CellBox* box = nullptr);
 
-  std::optional<LegEnd> Fly(const Leg& leg, const LegCare& care) const;
+  std::optional<LegEnd> Fly(const TrackLeg& leg, const LegCare& care) const;
 
   // c = boost_gain current; nothing where unknown. Time after the departure's.
   std::optional<kg_core::Velocity> Current(kg_core::GridPoint at,
@@ -58,11 +60,6 @@ class LegFlyer {
   double epoch_s_;
   double latest_s_;  // After the departure's time.
 };
-
-// FlyTrack, within a box.
-std::optional<Flight> FlyTrackWithin(const Voyage& voyage,
-                                     const std::vector<kg_core::LonLat>& via,
-                                     const CellBox* box);
 
 }  // namespace kg_compiler
 

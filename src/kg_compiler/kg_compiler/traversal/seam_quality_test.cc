@@ -1,6 +1,6 @@
 // The promises of traversal, measured: closed forms, brute force, real files.
 
-#include "kg_compiler/traversal/seam_quality.h"
+#include "kg_compiler/traversal/testing/seam_quality.h"
 
 #include <gtest/gtest.h>
 
@@ -27,10 +27,10 @@ TEST(SeamQuality, IsWithinAFifthOfAPercentOfFiveClosedForms) {
 // The cone of what can be reached downstream need not hold its source.
 TEST(SeamQuality, ReachesTheConeOfAStrongCurrentAndNothingElse) {
   const ClosedForm form = closed_forms::Uniform("", 1.3, 0.8);
-  const Sea sea(form.field);
+  const TestFlowWorld sea(form.field);
   const kg_core::DegreesPerMetre scale = kg_core::LocalScale(0.0);
   const Metres from{-20e3, -12e3};
-  const Reach reach =
+  const ReachMap reach =
       ComputeReach(sea.From(Glider(1.0), {OnPlane(from), 0.0, kDay_s}));
   std::mt19937 rng(12);
   int inside = 0, outside = 0;
@@ -58,7 +58,7 @@ TEST(SeamQuality, ReachesTheConeOfAStrongCurrentAndNothingElse) {
 
 // The same field, three times finer: bilinear in between as on the coarse one,
 // so that both are the same water.
-Sea Finer(const Sea& sea) {
+TestFlowWorld Finer(const TestFlowWorld& sea) {
   const auto fine = [](const std::vector<double>& axis) {
     std::vector<double> centres;
     for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
@@ -77,7 +77,7 @@ Sea Finer(const Sea& sea) {
          ResampleBilinear(sea.field.grid, slice.east_mps, field.grid),
          ResampleBilinear(sea.field.grid, slice.north_mps, field.grid)});
   }
-  Sea finer(std::move(field));
+  TestFlowWorld finer(std::move(field));
   for (int r = 0; r < finer.field.grid.rows(); ++r) {
     for (int c = 0; c < finer.field.grid.cols(); ++c) {
       const auto cell = sea.field.grid.CellAt(finer.field.grid.Centre({r, c}));
@@ -96,15 +96,16 @@ TEST(SeamQuality, MissesNothingThatAFineGridSearchFliesTo) {
   for (int round = 0; round < 14; ++round) {
     const kg_core::Grid grid =
         round % 2 ? EvenGrid(-91, 24, 0.04, 40, 40) : UnevenGrid(rng, 40, 40);
-    Sea sea(RandomFlow(rng, grid, round % 3 ? 0.4 : 1.2, 7200, kDay_s));
+    TestFlowWorld sea(
+        RandomFlow(rng, grid, round % 3 ? 0.4 : 1.2, 7200, kDay_s));
     if (round % 2) sea.open = RandomMask(rng, grid.size(), 0.93);
     const kg_core::Cell source{20, 20};
     sea.open[grid.Index(source)] = 1;
-    const Sea fine = Finer(sea);
+    const TestFlowWorld fine = Finer(sea);
     const MotionModel motion = Glider(round % 4 < 2 ? 0.4 : 0.7);
-    const Departure departure{grid.Centre(source), 0.0, 0.7 * kDay_s};
-    const Voyage voyage = sea.From(motion, departure);
-    const Reach reach = ComputeReach(voyage);
+    const VoyageDeparture departure{grid.Centre(source), 0.0, 0.7 * kDay_s};
+    const VoyageRequest voyage = sea.From(motion, departure);
+    const ReachMap reach = ComputeReach(voyage);
     const GridReach peer = GridSearch(fine.From(motion, departure), 32);
     for (int k = 0; k < 150; ++k) {
       const kg_core::Cell cell{static_cast<int>(Uniform(rng, 4, 36)),
@@ -128,7 +129,7 @@ TEST(SeamQuality, MissesNothingThatAFineGridSearchFliesTo) {
 
 TEST(SeamQuality, OnRealCurrentsClaimsOnlyWhatCanBeFlownAndMissesNothing) {
   for (const char* file : kRealFiles) {
-    const std::optional<Sea> sea = RealSea(file);
+    const std::optional<TestFlowWorld> sea = RealSea(file);
     if (!sea) GTEST_SKIP() << file << " is not beside the repository";
     for (const double cruise_mps : {0.3, 0.5, 1.0}) {
       SCOPED_TRACE(std::string(file) + " " + std::to_string(cruise_mps));

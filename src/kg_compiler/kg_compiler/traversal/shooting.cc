@@ -23,12 +23,13 @@ constexpr double kSolveStep_cells = 0.5;
 constexpr int kFewestSteps = 6;
 
 // The point farthest from the chord in time between two kept points.
-struct Farthest {
+struct FarthestPoint {
   std::size_t index = 0;
   double cells = 0.0;
 };
-Farthest FarthestBetween(const Course& course, std::size_t a, std::size_t b) {
-  Farthest farthest;
+FarthestPoint FarthestBetween(const TimedCourse& course, std::size_t a,
+                              std::size_t b) {
+  FarthestPoint farthest;
   const CoursePoint &p = course[a], &q = course[b];
   for (std::size_t i = a + 1; i < b; ++i) {
     const double span_s = q.time_s - p.time_s;
@@ -46,7 +47,7 @@ Farthest FarthestBetween(const Course& course, std::size_t a, std::size_t b) {
 
 }  // namespace
 
-Course Simplify(const Course& course, double tolerance_cells) {
+TimedCourse Simplify(const TimedCourse& course, double tolerance_cells) {
   if (course.size() < 3) return course;
   std::vector<bool> kept(course.size(), false);
   kept.front() = kept.back() = true;
@@ -55,41 +56,43 @@ Course Simplify(const Course& course, double tolerance_cells) {
   while (!open.empty()) {
     const auto [a, b] = open.back();
     open.pop_back();
-    const Farthest farthest = FarthestBetween(course, a, b);
+    const FarthestPoint farthest = FarthestBetween(course, a, b);
     if (!(farthest.cells > tolerance_cells)) continue;
     kept[farthest.index] = true;
     open.emplace_back(a, farthest.index);
     open.emplace_back(farthest.index, b);
   }
-  Course simple;
+  TimedCourse simple;
   for (std::size_t i = 0; i < course.size(); ++i) {
     if (kept[i]) simple.push_back(course[i]);
   }
   return simple;
 }
 
-Shooter::Shooter(const Voyage& voyage, const Reach& reach, double speed_mps)
+ExtremalShooter::ExtremalShooter(const VoyageRequest& voyage,
+                                 const ReachMap& reach, double speed_mps)
     : reach_(reach),
       flow_(voyage),
       helm_(flow_, speed_mps),
       latest_s_(LatestArrival_s(voyage.motion, voyage.departure)) {}
 
 // To the guessed time, then on or back until the front is at the target.
-std::optional<ShotAt> Shooter::Fire(const Leg& leg, double heading_rad) const {
+std::optional<ShotAt> ExtremalShooter::Fire(const ShotLeg& leg,
+                                            double heading_rad) const {
   flow_.Forget();
-  Extremal at = SetOut(flow_, leg.from, heading_rad);
+  ExtremalState at = SetOut(flow_, leg.from, heading_rad);
   const int steps = static_cast<int>(std::ceil(leg.duration_s / leg.step_s));
   const double step_s = leg.duration_s / steps;
   double time_s = leg.begin_s;
   for (int i = 0; i < steps; ++i) {
-    at = helm_.Advance(at, Helm::Step(flow_, time_s, step_s));
+    at = helm_.Advance(at, ExtremalStepper::Step(flow_, time_s, step_s));
     time_s += step_s;
     if (!IsWithin(flow_.felt(), reach_.read)) return std::nullopt;
   }
-  const Offset target{leg.to.col, leg.to.row};
+  const CellOffset target{leg.to.col, leg.to.row};
   for (int i = 0; i < kMostTimings; ++i) {
-    const Offset normal = NormalOf(flow_, at);
-    const Offset miss = PlaceOf(at) - target;
+    const CellOffset normal = NormalOf(flow_, at);
+    const CellOffset miss = PlaceOf(at) - target;
     const double ahead = Dot(normal, miss) / Length(normal);
     const double left = Cross(normal, miss) / Length(normal);
     if (!(Length(miss) < kFarthest_cells)) return std::nullopt;
@@ -101,7 +104,7 @@ std::optional<ShotAt> Shooter::Fire(const Leg& leg, double heading_rad) const {
     const double most_s = kMostShift_cells / std::max(std::abs(front), 1e-12);
     const double shift_s = std::min(std::max(-ahead / front, -most_s), most_s);
     if (!(time_s + shift_s > leg.begin_s)) return std::nullopt;
-    at = helm_.Advance(at, Helm::Step(flow_, time_s, shift_s));
+    at = helm_.Advance(at, ExtremalStepper::Step(flow_, time_s, shift_s));
     time_s += shift_s;
     if (!IsWithin(flow_.felt(), reach_.read)) return std::nullopt;
   }
@@ -127,8 +130,8 @@ bool OnBothSides(const std::optional<ShotAt>& a,
 // Illinois: regula falsi that halves the weight of an end kept twice. The best
 // shot, if it is none that hits: where extremals cross and cross again a line
 // of centres along which the current is strongest, none may.
-std::optional<ShotAt> Shooter::Between(const Leg& leg, ShotAt a,
-                                       ShotAt b) const {
+std::optional<ShotAt> ExtremalShooter::Between(const ShotLeg& leg, ShotAt a,
+                                               ShotAt b) const {
   double weight_a = a.left, weight_b = b.left;
   int kept = 0;
   std::optional<ShotAt> best = a;
@@ -155,7 +158,7 @@ std::optional<ShotAt> Shooter::Between(const Leg& leg, ShotAt a,
   return best;
 }
 
-std::optional<ShotAt> Shooter::Search(const Leg& leg) const {
+std::optional<ShotAt> ExtremalShooter::Search(const ShotLeg& leg) const {
   std::optional<ShotAt> low = Fire(leg, leg.heading_rad), high = low;
   std::optional<ShotAt> best = low;
   if (best && std::abs(best->left) < kHit_cells) return best;
@@ -177,27 +180,28 @@ std::optional<ShotAt> Shooter::Search(const Leg& leg) const {
   return best;
 }
 
-std::optional<ShotAt> Shooter::Solve(const Leg& leg) const {
+std::optional<ShotAt> ExtremalShooter::Solve(const ShotLeg& leg) const {
   if (!(leg.duration_s > 0.0)) return std::nullopt;
   const std::optional<ShotAt> best = Search(leg);
   if (!best || !(std::abs(best->left) < kBent_cells)) return std::nullopt;
   return best;
 }
 
-bool Shooter::Trace(const Leg& leg, const ShotAt& shot, Course* course) const {
+bool ExtremalShooter::Trace(const ShotLeg& leg, const ShotAt& shot,
+                            TimedCourse* course) const {
   flow_.Forget();
-  Extremal at = SetOut(flow_, leg.from, shot.heading_rad);
+  ExtremalState at = SetOut(flow_, leg.from, shot.heading_rad);
   const int steps = static_cast<int>(std::ceil(shot.duration_s / leg.step_s));
   const double step_s = shot.duration_s / steps;
   const std::size_t first = course->size();
   for (int i = 0; i < steps; ++i) {
     const double time_s = leg.begin_s + i * step_s;
     course->push_back({{at.row, at.col}, time_s});
-    at = helm_.Advance(at, Helm::Step(flow_, time_s, step_s));
+    at = helm_.Advance(at, ExtremalStepper::Step(flow_, time_s, step_s));
     if (!IsWithin(flow_.felt(), reach_.read)) return false;
   }
   // What it misses by is made good evenly all along.
-  const Offset miss = PlaceOf(at) - Offset{leg.to.col, leg.to.row};
+  const CellOffset miss = PlaceOf(at) - CellOffset{leg.to.col, leg.to.row};
   if (!(Length(miss) < 2.0 * kBent_cells)) return false;
   for (int i = 0; i < steps; ++i) {
     kg_core::GridPoint& place = (*course)[first + i].place;
@@ -207,23 +211,24 @@ bool Shooter::Trace(const Leg& leg, const ShotAt& shot, Course* course) const {
   return true;
 }
 
-std::optional<Course> Shooter::To(kg_core::GridPoint place, const Guess& guess,
-                                  double step_cells) const {
+std::optional<TimedCourse> ExtremalShooter::To(kg_core::GridPoint place,
+                                               const Guess& guess,
+                                               double step_cells) const {
   std::vector<int> roots;  // From the last back to the departure.
   for (int root = guess.root; root >= 0; root = reach_.roots[root].parent) {
     roots.push_back(root);
   }
-  Course course;
+  TimedCourse course;
   double begin_s = 0.0;
   for (std::size_t i = roots.size(); i-- > 0;) {
     const ReachRoot& root = reach_.roots[roots[i]];
-    Leg leg{root.place,
-            place,
-            begin_s,
-            guess.heading_rad,
-            guess.spread_rad,
-            guess.arrival_s - root.time_s,
-            0.0};
+    ShotLeg leg{root.place,
+                place,
+                begin_s,
+                guess.heading_rad,
+                guess.spread_rad,
+                guess.arrival_s - root.time_s,
+                0.0};
     if (i > 0) {
       const ReachRoot& next = reach_.roots[roots[i - 1]];
       leg.to = next.place;

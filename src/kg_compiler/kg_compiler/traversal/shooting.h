@@ -18,7 +18,8 @@
 #include <vector>
 
 #include "kg_compiler/traversal/extremal.h"
-#include "kg_compiler/traversal/traversal.h"
+#include "kg_compiler/traversal/reach.h"
+#include "kg_compiler/traversal/voyage.h"
 
 namespace kg_compiler {
 
@@ -27,11 +28,11 @@ struct CoursePoint {
   kg_core::GridPoint place;
   double time_s = 0.0;
 };
-using Course = std::vector<CoursePoint>;
+using TimedCourse = std::vector<CoursePoint>;
 
 // The points without which linear interpolation in time stays within
 // `tolerance_cells` of all that are given.
-Course Simplify(const Course& course, double tolerance_cells);
+TimedCourse Simplify(const TimedCourse& course, double tolerance_cells);
 
 // How one heading does.
 struct ShotAt {
@@ -40,10 +41,11 @@ struct ShotAt {
   double left = 0.0;  // m [cells].
 };
 
-class Shooter {
+class ExtremalShooter {
  public:
   // Both must outlive it. Extremals go at `speed_mps` through water.
-  Shooter(const Voyage& voyage, const Reach& reach, double speed_mps);
+  ExtremalShooter(const VoyageRequest& voyage, const ReachMap& reach,
+                  double speed_mps);
 
   // What an extremal is guessed to be: from a root, at a heading (give or take
   // a spread), arriving then.
@@ -55,27 +57,27 @@ class Shooter {
   };
   // A course from the departure to a place in steps of at most
   // `step_cells`; nothing if none is found close to the guess.
-  std::optional<Course> To(kg_core::GridPoint place, const Guess& guess,
-                           double step_cells) const;
+  std::optional<TimedCourse> To(kg_core::GridPoint place, const Guess& guess,
+                                double step_cells) const;
 
  private:
-  struct Leg {
+  struct ShotLeg {
     kg_core::GridPoint from, to;
     double begin_s;
     double heading_rad, spread_rad, duration_s;  // Guessed.
     double step_s;
   };
-  std::optional<ShotAt> Fire(const Leg& leg, double heading_rad) const;
-  std::optional<ShotAt> Solve(const Leg& leg) const;
-  std::optional<ShotAt> Search(const Leg& leg) const;
-  std::optional<ShotAt> Between(const Leg& leg, ShotAt a, ShotAt b) const;
+  std::optional<ShotAt> Fire(const ShotLeg& leg, double heading_rad) const;
+  std::optional<ShotAt> Solve(const ShotLeg& leg) const;
+  std::optional<ShotAt> Search(const ShotLeg& leg) const;
+  std::optional<ShotAt> Between(const ShotLeg& leg, ShotAt a, ShotAt b) const;
   // The leg's extremal at a heading for so long; nothing if it leaves what the
   // reach read.
-  bool Trace(const Leg& leg, const ShotAt& shot, Course* course) const;
+  bool Trace(const ShotLeg& leg, const ShotAt& shot, TimedCourse* course) const;
 
-  const Reach& reach_;
-  Flow flow_;
-  Helm helm_;
+  const ReachMap& reach_;
+  FlowSampler flow_;
+  ExtremalStepper helm_;
   double latest_s_;
 };
 

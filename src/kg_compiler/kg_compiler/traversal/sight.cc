@@ -23,7 +23,7 @@ struct AxisWalk {
 
 }  // namespace
 
-Sight::Sight(const TraversalWorld& world, const CellBox& box)
+LineOfSight::LineOfSight(const TraversalWorld& world, const CellBox& box)
     : grid_(world.field->grid),
       open_(*world.open),
       east_mps_(world.field->slices.front().east_mps),
@@ -33,7 +33,7 @@ Sight::Sight(const TraversalWorld& world, const CellBox& box)
                  ((grid_.rows() + kBlock - 1) / kBlock),
              -1) {}
 
-bool Sight::IsClear(kg_core::GridPoint a, kg_core::GridPoint b) const {
+bool LineOfSight::IsClear(kg_core::GridPoint a, kg_core::GridPoint b) const {
   constexpr double kSame = 1e-9;
   kg_core::Cell cell = CellOf(grid_, a);
   const kg_core::Cell last = CellOf(grid_, b);
@@ -59,7 +59,7 @@ bool Sight::IsClear(kg_core::GridPoint a, kg_core::GridPoint b) const {
   return true;
 }
 
-bool Sight::FindCoast(int block_row, int block_col) const {
+bool LineOfSight::FindCoast(int block_row, int block_col) const {
   const int r0 = block_row * kBlock, c0 = block_col * kBlock;
   for (int r = std::max(r0 - 1, 0);
        r <= std::min(r0 + kBlock, grid_.rows() - 1); ++r) {
@@ -71,14 +71,14 @@ bool Sight::FindCoast(int block_row, int block_col) const {
   return false;
 }
 
-bool Sight::NearCoast(kg_core::Cell cell) {
+bool LineOfSight::NearCoast(kg_core::Cell cell) {
   const int r = cell.row / kBlock, c = cell.col / kBlock;
   signed char& known = coast_[static_cast<std::size_t>(r) * block_cols_ + c];
   if (known < 0) known = FindCoast(r, c) ? 1 : 0;
   return known == 1;
 }
 
-unsigned Sight::Corners(kg_core::Cell cell) const {
+unsigned LineOfSight::Corners(kg_core::Cell cell) const {
   unsigned corners = 0;
   for (std::size_t k = 0; k < kDiagonals.size(); ++k) {
     const kg_core::Cell d = kDiagonals[k];
@@ -92,7 +92,7 @@ unsigned Sight::Corners(kg_core::Cell cell) const {
   return corners;
 }
 
-kg_core::GridPoint Sight::CornerAt(kg_core::Cell cell, int diagonal) {
+kg_core::GridPoint LineOfSight::CornerAt(kg_core::Cell cell, int diagonal) {
   const kg_core::Cell d = kDiagonals[static_cast<std::size_t>(diagonal)];
   const double away = 0.5 - kCornerGap;
   return {cell.row + away * d.row, cell.col + away * d.col};

@@ -6,7 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "kg_compiler/traversal/traversal.h"
+#include "kg_compiler/data_plane/cell_box.h"
+#include "kg_compiler/traversal/voyage.h"
 
 namespace kg_compiler {
 
@@ -28,10 +29,10 @@ inline kg_core::Cell CellOf(const kg_core::Grid& grid, kg_core::GridPoint at) {
           col < grid.cols() ? (col > 0 ? col : 0) : grid.cols() - 1};
 }
 
-class Sight {
+class LineOfSight {
  public:
   // What lies outside of `box` counts as closed. The world must outlive it.
-  Sight(const TraversalWorld& world, const CellBox& box);
+  LineOfSight(const TraversalWorld& world, const CellBox& box);
 
   // In the box, open, and with a current.
   bool IsOpen(kg_core::Cell cell) const {

@@ -3,19 +3,19 @@
 #include <gtest/gtest.h>
 
 #include "kg_compiler/test_world.h"
-#include "kg_compiler/traversal/test_sea.h"
+#include "kg_compiler/traversal/testing/test_flow_world.h"
 
 namespace kg_compiler {
 namespace {
 
-TEST(Sight, SeesEveryCellThatALineTouches) {
+TEST(LineOfSight, SeesEveryCellThatALineTouches) {
   std::mt19937 rng(1);
   int clear = 0, blocked = 0;
   for (int round = 0; round < 3000; ++round) {
-    Sea sea(UniformFlow(EvenGrid(-91, 24, 0.04, 20, 20), 0, 0));
+    TestFlowWorld sea(UniformFlow(EvenGrid(-91, 24, 0.04, 20, 20), 0, 0));
     sea.open = RandomMask(rng, 400, 0.9);
-    const Voyage voyage = sea.From(Glider(1), {{-91, 24}, 0, 1});
-    const Sight sight(voyage.world, {0, 20, 0, 20});
+    const VoyageRequest voyage = sea.From(Glider(1), {{-91, 24}, 0, 1});
+    const LineOfSight sight(voyage.world, {0, 20, 0, 20});
     const kg_core::GridPoint a{Uniform(rng, 0, 19), Uniform(rng, 0, 19)};
     const kg_core::GridPoint b{Uniform(rng, 0, 19), Uniform(rng, 0, 19)};
     const kg_core::Cell first = CellOf(sea.field.grid, a);
@@ -45,21 +45,21 @@ TEST(Sight, SeesEveryCellThatALineTouches) {
   EXPECT_GT(blocked, 300);
 }
 
-TEST(Sight, DoesNotSlipThroughACorner) {
-  Sea sea(UniformFlow(EvenGrid(-91, 24, 0.04, 5, 5), 0, 0));
-  const Voyage voyage = sea.From(Glider(1), {{-91, 24}, 0, 1});
-  const Sight sight(voyage.world, {0, 5, 0, 5});
+TEST(LineOfSight, DoesNotSlipThroughACorner) {
+  TestFlowWorld sea(UniformFlow(EvenGrid(-91, 24, 0.04, 5, 5), 0, 0));
+  const VoyageRequest voyage = sea.From(Glider(1), {{-91, 24}, 0, 1});
+  const LineOfSight sight(voyage.world, {0, 5, 0, 5});
   EXPECT_TRUE(sight.IsClear({1, 1}, {3, 3}));
   sea.open[1 * 5 + 2] = 0;
   EXPECT_FALSE(sight.IsClear({1, 1}, {3, 3}));
   EXPECT_FALSE(sight.IsClear({3, 3}, {1, 1}));
 }
 
-TEST(Sight, FindsCornersToGoRoundAndWhatIsNearTheCoast) {
-  Sea sea(UniformFlow(EvenGrid(-91, 24, 0.04, 20, 20), 0, 0));
+TEST(LineOfSight, FindsCornersToGoRoundAndWhatIsNearTheCoast) {
+  TestFlowWorld sea(UniformFlow(EvenGrid(-91, 24, 0.04, 20, 20), 0, 0));
   sea.open[10 * 20 + 10] = 0;
-  const Voyage voyage = sea.From(Glider(1), {{-91, 24}, 0, 1});
-  Sight sight(voyage.world, {0, 20, 0, 20});
+  const VoyageRequest voyage = sea.From(Glider(1), {{-91, 24}, 0, 1});
+  LineOfSight sight(voyage.world, {0, 20, 0, 20});
   EXPECT_EQ(1u, sight.Corners({9, 9}));
   EXPECT_EQ(0u, sight.Corners({9, 10}));
   EXPECT_EQ(8u, sight.Corners({11, 11}));

@@ -7,7 +7,8 @@
 #include <array>
 #include <mutex>
 
-#include "kg_compiler/traversal/traversal.h"
+#include "kg_compiler/traversal/reach.h"
+#include "kg_compiler/traversal/voyage.h"
 
 namespace kg_compiler {
 
@@ -20,11 +21,11 @@ class SlowerReaches {
 
   // The k-th; null if it reads anything outside of `read`. The voyage (at full
   // speed) and `read` must be the same at every call.
-  const Reach* At(int k, const Voyage& voyage, const CellBox& read);
+  const ReachMap* At(int k, const VoyageRequest& voyage, const CellBox& read);
 
  private:
   std::array<std::once_flag, kCount> made_;
-  std::array<Reach, kCount> reaches_;
+  std::array<ReachMap, kCount> reaches_;
   std::array<bool, kCount> stays_within_{};
 };
 

@@ -14,52 +14,54 @@ constexpr double kRefined = 1e-3;    // [cells]
 
 double Clamp01(double x) { return std::min(std::max(x, 0.0), 1.0); }
 
-Offset Normalised(Offset a) { return (1.0 / Length(a)) * a; }
+CellOffset Normalised(CellOffset a) { return (1.0 / Length(a)) * a; }
 
 }  // namespace
 
-Offset NormalOf(const Flow& flow, const Extremal& at) {
+CellOffset NormalOf(const FlowSampler& flow, const ExtremalState& at) {
   return {at.p_lon * flow.DegPerCol(at.col), at.p_lat * flow.DegPerRow(at.row)};
 }
 
-std::optional<Extremal> Halfway(const Flow& flow, const Extremal& a,
-                                const Extremal& b) {
-  const Offset na = Normalised(NormalOf(flow, a));
-  const Offset nb = Normalised(NormalOf(flow, b));
-  const Offset chord = PlaceOf(b) - PlaceOf(a);
+std::optional<ExtremalState> Halfway(const FlowSampler& flow,
+                                     const ExtremalState& a,
+                                     const ExtremalState& b) {
+  const CellOffset na = Normalised(NormalOf(flow, a));
+  const CellOffset nb = Normalised(NormalOf(flow, b));
+  const CellOffset chord = PlaceOf(b) - PlaceOf(a);
   const double length = Length(chord);
-  Offset middle = PlaceOf(a) + 0.5 * chord;
-  Offset normal = na + nb;
+  CellOffset middle = PlaceOf(a) + 0.5 * chord;
+  CellOffset normal = na + nb;
   if (length > kNoLength) {
     // Tangents along the chord, at right angles to the normals.
-    Offset ta{-na.row, na.col}, tb{-nb.row, nb.col};
+    CellOffset ta{-na.row, na.col}, tb{-nb.row, nb.col};
     if (Dot(ta, chord) < 0.0) ta = -1.0 * ta;
     if (Dot(tb, chord) < 0.0) tb = -1.0 * tb;
     if (!(Dot(ta, chord) > 0.5 * length && Dot(tb, chord) > 0.5 * length)) {
       return std::nullopt;
     }
     middle = middle + (0.125 * length) * (ta - tb);
-    const Offset tangent = (1.5 / length) * chord - 0.25 * (ta + tb);
-    const Offset across{-tangent.row, tangent.col};
+    const CellOffset tangent = (1.5 / length) * chord - 0.25 * (ta + tb);
+    const CellOffset across{-tangent.row, tangent.col};
     normal = Dot(across, normal) < 0.0 ? -1.0 * across : across;
   }
   if (!(Length(normal) > 1e-3)) return std::nullopt;
-  Extremal half{middle.col, middle.row, 0.0, 0.0};
+  ExtremalState half{middle.col, middle.row, 0.0, 0.0};
   half.p_lon = normal.col / flow.DegPerCol(half.col);
   half.p_lat = normal.row / flow.DegPerRow(half.row);
   return half;
 }
 
-double Sweep::Bow::Ahead(double s) const {
+double FrontSweep::Bow::Ahead(double s) const {
   const double r = 1.0 - s;
   return length * s * r * (slope_a * r - slope_b * s);
 }
 
-Sweep::Bow Sweep::BowOf(Offset chord, Offset normal_a, Offset normal_b) const {
+FrontSweep::Bow FrontSweep::BowOf(CellOffset chord, CellOffset normal_a,
+                                  CellOffset normal_b) const {
   Bow bow;
   bow.length = Length(chord);
   if (!(bow.length > kNoLength)) return {};
-  Offset ahead{-chord.row, chord.col};
+  CellOffset ahead{-chord.row, chord.col};
   if (Dot(ahead, motion_) < 0.0) ahead = -1.0 * ahead;
   const double a = Dot(normal_a, ahead), b = Dot(normal_b, ahead);
   if (!(a > 0.0 && b > 0.0)) return {bow.length, HUGE_VAL, HUGE_VAL};
@@ -68,8 +70,8 @@ Sweep::Bow Sweep::BowOf(Offset chord, Offset normal_a, Offset normal_b) const {
   return bow;
 }
 
-Sweep::Sweep(const Flow& flow, const Strand& a, const Strand& b,
-             double length_s)
+FrontSweep::FrontSweep(const FlowSampler& flow, const ExtremalStrand& a,
+                       const ExtremalStrand& b, double length_s)
     : a0_(PlaceOf(a.begin)),
       a1_(PlaceOf(a.end)),
       b0_(PlaceOf(b.begin)),
@@ -78,7 +80,7 @@ Sweep::Sweep(const Flow& flow, const Strand& a, const Strand& b,
       motion_(a1_ - a0_),
       twist_((b1_ - a1_) - begin_edge_),
       length_s_(length_s) {
-  const Offset end_edge = b1_ - a1_;
+  const CellOffset end_edge = b1_ - a1_;
   const double det_a = Cross(begin_edge_, b1_ - a0_);
   const double det_b = Cross(b1_ - a0_, motion_);
   if (std::abs(det_a) > kNoLength) inverse_a_ = 1.0 / det_a;
@@ -97,25 +99,25 @@ Sweep::Sweep(const Flow& flow, const Strand& a, const Strand& b,
   motion_ = a1_ - a0_;
 }
 
-double Sweep::Slope() const {
+double FrontSweep::Slope() const {
   return std::max(
       std::max(std::abs(begin_bow_.slope_a), std::abs(begin_bow_.slope_b)),
       std::max(std::abs(end_bow_.slope_a), std::abs(end_bow_.slope_b)));
 }
 
-Offset Sweep::low() const {
+CellOffset FrontSweep::low() const {
   return {std::min(std::min(a0_.col, a1_.col), std::min(b0_.col, b1_.col)),
           std::min(std::min(a0_.row, a1_.row), std::min(b0_.row, b1_.row))};
 }
 
-Offset Sweep::high() const {
+CellOffset FrontSweep::high() const {
   return {std::max(std::max(a0_.col, a1_.col), std::max(b0_.col, b1_.col)),
           std::max(std::max(a0_.row, a1_.row), std::max(b0_.row, b1_.row))};
 }
 
 // Two triangles, on either side of the diagonal from a0 to b1.
-std::optional<Sweep::Share> Sweep::Find(Offset place) const {
-  const Offset d = place - a0_, diagonal = b1_ - a0_;
+std::optional<FrontSweep::Share> FrontSweep::Find(CellOffset place) const {
+  const CellOffset d = place - a0_, diagonal = b1_ - a0_;
   const double aside = Cross(d, diagonal);  // Which side of the diagonal?
   const double b0 = aside * inverse_a_;
   if (inverse_a_ != 0.0 && b0 >= -kTouch) {
@@ -135,13 +137,13 @@ std::optional<Sweep::Share> Sweep::Find(Offset place) const {
 }
 
 // Newton's method for X(s, w) = place.
-Sweep::Share Sweep::Refine(Offset place, Share share) const {
+FrontSweep::Share FrontSweep::Refine(CellOffset place, Share share) const {
   for (int i = 0; i < 2; ++i) {
-    const Offset by_s = begin_edge_ + share.along * twist_;
-    const Offset by_w = motion_ + share.across * twist_;
+    const CellOffset by_s = begin_edge_ + share.along * twist_;
+    const CellOffset by_w = motion_ + share.across * twist_;
     const double det = Cross(by_s, by_w);
     if (!(std::abs(det) > kNoLength)) break;
-    const Offset miss =
+    const CellOffset miss =
         place - (a0_ + share.across * begin_edge_ + share.along * by_w);
     share.across = Clamp01(share.across + Cross(miss, by_w) / det);
     share.along = Clamp01(share.along + Cross(by_s, miss) / det);
@@ -149,7 +151,7 @@ Sweep::Share Sweep::Refine(Offset place, Share share) const {
   return share;
 }
 
-double Sweep::Time_s(Share share) const {
+double FrontSweep::Time_s(Share share) const {
   const double ahead = (1.0 - share.along) * begin_bow_.Ahead(share.across) +
                        share.along * end_bow_.Ahead(share.across);
   return share.along * length_s_ -

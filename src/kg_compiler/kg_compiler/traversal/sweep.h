@@ -18,52 +18,58 @@
 namespace kg_compiler {
 
 // An extremal during one step.
-struct Strand {
-  Extremal begin, end;
+struct ExtremalStrand {
+  ExtremalState begin, end;
   double heading_rad = 0.0;  // When it left its root.
   bool dead = false;         // Ended in this step.
 };
 
 // A vector in cell units.
-struct Offset {
+struct CellOffset {
   double col = 0.0, row = 0.0;
 };
-inline double Dot(Offset a, Offset b) { return a.col * b.col + a.row * b.row; }
-inline double Cross(Offset a, Offset b) {
+inline double Dot(CellOffset a, CellOffset b) {
+  return a.col * b.col + a.row * b.row;
+}
+inline double Cross(CellOffset a, CellOffset b) {
   return a.col * b.row - a.row * b.col;
 }
-inline Offset operator-(Offset a, Offset b) {
+inline CellOffset operator-(CellOffset a, CellOffset b) {
   return {a.col - b.col, a.row - b.row};
 }
-inline Offset operator+(Offset a, Offset b) {
+inline CellOffset operator+(CellOffset a, CellOffset b) {
   return {a.col + b.col, a.row + b.row};
 }
-inline Offset operator*(double f, Offset a) { return {f * a.col, f * a.row}; }
-inline double Length(Offset a) { return std::sqrt(Dot(a, a)); }
-inline Offset PlaceOf(const Extremal& at) { return {at.col, at.row}; }
+inline CellOffset operator*(double f, CellOffset a) {
+  return {f * a.col, f * a.row};
+}
+inline double Length(CellOffset a) { return std::sqrt(Dot(a, a)); }
+inline CellOffset PlaceOf(const ExtremalState& at) { return {at.col, at.row}; }
 // The front's normal in cell units.
-Offset NormalOf(const Flow& flow, const Extremal& at);
+CellOffset NormalOf(const FlowSampler& flow, const ExtremalState& at);
 
 // Half way along the front between two extremals, by a cubic through both with
 // their normals; nothing where the front is not smooth enough between them.
-std::optional<Extremal> Halfway(const Flow& flow, const Extremal& a,
-                                const Extremal& b);
+std::optional<ExtremalState> Halfway(const FlowSampler& flow,
+                                     const ExtremalState& a,
+                                     const ExtremalState& b);
 
-class Sweep {
+class FrontSweep {
  public:
-  Sweep(const Flow& flow, const Strand& a, const Strand& b, double length_s);
+  FrontSweep(const FlowSampler& flow, const ExtremalStrand& a,
+             const ExtremalStrand& b, double length_s);
 
   struct Share {
     double across = 0.0;  // s
     double along = 0.0;   // w
   };
   // Where a place is, if between the two.
-  std::optional<Share> Find(Offset place) const;
+  std::optional<Share> Find(CellOffset place) const;
   double Time_s(Share share) const;  // After the step's begin.
-  Offset BeginAt(double across) const { return a0_ + across * begin_edge_; }
+  CellOffset BeginAt(double across) const { return a0_ + across * begin_edge_; }
 
-  Offset low() const;  // The box around it.
-  Offset high() const;
+  CellOffset low() const;  // The box around it.
+  CellOffset high() const;
   // The largest slope of the front against its chords; how smooth it is.
   double Slope() const;
 
@@ -72,11 +78,11 @@ class Sweep {
     double length = 0.0, slope_a = 0.0, slope_b = 0.0;
     double Ahead(double s) const;
   };
-  Bow BowOf(Offset chord, Offset normal_a, Offset normal_b) const;
-  Share Refine(Offset place, Share share) const;
+  Bow BowOf(CellOffset chord, CellOffset normal_a, CellOffset normal_b) const;
+  Share Refine(CellOffset place, Share share) const;
 
-  Offset a0_, a1_, b0_, b1_;
-  Offset begin_edge_, motion_, twist_;
+  CellOffset a0_, a1_, b0_, b1_;
+  CellOffset begin_edge_, motion_, twist_;
   // Inverse determinants of the triangles on either side of the diagonal from
   // a0 to b1; 0 = none.
   double inverse_a_ = 0.0, inverse_b_ = 0.0;

@@ -24,7 +24,7 @@ constexpr double kSure = 0.9;    // Share of what is held, between the samples.
 
 // One cannot be at a place before this: the first arrival in the cells around,
 // among which it lies. Infinite if there is none within a cell more.
-double Earliest_s(const Reach& reach, const kg_core::Grid& grid,
+double Earliest_s(const ReachMap& reach, const kg_core::Grid& grid,
                   kg_core::Cell place) {
   for (int around = 1; around <= kNear_cells; ++around) {
     double earliest_s = kInfinity;
@@ -43,18 +43,18 @@ double Earliest_s(const Reach& reach, const kg_core::Grid& grid,
 }
 
 // Shares of the full speed: those tried, with their reaches, fastest first.
-struct Choice {
+struct SpeedChoice {
   double share = 1.0;
   double cost = kInfinity;
-  std::optional<Flight> flight;
+  std::optional<FlownPath> flight;
 };
 
-class Pricing {
+class SpeedSearch {
  public:
-  Pricing(const Voyage& voyage, const Reach& reach, kg_core::LonLat to,
-          kg_core::GridPoint at)
+  SpeedSearch(const VoyageRequest& voyage, const ReachMap& reach,
+              kg_core::LonLat to, kg_core::GridPoint at)
       : voyage_(voyage), reach_(reach), to_(to), at_(at) {
-    const Departure& departure = voyage.departure;
+    const VoyageDeparture& departure = voyage.departure;
     const LegFlyer flyer(voyage);
     whole_s_ = departure.deadline_s - departure.time_s;
     const int steps = static_cast<int>(std::ceil(whole_s_ / kHoldStep_s));
@@ -64,16 +64,16 @@ class Pricing {
     }
   }
 
-  std::optional<Flight> Cheapest() const {
-    Choice best = Try(1.0, reach_);
+  std::optional<FlownPath> Cheapest() const {
+    SpeedChoice best = Try(1.0, reach_);
     double earliest_s = NotBefore(EarliestBy(reach_), best);
     int chosen = -1;
     bool between = false;  // May the cheapest lie next to the fastest?
     for (int k = 0; k < SlowerReaches::kCount; ++k) {
       const double share = SlowerReaches::kShares[k];
       if (!IsWorthIt(share, earliest_s, best)) continue;
-      const Reach* reach = reach_.slower->At(k, voyage_, reach_.read);
-      Choice slower;
+      const ReachMap* reach = reach_.slower->At(k, voyage_, reach_.read);
+      SpeedChoice slower;
       if (reach) {
         earliest_s = std::max(earliest_s, EarliestBy(*reach));
         if (IsWorthIt(share, earliest_s, best)) slower = Try(share, *reach);
@@ -89,7 +89,7 @@ class Pricing {
   }
 
  private:
-  double EarliestBy(const Reach& reach) const {
+  double EarliestBy(const ReachMap& reach) const {
     const kg_core::Grid& grid = voyage_.world.field->grid;
     return Earliest_s(reach, grid, CellOf(grid, at_));
   }
@@ -112,7 +112,8 @@ class Pricing {
            voyage_.price.per_j * (motion.energy_per_m_j * through_m +
                                   motion.hotel_load_w * whole_s_);
   }
-  bool IsWorthIt(double share, double earliest_s, const Choice& best) const {
+  bool IsWorthIt(double share, double earliest_s,
+                 const SpeedChoice& best) const {
     const double anyway =
         voyage_.price.per_j * voyage_.motion.hotel_load_w * whole_s_;
     const double least = LeastCost(share, earliest_s);
@@ -120,20 +121,21 @@ class Pricing {
            (!best.flight || least < best.cost - kWorth * (best.cost - anyway));
   }
   // Who goes slower than that is not earlier.
-  static double NotBefore(double earliest_s, const Choice& faster) {
+  static double NotBefore(double earliest_s, const SpeedChoice& faster) {
     return faster.flight ? std::max(earliest_s, faster.flight->travel_s)
                          : earliest_s;
   }
-  Voyage At(double share) const {
-    Voyage voyage = voyage_;
+  VoyageRequest At(double share) const {
+    VoyageRequest voyage = voyage_;
     voyage.motion.cruise_mps *= share;
     return voyage;
   }
-  Choice Try(double share, const Reach& reach, bool is_its_own = true) const {
-    const Voyage voyage = At(share);
-    Choice choice;
+  SpeedChoice Try(double share, const ReachMap& reach,
+                  bool is_its_own = true) const {
+    const VoyageRequest voyage = At(share);
+    SpeedChoice choice;
     choice.share = share;
-    const Crossing crossing(voyage, reach, to_, at_);
+    const FastestCrossing crossing(voyage, reach, to_, at_);
     choice.flight = is_its_own ? crossing.Fastest() : crossing.First();
     if (choice.flight) {
       const FlightPrice& price = voyage_.price;
@@ -145,11 +147,11 @@ class Pricing {
   }
   // Golden section between the speeds on either side of the one chosen, which
   // has the least cost of the three; what cannot be flown costs infinitely.
-  Choice Refined(Choice best, int chosen) const {
+  SpeedChoice Refined(SpeedChoice best, int chosen) const {
     const int last = SlowerReaches::kCount - 1;
     double low = chosen == last ? 0.0 : SlowerReaches::kShares[chosen + 1];
     const double fastest_s = EarliestBy(reach_);
-    const Reach& reach =
+    const ReachMap& reach =
         chosen < 0 ? reach_ : *reach_.slower->At(chosen, voyage_, reach_.read);
     double high = chosen <= 0 ? 1.0 : SlowerReaches::kShares[chosen - 1];
     for (int i = 0; i < kRefinements; ++i) {
@@ -158,7 +160,7 @@ class Pricing {
           up ? best.share + (1.0 - kGolden) * (high - best.share)
              : best.share - (1.0 - kGolden) * (best.share - low);
       if (!IsWorthIt(low, fastest_s, best)) break;
-      Choice next = Try(share, reach, false);
+      SpeedChoice next = Try(share, reach, false);
       const bool better = next.cost < best.cost;
       (up == better ? low : high) = better ? best.share : share;
       if (better) best = std::move(next);
@@ -166,8 +168,8 @@ class Pricing {
     return best;
   }
 
-  const Voyage& voyage_;
-  const Reach& reach_;
+  const VoyageRequest& voyage_;
+  const ReachMap& reach_;
   kg_core::LonLat to_;
   kg_core::GridPoint at_;
   double whole_s_;
@@ -176,14 +178,14 @@ class Pricing {
 
 }  // namespace
 
-std::optional<Flight> Traverse(const Voyage& voyage, const Reach& reach,
-                               kg_core::LonLat to) {
+std::optional<FlownPath> Traverse(const VoyageRequest& voyage,
+                                  const ReachMap& reach, kg_core::LonLat to) {
   const auto at = voyage.world.field->grid.Locate(to);
   if (!at) return std::nullopt;
   if (!(voyage.price.per_j > 0.0) || !reach.slower) {
-    return Crossing(voyage, reach, to, *at).Fastest();
+    return FastestCrossing(voyage, reach, to, *at).Fastest();
   }
-  return Pricing(voyage, reach, to, *at).Cheapest();
+  return SpeedSearch(voyage, reach, to, *at).Cheapest();
 }
 
 }  // namespace kg_compiler

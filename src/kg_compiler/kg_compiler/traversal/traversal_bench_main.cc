@@ -11,7 +11,7 @@
 #include <cstring>
 
 #include "kg_compiler/bench_report.h"
-#include "kg_compiler/traversal/seam_quality.h"
+#include "kg_compiler/traversal/testing/seam_quality.h"
 
 namespace kg_compiler {
 namespace {
@@ -47,7 +47,7 @@ void ReportAccuracy(bool quick) {
 void ReportTruth(bool quick) {
   SeamTruth all;
   for (const char* file : kRealFiles) {
-    const std::optional<Sea> sea = RealSea(file);
+    const std::optional<TestFlowWorld> sea = RealSea(file);
     if (!sea) {
       std::printf("          %s is not there: not flown\n", file);
       continue;
@@ -98,9 +98,9 @@ double MeanError(const ClosedForm& form, const AnyReach& reach, Metres from) {
 
 void ReportSpeed(bool quick) {
   const ClosedForm form = closed_forms::Vortex();
-  const Sea vortex(form.field);
+  const TestFlowWorld vortex(form.field);
   const Metres from{-3000.0, 2000.0};
-  const Voyage voyage =
+  const VoyageRequest voyage =
       vortex.From(Glider(1.0), {OnPlane(from), 0.0, 2 * kDay_s});
   const int rounds = quick ? 1 : 7;
   std::printf(
@@ -114,9 +114,9 @@ void ReportSpeed(bool quick) {
              rounds, [&] { ComputeReach(voyage); },
              [&] { GridSearch(voyage, 32); }));
   std::printf("          OMPL's RRT* is not built in: not compared\n");
-  const Sea gulf(GulfLikeFlow(1, 0, kDay_s, 10800));
+  const TestFlowWorld gulf(GulfLikeFlow(1, 0, kDay_s, 10800));
   for (const double cruise_mps : {0.3, 0.5, 1.0}) {
-    const Voyage day =
+    const VoyageRequest day =
         gulf.From(Glider(cruise_mps), {{-90.01, 25.01}, 0.0, kDay_s});
     std::vector<double> seconds;
     for (int i = 0; i < 3 * rounds; ++i) {

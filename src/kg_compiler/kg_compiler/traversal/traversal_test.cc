@@ -8,7 +8,7 @@
 
 #include "kg_compiler/test_world.h"
 #include "kg_compiler/traversal/sight.h"
-#include "kg_compiler/traversal/test_sea.h"
+#include "kg_compiler/traversal/testing/test_flow_world.h"
 #include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
@@ -32,7 +32,7 @@ TEST(Traverse, TakesTheClosedFormsTimeInAUniformCurrent) {
   for (int round = 0; round < 60; ++round) {
     const double east = Uniform(rng, -0.4, 0.4),
                  north = Uniform(rng, -0.4, 0.4);
-    const Sea sea(UniformFlow(TestGrid(), east, north));
+    const TestFlowWorld sea(UniformFlow(TestGrid(), east, north));
     const LonLat from{-90.0, 25.0};
     const double bearing = Uniform(rng, 0, 2 * kg_core::kPi);
     const LonLat to =
@@ -49,7 +49,7 @@ TEST(Traverse, TakesTheClosedFormsTimeInAUniformCurrent) {
 }
 
 TEST(Traverse, CannotGoAgainstACurrentStrongerThanItself) {
-  const Sea sea(UniformFlow(TestGrid(), 0.6, 0.0));
+  const TestFlowWorld sea(UniformFlow(TestGrid(), 0.6, 0.0));
   EXPECT_FALSE(sea.Go(Glider(0.5), {-90, 25}, {-90.2, 25}));
   EXPECT_TRUE(sea.Go(Glider(0.5), {-90, 25}, {-89.8, 25}));
   EXPECT_FALSE(sea.Go(Glider(0.5), {-90, 25}, {-90.0, 25.2}));
@@ -61,7 +61,7 @@ TEST(Traverse, FollowsACurrentThatGrowsWithTime) {
   field.slices.push_back(field.slices[0]);
   field.slices[1].time_s = kDay_s;
   for (float& u : field.slices[1].east_mps) u = 0.5f;
-  const Sea sea(field);
+  const TestFlowWorld sea(field);
   const LonLat from{-90.5, 25}, to{-90.0, 25};
   const auto flight = sea.Go(Glider(0.5), from, to);
   ASSERT_TRUE(flight);
@@ -80,7 +80,7 @@ TEST(Traverse, NeverBeatsTheOptimumInARotatingTide) {
             .slices[0]);
     field.slices.back().time_s = t;
   }
-  const Sea sea(field);
+  const TestFlowWorld sea(field);
   std::mt19937 rng(32);
   for (int round = 0; round < 20; ++round) {
     const LonLat from{-90.0, 25.0};
@@ -112,7 +112,7 @@ TEST(Traverse, RoundsAVortexFasterWithItThanAgainstIt) {
       field.slices[0].north_mps[r * 50 + c] = static_cast<float>(swirl * dx);
     }
   }
-  const Sea sea(field), still(UniformFlow(TestGrid(), 0, 0));
+  const TestFlowWorld sea(field), still(UniformFlow(TestGrid(), 0, 0));
   const LonLat west{-90.4, 25}, south{-90, 24.6};
   const MotionModel motion = Glider(0.5);
   const double with = sea.Go(motion, west, south, 4 * kDay_s)->travel_s;
@@ -124,7 +124,7 @@ TEST(Traverse, RoundsAVortexFasterWithItThanAgainstIt) {
 }
 
 // Steps along the track of a thousandth of its legs: every cell must be open.
-void ExpectOpen(const Sea& sea, const Flight& flight) {
+void ExpectOpen(const TestFlowWorld& sea, const FlownPath& flight) {
   for (std::size_t i = 0; i + 1 < flight.track.size(); ++i) {
     const LonLat a = flight.track[i].position, b = flight.track[i + 1].position;
     for (int k = 0; k <= 1000; ++k) {
@@ -137,7 +137,7 @@ void ExpectOpen(const Sea& sea, const Flight& flight) {
 }
 
 TEST(Traverse, GoesRoundAThinWallAndNeverThroughIt) {
-  Sea sea(UniformFlow(TestGrid(), 0, 0));
+  TestFlowWorld sea(UniformFlow(TestGrid(), 0, 0));
   for (int r = 15; r < 50; ++r) sea.open[r * 50 + 25] = 0;
   const LonLat from{-90.2, 25}, to{-89.8, 25};
   const auto round = sea.Go(Glider(2.0), from, to);
@@ -149,7 +149,7 @@ TEST(Traverse, GoesRoundAThinWallAndNeverThroughIt) {
 }
 
 TEST(Traverse, DoesNotSlipThroughTheCornersOfADiagonalWall) {
-  Sea sea(UniformFlow(TestGrid(), 0, 0));
+  TestFlowWorld sea(UniformFlow(TestGrid(), 0, 0));
   for (int r = 0; r < 50; ++r) sea.open[r * 50 + r] = 0;
   EXPECT_FALSE(sea.Go(Glider(1.0), {-90.2, 25.2}, {-89.8, 24.8}));
 }
@@ -159,13 +159,14 @@ TEST(Traverse, FliesWhatAnIndependentIntegratorConfirms) {
   int flown = 0, bent = 0;
   for (int round = 0; round < 40; ++round) {
     const kg_core::Grid grid = round % 2 ? TestGrid() : UnevenGrid(rng, 50, 50);
-    Sea sea(RandomFlow(rng, grid, round % 3 ? 0.6 : 1.5, 3600, kDay_s));
+    TestFlowWorld sea(
+        RandomFlow(rng, grid, round % 3 ? 0.6 : 1.5, 3600, kDay_s));
     sea.open = RandomMask(rng, grid.size(), 0.97);
     const MotionModel motion = Glider(round % 2 ? 0.3 : 0.8);
     const LonLat from =
         grid.Position({Uniform(rng, 15, 35), Uniform(rng, 15, 35)});
-    const Departure departure{from, 0.0, kDay_s};
-    const Reach reach = ComputeReach(sea.From(motion, departure));
+    const VoyageDeparture departure{from, 0.0, kDay_s};
+    const ReachMap reach = ComputeReach(sea.From(motion, departure));
     for (int k = 0; k < 12; ++k) {
       const LonLat to =
           grid.Position({Uniform(rng, 8, 42), Uniform(rng, 8, 42)});
@@ -187,12 +188,12 @@ TEST(Traverse, ClaimsExactlyWhatItFliesAndIsNeverSlowerThanStraight) {
   std::mt19937 rng(34);
   int compared = 0;
   for (int round = 0; round < 25; ++round) {
-    Sea sea(RandomFlow(rng, TestGrid(), 0.7, 10800, kDay_s));
+    TestFlowWorld sea(RandomFlow(rng, TestGrid(), 0.7, 10800, kDay_s));
     const MotionModel motion = Glider(0.6);
-    const Departure departure{
+    const VoyageDeparture departure{
         sea.field.grid.Position({Uniform(rng, 15, 35), Uniform(rng, 15, 35)}),
         0.0, kDay_s};
-    const Reach reach = ComputeReach(sea.From(motion, departure));
+    const ReachMap reach = ComputeReach(sea.From(motion, departure));
     for (int k = 0; k < 8; ++k) {
       const LonLat to =
           sea.field.grid.Position({Uniform(rng, 10, 40), Uniform(rng, 10, 40)});
@@ -218,10 +219,10 @@ TEST(Traverse, ClaimsExactlyWhatItFliesAndIsNeverSlowerThanStraight) {
 
 TEST(ComputeReach, NeverShrinksWithALaterDeadlineNorArrivesLater) {
   std::mt19937 rng(35);
-  const Sea sea(RandomFlow(rng, TestGrid(), 0.7, 10800, kDay_s));
+  const TestFlowWorld sea(RandomFlow(rng, TestGrid(), 0.7, 10800, kDay_s));
   std::size_t last = 0;
   for (double deadline_s = 10800; deadline_s <= kDay_s; deadline_s += 10800) {
-    const Reach reach =
+    const ReachMap reach =
         ComputeReach(sea.From(Glider(0.5), {{-90, 25}, 0.0, deadline_s}));
     EXPECT_GE(reach.cells.size(), last);
     last = reach.cells.size();
@@ -230,7 +231,7 @@ TEST(ComputeReach, NeverShrinksWithALaterDeadlineNorArrivesLater) {
 }
 
 TEST(ComputeReach, IsEmptyFromAForbiddenCellAndFromOutsideTheGrid) {
-  Sea sea(UniformFlow(TestGrid(), 0, 0));
+  TestFlowWorld sea(UniformFlow(TestGrid(), 0, 0));
   const auto count = [&](LonLat from) {
     return ComputeReach(sea.From(Glider(0.5), {from, 0, kDay_s})).cells.size();
   };
@@ -245,7 +246,7 @@ TEST(FlyTrack, KeepsTheOrderOfDepartures) {
   std::mt19937 rng(37);
   int compared = 0;
   for (int round = 0; round < 30; ++round) {
-    const Sea sea(RandomFlow(rng, TestGrid(), 0.5, 7200, 2 * kDay_s));
+    const TestFlowWorld sea(RandomFlow(rng, TestGrid(), 0.5, 7200, 2 * kDay_s));
     const LonLat from = sea.field.grid.Position({25, 25});
     const LonLat to =
         sea.field.grid.Position({Uniform(rng, 15, 35), Uniform(rng, 15, 35)});
@@ -264,7 +265,7 @@ TEST(FlyTrack, KeepsTheOrderOfDepartures) {
 }
 
 TEST(FlyTrack, AddsUpEnergyThroughWaterHotelLoadAndHolding) {
-  const Sea sea(UniformFlow(TestGrid(), 0.2, 0.0));
+  const TestFlowWorld sea(UniformFlow(TestGrid(), 0.2, 0.0));
   const auto flight = FlyTrack(sea.From(Glider(0.5), {{-90, 25}, 0, kDay_s}),
                                {{-90, 25}, {-89.8, 25}});
   ASSERT_TRUE(flight);
@@ -278,7 +279,7 @@ TEST(FlyTrack, AddsUpEnergyThroughWaterHotelLoadAndHolding) {
 }
 
 TEST(FlyTrack, IntegratesHazardUntilTheDeadline) {
-  Sea sea(UniformFlow(TestGrid(), 0.0, 0.0));
+  TestFlowWorld sea(UniformFlow(TestGrid(), 0.0, 0.0));
   kg_core::Raster attenuation(2500, 1.0f);
   for (int i = 0; i < 2500; ++i) attenuation[i] = i % 50 >= 27 ? 0.0f : 1.0f;
   sea.hazard =
@@ -298,7 +299,7 @@ TEST(FlyTrack, RefusesWhereStationCannotBeHeldUntilTheDeadline) {
   field.slices.push_back(field.slices[0]);
   field.slices[1].time_s = kDay_s;
   for (float& u : field.slices[1].east_mps) u = 1.0f;
-  const Sea sea(field);
+  const TestFlowWorld sea(field);
   MotionModel motion = Glider(0.5);
   motion.max_mps = 0.9;
   const std::vector<LonLat> stay = {{-90, 25}};
@@ -309,7 +310,7 @@ TEST(FlyTrack, RefusesWhereStationCannotBeHeldUntilTheDeadline) {
 }
 
 TEST(FlyTrack, StopsWhereTheBaseTravelIsUsedUp) {
-  const Sea sea(UniformFlow(TestGrid(), 0, 0));
+  const TestFlowWorld sea(UniformFlow(TestGrid(), 0, 0));
   const LonLat from{-90, 25}, to{-89.9, 25};
   const double d = kg_core::Distance_m(from, to);
   EXPECT_TRUE(FlyTrack(sea.From(Glider(0.5), {from, 0, kDay_s, 1.001 * d}),
@@ -319,9 +320,10 @@ TEST(FlyTrack, StopsWhereTheBaseTravelIsUsedUp) {
 }
 
 // Three tracks of random places, each at a speed of its own.
-std::vector<Stretch> RandomStretches(std::mt19937& rng,
-                                     const kg_core::Grid& grid, LonLat from) {
-  std::vector<Stretch> stretches;
+std::vector<TrackStretch> RandomStretches(std::mt19937& rng,
+                                          const kg_core::Grid& grid,
+                                          LonLat from) {
+  std::vector<TrackStretch> stretches;
   for (int i = 0; i < 3; ++i) {
     const LonLat middle =
         grid.Position({Uniform(rng, 20, 30), Uniform(rng, 20, 30)});
@@ -337,14 +339,14 @@ TEST(FlyStretches, IsEveryTrackFlownFromWhereAndWhenTheOneBeforeEnds) {
   std::mt19937 rng(51);
   int flown = 0;
   for (int round = 0; round < 40; ++round) {
-    const Sea sea(RandomFlow(rng, TestGrid(), 0.4, 7200, 3 * kDay_s));
+    const TestFlowWorld sea(RandomFlow(rng, TestGrid(), 0.4, 7200, 3 * kDay_s));
     const LonLat from = sea.field.grid.Position({25, 25});
     const auto stretches = RandomStretches(rng, sea.field.grid, from);
     const auto flight =
         FlyStretches(sea.From(Glider(1.0), {from, 0.0, 2 * kDay_s}), stretches);
     double at_s = 0.0, through_m = 0.0, energy_j = 0.0;
     bool feasible = true;
-    for (const Stretch& stretch : stretches) {
+    for (const TrackStretch& stretch : stretches) {
       const auto leg =
           FlyTrack(sea.From(Glider(stretch.speed_mps),
                             {stretch.via.front(), at_s, 2 * kDay_s}),
@@ -370,10 +372,10 @@ TEST(FlyStretches, IsEveryTrackFlownFromWhereAndWhenTheOneBeforeEnds) {
 
 TEST(FlyStretches, OneIsATrack) {
   std::mt19937 rng(52);
-  const Sea sea(RandomFlow(rng, TestGrid(), 0.4, 7200, kDay_s));
+  const TestFlowWorld sea(RandomFlow(rng, TestGrid(), 0.4, 7200, kDay_s));
   const LonLat from{-90, 25};
   const std::vector<LonLat> via = {from, {-89.9, 25.05}, {-89.8, 25.0}};
-  const Voyage voyage = sea.From(Glider(0.9), {from, 0.0, kDay_s});
+  const VoyageRequest voyage = sea.From(Glider(0.9), {from, 0.0, kDay_s});
   const auto track = FlyTrack(voyage, via);
   const auto stretch = FlyStretches(voyage, {{via, 0.9}});
   ASSERT_TRUE(track && stretch);
@@ -384,10 +386,10 @@ TEST(FlyStretches, OneIsATrack) {
 }
 
 TEST(FlyStretches, ShareTheBaseTravel) {
-  const Sea sea(UniformFlow(TestGrid(), 0, 0));
+  const TestFlowWorld sea(UniformFlow(TestGrid(), 0, 0));
   const LonLat from{-90, 25}, middle{-89.9, 25}, to{-89.8, 25};
-  const std::vector<Stretch> both = {{{from, middle}, 1.0},
-                                     {{middle, to}, 0.5}};
+  const std::vector<TrackStretch> both = {{{from, middle}, 1.0},
+                                          {{middle, to}, 0.5}};
   const double d =
       kg_core::Distance_m(from, middle) + kg_core::Distance_m(middle, to);
   EXPECT_TRUE(
@@ -398,8 +400,8 @@ TEST(FlyStretches, ShareTheBaseTravel) {
 }
 
 TEST(FlyStretches, BeginWhereTheOneBeforeEnds) {
-  const Sea sea(UniformFlow(TestGrid(), 0, 0));
-  const Voyage voyage = sea.From(Glider(1.0), {{-90, 25}, 0, kDay_s});
+  const TestFlowWorld sea(UniformFlow(TestGrid(), 0, 0));
+  const VoyageRequest voyage = sea.From(Glider(1.0), {{-90, 25}, 0, kDay_s});
   EXPECT_THROW(FlyStretches(voyage, {}), std::logic_error);
   EXPECT_THROW(FlyStretches(voyage, {{{{-90, 25}, {-89.9, 25}}, 1.0},
                                      {{{-89.8, 25}, {-89.7, 25}}, 1.0}}),
@@ -407,7 +409,7 @@ TEST(FlyStretches, BeginWhereTheOneBeforeEnds) {
 }
 
 TEST(FlyTrack, FeelsNoCurrentWithoutBoost) {
-  const Sea sea(UniformFlow(TestGrid(), 2.0, 0.0));
+  const TestFlowWorld sea(UniformFlow(TestGrid(), 2.0, 0.0));
   MotionModel motion = Glider(0.5);
   motion.boost_gain = 0.0;
   const auto flight = FlyTrack(sea.From(motion, {{-90, 25}, 0, kDay_s}),
@@ -418,9 +420,9 @@ TEST(FlyTrack, FeelsNoCurrentWithoutBoost) {
 }
 
 TEST(FlyTrack, RefusesLandTheGridsOutsideAndATrackFromElsewhere) {
-  Sea sea(UniformFlow(TestGrid(), 0, 0));
+  TestFlowWorld sea(UniformFlow(TestGrid(), 0, 0));
   sea.field.slices[0].east_mps[25 * 50 + 28] = kGap;
-  const Departure departure{sea.field.grid.Centre({25, 25}), 0, kDay_s};
+  const VoyageDeparture departure{sea.field.grid.Centre({25, 25}), 0, kDay_s};
   const MotionModel motion = Glider(0.5);
   EXPECT_FALSE(FlyTrack(sea.From(motion, departure),
                         {departure.from, sea.field.grid.Centre({25, 30})}));
@@ -435,7 +437,7 @@ TEST(HoldableFrom, IsTheLastMomentTheCurrentIsTooStrong) {
   std::mt19937 rng(38);
   int inside = 0;
   for (int round = 0; round < 60; ++round) {
-    const Sea sea(
+    const TestFlowWorld sea(
         RandomFlow(rng, EvenGrid(-91, 24, 0.04, 10, 10), 1.0, 7200, kDay_s));
     MotionModel motion = Glider(0.5);
     motion.max_mps = Uniform(rng, 0.2, 1.0);
@@ -464,15 +466,16 @@ TEST(ComputeReach, ReadsNothingOutsideOfItsBoxNorDoItsFlights) {
   std::mt19937 rng(39);
   int flown = 0, inside = 0;
   for (int round = 0; round < 16; ++round) {
-    Sea sea(RandomFlow(rng, TestGrid(), round % 2 ? 0.3 : 0.9, 10800, kDay_s));
+    TestFlowWorld sea(
+        RandomFlow(rng, TestGrid(), round % 2 ? 0.3 : 0.9, 10800, kDay_s));
     sea.open = RandomMask(rng, sea.field.grid.size(), 0.97);
-    Voyage voyage = sea.From(
+    VoyageRequest voyage = sea.From(
         Glider(0.3),
         {sea.field.grid.Position({Uniform(rng, 15, 35), Uniform(rng, 15, 35)}),
          0.0, 0.4 * kDay_s});
     if (round % 4 == 0) voyage.price = {1e-5, 1e-6, 0.0};
-    const Reach reach = ComputeReach(voyage);
-    Sea other(sea.field);
+    const ReachMap reach = ComputeReach(voyage);
+    TestFlowWorld other(sea.field);
     other.open = sea.open;
     for (int i = 0; i < static_cast<int>(other.open.size()); ++i) {
       if (Holds(reach.read, {i / 50, i % 50})) {
@@ -485,9 +488,9 @@ TEST(ComputeReach, ReadsNothingOutsideOfItsBoxNorDoItsFlights) {
             round % 3 ? static_cast<float>(Uniform(rng, -2, 2)) : kGap;
       }
     }
-    Voyage elsewhere = voyage;
+    VoyageRequest elsewhere = voyage;
     elsewhere.world = {&other.field, &other.open, nullptr};
-    const Reach again = ComputeReach(elsewhere);
+    const ReachMap again = ComputeReach(elsewhere);
     ASSERT_EQ(reach.cells.size(), again.cells.size());
     for (std::size_t i = 0; i < reach.cells.size(); ++i) {
       ASSERT_EQ(reach.cells[i].index, again.cells[i].index);
@@ -521,7 +524,7 @@ TEST(Traverse, SpendsTheLeastEnergyThatAUniformCurrentAsksFor) {
   for (int round = 0; round < 60; ++round) {
     const double east = Uniform(rng, -0.4, 0.4),
                  north = Uniform(rng, -0.4, 0.4);
-    const Sea sea(UniformFlow(TestGrid(), east, north));
+    const TestFlowWorld sea(UniformFlow(TestGrid(), east, north));
     const LonLat from{-90.0, 25.0};
     const double bearing = Uniform(rng, 0, 2 * kg_core::kPi);
     const double d = Uniform(rng, 5e3, 30e3);
@@ -532,7 +535,7 @@ TEST(Traverse, SpendsTheLeastEnergyThatAUniformCurrentAsksFor) {
     // Else that speed brings one there before T already, and the current past.
     const double x = d * std::sin(bearing), y = d * std::cos(bearing);
     if (!(x * (x / kDay_s - east) + y * (y / kDay_s - north) > 0.0)) continue;
-    Voyage voyage = sea.From(Glider(0.5), {from, 0.0, kDay_s});
+    VoyageRequest voyage = sea.From(Glider(0.5), {from, 0.0, kDay_s});
     const auto fastest = Traverse(voyage, ComputeReach(voyage), to);
     voyage.price.per_j = 1.0;
     const auto cheapest = Traverse(voyage, ComputeReach(voyage), to);
@@ -552,12 +555,12 @@ TEST(Traverse, SpendsTheLeastEnergyThatAUniformCurrentAsksFor) {
 }
 
 TEST(Traverse, DriftsWhereTheCurrentGoesAnyway) {
-  const Sea sea(UniformFlow(TestGrid(), 0.3, 0.1));
+  const TestFlowWorld sea(UniformFlow(TestGrid(), 0.3, 0.1));
   const LonLat from{-90.6, 24.6};
   const kg_core::DegreesPerMetre scale = kg_core::LocalScale(24.65);
   const LonLat to{from.lon_deg + 0.3 * kDay_s * scale.lon_deg,
                   from.lat_deg + 0.1 * kDay_s * scale.lat_deg};
-  Voyage voyage = sea.From(Glider(0.5), {from, 0.0, kDay_s});
+  VoyageRequest voyage = sea.From(Glider(0.5), {from, 0.0, kDay_s});
   voyage.price.per_j = 1.0;
   const auto flight = Traverse(voyage, ComputeReach(voyage), to);
   ASSERT_TRUE(flight);
@@ -570,13 +573,14 @@ TEST(Traverse, ChoosesByThePrice) {
   std::mt19937 rng(41);
   int slower = 0, asked = 0;
   for (int round = 0; round < 8; ++round) {
-    const Sea sea(RandomFlow(rng, TestGrid(), 0.5, 7200, kDay_s));
+    const TestFlowWorld sea(RandomFlow(rng, TestGrid(), 0.5, 7200, kDay_s));
     const LonLat from = sea.field.grid.Position({25, 25});
-    const Voyage fast = sea.From(Glider(0.5), {from, 0.0, kDay_s});
-    Voyage priced = fast;
+    const VoyageRequest fast = sea.From(Glider(0.5), {from, 0.0, kDay_s});
+    VoyageRequest priced = fast;
     priced.price = {Uniform(rng, 0, 5e-6), 1e-5, 0.0};
-    const Reach fast_reach = ComputeReach(fast), reach = ComputeReach(priced);
-    const auto cost = [&](const Flight& f) {
+    const ReachMap fast_reach = ComputeReach(fast),
+                   reach = ComputeReach(priced);
+    const auto cost = [&](const FlownPath& f) {
       return priced.price.per_s * f.travel_s + priced.price.per_j * f.energy_j;
     };
     for (int k = 0; k < 6; ++k) {

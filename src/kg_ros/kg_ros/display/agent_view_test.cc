@@ -9,7 +9,7 @@
 namespace kg_ros {
 namespace {
 
-using kg_compiler::Access;
+using kg_compiler::CellAccess;
 using kg_compiler::Layer;
 using kg_core::LonLat;
 
@@ -70,7 +70,7 @@ void Plan(Scene* scene) {
 int Reached(const AgentView& view) {
   const auto work = view.WorkFrom(view.places());
   return static_cast<int>(
-      std::count(work.access.begin(), work.access.end(), Access::kReached));
+      std::count(work.access.begin(), work.access.end(), CellAccess::kReached));
 }
 
 TEST(AgentView, LeavesFromWhereTheAgentIsInTheFirstWindow) {

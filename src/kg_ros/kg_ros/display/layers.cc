@@ -10,7 +10,7 @@
 namespace kg_ros {
 namespace {
 
-using kg_compiler::Access;
+using kg_compiler::CellAccess;
 using kg_compiler::Layer;
 using kg_compiler::MissionTensor;
 using kg_compiler::WorkMap;
@@ -88,23 +88,23 @@ Percents Fused(const MissionTensor& tensor, const WorkMap*) {
 Percents Reach(const MissionTensor&, const WorkMap* work) {
   Percents percents;
   percents.reserve(work->access.size());
-  for (const Access access : work->access) {
-    percents.push_back(access == Access::kNoData    ? kNoDataPercent
-                       : access == Access::kReached ? std::int8_t{100}
-                                                    : std::int8_t{0});
+  for (const CellAccess access : work->access) {
+    percents.push_back(access == CellAccess::kNoData    ? kNoDataPercent
+                       : access == CellAccess::kReached ? std::int8_t{100}
+                                                        : std::int8_t{0});
   }
   return percents;
 }
 
 std::int8_t WorkPercent(const WorkMap& work, std::size_t cell) {
   switch (work.access[cell]) {
-    case Access::kNoData:
+    case CellAccess::kNoData:
       return kNoDataPercent;
-    case Access::kForbidden:
+    case CellAccess::kForbidden:
       return kForbiddenPercent;
-    case Access::kTooFar:
+    case CellAccess::kTooFar:
       return kTooFarPercent;
-    case Access::kReached:
+    case CellAccess::kReached:
       break;
   }
   return static_cast<std::int8_t>(std::lround(kMostWork * *work.Share(cell)));

@@ -9,7 +9,7 @@
 namespace kg_ros {
 namespace {
 
-using kg_compiler::Access;
+using kg_compiler::CellAccess;
 using kg_compiler::Layer;
 
 constexpr float kLand = std::numeric_limits<float>::quiet_NaN();
@@ -32,8 +32,9 @@ kg_compiler::MissionTensor SixCells() {
 kg_compiler::WorkMap Work() {
   kg_compiler::WorkMap work;
   work.budget_s = 1000.0;
-  work.access = {Access::kTooFar, Access::kForbidden, Access::kNoData,
-                 Access::kTooFar, Access::kReached,   Access::kReached};
+  work.access = {CellAccess::kTooFar,  CellAccess::kForbidden,
+                 CellAccess::kNoData,  CellAccess::kTooFar,
+                 CellAccess::kReached, CellAccess::kReached};
   work.time_s = {kLand, kLand, kLand, kLand, 500.0F, 0.0F};
   return work;
 }
@@ -88,7 +89,7 @@ TEST(WorkMarker, IsGreenRedAndDarkRedAndLeavesLandOut) {
   const kg_compiler::MissionTensor tensor = SixCells();
   const kg_core::MapProjection map(tensor.grid.Middle());
   kg_compiler::WorkMap work = Work();
-  work.access[3] = Access::kReached;
+  work.access[3] = CellAccess::kReached;
   work.time_s[3] = 1000.0F;
   const auto marker = ToWorkMarker(tensor.grid, work, {{-89.9, 25.0}}, map);
   const auto at = [&](int row, int col) {
@@ -118,9 +119,9 @@ TEST(WorkMarker, RunsOfOneColourAreOneRectangle) {
   const kg_core::Grid grid({-90.0, -89.9, -89.8, -89.7}, {25.0, 25.1});
   kg_compiler::WorkMap work;
   work.budget_s = 1.0;
-  work.access.assign(8, Access::kTooFar);
+  work.access.assign(8, CellAccess::kTooFar);
   work.time_s.assign(8, kLand);
-  work.access[5] = Access::kReached;
+  work.access[5] = CellAccess::kReached;
   work.time_s[5] = 0.0F;
   const auto marker =
       ToWorkMarker(grid, work, {}, kg_core::MapProjection(grid.Middle()));

@@ -8,7 +8,7 @@
 namespace kg_ros {
 namespace {
 
-using kg_compiler::Access;
+using kg_compiler::CellAccess;
 using kg_core::LonLat;
 using visualization_msgs::Marker;
 
@@ -20,7 +20,7 @@ constexpr int kNothing = -1;
 constexpr double kPlacesAcross = 150.0;  // So small is a place's square.
 
 int ShadeOf(const kg_compiler::WorkMap& work, std::size_t cell) {
-  if (work.access[cell] == Access::kNoData) return kNothing;
+  if (work.access[cell] == CellAccess::kNoData) return kNothing;
   const std::optional<double> share = work.Share(cell);
   if (!share) return kInfeasible;
   return std::min(kShades - 1, static_cast<int>(*share * kShades));

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "kg_compiler/control_plane/window_sea.h"
+#include "kg_compiler/control_plane/window_traversal.h"
 #include "kg_core/base/parallel.h"
 
 namespace kg_ros {
@@ -13,20 +13,20 @@ namespace {
 using kg_compiler::NavGraph;
 using kg_compiler::SeamRules;
 using kg_compiler::TraverseEdge;
-using kg_compiler::Way;
+using kg_compiler::WaypointRoute;
 using kg_selector::TeamMember;
 
-Way WayOf(const TeamMember& member, std::size_t window,
-          const TraverseEdge& edge) {
+WaypointRoute WayOf(const TeamMember& member, std::size_t window,
+                    const TraverseEdge& edge) {
   const auto& waypoints = member.graphs[window].waypoints;
-  Way way{BeginOf(member, window, edge), waypoints[edge.to].position};
+  WaypointRoute way{BeginOf(member, window, edge), waypoints[edge.to].position};
   for (const int stop : edge.via) way.via.push_back(waypoints[stop].position);
   return way;
 }
 
 // All places on it, longitude and latitude in turn.
 using Places = std::vector<double>;
-Places PlacesOf(const Way& way) {
+Places PlacesOf(const WaypointRoute& way) {
   Places places = {way.from.lon_deg, way.from.lat_deg};
   for (const kg_core::LonLat& stop : way.via) {
     places.insert(places.end(), {stop.lon_deg, stop.lat_deg});
@@ -89,10 +89,10 @@ EdgePrices::WindowPrices EdgePrices::PriceWindow(
       !other->graphs.empty() && other->graphs[*place].hash == graph.hash;
   if (prices.same) return prices;
   const auto known = KnownPrices(*other, *place);
-  std::vector<Way> ways;
+  std::vector<WaypointRoute> ways;
   std::vector<std::size_t> unknown;
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
-    const Way way = WayOf(member, window, graph.edges[i]);
+    const WaypointRoute way = WayOf(member, window, graph.edges[i]);
     const auto found = known.find(PlacesOf(way));
     if (found != known.end()) {
       prices.then[i] = *found->second;
@@ -103,8 +103,8 @@ EdgePrices::WindowPrices EdgePrices::PriceWindow(
   }
   if (ways.empty()) return prices;
   const auto worlds = kg_selector::WorldsOf(*then.compilation, other->rules);
-  const kg_compiler::WindowSea sea(other->rules, other->rules.windows[*place],
-                                   worlds[*place]);
+  const kg_compiler::WindowTraversal sea(
+      other->rules, other->rules.windows[*place], worlds[*place]);
   // Without graphs there, the places one could go to instead are those here.
   const NavGraph& places =
       other->graphs.empty() ? graph : other->graphs[*place];

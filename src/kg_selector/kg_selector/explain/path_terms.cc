@@ -39,7 +39,7 @@ void AddSeam(const TeamMember& member, std::size_t stage,
              const kg_compiler::TraverseEdge& edge,
              std::vector<PathTerm>* terms) {
   const SeamWeights& weights = member.rules.weights;
-  const kg_compiler::Flight& flight = edge.flight;
+  const kg_compiler::FlownPath& flight = edge.flight;
   const int window = member.graphs[stage].window;
   const double doubt = 1.0 - member.rules.windows[stage].confidence;
   terms->push_back(

@@ -9,14 +9,15 @@
 #include <tuple>
 #include <utility>
 
-#include "kg_compiler/control_plane/window_sea.h"
+#include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/window_traversal.h"
 #include "kg_core/geo/geodesy.h"
 #include "kg_planner/tours/micro_paths.h"
 
 namespace kg_selector {
 namespace {
 
-using kg_compiler::Flight;
+using kg_compiler::FlownPath;
 using kg_compiler::MovementMode;
 using kg_compiler::NavGraph;
 using kg_compiler::NavGraphs;
@@ -41,7 +42,7 @@ constexpr Look kLooks[] = {{1.0, 1}, {1.1, 2}};
 
 enum class Pace { kPriced, kCruise };
 
-double Length_m(const Flight& flight) {
+double Length_m(const FlownPath& flight) {
   double length_m = 0.0;
   for (std::size_t i = 1; i < flight.track.size(); ++i)
     length_m += kg_core::Distance_m(flight.track[i - 1].position,
@@ -52,7 +53,7 @@ double Length_m(const Flight& flight) {
 // An edge as a leg: what it takes at either pace when the window begins,
 // holding station not counted.
 struct Way {
-  const Flight* flight = nullptr;
+  const FlownPath* flight = nullptr;
   double cruise_mps = 0.0;
   double length_m = 0.0;
   double hazard = 0.0;       // Mean, under way.
@@ -94,7 +95,7 @@ class WindowWalks {
 
   std::optional<TraverseEdge> Fly(int from,
                                   const std::vector<int>& stops) const {
-    std::vector<const Flight*> legs;
+    std::vector<const FlownPath*> legs;
     double isolation_s = 0.0;
     int at = from;
     for (const int stop : stops) {
@@ -117,7 +118,7 @@ class WindowWalks {
   using Ends = std::pair<int, int>;
 
   Way ToWay(const TraverseEdge& edge) const {
-    const Flight& flight = edge.flight;
+    const FlownPath& flight = edge.flight;
     Way way;
     way.flight = &flight;
     way.cruise_mps = in_.rules->motion.cruise_mps;
@@ -279,7 +280,7 @@ class WindowWalks {
   const WalkInputs& in_;  // Its graph's flights are pointed to.
   const kg_compiler::SeamWeights& weights_;
   std::vector<kg_core::LonLat> places_;
-  kg_compiler::WindowSea sea_;
+  kg_compiler::WindowTraversal sea_;
   std::map<Ends, Way> entries_;
   std::map<Ends, Way> inner_;
 };

@@ -8,7 +8,7 @@
 
 #include "gtest/gtest.h"
 #include "kg_compiler/compile/same_compilation.h"
-#include "kg_compiler/traversal/test_sea.h"
+#include "kg_compiler/traversal/testing/test_flow_world.h"
 #include "kg_selector/explain/planned_test_world.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/team/plan_mission.h"
@@ -67,9 +67,9 @@ AgentWorld RandomAgent(unsigned seed) {
 // Flying again -------------------------------------------------------------
 
 // The pieces of a track between stops; the last holds station at its end.
-std::vector<kg_compiler::Flight> LegsOf(const NavGraph& graph,
-                                        const TraverseEdge& walk) {
-  std::vector<kg_compiler::Flight> legs(1);
+std::vector<kg_compiler::FlownPath> LegsOf(const NavGraph& graph,
+                                           const TraverseEdge& walk) {
+  std::vector<kg_compiler::FlownPath> legs(1);
   std::vector<int> stops = StopsOf(walk);
   std::size_t next = 0;
   for (const TimedPoint& point : walk.flight.track) {
@@ -85,7 +85,7 @@ std::vector<kg_compiler::Flight> LegsOf(const NavGraph& graph,
   return legs;
 }
 
-double ArrivalAt(const kg_compiler::Flight& leg) {
+double ArrivalAt(const kg_compiler::FlownPath& leg) {
   for (const TimedPoint& point : leg.track)
     if (point.position == leg.track.back().position) return point.time_s;
   return leg.track.back().time_s;
@@ -109,8 +109,9 @@ std::vector<double> SpeedsOf(const NavGraph& graph, const TraverseEdge& walk,
 }
 
 // Do the claimed times follow from these speeds, by the other integrator?
-bool IsFlownAt(const kg_compiler::Sea& sea, kg_compiler::MotionModel motion,
-               const std::vector<kg_compiler::Flight>& legs,
+bool IsFlownAt(const kg_compiler::TestFlowWorld& sea,
+               kg_compiler::MotionModel motion,
+               const std::vector<kg_compiler::FlownPath>& legs,
                const std::vector<double>& speeds) {
   for (std::size_t i = 0; i < legs.size(); ++i) {
     motion.cruise_mps = speeds[i];
@@ -124,8 +125,8 @@ bool IsFlownAt(const kg_compiler::Sea& sea, kg_compiler::MotionModel motion,
 }
 
 // Metres made through the water by holding station, by trapezoids.
-double Held_m(const kg_compiler::Sea& sea, kg_core::LonLat place, double from_s,
-              double to_s) {
+double Held_m(const kg_compiler::TestFlowWorld& sea, kg_core::LonLat place,
+              double from_s, double to_s) {
   const auto at = sea.field.grid.Locate(place);
   const int steps = 2000;
   double held_m = 0.0;
@@ -137,8 +138,8 @@ double Held_m(const kg_compiler::Sea& sea, kg_core::LonLat place, double from_s,
   return held_m;
 }
 
-kg_compiler::Sea SeaOf(const AgentWorld& world, std::size_t t) {
-  kg_compiler::Sea sea(*world.worlds[t].field);
+kg_compiler::TestFlowWorld SeaOf(const AgentWorld& world, std::size_t t) {
+  kg_compiler::TestFlowWorld sea(*world.worlds[t].field);
   const auto open =
       world.worlds[t].tensor->Get(kg_compiler::Layer::kFeasibility);
   for (std::size_t i = 0; i < sea.open.size(); ++i)
@@ -152,7 +153,7 @@ struct Flown {
   int longest = 0;  // Stops.
 };
 
-void CheckWalk(const AgentWorld& world, const kg_compiler::Sea& sea,
+void CheckWalk(const AgentWorld& world, const kg_compiler::TestFlowWorld& sea,
                const NavGraph& graph, std::size_t t, const TraverseEdge& walk,
                Flown* flown) {
   const kg_compiler::SeamRules& rules = world.rules;
@@ -192,7 +193,7 @@ TEST(WalksTest, EveryOneIsFlownAgainByAnotherIntegrator) {
     const AgentWorld world = RandomAgent(seed);
     const NavGraphs graphs = world.Compile();
     for (std::size_t t = 0; t < graphs.size(); ++t) {
-      const kg_compiler::Sea sea = SeaOf(world, t);
+      const kg_compiler::TestFlowWorld sea = SeaOf(world, t);
       for (const TraverseEdge& walk : graphs[t].edges)
         if (!walk.via.empty())
           CheckWalk(world, sea, graphs[t], t, walk, &flown);

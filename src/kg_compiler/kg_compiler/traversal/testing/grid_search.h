@@ -3,8 +3,8 @@
 // extremals is measured against. It claims what cannot be flown and misses what
 // can where the current is stronger than the agent.
 
-#ifndef KG_COMPILER_TRAVERSAL_GRID_SEARCH_H_
-#define KG_COMPILER_TRAVERSAL_GRID_SEARCH_H_
+#ifndef KG_COMPILER_TRAVERSAL_TESTING_GRID_SEARCH_H_
+#define KG_COMPILER_TRAVERSAL_TESTING_GRID_SEARCH_H_
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +77,7 @@ std::vector<Move> NeighbourMoves(int neighbours);
 
 class Mover {
  public:
-  explicit Mover(const Voyage& voyage);
+  explicit Mover(const VoyageRequest& voyage);
 
   // Arrival of a move from `from` [s after the departure's time], as
   // `depart_s`; nothing if it cannot be made (kSearch's slack) in time.
@@ -86,10 +86,10 @@ class Mover {
   bool MayEnter(kg_core::Cell cell) const;  // On the grid, open, known.
 
  private:
-  struct Course {
+  struct TimedCourse {
     double length_m, east, north;  // East and north: of the unit vector.
   };
-  Course CourseOf(const Move& move, kg_core::Cell from) const;
+  TimedCourse CourseOf(const Move& move, kg_core::Cell from) const;
   // boost_gain current; no data counts as no flow.
   kg_core::Velocity Current(const Move::Sample& sample, kg_core::Cell from,
                             double time_s) const;
@@ -163,7 +163,7 @@ inline std::vector<Move> NeighbourMoves(int neighbours) {
   return moves;
 }
 
-inline Mover::Mover(const Voyage& voyage)
+inline Mover::Mover(const VoyageRequest& voyage)
     : field_(*voyage.world.field),
       open_(*voyage.world.open),
       speed_mps_(voyage.motion.cruise_mps),
@@ -183,8 +183,8 @@ inline bool Mover::MayEnter(kg_core::Cell cell) const {
   return open_[i] == 1 && !std::isnan(field_.slices.front().east_mps[i]);
 }
 
-inline Mover::Course Mover::CourseOf(const Move& move,
-                                     kg_core::Cell from) const {
+inline Mover::TimedCourse Mover::CourseOf(const Move& move,
+                                          kg_core::Cell from) const {
   const kg_core::Grid& grid = field_.grid;
   const int row = from.row + move.rows;
   const double lon_deg =
@@ -240,7 +240,7 @@ inline std::optional<double> Mover::Arrival(const Move& move,
       return std::nullopt;
     }
   }
-  const Course course = CourseOf(move, from);
+  const TimedCourse course = CourseOf(move, from);
   const double part_m =
       course.length_m / static_cast<double>(move.samples.size());
   double time_s = depart_s;
@@ -296,7 +296,7 @@ class Nodes {
 
 class Search {
  public:
-  Search(const Voyage& voyage, int neighbours)
+  Search(const VoyageRequest& voyage, int neighbours)
       : flyer_(voyage),
         mover_(voyage),
         grid_(flyer_.grid()),
@@ -369,10 +369,10 @@ class Search {
 
 }  // namespace grid_search
 
-inline GridReach GridSearch(const Voyage& voyage, int neighbours) {
+inline GridReach GridSearch(const VoyageRequest& voyage, int neighbours) {
   return grid_search::Search(voyage, neighbours).Run();
 }
 
 }  // namespace kg_compiler
 
-#endif  // KG_COMPILER_TRAVERSAL_GRID_SEARCH_H_
+#endif  // KG_COMPILER_TRAVERSAL_TESTING_GRID_SEARCH_H_

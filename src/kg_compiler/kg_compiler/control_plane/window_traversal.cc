@@ -1,10 +1,11 @@
-#include "kg_compiler/control_plane/window_sea.h"
+#include "kg_compiler/control_plane/window_traversal.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
+#include "kg_compiler/control_plane/seam_cost.h"
 #include "kg_core/base/sha256.h"
 #include "kg_core/geo/geodesy.h"
 
@@ -40,7 +41,7 @@ CellsFor CellsWithin(const kg_core::Grid& grid, double metres) {
 }
 
 // The turning points of a flight.
-std::vector<kg_core::LonLat> TrackOf(const Flight& flight) {
+std::vector<kg_core::LonLat> TrackOf(const FlownPath& flight) {
   std::vector<kg_core::LonLat> track;
   for (const TimedPoint& point : flight.track) {
     if (track.empty() || track.back() != point.position) {
@@ -51,11 +52,11 @@ std::vector<kg_core::LonLat> TrackOf(const Flight& flight) {
 }
 
 // Flights of one window between places, arrival fields kept.
-class Flyer {
+class RouteFlyer {
  public:
-  explicit Flyer(const WindowSea& sea) : sea_(sea) {}
+  explicit RouteFlyer(const WindowTraversal& sea) : sea_(sea) {}
 
-  std::optional<Flight> Fly(kg_core::LonLat from, kg_core::LonLat to) {
+  std::optional<FlownPath> Fly(kg_core::LonLat from, kg_core::LonLat to) {
     const std::pair<double, double> key(from.lon_deg, from.lat_deg);
     auto reach = reaches_.find(key);
     if (reach == reaches_.end()) {
@@ -64,13 +65,14 @@ class Flyer {
     return sea_.Fly(from, reach->second, to);
   }
 
-  std::optional<TraverseEdge> FlyBy(const Way& way, double isolation) {
-    std::vector<Flight> flights;
+  std::optional<TraverseEdge> FlyBy(const WaypointRoute& way,
+                                    double isolation) {
+    std::vector<FlownPath> flights;
     kg_core::LonLat at = way.from;
     std::vector<kg_core::LonLat> stops = way.via;
     stops.push_back(way.to);
     for (const kg_core::LonLat stop : stops) {
-      std::optional<Flight> flight = Fly(at, stop);
+      std::optional<FlownPath> flight = Fly(at, stop);
       if (!flight) return std::nullopt;
       flights.push_back(std::move(*flight));
       at = stop;
@@ -78,20 +80,21 @@ class Flyer {
     if (flights.size() == 1) {
       return sea_.Price(std::move(flights.front()), isolation);
     }
-    std::vector<const Flight*> legs;
-    for (const Flight& flight : flights) legs.push_back(&flight);
+    std::vector<const FlownPath*> legs;
+    for (const FlownPath& flight : flights) legs.push_back(&flight);
     return sea_.FlyWalk(way.from, legs, isolation);
   }
 
  private:
-  const WindowSea& sea_;
-  std::map<std::pair<double, double>, Reach> reaches_;  // By source.
+  const WindowTraversal& sea_;
+  std::map<std::pair<double, double>, ReachMap> reaches_;  // By source.
 };
 
 }  // namespace
 
-WindowSea::WindowSea(const SeamRules& rules, const WindowRules& window,
-                     const WindowWorld& world)
+WindowTraversal::WindowTraversal(const SeamRules& rules,
+                                 const WindowRules& window,
+                                 const WindowWorld& world)
     : rules_(rules),
       window_(window),
       grid_(world.tensor->grid),
@@ -99,11 +102,11 @@ WindowSea::WindowSea(const SeamRules& rules, const WindowRules& window,
       hazard_(grid_, surface_.open, surface_.attenuation, rules.hazard_range_m),
       field_(*world.field) {}
 
-bool WindowSea::IsOpen(kg_core::Cell cell) const {
+bool WindowTraversal::IsOpen(kg_core::Cell cell) const {
   return surface_.open[grid_.Index(cell)];
 }
 
-Voyage WindowSea::VoyageFrom(kg_core::LonLat source) const {
+VoyageRequest WindowTraversal::VoyageFrom(kg_core::LonLat source) const {
   const SeamWeights& weights = rules_.weights;
   return {{&field_, &surface_.open, &hazard_},
           rules_.motion,
@@ -111,32 +114,33 @@ Voyage WindowSea::VoyageFrom(kg_core::LonLat source) const {
           {weights.time_per_s, weights.energy_per_j, weights.risk_per_s}};
 }
 
-double WindowSea::HoldableFrom_s(kg_core::LonLat place) const {
+double WindowTraversal::HoldableFrom_s(kg_core::LonLat place) const {
   return kg_compiler::HoldableFrom_s(VoyageFrom(place), place);
 }
 
-Reach WindowSea::ReachFrom(kg_core::LonLat source) const {
+ReachMap WindowTraversal::ReachFrom(kg_core::LonLat source) const {
   return ComputeReach(VoyageFrom(source));
 }
 
-std::optional<Flight> WindowSea::Fly(kg_core::LonLat source, const Reach& reach,
-                                     kg_core::LonLat to) const {
+std::optional<FlownPath> WindowTraversal::Fly(kg_core::LonLat source,
+                                              const ReachMap& reach,
+                                              kg_core::LonLat to) const {
   return Traverse(VoyageFrom(source), reach, to);
 }
 
-std::optional<TraverseEdge> WindowSea::FlyWalk(
-    kg_core::LonLat source, const std::vector<const Flight*>& legs,
+std::optional<TraverseEdge> WindowTraversal::FlyWalk(
+    kg_core::LonLat source, const std::vector<const FlownPath*>& legs,
     double isolation) const {
-  std::vector<Stretch> stretches;
+  std::vector<TrackStretch> stretches;
   bool slow = false;
-  for (const Flight* leg : legs) {
+  for (const FlownPath* leg : legs) {
     stretches.push_back({TrackOf(*leg), leg->speed_mps});
     slow = slow || leg->speed_mps != rules_.motion.cruise_mps;
   }
-  const Voyage voyage = VoyageFrom(source);
-  std::optional<Flight> flight = FlyStretches(voyage, stretches);
+  const VoyageRequest voyage = VoyageFrom(source);
+  std::optional<FlownPath> flight = FlyStretches(voyage, stretches);
   if (!flight && slow) {
-    for (Stretch& stretch : stretches) {
+    for (TrackStretch& stretch : stretches) {
       stretch.speed_mps = rules_.motion.cruise_mps;
     }
     flight = FlyStretches(voyage, stretches);
@@ -145,12 +149,12 @@ std::optional<TraverseEdge> WindowSea::FlyWalk(
   return Price(std::move(*flight), isolation);
 }
 
-double WindowSea::HazardAt(kg_core::LonLat place) const {
+double WindowTraversal::HazardAt(kg_core::LonLat place) const {
   const std::optional<kg_core::Cell> cell = grid_.CellAt(place);
   return cell ? hazard_.At(*cell) : 0.0;
 }
 
-std::string WindowSea::Terms() const {
+std::string WindowTraversal::Terms() const {
   const MotionModel& motion = rules_.motion;
   const SeamWeights& weights = rules_.weights;
   kg_core::Hasher hash;
@@ -167,13 +171,13 @@ std::string WindowSea::Terms() const {
   return hash.Hex();
 }
 
-CellBox WindowSea::HazardBox(const CellBox& read) const {
+CellBox WindowTraversal::HazardBox(const CellBox& read) const {
   const CellsFor far =
       CellsWithin(grid_, HazardMap::kRanges * rules_.hazard_range_m);
   return Grown(read, far.rows, far.cols, grid_);
 }
 
-double WindowSea::Isolation(
+double WindowTraversal::Isolation(
     kg_core::LonLat place,
     const std::vector<kg_core::LonLat>& waypoints) const {
   const double near_m = 0.5 * window_.base_travel_m;
@@ -185,7 +189,7 @@ double WindowSea::Isolation(
   return rules_.weights.isolation / (1.0 + others);
 }
 
-TraverseEdge WindowSea::Price(Flight flight, double isolation) const {
+TraverseEdge WindowTraversal::Price(FlownPath flight, double isolation) const {
   TraverseEdge edge;
   edge.isolation_s = isolation * flight.travel_s;
   edge.flight = std::move(flight);
@@ -194,23 +198,14 @@ TraverseEdge WindowSea::Price(Flight flight, double isolation) const {
 }
 
 std::vector<std::optional<TraverseEdge>> PriceWays(
-    const WindowSea& sea, const std::vector<Way>& ways,
+    const WindowTraversal& sea, const std::vector<WaypointRoute>& ways,
     const std::vector<kg_core::LonLat>& waypoints) {
-  Flyer flyer(sea);
+  RouteFlyer flyer(sea);
   std::vector<std::optional<TraverseEdge>> prices;
-  for (const Way& way : ways) {
+  for (const WaypointRoute& way : ways) {
     prices.push_back(flyer.FlyBy(way, sea.Isolation(way.to, waypoints)));
   }
   return prices;
-}
-
-std::vector<kg_core::LonLat> PositionsOf(
-    const std::vector<Waypoint>& waypoints) {
-  std::vector<kg_core::LonLat> positions;
-  for (const Waypoint& waypoint : waypoints) {
-    positions.push_back(waypoint.position);
-  }
-  return positions;
 }
 
 }  // namespace kg_compiler

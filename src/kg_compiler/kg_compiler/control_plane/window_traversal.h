@@ -1,44 +1,46 @@
 // One window's sea as one agent meets it: where it may be, what is dangerous,
 // and what a flight there costs it. The only door to traversal.
 
-#ifndef KG_COMPILER_CONTROL_PLANE_WINDOW_SEA_H_
-#define KG_COMPILER_CONTROL_PLANE_WINDOW_SEA_H_
+#ifndef KG_COMPILER_CONTROL_PLANE_WINDOW_TRAVERSAL_H_
+#define KG_COMPILER_CONTROL_PLANE_WINDOW_TRAVERSAL_H_
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "kg_compiler/control_plane/nav_graph.h"
-#include "kg_compiler/control_plane/sea_surface.h"
+#include "kg_compiler/control_plane/seam_rules.h"
+#include "kg_compiler/control_plane/waypoint_graph.h"
+#include "kg_compiler/control_plane/window_surface.h"
+#include "kg_compiler/traversal/traversal.h"
 
 namespace kg_compiler {
 
 // Holds references to what it is made of, which must outlive it.
-class WindowSea {
+class WindowTraversal {
  public:
-  WindowSea(const SeamRules& rules, const WindowRules& window,
-            const WindowWorld& world);
-  WindowSea(const WindowSea&) = delete;
-  WindowSea& operator=(const WindowSea&) = delete;
+  WindowTraversal(const SeamRules& rules, const WindowRules& window,
+                  const WindowWorld& world);
+  WindowTraversal(const WindowTraversal&) = delete;
+  WindowTraversal& operator=(const WindowTraversal&) = delete;
 
   bool IsOpen(kg_core::Cell cell) const;
   const kg_core::Grid& grid() const { return grid_; }
-  const SeaSurface& surface() const { return surface_; }
+  const WindowSurface& surface() const { return surface_; }
   double begin_s() const { return window_.begin_s; }
 
   // See traversal.h; departures are at the window's begin.
   double HoldableFrom_s(kg_core::LonLat place) const;
-  Reach ReachFrom(kg_core::LonLat source) const;
+  ReachMap ReachFrom(kg_core::LonLat source) const;
   // Nothing if it cannot be flown. `reach` is that of `source`.
-  std::optional<Flight> Fly(kg_core::LonLat source, const Reach& reach,
-                            kg_core::LonLat to) const;
+  std::optional<FlownPath> Fly(kg_core::LonLat source, const ReachMap& reach,
+                               kg_core::LonLat to) const;
 
   // A walk from `source`: along the tracks of these flights, one after the
   // other, each from when the one before has arrived; at their own speeds, or
   // all at cruise speed if they cannot be flown so. Its isolation is that of
   // its end. Stops, from and to not set.
   std::optional<TraverseEdge> FlyWalk(kg_core::LonLat source,
-                                      const std::vector<const Flight*>& legs,
+                                      const std::vector<const FlownPath*>& legs,
                                       double isolation) const;
   // 0 off the grid.
   double HazardAt(kg_core::LonLat place) const;
@@ -54,21 +56,21 @@ class WindowSea {
   double Isolation(kg_core::LonLat place,
                    const std::vector<kg_core::LonLat>& waypoints) const;
   // The edge of a flight, from and to not set.
-  TraverseEdge Price(Flight flight, double isolation) const;
+  TraverseEdge Price(FlownPath flight, double isolation) const;
 
  private:
-  Voyage VoyageFrom(kg_core::LonLat source) const;
+  VoyageRequest VoyageFrom(kg_core::LonLat source) const;
 
   const SeamRules& rules_;
   const WindowRules& window_;
   const kg_core::Grid& grid_;
-  SeaSurface surface_;
+  WindowSurface surface_;
   HazardMap hazard_;
   const kg_core::VectorField& field_;
 };
 
 // A way between two places in one window, by way of others or not.
-struct Way {
+struct WaypointRoute {
   kg_core::LonLat from;
   kg_core::LonLat to;
   std::vector<kg_core::LonLat> via = {};
@@ -77,12 +79,9 @@ struct Way {
 // What each of `ways` costs, as it would be priced in a graph of these
 // waypoints; nothing where it cannot be flown. `via` of the edges is not set.
 std::vector<std::optional<TraverseEdge>> PriceWays(
-    const WindowSea& sea, const std::vector<Way>& ways,
+    const WindowTraversal& sea, const std::vector<WaypointRoute>& ways,
     const std::vector<kg_core::LonLat>& waypoints);
-
-std::vector<kg_core::LonLat> PositionsOf(
-    const std::vector<Waypoint>& waypoints);
 
 }  // namespace kg_compiler
 
-#endif  // KG_COMPILER_CONTROL_PLANE_WINDOW_SEA_H_
+#endif  // KG_COMPILER_CONTROL_PLANE_WINDOW_TRAVERSAL_H_

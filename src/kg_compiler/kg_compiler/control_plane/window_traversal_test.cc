@@ -1,7 +1,7 @@
-#include "kg_compiler/control_plane/window_sea.h"
+#include "kg_compiler/control_plane/window_traversal.h"
 
 #include "gtest/gtest.h"
-#include "kg_compiler/control_plane/nav_graphs.h"
+#include "kg_compiler/control_plane/nav_graph.h"
 #include "kg_compiler/test_world.h"
 
 namespace kg_compiler {
@@ -55,13 +55,13 @@ TEST(PriceWaysTest, AsksWhatTheGraphsAsk) {
     const std::vector<WindowWorld> worlds(2, {&tensor, &field});
     const auto graphs = CompileNavGraphs(rules, worlds, nullptr);
     for (std::size_t w = 0; w < graphs.size(); ++w) {
-      std::vector<Way> ways;
+      std::vector<WaypointRoute> ways;
       for (const TraverseEdge& edge : graphs[w].edges) {
         ways.push_back(
             {w == 0 ? rules.start : graphs[0].waypoints[edge.from].position,
              graphs[w].waypoints[edge.to].position});
       }
-      const WindowSea sea(rules, rules.windows[w], worlds[w]);
+      const WindowTraversal sea(rules, rules.windows[w], worlds[w]);
       const auto prices =
           PriceWays(sea, ways, PositionsOf(graphs[w].waypoints));
       ASSERT_EQ(prices.size(), graphs[w].edges.size());
@@ -82,7 +82,7 @@ TEST(PriceWaysTest, AWayToAClosedPlaceOrOffTheGridHasNoPrice) {
   const MissionTensor tensor = RandomTensor(rng, grid);
   const kg_core::VectorField field = UniformFlow(grid, 0.0, 0.0);
   const SeamRules rules = TwoWindows();
-  const WindowSea sea(rules, rules.windows[0], {&tensor, &field});
+  const WindowTraversal sea(rules, rules.windows[0], {&tensor, &field});
   const auto prices = PriceWays(sea,
                                 {{{-91.0, 24.0}, {-91.0, 23.05}},
                                  {{-91.0, 24.0}, {-80.0, 24.0}},
@@ -109,10 +109,10 @@ TEST(WindowSeaTest, TimeBuysSpeedAndEnergySavesIt) {
     const kg_core::VectorField field =
         RandomFlow(rng, grid, 0.3, 21600.0, 172800.0);
     const WindowWorld world{&tensor, &field};
-    const WindowSea by_time(hasty, hasty.windows[0], world);
-    const WindowSea by_energy(thrifty, thrifty.windows[0], world);
-    const Reach fast = by_time.ReachFrom(hasty.start);
-    const Reach cheap = by_energy.ReachFrom(hasty.start);
+    const WindowTraversal by_time(hasty, hasty.windows[0], world);
+    const WindowTraversal by_energy(thrifty, thrifty.windows[0], world);
+    const ReachMap fast = by_time.ReachFrom(hasty.start);
+    const ReachMap cheap = by_energy.ReachFrom(hasty.start);
     for (int k = 0; k < 10; ++k) {
       const kg_core::LonLat to{Uniform(rng, -91.15, -90.85),
                                Uniform(rng, 23.85, 24.15)};

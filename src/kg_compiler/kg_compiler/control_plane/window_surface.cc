@@ -1,4 +1,4 @@
-#include "kg_compiler/control_plane/sea_surface.h"
+#include "kg_compiler/control_plane/window_surface.h"
 
 #include <algorithm>
 #include <cstring>
@@ -34,9 +34,9 @@ bool Same(const std::vector<T>& patch, const CellBox& patch_box,
 
 }  // namespace
 
-SeaSurface SurfaceOf(const MissionTensor& tensor) {
+WindowSurface SurfaceOf(const MissionTensor& tensor) {
   const kg_core::Raster feasibility = tensor.Get(Layer::kFeasibility);
-  SeaSurface surface;
+  WindowSurface surface;
   surface.cols = tensor.grid.cols();
   surface.open.resize(feasibility.size());
   for (std::size_t i = 0; i < feasibility.size(); ++i) {
@@ -46,16 +46,17 @@ SeaSurface SurfaceOf(const MissionTensor& tensor) {
   return surface;
 }
 
-SurfacePatch::SurfacePatch(const SeaSurface& surface, const CellBox& box)
+SurfacePatch::SurfacePatch(const WindowSurface& surface, const CellBox& box)
     : box_(box),
       open_(Cut(surface.open, surface.cols, box)),
       attenuation_(Cut(surface.attenuation, surface.cols, box)) {}
 
-bool SurfacePatch::SameOpen(const SeaSurface& other, const CellBox& box) const {
+bool SurfacePatch::SameOpen(const WindowSurface& other,
+                            const CellBox& box) const {
   return Same(open_, box_, other.open, other.cols, box);
 }
 
-bool SurfacePatch::SameAttenuation(const SeaSurface& other,
+bool SurfacePatch::SameAttenuation(const WindowSurface& other,
                                    const CellBox& box) const {
   return Same(attenuation_, box_, other.attenuation, other.cols, box);
 }

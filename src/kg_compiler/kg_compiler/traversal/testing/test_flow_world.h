@@ -2,8 +2,8 @@
 // real files where they are, and an integrator that shares no code with the
 // library, to fly again what it claims.
 
-#ifndef KG_COMPILER_TRAVERSAL_TEST_SEA_H_
-#define KG_COMPILER_TRAVERSAL_TEST_SEA_H_
+#ifndef KG_COMPILER_TRAVERSAL_TESTING_TEST_FLOW_WORLD_H_
+#define KG_COMPILER_TRAVERSAL_TESTING_TEST_FLOW_WORLD_H_
 
 #include <algorithm>
 #include <cmath>
@@ -32,16 +32,17 @@ inline MotionModel Glider(double cruise_mps) {
 }
 
 // A field with everything open and no hazard, unless changed.
-struct Sea {
-  explicit Sea(kg_core::VectorField flow)
+struct TestFlowWorld {
+  explicit TestFlowWorld(kg_core::VectorField flow)
       : field(std::move(flow)), open(field.grid.size(), 1) {}
-  Voyage From(const MotionModel& motion, const Departure& departure) const {
+  VoyageRequest From(const MotionModel& motion,
+                     const VoyageDeparture& departure) const {
     return {{&field, &open, hazard.get()}, motion, departure, {}};
   }
-  std::optional<Flight> Go(const MotionModel& motion, kg_core::LonLat from,
-                           kg_core::LonLat to,
-                           double deadline_s = kDay_s) const {
-    const Voyage voyage = From(motion, {from, 0.0, deadline_s});
+  std::optional<FlownPath> Go(const MotionModel& motion, kg_core::LonLat from,
+                              kg_core::LonLat to,
+                              double deadline_s = kDay_s) const {
+    const VoyageRequest voyage = From(motion, {from, 0.0, deadline_s});
     return Traverse(voyage, ComputeReach(voyage), to);
   }
   kg_core::VectorField field;
@@ -54,15 +55,16 @@ struct Sea {
 // leaves the open cells or cannot be held.
 class Refly {
  public:
-  Refly(const Sea& sea, const MotionModel& motion) : sea_(sea), m_(motion) {}
+  Refly(const TestFlowWorld& sea, const MotionModel& motion)
+      : sea_(sea), m_(motion) {}
 
-  std::optional<double> Fly(const Flight& flight) const {
+  std::optional<double> Fly(const FlownPath& flight) const {
     double t = flight.track.front().time_s;
     for (std::size_t i = 0; i + 1 < flight.track.size(); ++i) {
       const kg_core::LonLat a = flight.track[i].position;
       const kg_core::LonLat b = flight.track[i + 1].position;
       if (a == b) continue;  // At rest.
-      const std::optional<double> end = Leg(a, b, t);
+      const std::optional<double> end = TrackLeg(a, b, t);
       if (!end) return std::nullopt;
       t = *end;
     }
@@ -74,8 +76,8 @@ class Refly {
     return {a.lon_deg + s * (b.lon_deg - a.lon_deg),
             a.lat_deg + s * (b.lat_deg - a.lat_deg)};
   }
-  std::optional<double> Leg(kg_core::LonLat a, kg_core::LonLat b,
-                            double t) const {
+  std::optional<double> TrackLeg(kg_core::LonLat a, kg_core::LonLat b,
+                                 double t) const {
     double s = 0.0;
     while (s < 1.0) {
       const double dt = 30.0;
@@ -140,13 +142,13 @@ class Refly {
            fr * ((1 - fc) * value(r + 1, c) + fc * value(r + 1, c + 1));
   }
 
-  const Sea& sea_;
+  const TestFlowWorld& sea_;
   const MotionModel& m_;
 };
 
 // The currents of a real file, as they are from its first step on; nothing
 // where the file is not there.
-inline std::optional<Sea> RealSea(const std::string& file) {
+inline std::optional<TestFlowWorld> RealSea(const std::string& file) {
   const char* folder = std::getenv("KG_SHARED_DATA");
   const std::string path =
       std::string(folder ? folder : "../../../shared/data") + "/" + file;
@@ -161,7 +163,7 @@ inline std::optional<Sea> RealSea(const std::string& file) {
                             std::move(ocean.series[0].at_time[i]),
                             std::move(ocean.series[1].at_time[i])});
   }
-  Sea sea(std::move(field));
+  TestFlowWorld sea(std::move(field));
   const kg_core::Mask land = sea.field.NoData();
   for (std::size_t i = 0; i < land.size(); ++i) sea.open[i] = !land[i];
   return sea;
@@ -172,4 +174,4 @@ inline constexpr const char* kRealFiles[] = {
 
 }  // namespace kg_compiler
 
-#endif  // KG_COMPILER_TRAVERSAL_TEST_SEA_H_
+#endif  // KG_COMPILER_TRAVERSAL_TESTING_TEST_FLOW_WORLD_H_

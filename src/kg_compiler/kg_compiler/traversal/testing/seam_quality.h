@@ -1,17 +1,17 @@
 // For tests and benchmarks: how good flights are, against closed forms and on
 // real files.
 
-#ifndef KG_COMPILER_TRAVERSAL_SEAM_QUALITY_H_
-#define KG_COMPILER_TRAVERSAL_SEAM_QUALITY_H_
+#ifndef KG_COMPILER_TRAVERSAL_TESTING_SEAM_QUALITY_H_
+#define KG_COMPILER_TRAVERSAL_TESTING_SEAM_QUALITY_H_
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
 
-#include "kg_compiler/traversal/closed_forms.h"
-#include "kg_compiler/traversal/grid_search.h"
-#include "kg_compiler/traversal/test_sea.h"
+#include "kg_compiler/traversal/testing/closed_forms.h"
+#include "kg_compiler/traversal/testing/grid_search.h"
+#include "kg_compiler/traversal/testing/test_flow_world.h"
 
 namespace kg_compiler {
 
@@ -29,10 +29,11 @@ struct SeamError {
 inline SeamError AgainstOptimum(const ClosedForm& form, int count,
                                 unsigned seed) {
   std::mt19937 rng(seed);
-  const Sea sea(form.field);
+  const TestFlowWorld sea(form.field);
   const Metres from{-3000.0, 2000.0};
-  const Voyage voyage = sea.From(Glider(1.0), {OnPlane(from), 0.0, kDay_s});
-  const Reach reach = ComputeReach(voyage);
+  const VoyageRequest voyage =
+      sea.From(Glider(1.0), {OnPlane(from), 0.0, kDay_s});
+  const ReachMap reach = ComputeReach(voyage);
   SeamError error;
   double sum = 0.0;
   for (int i = 0; i < count; ++i) {
@@ -71,10 +72,10 @@ struct SeamTruth {
 
 // Every such-and-such cell centre that the fan or a grid search of 16 or 32
 // neighbours reaches from one place, flown again by the independent integrator.
-inline void AddTruth(const Voyage& voyage, const Sea& sea, int every,
-                     SeamTruth* truth) {
+inline void AddTruth(const VoyageRequest& voyage, const TestFlowWorld& sea,
+                     int every, SeamTruth* truth) {
   const kg_core::Grid& grid = sea.field.grid;
-  const Reach reach = ComputeReach(voyage);
+  const ReachMap reach = ComputeReach(voyage);
   const GridReach peers[] = {GridSearch(voyage, 16), GridSearch(voyage, 32)};
   const Refly refly(sea, voyage.motion);
   std::set<int> cells;
@@ -90,7 +91,7 @@ inline void AddTruth(const Voyage& voyage, const Sea& sea, int every,
     double flown_s = std::numeric_limits<double>::infinity();
     for (const GridReach& peer : peers) {
       if (!peer.Find(index)) continue;
-      Flight track;
+      FlownPath track;
       for (const kg_core::LonLat at :
            peer.Track(grid, voyage.departure.from, index)) {
         track.track.push_back({at, 0.0});
@@ -120,7 +121,7 @@ struct TruthSample {
   unsigned seed = 1;
 };
 
-inline SeamTruth TruthOn(const Sea& sea, double cruise_mps,
+inline SeamTruth TruthOn(const TestFlowWorld& sea, double cruise_mps,
                          const TruthSample& sample) {
   std::mt19937 rng(sample.seed);
   const kg_core::Grid& grid = sea.field.grid;
@@ -139,4 +140,4 @@ inline SeamTruth TruthOn(const Sea& sea, double cruise_mps,
 
 }  // namespace kg_compiler
 
-#endif  // KG_COMPILER_TRAVERSAL_SEAM_QUALITY_H_
+#endif  // KG_COMPILER_TRAVERSAL_TESTING_SEAM_QUALITY_H_

@@ -1,8 +1,8 @@
 // What the ways of one window depend on of its tensor: where one may be, and
 // what is soft. Parts of it are kept and held against the next one.
 
-#ifndef KG_COMPILER_CONTROL_PLANE_SEA_SURFACE_H_
-#define KG_COMPILER_CONTROL_PLANE_SEA_SURFACE_H_
+#ifndef KG_COMPILER_CONTROL_PLANE_WINDOW_SURFACE_H_
+#define KG_COMPILER_CONTROL_PLANE_WINDOW_SURFACE_H_
 
 #include "kg_compiler/data_plane/cell_box.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
@@ -10,22 +10,22 @@
 
 namespace kg_compiler {
 
-struct SeaSurface {
+struct WindowSurface {
   int cols = 0;
   kg_core::Mask open;           // 1 = may be entered.
   kg_core::Raster attenuation;  // M_soft.
 };
-SeaSurface SurfaceOf(const MissionTensor& tensor);
+WindowSurface SurfaceOf(const MissionTensor& tensor);
 
 // A box cut out of a surface.
 class SurfacePatch {
  public:
   SurfacePatch() = default;
-  SurfacePatch(const SeaSurface& surface, const CellBox& box);
+  SurfacePatch(const WindowSurface& surface, const CellBox& box);
 
   // Has `other` the same cells in a box? The box lies within the patch.
-  bool SameOpen(const SeaSurface& other, const CellBox& box) const;
-  bool SameAttenuation(const SeaSurface& other, const CellBox& box) const;
+  bool SameOpen(const WindowSurface& other, const CellBox& box) const;
+  bool SameAttenuation(const WindowSurface& other, const CellBox& box) const;
 
  private:
   CellBox box_;
@@ -35,4 +35,4 @@ class SurfacePatch {
 
 }  // namespace kg_compiler
 
-#endif  // KG_COMPILER_CONTROL_PLANE_SEA_SURFACE_H_
+#endif  // KG_COMPILER_CONTROL_PLANE_WINDOW_SURFACE_H_
