@@ -18,6 +18,7 @@ DEPENDS = ("depend", "build_depend", "exec_depend", "buildtool_depend",
            "build_export_depend", "test_depend")
 # ROS packages that Debian names otherwise than lib<name>-dev and the like.
 DEBIAN_NAME = {"tf2": "libtf2-ros-dev", "roslib": "libroslib-dev",
+               "eigen": "libeigen3-dev",
                "rosgraph_msgs": "python3-rosgraph-msgs"}
 
 

@@ -11,7 +11,7 @@
 namespace kg_compiler {
 namespace {
 
-constexpr double kMostRadius_m = 500e3;  // Larger discs see the whole grid.
+constexpr double kMaxRadius_m = 500e3;  // Larger discs see the whole grid.
 
 CellBox BoxOf(const std::vector<int>& cells, int cols) {
   CellBox box{cells.front() / cols, cells.back() / cols + 1, cols, 0};
@@ -98,7 +98,7 @@ bool SameInputs(const PickMemo& a, const PickMemo& b) {
 // Grids have two rows and two columns at least.
 CellBox SeenFrom(const CellBox& cells, const kg_core::Grid& grid,
                  double radius_m) {
-  if (!(radius_m < kMostRadius_m)) return {0, grid.rows(), 0, grid.cols()};
+  if (!(radius_m < kMaxRadius_m)) return {0, grid.rows(), 0, grid.cols()};
   CellBox box = GrowBy_m(cells, grid, radius_m);
   if (box.row_end - box.row < 2) box.row > 0 ? --box.row : ++box.row_end;
   if (box.col_end - box.col < 2) box.col > 0 ? --box.col : ++box.col_end;
@@ -123,6 +123,7 @@ const std::vector<RecurrencePick>& RecurrenceWithin(
     for (const int cell : allowed) mask[cell] = 1;
     now.allowed = Cut(mask, grid.cols(), now.box);
   }
+  // The same box with the same bits gives the same picks.
   if (SameInputs(now, *memo)) return memo->picks;
   if (!allowed.empty()) now.picks = PicksOf(grid, now);
   *memo = std::move(now);

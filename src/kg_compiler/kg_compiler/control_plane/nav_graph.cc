@@ -96,6 +96,7 @@ NavGraphs CompileNavGraphs(const SeamRules& rules,
         kg_core::PointWkt(rules.start) +
         ", which is on land, in a no_go area or off the grid");
   }
+  // A window's waypoints are where the next one's flights set out from.
   const SeamCache none;
   GraphBuilds graphs(rules, cache ? *cache : none, cache != nullptr);
   for (std::size_t t = 0; t < worlds.size(); ++t) {

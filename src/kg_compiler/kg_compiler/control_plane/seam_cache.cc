@@ -5,8 +5,8 @@
 namespace kg_compiler {
 namespace {
 
-constexpr int kMostIdle = 3;  // Constraints come and go, and waypoints with
-                              // them.
+constexpr int kMaxIdle = 3;  // Constraints come and go, and waypoints with
+                             // them.
 
 KeptSeams::Place PlaceOf(kg_core::LonLat position) {
   return {position.lon_deg, position.lat_deg};
@@ -37,7 +37,7 @@ class ElapsedTimer {
 template <typename Map>
 void LetGoOfIdle(Map* kept) {
   for (auto at = kept->begin(); at != kept->end();) {
-    at = at->second.idle >= kMostIdle ? kept->erase(at) : std::next(at);
+    at = at->second.idle >= kMaxIdle ? kept->erase(at) : std::next(at);
   }
 }
 
@@ -48,10 +48,13 @@ void Age(Map* kept) {
 
 }  // namespace
 
-SeamFlyer::SeamFlyer(const WindowTraversal& sea, const std::string& tensor_hash,
-                     const KeptSeams* last, SeamCounts* counts)
-    : sea_(sea), counts_(counts), now_(std::make_shared<KeptSeams>()) {
-  now_->terms = sea.Terms();
+SeamFlyer::SeamFlyer(const WindowTraversal& traversal,
+                     const std::string& tensor_hash, const KeptSeams* last,
+                     SeamCounts* counts)
+    : traversal_(traversal),
+      counts_(counts),
+      now_(std::make_shared<KeptSeams>()) {
+  now_->terms = traversal.Terms();
   now_->tensor_hash = tensor_hash;
   if (last == nullptr) return;
   if (last->terms == now_->terms) {
@@ -62,7 +65,8 @@ SeamFlyer::SeamFlyer(const WindowTraversal& sea, const std::string& tensor_hash,
 
 void SeamFlyer::TakeOver(const KeptSeams& last, bool same_tensor) {
   for (const auto& [place, source] : last.sources) {
-    if (!same_tensor && !Holds(last.patch, sea_.surface(), *source.arrivals)) {
+    if (!same_tensor &&
+        !Holds(last.patch, traversal_.surface(), *source.arrivals)) {
       continue;
     }
     KeptSeams::Source& kept =
@@ -75,21 +79,25 @@ void SeamFlyer::TakeOver(const KeptSeams& last, bool same_tensor) {
 std::shared_ptr<const KeptSeams::Arrivals> SeamFlyer::Arrive(
     kg_core::LonLat source) const {
   auto arrivals = std::make_shared<KeptSeams::Arrivals>();
-  arrivals->reach = sea_.ReachFrom(source);
-  const kg_core::Grid& grid = sea_.grid();
+  arrivals->reach = traversal_.ReachFrom(source);
+  const kg_core::Grid& grid = traversal_.grid();
+  // Landings: cells reached no earlier than from when station can be held.
   for (const ReachedCell& cell : arrivals->reach.cells) {
     const kg_core::LonLat centre =
         grid.Centre({cell.index / grid.cols(), cell.index % grid.cols()});
-    if (sea_.begin_s() + cell.arrival_s >= sea_.HoldableFrom_s(centre)) {
+    if (traversal_.begin_s() + cell.arrival_s >=
+        traversal_.HoldableFrom_s(centre)) {
       arrivals->landings.push_back(cell.index);
     }
   }
+  // What was read is at least the source's own cell, also where nothing is
+  // reached.
   arrivals->read = arrivals->reach.read;
   if (const std::optional<kg_core::Cell> cell = grid.CellAt(source)) {
     arrivals->read = Join(arrivals->read,
                           {cell->row, cell->row + 1, cell->col, cell->col + 1});
   }
-  arrivals->hazard = sea_.HazardBox(arrivals->read);
+  arrivals->hazard = traversal_.HazardBox(arrivals->read);
   return arrivals;
 }
 
@@ -117,7 +125,7 @@ std::shared_ptr<const FlownPath> SeamFlyer::Fly(kg_core::LonLat source,
   if (is_new) {
     const ElapsedTimer spent(&counts_->seams_s);
     std::optional<FlownPath> flight =
-        sea_.Fly(source, from.arrivals->reach, to);
+        traversal_.Fly(source, from.arrivals->reach, to);
     if (flight) {
       flown->second.flight =
           std::make_shared<const FlownPath>(std::move(*flight));
@@ -137,7 +145,7 @@ std::shared_ptr<const KeptSeams> SeamFlyer::Keep() {
     LetGoOfIdle(&source.flights);
     all = Join(all, source.arrivals->hazard);
   }
-  now_->patch = SurfacePatch(sea_.surface(), all);
+  now_->patch = SurfacePatch(traversal_.surface(), all);
   return std::move(now_);
 }
 

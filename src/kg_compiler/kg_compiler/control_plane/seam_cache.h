@@ -60,11 +60,11 @@ struct KeptSeams {
 };
 
 // Works a window's seams out, from what is kept of them where that holds. Holds
-// a reference to the sea, which must outlive it.
+// a reference to the traversal, which must outlive it.
 class SeamFlyer {
  public:
   // `last` may be null.
-  SeamFlyer(const WindowTraversal& sea, const std::string& tensor_hash,
+  SeamFlyer(const WindowTraversal& traversal, const std::string& tensor_hash,
             const KeptSeams* last, SeamCounts* counts);
 
   // Cells that one can be at coming from a place, holding station there from
@@ -85,7 +85,7 @@ class SeamFlyer {
   std::shared_ptr<const KeptSeams::Arrivals> Arrive(
       kg_core::LonLat source) const;
 
-  const WindowTraversal& sea_;
+  const WindowTraversal& traversal_;
   SeamCounts* counts_;
   std::shared_ptr<KeptSeams> now_;
 };

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/control_plane/seam_rules.h"
+#include "kg_compiler/control_plane/movement_mode.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
 #include "kg_compiler/traversal/voyage.h"
 #include "kg_core/geo/lon_lat.h"
@@ -36,6 +36,9 @@ struct TraverseEdge {
   FlownPath flight;          // The whole way, stops included.
   double seam_cost = 0.0;    // S, in reward units.
   double isolation_s = 0.0;  // I.
+  // X, what was met under way of each of kg_core's CostQuantities(), over time
+  // [unit s]; empty where the window's field has none.
+  std::vector<double> exposures = {};
   // Waypoints of this window visited on the way, in order: a walk.
   std::vector<int> via = {};
 };

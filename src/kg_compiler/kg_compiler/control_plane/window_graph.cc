@@ -31,8 +31,8 @@ class GraphBuilder {
       : in_(inputs),
         grid_(inputs.world.tensor->grid),
         fused_(inputs.world.tensor->Get(Layer::kFused)),
-        sea_(*inputs.rules, *inputs.window, inputs.world),
-        seams_(sea_, inputs.world.tensor->hash, last, counts) {}
+        traversal_(*inputs.rules, *inputs.window, inputs.world),
+        seams_(traversal_, inputs.world.tensor->hash, last, counts) {}
 
   BuiltWindow Build() {
     if (in_.window->committed) Add(*in_.window->committed);
@@ -47,7 +47,7 @@ class GraphBuilder {
   // Keeps the place if it can be flown to from anywhere.
   bool Add(kg_core::LonLat position) {
     const std::optional<kg_core::Cell> cell = grid_.CellAt(position);
-    if (!cell || !sea_.IsOpen(*cell)) return false;
+    if (!cell || !traversal_.IsOpen(*cell)) return false;
     WaypointDraft draft;
     draft.cell = *cell;
     draft.waypoint.position = position;
@@ -175,10 +175,11 @@ class GraphBuilder {
       draft.waypoint.id = static_cast<int>(graph.waypoints.size());
       graph.waypoints.push_back(std::move(draft.waypoint));
     }
+    // Isolation depends on all waypoints, so edges are priced last.
     const std::vector<double> isolation = Isolation(graph.waypoints);
     for (std::size_t to = 0; to < drafts_.size(); ++to) {
       for (const auto& [from, flight] : drafts_[to].flights) {
-        graph.edges.push_back(sea_.Price(*flight, isolation[to]));
+        graph.edges.push_back(traversal_.Price(*flight, isolation[to]));
         graph.edges.back().from = from;
         graph.edges.back().to = static_cast<int>(to);
       }
@@ -194,7 +195,7 @@ class GraphBuilder {
     const std::vector<kg_core::LonLat> places = PositionsOf(waypoints);
     std::vector<double> isolation;
     for (const kg_core::LonLat& place : places) {
-      isolation.push_back(sea_.Isolation(place, places));
+      isolation.push_back(traversal_.Isolation(place, places));
     }
     return isolation;
   }
@@ -222,7 +223,7 @@ class GraphBuilder {
         const auto flight =
             seams_.Fly(from.position, graph->waypoints[to].position);
         if (!flight) continue;
-        graph->inner_edges.push_back(sea_.Price(*flight, isolation[to]));
+        graph->inner_edges.push_back(traversal_.Price(*flight, isolation[to]));
         graph->inner_edges.back().from = from.id;
         graph->inner_edges.back().to = to;
         if (++found == kInnerNeighbours) break;
@@ -241,21 +242,18 @@ class GraphBuilder {
   const WindowInputs& in_;
   const kg_core::Grid& grid_;
   const kg_core::Raster fused_;
-  WindowTraversal sea_;
+  WindowTraversal traversal_;
   SeamFlyer seams_;
   std::vector<WaypointDraft> drafts_;
 };
 
 void HashRules(const SeamRules& rules, kg_core::Hasher* hash) {
-  const MotionModel& motion = rules.motion;
-  const SeamWeights& weights = rules.weights;
   hash->Add(rules.agent_iri);
+  HashMotion(rules.motion, hash);
+  HashWeights(rules.weights, hash);
   for (const double value :
-       {motion.cruise_mps, motion.max_mps, motion.boost_gain,
-        motion.energy_per_m_j, motion.hotel_load_w, weights.time_per_s,
-        weights.energy_per_j, weights.risk_per_s, weights.uncertainty,
-        weights.isolation, rules.sensor_radius_m, rules.spacing_m,
-        rules.hazard_range_m, static_cast<double>(rules.max_waypoints)}) {
+       {rules.sensor_radius_m, rules.spacing_m, rules.hazard_range_m,
+        static_cast<double>(rules.max_waypoints)}) {
     hash->Add(value);
   }
   hash->Add(Name(rules.movement_mode));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kg_compiler/control_plane/seam_cache.h"
+#include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_compiler/control_plane/waypoint_graph.h"
 
 namespace kg_compiler {

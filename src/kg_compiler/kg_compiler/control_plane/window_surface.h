@@ -1,5 +1,5 @@
-// What the ways of one window depend on of its tensor: where one may be, and
-// what is soft. Parts of it are kept and held against the next one.
+// What flights in one window depend on of its tensor: where one may be, and
+// what is soft. Parts of it are kept and compared with the next tensor's.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_WINDOW_SURFACE_H_
 #define KG_COMPILER_CONTROL_PLANE_WINDOW_SURFACE_H_

@@ -1,5 +1,6 @@
-// One window's sea as one agent meets it: where it may be, what is dangerous,
-// and what a flight there costs it. The only door to traversal.
+// Traversal within one window for one agent: where it may be, what is
+// dangerous, and what a flight there costs it. The only caller of traversal in
+// planning.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_WINDOW_TRAVERSAL_H_
 #define KG_COMPILER_CONTROL_PLANE_WINDOW_TRAVERSAL_H_
@@ -79,7 +80,7 @@ struct WaypointRoute {
 // What each of `ways` costs, as it would be priced in a graph of these
 // waypoints; nothing where it cannot be flown. `via` of the edges is not set.
 std::vector<std::optional<TraverseEdge>> PriceWays(
-    const WindowTraversal& sea, const std::vector<WaypointRoute>& ways,
+    const WindowTraversal& traversal, const std::vector<WaypointRoute>& ways,
     const std::vector<kg_core::LonLat>& waypoints);
 
 }  // namespace kg_compiler

@@ -34,11 +34,13 @@ WorkMap ComputeWork(const SeamRules& rules, const WindowRules& window,
   }
   work.time_s.assign(work.access.size(), kNotReached);
   if (!(work.budget_s > 0.0)) return work;
-  const WindowTraversal sea(rules, window, world);
+  const WindowTraversal traversal(rules, window, world);
   for (const kg_core::LonLat& place : places) {
-    for (const ReachedCell& cell : sea.ReachFrom(place).cells) {
+    for (const ReachedCell& cell : traversal.ReachFrom(place).cells) {
       float& time_s = work.time_s[cell.index];
       const float arrival_s = static_cast<float>(cell.arrival_s);
+      // NaN compares false: not reached before. Closed cells stay what they
+      // are.
       if (time_s <= arrival_s ||
           work.access[cell.index] < CellAccess::kTooFar) {
         continue;

@@ -18,7 +18,7 @@ namespace kg_compiler {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kMostDoublings = 5;  // Of the window's length, looking farther.
+constexpr int kMaxDoublings = 5;  // Of the window's length, looking farther.
 
 std::string Hours(double seconds) {
   return Short(seconds / kg_core::kSecondsPerHour) + " h";
@@ -141,7 +141,7 @@ class Place {
   double Travel_s(kg_core::LonLat source, double below_s) const {
     VoyageRequest voyage = From(source);
     voyage.departure.base_travel_m = kInfinity;
-    for (int i = 0; i <= kMostDoublings; ++i) {
+    for (int i = 0; i <= kMaxDoublings; ++i) {
       const double limit_s = std::min(below_s, std::ldexp(Window_s(), i));
       voyage.departure.deadline_s = voyage.departure.time_s + limit_s;
       const ReachMap reach = ComputeReach(voyage);
@@ -195,7 +195,7 @@ class Place {
   }
 
   Explanation NoWay() const {
-    const double looked_s = std::ldexp(Window_s(), kMostDoublings);
+    const double looked_s = std::ldexp(Window_s(), kMaxDoublings);
     Explanation explanation = Named(
         "unreachable", "s", "no way was found within " + Hours(looked_s) + ".");
     explanation.value = looked_s - Allowed_s();
@@ -212,6 +212,7 @@ class Place {
     const MotionModel& motion = in_.seam.rules->motion;
     double speed_mps = 0.0;
     if (const auto at = field_->grid.Locate(in_.place)) {
+      // Linear between slices: the largest speed is at one of them.
       for (const kg_core::FieldSlice& slice : field_->slices) {
         const auto c = field_->Sample(*at, slice.time_s);
         if (!c) continue;

@@ -11,7 +11,7 @@ namespace kg_compiler {
 namespace {
 
 constexpr int kSeedRadius_cells = 2;
-constexpr int kMostSeeds = 6;
+constexpr int kMaxSeeds = 6;
 constexpr double kStep_cells = 0.5;
 constexpr double kFineStep_cells = 0.08;
 constexpr double kTolerance_cells = 0.05;
@@ -54,6 +54,8 @@ std::optional<FlownPath> FastestCrossing::Best(bool as_expected) const {
   std::optional<FlownPath> best = Fly({voyage_.departure.from, to_});
   const std::vector<ExtremalShooter::Guess> guesses = Guesses();
   if (guesses.empty()) return best;
+  // The more speed is kept back, the more there is to correct with, and the
+  // later one arrives: the first reserve whose course can be flown is taken.
   for (const double reserve : kReserves) {
     const ExtremalShooter shooter(voyage_, reach_,
                                   (1.0 - reserve) * voyage_.motion.cruise_mps);
@@ -67,6 +69,7 @@ std::optional<FlownPath> FastestCrossing::Best(bool as_expected) const {
     }
     if (refused_s.empty()) break;  // No course: none with less speed.
   }
+  // Round corners, straight legs may do where no extremal could be flown.
   for (const ExtremalShooter::Guess& guess : guesses) {
     if (guess.root > 0) KeepFaster(Fly(Corners(guess.root)), &best);
   }
@@ -126,12 +129,13 @@ std::vector<ExtremalShooter::Guess> FastestCrossing::Guesses() const {
       seeds.push_back({away, found});
     }
   }
+  // By distance; equals stay in the order of rows and columns.
   std::stable_sort(
       seeds.begin(), seeds.end(),
       [](const Seed& a, const Seed& b) { return a.rank_s < b.rank_s; });
   std::vector<ExtremalShooter::Guess> guesses;
   for (const Seed& seed : seeds) {
-    if (guesses.size() == kMostSeeds) break;
+    if (guesses.size() == kMaxSeeds) break;
     guesses.push_back({seed.cell->root, seed.cell->heading_rad,
                        seed.cell->spread_rad, seed.cell->arrival_s});
   }

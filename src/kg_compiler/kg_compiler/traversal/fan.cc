@@ -11,21 +11,21 @@ namespace {
 
 constexpr int kFirstRays = 24;
 constexpr int kDeepest = 7;  // Halvings between two neighbours in one step.
-constexpr std::size_t kMostRays = 20000;
+constexpr std::size_t kMaxRays = 20000;
 
 // Lengths in cells.
 constexpr double kFirstStep = 0.75;
-constexpr double kLongestStep = 6.0;
+constexpr double kMaxStep = 6.0;
 constexpr double kStepsToOneCell = 40.0;  // Then they grow.
 constexpr double kWidest = 4.0;           // Between neighbours.
 constexpr double kWidestBent = 1.5;       // ... where the front bends by
 constexpr double kBent = 0.3;             // this slope,
-constexpr double kWidestAtCoast = 0.7;
+constexpr double kWidestNearClosed = 0.7;
 constexpr double kWidestAtDead = 0.1;
 constexpr double kLate = 0.7;    // Share of a step by which a ray may be late.
 constexpr double kFillIn = 1.0;  // Gaps that the front's shape fills.
-constexpr std::size_t kMostReplayed = 50;  // Steps; beyond, it fills them all.
-constexpr double kWidestSharp = 0.4;       // ... where by this one,
+constexpr std::size_t kMaxReplayed = 50;  // Steps; beyond, it fills them all.
+constexpr double kWidestSharp = 0.4;      // ... where by this one,
 constexpr double kSharp = 0.3;
 constexpr double kThinner = 1.0;   // One is left out between two so close
 constexpr double kThinBend = 0.2;  // whose front bends by less than this.
@@ -58,7 +58,7 @@ bool ExtremalFan::Begin() {
     const double heading_rad = 2.0 * kg_core::kPi * i / kFirstRays;
     rays_.push_back({SetOut(flow_, *from, heading_rad), heading_rad, 0, true});
     const kg_core::GridPoint v = helm_.Velocity(rays_.back().at, flow_.At(0.0));
-    fastest_ = std::max(fastest_, Length({v.col, v.row}));
+    fastest_ = std::max(fastest_, CellOffset{v.col, v.row}.norm());
   }
   rays_.back().linked = false;
   return true;
@@ -66,10 +66,13 @@ bool ExtremalFan::Begin() {
 
 double ExtremalFan::StepLength_s() const {
   const double far = static_cast<double>(steps_.size()) / kStepsToOneCell;
-  const double cells = std::clamp(far * far, kFirstStep, kLongestStep);
+  const double cells = std::clamp(far * far, kFirstStep, kMaxStep);
   const double length_s = cells / fastest_;
   const double slice_s = flow_.NextSlice_s(now_s_) - now_s_;
   const double rest_s = latest_s_ - now_s_;
+  // Steps end on the field's slices, where its change in time bends: unless
+  // that made a step of less than 0.3 of its length. What is within 0.1 % of
+  // the end goes to the end, lest a step of rounding errors remains.
   const double wanted_s =
       slice_s > 0.3 * length_s && slice_s < length_s ? slice_s : length_s;
   return wanted_s > 0.999 * rest_s ? rest_s : wanted_s;
@@ -136,7 +139,7 @@ ExtremalStrand ExtremalFan::Advance(const Stride& stride,
   Touch(PlaceOf(from));
   Touch(PlaceOf(strand.end));
   if (stride.step->length_s > 0.0) {
-    const double cells = Length(PlaceOf(strand.end) - PlaceOf(from));
+    const double cells = (PlaceOf(strand.end) - PlaceOf(from)).norm();
     fastest_ = std::max(fastest_, cells / stride.step->length_s);
   }
   const kg_core::GridPoint end{strand.end.row, strand.end.col};
@@ -153,15 +156,15 @@ void ExtremalFan::Keep(const Stride& stride, const ExtremalStrand& strand) {
 
 bool ExtremalFan::IsWide(const ExtremalStrand& a, const ExtremalStrand& b,
                          const FrontSweep& sweep) {
-  if (next_.size() >= kMostRays) return false;
-  const double begin = Length(PlaceOf(b.begin) - PlaceOf(a.begin));
-  const double end = Length(PlaceOf(b.end) - PlaceOf(a.end));
+  if (next_.size() >= kMaxRays) return false;
+  const double begin = (PlaceOf(b.begin) - PlaceOf(a.begin)).norm();
+  const double end = (PlaceOf(b.end) - PlaceOf(a.end)).norm();
   if (a.dead != b.dead) return std::max(begin, end) > kWidestAtDead;
-  const bool coast =
-      sight_.NearCoast(CellOf(grid_, {a.begin.row, a.begin.col})) ||
-      sight_.NearCoast(CellOf(grid_, {b.begin.row, b.begin.col}));
+  const bool near_closed =
+      sight_.NearClosed(CellOf(grid_, {a.begin.row, a.begin.col})) ||
+      sight_.NearClosed(CellOf(grid_, {b.begin.row, b.begin.col}));
   if (a.dead) return std::max(begin, end) > kWidestBent;
-  if (coast) return end > kWidestAtCoast;
+  if (near_closed) return end > kWidestNearClosed;
   const double slope = sweep.Slope();
   return end > kWidest || (end > kWidestBent && slope > kBent) ||
          (end > kWidestSharp && slope > kSharp);
@@ -187,12 +190,12 @@ ExtremalState ExtremalFan::Replay(int root, double heading_rad) const {
 std::optional<ExtremalState> ExtremalFan::Insert(
     const Stride& stride, const ExtremalStrand& a,
     const ExtremalStrand& b) const {
-  const double gap = Length(PlaceOf(b.begin) - PlaceOf(a.begin));
-  if (gap > kFillIn && steps_.size() <= kMostReplayed) {
+  const double gap = (PlaceOf(b.begin) - PlaceOf(a.begin)).norm();
+  if (gap > kFillIn && steps_.size() <= kMaxReplayed) {
     const ExtremalState at =
         Replay(stride.root, 0.5 * (a.heading_rad + b.heading_rad));
-    if (Length(PlaceOf(at) - PlaceOf(a.begin)) < 1.5 * gap &&
-        Length(PlaceOf(at) - PlaceOf(b.begin)) < 1.5 * gap) {
+    if ((PlaceOf(at) - PlaceOf(a.begin)).norm() < 1.5 * gap &&
+        (PlaceOf(at) - PlaceOf(b.begin)).norm() < 1.5 * gap) {
       return at;
     }
   }
@@ -202,6 +205,7 @@ std::optional<ExtremalState> ExtremalFan::Insert(
 void ExtremalFan::Between(const Stride& stride, const ExtremalStrand& a,
                           const ExtremalStrand& b, int depth) {
   const FrontSweep sweep(flow_, a, b, stride.step->length_s);
+  // Recursion: halve until the front between two neighbours is a cubic.
   if (depth < kDeepest && IsWide(a, b, sweep)) {
     const auto half = Insert(stride, a, b);
     if (half && sight_.IsOpen(CellOf(grid_, {half->row, half->col}))) {
@@ -215,40 +219,43 @@ void ExtremalFan::Between(const Stride& stride, const ExtremalStrand& a,
   }
   Paint(stride, a, b, sweep);
   if (!a.dead && !b.dead && !next_.empty()) next_.back().linked = true;
+  // One of two was stopped: at a corner, or along an edge that the other
+  // grazes.
   if (a.dead == b.dead) return;
   FindCornersBeside(stride, a.dead ? b : a);
   FindGraze(stride, a.dead ? b : a, a.dead ? a : b);
 }
 
-void ExtremalFan::Touch(CellOffset at) {
-  low_ = {std::min(low_.col, at.col), std::min(low_.row, at.row)};
-  high_ = {std::max(high_.col, at.col), std::max(high_.row, at.row)};
+void ExtremalFan::Touch(const CellOffset& at) {
+  low_ = {std::min(low_.x(), at.x()), std::min(low_.y(), at.y())};
+  high_ = {std::max(high_.x(), at.x()), std::max(high_.y(), at.y())};
 }
 
 void ExtremalFan::Paint(const Stride& stride, const ExtremalStrand& a,
                         const ExtremalStrand& b, const FrontSweep& sweep) {
   const CellOffset low = sweep.low(), high = sweep.high();
-  const int row0 = std::max(static_cast<int>(std::ceil(low.row - 0.5)), 0);
-  const int col0 = std::max(static_cast<int>(std::ceil(low.col - 0.5)), 0);
+  const int row0 = std::max(static_cast<int>(std::ceil(low.y() - 0.5)), 0);
+  const int col0 = std::max(static_cast<int>(std::ceil(low.x() - 0.5)), 0);
   const int row1 =
-      std::min(static_cast<int>(std::floor(high.row + 0.5)), grid_.rows() - 1);
+      std::min(static_cast<int>(std::floor(high.y() + 0.5)), grid_.rows() - 1);
   const int col1 =
-      std::min(static_cast<int>(std::floor(high.col + 0.5)), grid_.cols() - 1);
-  const bool coast = a.dead || b.dead || NearCoast({row0, col0}, {row1, col1});
+      std::min(static_cast<int>(std::floor(high.x() + 0.5)), grid_.cols() - 1);
+  const bool near_closed =
+      a.dead || b.dead || NearClosed({row0, col0}, {row1, col1});
   for (int row = row0; row <= row1; ++row) {
     for (int col = col0; col <= col1; ++col) {
-      PaintCell(stride, a, b, sweep, {row, col}, coast);
-      if (coast) FindCorners(stride, a, b, sweep, {row, col});
+      PaintCell(stride, a, b, sweep, {row, col}, near_closed);
+      if (near_closed) FindCorners(stride, a, b, sweep, {row, col});
     }
   }
 }
 
-bool ExtremalFan::NearCoast(kg_core::Cell low, kg_core::Cell high) {
+bool ExtremalFan::NearClosed(kg_core::Cell low, kg_core::Cell high) {
   for (int row = low.row;;
        row = std::min(row + LineOfSight::kBlock, high.row)) {
     for (int col = low.col;;
          col = std::min(col + LineOfSight::kBlock, high.col)) {
-      if (sight_.NearCoast({row, col})) return true;
+      if (sight_.NearClosed({row, col})) return true;
       if (col >= high.col) break;
     }
     if (row >= high.row) return false;
@@ -257,7 +264,7 @@ bool ExtremalFan::NearCoast(kg_core::Cell low, kg_core::Cell high) {
 
 void ExtremalFan::PaintCell(const Stride& stride, const ExtremalStrand& a,
                             const ExtremalStrand& b, const FrontSweep& sweep,
-                            kg_core::Cell cell, bool coast) {
+                            kg_core::Cell cell, bool near_closed) {
   const CellOffset place{static_cast<double>(cell.col),
                          static_cast<double>(cell.row)};
   const auto share = sweep.Find(place);
@@ -266,9 +273,10 @@ void ExtremalFan::PaintCell(const Stride& stride, const ExtremalStrand& a,
   if (!(time_s <= latest_s_)) return;
   ArrivalTiles::Node& node = arrivals_.At(cell);
   if (!(time_s < node.arrival_s) || !sight_.IsOpen(cell)) return;
-  if (coast) {
+  if (near_closed) {
+    // The straight line from the front at the step's begin must be clear.
     const CellOffset from = sweep.BeginAt(share->across);
-    if (!sight_.IsClear({from.row, from.col}, {place.row, place.col})) return;
+    if (!sight_.IsClear({from.y(), from.x()}, {place.y(), place.x()})) return;
   }
   node.arrival_s = time_s;
   node.root = stride.root;
@@ -292,8 +300,8 @@ bool ExtremalFan::IsLate(const ExtremalState& at) const {
 // Can what lies between two do without one more?
 bool ExtremalFan::IsThin(const ExtremalState& a, const ExtremalState& b) const {
   const CellOffset na = NormalOf(flow_, a), nb = NormalOf(flow_, b);
-  return Length(PlaceOf(b) - PlaceOf(a)) < kThinner && Dot(na, nb) > 0.0 &&
-         std::abs(Cross(na, nb)) < kThinBend * Dot(na, nb);
+  return (PlaceOf(b) - PlaceOf(a)).norm() < kThinner && na.dot(nb) > 0.0 &&
+         std::abs(Cross(na, nb)) < kThinBend * na.dot(nb);
 }
 
 // Leaves out rays that come late, and those between close neighbours.
@@ -309,7 +317,8 @@ void ExtremalFan::Thin() {
     }
     const bool between =
         linked && ray.linked && !IsLate(next_[i + 1].at) && next_[i + 1].linked;
-    if (between && !sight_.NearCoast(CellOf(grid_, {ray.at.row, ray.at.col}))) {
+    if (between &&
+        !sight_.NearClosed(CellOf(grid_, {ray.at.row, ray.at.col}))) {
       if (IsThin(rays_.back().at, next_[i + 1].at)) continue;
     }
     rays_.push_back(ray);
@@ -331,8 +340,8 @@ CellBox ExtremalFan::ReadBox() const {
     return std::min(std::max(seen, felt), size);
   };
   const CellBox& felt = flow_.felt();
-  return {down(low_.row, felt.row), up(high_.row, felt.row_end, grid_.rows()),
-          down(low_.col, felt.col), up(high_.col, felt.col_end, grid_.cols())};
+  return {down(low_.y(), felt.row), up(high_.y(), felt.row_end, grid_.rows()),
+          down(low_.x(), felt.col), up(high_.x(), felt.col_end, grid_.cols())};
 }
 
 }  // namespace kg_compiler

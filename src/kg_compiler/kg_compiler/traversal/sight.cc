@@ -29,17 +29,20 @@ LineOfSight::LineOfSight(const TraversalWorld& world, const CellBox& box)
       east_mps_(world.field->slices.front().east_mps),
       box_(box),
       block_cols_((grid_.cols() + kBlock - 1) / kBlock),
-      coast_(static_cast<std::size_t>(block_cols_) *
-                 ((grid_.rows() + kBlock - 1) / kBlock),
-             -1) {}
+      near_closed_(static_cast<std::size_t>(block_cols_) *
+                       ((grid_.rows() + kBlock - 1) / kBlock),
+                   -1) {}
 
 bool LineOfSight::IsClear(kg_core::GridPoint a, kg_core::GridPoint b) const {
   constexpr double kSame = 1e-9;
   kg_core::Cell cell = CellOf(grid_, a);
   const kg_core::Cell last = CellOf(grid_, b);
   AxisWalk row(a.row, b.row, cell.row), col(a.col, b.col, cell.col);
+  // Amanatides and Woo's grid traversal: the next edge crossed along either
+  // axis, at shares row.next and col.next of the line.
   while (!(cell == last)) {
     if (row.next > 1.0 && col.next > 1.0) return IsOpen(last);
+    // Through a corner: both cells beside it must be open.
     const bool both = std::abs(row.next - col.next) < kSame;
     const kg_core::Cell up{cell.row + row.step, cell.col};
     const kg_core::Cell beside{cell.row, cell.col + col.step};
@@ -59,7 +62,7 @@ bool LineOfSight::IsClear(kg_core::GridPoint a, kg_core::GridPoint b) const {
   return true;
 }
 
-bool LineOfSight::FindCoast(int block_row, int block_col) const {
+bool LineOfSight::FindClosed(int block_row, int block_col) const {
   const int r0 = block_row * kBlock, c0 = block_col * kBlock;
   for (int r = std::max(r0 - 1, 0);
        r <= std::min(r0 + kBlock, grid_.rows() - 1); ++r) {
@@ -71,10 +74,11 @@ bool LineOfSight::FindCoast(int block_row, int block_col) const {
   return false;
 }
 
-bool LineOfSight::NearCoast(kg_core::Cell cell) {
+bool LineOfSight::NearClosed(kg_core::Cell cell) {
   const int r = cell.row / kBlock, c = cell.col / kBlock;
-  signed char& known = coast_[static_cast<std::size_t>(r) * block_cols_ + c];
-  if (known < 0) known = FindCoast(r, c) ? 1 : 0;
+  signed char& known =
+      near_closed_[static_cast<std::size_t>(r) * block_cols_ + c];
+  if (known < 0) known = FindClosed(r, c) ? 1 : 0;
   return known == 1;
 }
 

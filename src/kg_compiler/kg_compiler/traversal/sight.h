@@ -52,7 +52,7 @@ class LineOfSight {
 
   // Is a cell of a block of kBlock by kBlock, or one beside it, closed?
   static constexpr int kBlock = 4;
-  bool NearCoast(kg_core::Cell cell);
+  bool NearClosed(kg_core::Cell cell);
 
   // Corners of closed cells that a track may go round, from an open cell: bit
   // k is set if the cell diagonally kDiagonals[k] is closed, those beside it
@@ -63,14 +63,14 @@ class LineOfSight {
   static kg_core::GridPoint CornerAt(kg_core::Cell cell, int diagonal);
 
  private:
-  bool FindCoast(int block_row, int block_col) const;
+  bool FindClosed(int block_row, int block_col) const;
 
   const kg_core::Grid& grid_;
   const kg_core::Mask& open_;
   const kg_core::Raster& east_mps_;
   CellBox box_;
   int block_cols_;
-  std::vector<signed char> coast_;  // By block: -1 = not known yet.
+  std::vector<signed char> near_closed_;  // By block: -1 = not known yet.
 };
 
 }  // namespace kg_compiler

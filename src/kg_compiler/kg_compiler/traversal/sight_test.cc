@@ -63,8 +63,8 @@ TEST(LineOfSight, FindsCornersToGoRoundAndWhatIsNearTheCoast) {
   EXPECT_EQ(1u, sight.Corners({9, 9}));
   EXPECT_EQ(0u, sight.Corners({9, 10}));
   EXPECT_EQ(8u, sight.Corners({11, 11}));
-  EXPECT_TRUE(sight.NearCoast({8, 8}));
-  EXPECT_FALSE(sight.NearCoast({2, 2}));
+  EXPECT_TRUE(sight.NearClosed({8, 8}));
+  EXPECT_FALSE(sight.NearClosed({2, 2}));
   sea.open[9 * 20 + 10] = 0;  // Now a wall, two cells long.
   EXPECT_EQ(0u, sight.Corners({9, 9}));
   EXPECT_EQ(1u, sight.Corners({8, 9}));

@@ -35,6 +35,7 @@ std::string FileIri(const std::string& ingested_from);
 
 ValueLayer ReadValueLayer(const Calendar& calendar, const Entity& entity);
 WorkFieldRef ReadWorkField(const Calendar& calendar, const Entity& entity);
+CostFieldRef ReadCostField(const Calendar& calendar, const Entity& entity);
 SourceFile ReadSourceFile(const Entity& entity);
 
 }  // namespace kg_core

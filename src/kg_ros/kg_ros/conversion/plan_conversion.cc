@@ -54,6 +54,7 @@ TraverseEdge FromMessage(const kg_msgs::TraverseEdge& message) {
   edge.flight.speed_mps = message.cost.speed_mps;
   edge.seam_cost = message.cost.seam_cost;
   edge.isolation_s = message.cost.isolation_s;
+  edge.exposures = message.cost.exposures;
   return edge;
 }
 
@@ -123,6 +124,7 @@ kg_msgs::EdgeCost CostMessage(const TraverseEdge& edge) {
   cost.through_water_m = edge.flight.through_water_m;
   cost.speed_mps = edge.flight.speed_mps;
   cost.isolation_s = edge.isolation_s;
+  cost.exposures = edge.exposures;
   cost.seam_cost = edge.seam_cost;
   return cost;
 }

@@ -26,7 +26,8 @@ enum class TermKind {
   kRisk,
   kUncertainty,
   kChurn,  // For leaving the plan in force.
-  kSeparation
+  kSeparation,
+  kField  // For what is met under way: wave height, ...
 };
 const char* Name(TermKind kind);  // "value", "events", ...
 
@@ -34,7 +35,8 @@ struct PathTerm {
   int window = -1;
   TermKind kind = TermKind::kValue;
   double value = 0.0;  // Costs are negative.
-  std::string where;   // The waypoints, or the events' names.
+  std::string where;   // The waypoints, the events' names, or
+                       // the field quantity.
 };
 
 // In order of windows and kinds, all kinds of each window.

@@ -56,8 +56,9 @@ struct Way {
   const FlownPath* flight = nullptr;
   double cruise_mps = 0.0;
   double length_m = 0.0;
-  double hazard = 0.0;       // Mean, under way.
-  double isolation_s = 0.0;  // A second under way.
+  double hazard = 0.0;                 // Mean, under way.
+  double isolation_s = 0.0;            // A second under way.
+  std::vector<double> exposures = {};  // Likewise, of the fields that cost.
 
   double Speed_mps(Pace pace) const {
     return pace == Pace::kPriced ? flight->speed_mps : cruise_mps;
@@ -78,7 +79,7 @@ class WindowWalks {
       : in_(inputs),
         weights_(inputs.rules->weights),
         places_(kg_compiler::PositionsOf(inputs.graph->waypoints)),
-        sea_(*inputs.rules, *inputs.window, inputs.world) {
+        traversal_(*inputs.rules, *inputs.window, inputs.world) {
     for (const TraverseEdge& edge : in_.graph->edges)
       if (edge.via.empty()) entries_[{edge.from, edge.to}] = ToWay(edge);
     for (const TraverseEdge& edge : in_.graph->inner_edges)
@@ -106,7 +107,7 @@ class WindowWalks {
       isolation_s = way->second.isolation_s;
       at = stop;
     }
-    auto walk = sea_.FlyWalk(in_.sources[from], legs, isolation_s);
+    auto walk = traversal_.FlyWalk(in_.sources[from], legs, isolation_s);
     if (!walk) return std::nullopt;
     walk->from = from;
     walk->to = stops.back();
@@ -126,10 +127,14 @@ class WindowWalks {
     const double rest_s =
         in_.window->end_s - in_.window->begin_s - flight.travel_s;
     const double under_way_s =
-        flight.hazard_s - rest_s * sea_.HazardAt(places_[edge.to]);
+        flight.hazard_s - rest_s * traversal_.HazardAt(places_[edge.to]);
     if (flight.travel_s > 0.0)
       way.hazard = std::clamp(under_way_s / flight.travel_s, 0.0, 1.0);
-    way.isolation_s = sea_.Isolation(places_[edge.to], places_);
+    way.isolation_s = traversal_.Isolation(places_[edge.to], places_);
+    for (const double exposure : edge.exposures) {
+      way.exposures.push_back(flight.travel_s > 0.0 ? exposure / flight.travel_s
+                                                    : 0.0);
+    }
     return way;
   }
 
@@ -143,11 +148,16 @@ class WindowWalks {
     const double travel_s = way.Travel_s(pace);
     const double energy_j =
         in_.rules->motion.energy_per_m_j * way.Speed_mps(pace) * travel_s;
-    const double risk_s = (way.hazard + way.isolation_s) * travel_s;
-    return {ends.first, ends.second,
-            weights_.time_per_s * travel_s + weights_.energy_per_j * energy_j +
-                weights_.risk_per_s * risk_s,
-            energy_j, travel_s};
+    // The window's uncertainty is not a leg's: confidence 1.
+    TraverseEdge leg;
+    leg.flight.travel_s = travel_s;
+    leg.flight.energy_j = energy_j;
+    leg.flight.hazard_s = (way.hazard + way.isolation_s) * travel_s;
+    for (const double exposure : way.exposures) {
+      leg.exposures.push_back(exposure * travel_s);
+    }
+    return {ends.first, ends.second, SeamCost(weights_, leg, 1.0), energy_j,
+            travel_s};
   }
 
   std::vector<kg_planner::Node> Nodes(bool with_events) const {
@@ -280,7 +290,7 @@ class WindowWalks {
   const WalkInputs& in_;  // Its graph's flights are pointed to.
   const kg_compiler::SeamWeights& weights_;
   std::vector<kg_core::LonLat> places_;
-  kg_compiler::WindowTraversal sea_;
+  kg_compiler::WindowTraversal traversal_;
   std::map<Ends, Way> entries_;
   std::map<Ends, Way> inner_;
 };
