@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -202,7 +203,12 @@ TEST_F(CostFieldTest, IsExplainedWithItsPriceItsLayerAndItsFile) {
   const kg_core::Agent& agent = compilation_->mission.agents[0];
   const SeamContext context =
       FindSeamContext(*compilation_, agent, compilation_->rules[0], 1);
-  const TraverseEdge& edge = graphs[1].edges.front();
+  // Some edges stay where they are and meet nothing under way.
+  const TraverseEdge& edge =
+      *std::max_element(graphs[1].edges.begin(), graphs[1].edges.end(),
+                        [](const TraverseEdge& a, const TraverseEdge& b) {
+                          return a.exposures[0] < b.exposures[0];
+                        });
   const Explanation explanation = ExplainSeam(context, edge, facts);
   double sum = 0.0;
   std::string cited;
