@@ -19,6 +19,7 @@ DEPENDS = ("depend", "build_depend", "exec_depend", "buildtool_depend",
            "build_export_depend", "test_depend")
 # ROS packages whose Debian name is not lib<name>-dev or similar.
 DEBIAN_NAME = {"tf2": "libtf2-ros-dev", "roslib": "libroslib-dev",
+               "eigen": "libeigen3-dev",
                "rosgraph_msgs": "python3-rosgraph-msgs"}
 
 

@@ -92,6 +92,8 @@ std::optional<CellBox> DirtyBox(const TensorInputs& before,
       FindActiveFacts(*before.mission, *before.agent, *before.window);
   const ActiveFacts is =
       FindActiveFacts(*after.mission, *after.agent, *after.window);
+  // Nothing is told if the constraints that stayed are not the same in the same
+  // order: products round differently then, anywhere.
   const auto gone = Without(was.constraints, is.constraints);
   const auto come = Without(is.constraints, was.constraints);
   const auto stayed = Kept(was.constraints, gone);

@@ -210,6 +210,7 @@ class CompilationRun {
           TensorSources(now_->mission, agent, window, *all.back());
       sources.insert(read.begin(), read.end());
     }
+    // Measured in this compilation, or in one before.
     const std::string key = hash.Hex();
     for (const auto* known : {measured, stores_.horizons}) {
       const auto found = known->find(key);
@@ -281,6 +282,7 @@ class CompilationRun {
       return one && one->hash == tensor.hash && one->agent_iri == agent &&
              one->window == window && one->derived_from == sources;
     };
+    // Copies share the content: only name and sources are its own.
     const KnownArtifacts::Tensor& made = made_.find(tensor.hash)->second;
     if (is_it(made)) return made;
     const KnownArtifacts::Tensor own = known_.TensorAt(agent, window);

@@ -9,6 +9,7 @@
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
 #include "kg_core/mission/layer_files.h"
+#include "kg_core/mission/scope.h"
 #include "kg_core/rdf/term.h"
 
 namespace kg_compiler {
@@ -55,6 +56,15 @@ std::string FieldKey(const kg_core::Mission& mission,
   key.Add(static_cast<double>(ref.window));
   key.Add(static_cast<double>(ref.first_time_index));
   key.Add(static_cast<double>(ref.last_time_index));
+  for (const kg_core::CostFieldRef& cost : mission.cost_fields) {
+    if (cost.window != ref.window) continue;
+    key.Add(cost.iri);
+    key.Add(cost.quantity);
+    key.Add(Sha256Of(mission, cost.file_iri, cost.iri));
+    key.Add(static_cast<double>(cost.first_time_index));
+    key.Add(static_cast<double>(cost.last_time_index));
+    key.Add(static_cast<double>(cost.resampling));
+  }
   return key.Hex();
 }
 
@@ -71,6 +81,7 @@ const kg_core::ValueLayer& FindValue(const kg_core::Mission& mission,
   bool two = false;
   for (const kg_core::ValueLayer& layer : mission.value_layers) {
     if (layer.window != window || layer.kind != policy.value_kind) continue;
+    // Of layers of one time, none is the newest.
     const double newer_by = newest ? Compare(layer, *newest) : 1.0;
     if (newer_by == 0.0) two = true;
     if (!(newer_by > 0.0)) continue;
@@ -121,11 +132,6 @@ void CheckScales(const kg_core::Policy& policy,
   if (policy.gamma_front != 0.0 && !layer.front_full_scale) {
     need("ex:frontFullScale");
   }
-}
-
-bool IsIn(const std::vector<int>& windows, int window) {
-  return windows.empty() ||
-         std::find(windows.begin(), windows.end(), window) != windows.end();
 }
 
 bool IsWeighed(const kg_core::Policy& policy,
@@ -242,20 +248,20 @@ RasterStore::FromFiles RasterStore::ReadFiles(const kg_core::Mission& mission,
   };
   for (const kg_core::PriorLayer& prior : mission.priors) {
     if (!prior.raster || !IsWeighed(policy, prior)) continue;
-    if (!IsIn(prior.windows, field.window)) continue;
+    if (!kg_core::InScope(prior.windows, field.window)) continue;
     read.priors[prior.iri] =
         keep(prior.iri, *prior.raster, &priors_, [](kg_core::Raster values) {
           return std::make_shared<const kg_core::Raster>(std::move(values));
         });
   }
   for (const kg_core::Constraint& constraint : mission.constraints) {
-    if (!constraint.mask || !IsIn(constraint.windows, field.window)) continue;
-    read.masks[constraint.iri] =
-        keep(constraint.iri, *constraint.mask, &masks_,
-             [](const kg_core::Raster& values) {
-               return std::make_shared<const kg_core::Mask>(
-                   kg_core::MakeMask(values));
-             });
+    if (!constraint.mask || !kg_core::InScope(constraint.windows, field.window))
+      continue;
+    read.masks[constraint.iri] = keep(
+        constraint.iri, *constraint.mask, &masks_,
+        [](const kg_core::Raster& values) {
+          return std::make_shared<const kg_core::Mask>(kg_core::MaskOf(values));
+        });
   }
   return read;
 }
@@ -282,6 +288,7 @@ std::shared_ptr<const WindowRasters> RasterStore::Rasters(
     key.Add(layer->full_scale.value_or(0.0));
     key.Add(layer->front_full_scale.value_or(0.0));
   }
+  // Land comes from the field; without a value layer all is no data.
   Kept<WindowRasters>& kept = rasters_[key.Hex()];
   kept.used = true;
   if (kept.value) return kept.value;

@@ -123,6 +123,7 @@ const std::vector<RecurrencePick>& RecurrenceWithin(
     for (const int cell : allowed) mask[cell] = 1;
     now.allowed = Cut(mask, grid.cols(), now.box);
   }
+  // The same box with the same bits gives the same picks.
   if (SameInputs(now, *memo)) return memo->picks;
   if (!allowed.empty()) now.picks = PicksOf(grid, now);
   *memo = std::move(now);

@@ -91,6 +91,7 @@ Span Discs::Columns(kg_core::Cell centre, int other) const {
     return static_cast<int>(std::lower_bound(lon.begin(), lon.end(), lon_deg) -
                             lon.begin());
   };
+  // The chord's ends to within rounding, then step by step to the exact ones.
   Span columns{near(at_deg - reach_deg), near(at_deg + reach_deg)};
   while (columns.first > 0 && sees(columns.first - 1)) --columns.first;
   while (columns.first < centre.col && !sees(columns.first)) ++columns.first;

@@ -4,7 +4,9 @@
 #ifndef KG_COMPILER_CONTROL_PLANE_EDGE_COST_H_
 #define KG_COMPILER_CONTROL_PLANE_EDGE_COST_H_
 
-#include "kg_compiler/control_plane/nav_graph.h"
+#include <vector>
+
+#include "kg_compiler/control_plane/waypoint_graph.h"
 #include "kg_compiler/traversal/traversal.h"
 
 namespace kg_compiler {
@@ -16,7 +18,10 @@ struct EdgeCost {
   double isolation_s = 0.0;      // I: of having few other places to go to.
   double through_water_m = 0.0;  // Distance through water.
   double speed_mps = 0.0;        // Through water until the arrival.
-  double seam_cost = 0.0;        // S, reward units.
+  // Time integrals of the cost fields along the edge [unit s]; empty = no
+  // field.
+  std::vector<double> exposures = {};
+  double seam_cost = 0.0;  // S, reward units.
 };
 
 // What the flight alone says; the rest is 0.
@@ -33,6 +38,7 @@ inline EdgeCost CostOfFlight(const FlownPath& flight) {
 inline EdgeCost CostOfEdge(const TraverseEdge& edge) {
   EdgeCost cost = CostOfFlight(edge.flight);
   cost.isolation_s = edge.isolation_s;
+  cost.exposures = edge.exposures;
   cost.seam_cost = edge.seam_cost;
   return cost;
 }
@@ -42,7 +48,7 @@ inline bool operator==(const EdgeCost& a, const EdgeCost& b) {
   return a.travel_s == b.travel_s && a.energy_j == b.energy_j &&
          a.hazard_s == b.hazard_s && a.isolation_s == b.isolation_s &&
          a.through_water_m == b.through_water_m && a.speed_mps == b.speed_mps &&
-         a.seam_cost == b.seam_cost;
+         a.exposures == b.exposures && a.seam_cost == b.seam_cost;
 }
 
 }  // namespace kg_compiler

@@ -3,7 +3,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "kg_compiler/control_plane/nav_graphs.h"
 #include "kg_compiler/control_plane/seam_cache.h"
 #include "kg_compiler/control_plane/window_graph.h"
 #include "kg_core/base/input_error.h"
@@ -86,28 +85,6 @@ class GraphBuilds {
 
 }  // namespace
 
-const TraverseEdge* FindEdge(const NavGraph& graph, int from, int to,
-                             const std::vector<int>& via) {
-  for (const TraverseEdge& edge : graph.edges) {
-    if (edge.from == from && edge.to == to && edge.via == via) return &edge;
-  }
-  return nullptr;
-}
-
-std::vector<int> StopsOf(const TraverseEdge& edge) {
-  std::vector<int> stops = edge.via;
-  stops.push_back(edge.to);
-  return stops;
-}
-
-double SeamCost(const SeamWeights& weights, const TraverseEdge& edge,
-                double confidence) {
-  return weights.time_per_s * edge.flight.travel_s +
-         weights.energy_per_j * edge.flight.energy_j +
-         weights.risk_per_s * (edge.flight.hazard_s + edge.isolation_s) +
-         weights.uncertainty * (1.0 - confidence);
-}
-
 NavGraphs CompileNavGraphs(const SeamRules& rules,
                            const std::vector<WindowWorld>& worlds,
                            SeamCache* cache) {
@@ -119,6 +96,7 @@ NavGraphs CompileNavGraphs(const SeamRules& rules,
         kg_core::PointWkt(rules.start) +
         ", which is on land, in a no_go area or off the grid");
   }
+  // A window's waypoints are where the next one's flights set out from.
   const SeamCache none;
   GraphBuilds graphs(rules, cache ? *cache : none, cache != nullptr);
   for (std::size_t t = 0; t < worlds.size(); ++t) {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/waypoint_graph.h"
 
 namespace kg_compiler {
 

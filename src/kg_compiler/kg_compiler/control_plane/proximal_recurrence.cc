@@ -62,6 +62,7 @@ class Recurrence {
         row_best_(box.rows.size()) {
     allowed_.reserve(static_cast<std::size_t>(box.rows.size()) *
                      box.cols.size());
+    // Allowed cells of the box, row by row, and per strip where there are any.
     for (int row = box.rows.first; row < box.rows.last; ++row) {
       const auto from = allowed.begin() + grid.Index({row, box.cols.first});
       allowed_.insert(allowed_.end(), from, from + box.cols.size());

@@ -81,6 +81,7 @@ std::shared_ptr<const KeptSeams::Arrivals> SeamFlyer::Arrive(
   auto arrivals = std::make_shared<KeptSeams::Arrivals>();
   arrivals->reach = traversal_.ReachFrom(source);
   const kg_core::Grid& grid = traversal_.grid();
+  // Landings: cells reached no earlier than from when station can be held.
   for (const ReachedCell& cell : arrivals->reach.cells) {
     const kg_core::LonLat centre =
         grid.Centre({cell.index / grid.cols(), cell.index % grid.cols()});
@@ -89,6 +90,8 @@ std::shared_ptr<const KeptSeams::Arrivals> SeamFlyer::Arrive(
       arrivals->landings.push_back(cell.index);
     }
   }
+  // What was read is at least the source's own cell, also where nothing is
+  // reached.
   arrivals->read = arrivals->reach.read;
   if (const std::optional<kg_core::Cell> cell = grid.CellAt(source)) {
     arrivals->read = Join(arrivals->read,

@@ -5,9 +5,11 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "kg_compiler/control_plane/seam_cost.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
 #include "kg_core/base/units.h"
+#include "kg_core/mission/field_quantities.h"
 
 namespace kg_compiler {
 namespace {
@@ -28,13 +30,17 @@ class FactReading {
   std::set<std::string> iris_;
 };
 
-MotionModel Motion(const kg_core::Capabilities& capabilities) {
+MotionModel Motion(const kg_core::Capabilities& capabilities,
+                   kg_core::Mobility mobility) {
   MotionModel motion;
   motion.cruise_mps = capabilities.cruise_mps;
   motion.max_mps = capabilities.max_mps;
   motion.boost_gain = capabilities.boost_gain;
   motion.energy_per_m_j = capabilities.energy_per_m_j;
   motion.hotel_load_w = capabilities.hotel_load_w;
+  if (mobility == kg_core::Mobility::kHover) {
+    motion.rest_mps = capabilities.cruise_mps;
+  }
   return motion;
 }
 
@@ -45,6 +51,12 @@ SeamWeights Weights(const kg_core::Policy& policy) {
   weights.risk_per_s = policy.lambda_risk / kg_core::kSecondsPerHour;
   weights.uncertainty = policy.lambda_uncertainty;
   weights.isolation = policy.isolation_weight;
+  if (policy.lambda_fields.empty()) return weights;
+  for (const kg_core::FieldQuantity& field : kg_core::CostQuantities()) {
+    const auto lambda = policy.lambda_fields.find(field.name);
+    weights.field_per_s.push_back(
+        lambda == policy.lambda_fields.end() ? 0.0 : lambda->second);
+  }
   return weights;
 }
 
@@ -114,12 +126,12 @@ auto Tie(const WindowRules& w) {
 
 auto Tie(const MotionModel& m) {
   return std::tie(m.cruise_mps, m.max_mps, m.boost_gain, m.energy_per_m_j,
-                  m.hotel_load_w);
+                  m.hotel_load_w, m.rest_mps);
 }
 
 auto Tie(const SeamWeights& w) {
   return std::tie(w.time_per_s, w.energy_per_j, w.risk_per_s, w.uncertainty,
-                  w.isolation);
+                  w.isolation, w.field_per_s);
 }
 
 auto TieOwn(const SeamRules& r) {
@@ -131,24 +143,6 @@ auto TieOwn(const SeamRules& r) {
 }
 
 }  // namespace
-
-const char* Name(MovementMode mode) {
-  switch (mode) {
-    case MovementMode::kHops:
-      return "hops";
-    case MovementMode::kEdges:
-      return "edges";
-  }
-  throw std::logic_error("a movement mode without a name");
-}
-
-MovementMode MovementModeOf(const std::string& name) {
-  for (const MovementMode mode : {MovementMode::kHops, MovementMode::kEdges}) {
-    if (name == Name(mode)) return mode;
-  }
-  throw kg_core::InputError("movement mode '" + name +
-                            "': expected 'hops' or 'edges'");
-}
 
 bool operator==(const EventRule& a, const EventRule& b) {
   return Tie(a) == Tie(b);
@@ -176,12 +170,15 @@ SeamRules CompileSeamRules(const kg_core::Mission& mission,
   SeamRules rules;
   rules.agent_iri = read(agent).iri;
   rules.agent_id = agent.id;
-  rules.motion = Motion(capabilities);
+  rules.motion = Motion(capabilities, agent.mobility);
   const kg_core::Policy& policy = read(agent.policy);
   rules.weights = Weights(policy);
   TakePathRules(policy, &rules);
   rules.movement_mode = MovementModeOf(team.movement_mode);
-  rules.energy_budget_j = capabilities.energy_budget_j;
+  // What is left at the start, if that is stated, and never more than all.
+  rules.energy_budget_j =
+      std::min(capabilities.energy_budget_j,
+               agent.start_energy_j.value_or(capabilities.energy_budget_j));
   rules.sensor_radius_m = capabilities.sensor_radius_m;
   rules.spacing_m = team.waypoint_spacing_m;
   rules.max_waypoints = std::min(team.waypoints_per_window, kMaxWaypoints);
@@ -203,36 +200,41 @@ void HashCommitted(const WindowRules& window, kg_core::Hasher* hash) {
   HashNumbers({window.committed->lon_deg, window.committed->lat_deg}, hash);
 }
 
+void HashWeights(const SeamWeights& weights, kg_core::Hasher* hash) {
+  for (const SeamTerm& term : SeamTerms()) {
+    const double weight = term.weight(weights);
+    if (term.is_optional && weight == 0.0) continue;
+    if (term.is_optional) hash->Add(term.name);
+    hash->Add(weight);
+    // It scales the isolation within the risk.
+    if (term.name == "uncertainty") hash->Add(weights.isolation);
+  }
+}
+
+void HashMotion(const MotionModel& motion, kg_core::Hasher* hash) {
+  HashNumbers({motion.cruise_mps, motion.max_mps, motion.boost_gain,
+               motion.energy_per_m_j, motion.hotel_load_w},
+              hash);
+  if (motion.rest_mps == 0.0) return;
+  hash->Add("rest");
+  hash->Add(motion.rest_mps);
+}
+
 std::string SeamRulesHash(const SeamRules& rules) {
-  const MotionModel& motion = rules.motion;
-  const SeamWeights& weights = rules.weights;
   kg_core::Hasher hash;
   hash.Add(rules.agent_iri);
   hash.Add(rules.agent_id);
-  HashNumbers({motion.cruise_mps,
-               motion.max_mps,
-               motion.boost_gain,
-               motion.energy_per_m_j,
-               motion.hotel_load_w,
-               weights.time_per_s,
-               weights.energy_per_j,
-               weights.risk_per_s,
-               weights.uncertainty,
-               weights.isolation,
-               rules.energy_budget_j,
-               rules.hazard_budget_s,
-               rules.sensor_radius_m,
-               rules.spacing_m,
-               static_cast<double>(rules.max_waypoints),
-               static_cast<double>(rules.candidates),
-               static_cast<double>(rules.diverse),
-               static_cast<double>(rules.minimum_difference),
-               rules.churn_weight,
-               rules.hazard_range_m,
-               rules.start.lon_deg,
-               rules.start.lat_deg,
-               rules.start_heading_rad},
-              &hash);
+  HashMotion(rules.motion, &hash);
+  HashWeights(rules.weights, &hash);
+  HashNumbers(
+      {rules.energy_budget_j, rules.hazard_budget_s, rules.sensor_radius_m,
+       rules.spacing_m, static_cast<double>(rules.max_waypoints),
+       static_cast<double>(rules.candidates),
+       static_cast<double>(rules.diverse),
+       static_cast<double>(rules.minimum_difference), rules.churn_weight,
+       rules.hazard_range_m, rules.start.lon_deg, rules.start.lat_deg,
+       rules.start_heading_rad},
+      &hash);
   hash.Add(Name(rules.movement_mode));
   for (const WindowRules& window : rules.windows) HashWindow(window, &hash);
   return hash.Hex();

@@ -11,35 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "kg_compiler/control_plane/movement_mode.h"
+#include "kg_compiler/control_plane/seam_weights.h"
 #include "kg_compiler/traversal/motion.h"
 #include "kg_core/base/sha256.h"
 #include "kg_core/geo/lon_lat.h"
 #include "kg_core/mission/mission.h"
 
 namespace kg_compiler {
-
-// S = lambda_time t + lambda_energy E + lambda_risk (H + I)
-//     + lambda_uncertainty (1 - w)
-// with t [s], E [J], H the hazard integrated over time [s], I the isolation of
-// the place one goes to, over time [s] (nav_graph.h, A20), and w the confidence
-// of the window one arrives in (A55). In reward units, >= 0. The lambdas are
-// also what a flight is chosen by: a policy decides between fast and thrifty.
-struct SeamWeights {
-  double time_per_s = 0.0;
-  double energy_per_j = 0.0;
-  double risk_per_s = 0.0;
-  double uncertainty = 0.0;
-  double isolation = 0.0;  // Hazard where no other waypoint is near.
-};
-
-// How an agent moves within a window (A22).
-enum class MovementMode {
-  kHops,   // From one waypoint a window to one of the next.
-  kEdges,  // Also along edges between the waypoints of a window.
-};
-const char* Name(MovementMode mode);  // "hops", "edges".
-// Throws kg_core::InputError for another name.
-MovementMode MovementModeOf(const std::string& name);
 
 // A discrete point of interest, for one window.
 struct EventRule {
@@ -104,6 +83,13 @@ SeamRules CompileSeamRules(const kg_core::Mission& mission,
 // Of all that the rules say: not of the rasters they go with, nor of the world
 // version.
 std::string SeamRulesHash(const SeamRules& rules);
+
+// Adds how the agent moves; what most do not have (rest_mps), only if it is
+// there.
+void HashMotion(const MotionModel& motion, kg_core::Hasher* hash);
+// Adds what the seam cost terms weigh, in the order of the table and nothing
+// for what is optional and absent: so that without it a hash is what it was.
+void HashWeights(const SeamWeights& weights, kg_core::Hasher* hash);
 
 // Adds where the window is to end, if the plan in force says so: nothing else,
 // so that without it a hash is what it was.

@@ -56,6 +56,39 @@ TEST(SeamRules, TakeHazardIsolationAndModeFromTheFacts) {
                kg_core::InputError);
 }
 
+TEST(SeamRules, FollowTheMobilityAndTheEnergyThatIsLeft) {
+  kg_core::Mission mission = TestMission();
+  kg_core::Agent& agent = mission.agents[0];
+  const SeamRules glider = CompileSeamRules(mission, agent, 0);
+  EXPECT_EQ(glider.motion.rest_mps, 0.0);
+  agent.mobility = kg_core::Mobility::kFixedWing;
+  EXPECT_EQ(SeamRulesHash(CompileSeamRules(mission, agent, 0)),
+            SeamRulesHash(glider));
+  agent.mobility = kg_core::Mobility::kHover;
+  const SeamRules hover = CompileSeamRules(mission, agent, 0);
+  EXPECT_EQ(hover.motion.rest_mps, agent.capabilities.cruise_mps);
+  EXPECT_NE(SeamRulesHash(hover), SeamRulesHash(glider));
+  EXPECT_FALSE(SameButForWindows(hover, glider));
+  agent.start_energy_j = 5e6;
+  EXPECT_EQ(CompileSeamRules(mission, agent, 0).energy_budget_j, 5e6);
+  agent.start_energy_j = 5e7;  // More than the budget does not raise it.
+  EXPECT_EQ(CompileSeamRules(mission, agent, 0).energy_budget_j, 1e7);
+}
+
+TEST(SeamRules, TakeFieldPricesInTheOrderOfTheQuantities) {
+  kg_core::Mission mission = TestMission();
+  kg_core::Agent& agent = mission.agents[0];
+  const SeamRules free = CompileSeamRules(mission, agent, 0);
+  EXPECT_TRUE(free.weights.field_per_s.empty());
+  agent.policy.lambda_fields["wave_height"] = 0.0;
+  EXPECT_EQ(SeamRulesHash(CompileSeamRules(mission, agent, 0)),
+            SeamRulesHash(free));
+  agent.policy.lambda_fields["wave_height"] = 0.002;
+  const SeamRules priced = CompileSeamRules(mission, agent, 0);
+  EXPECT_EQ(priced.weights.field_per_s, std::vector<double>{0.002});
+  EXPECT_NE(SeamRulesHash(priced), SeamRulesHash(free));
+}
+
 TEST(SeamRules, TakeWhichPathsAreWantedFromThePolicy) {
   kg_core::Mission mission = TestMission();
   kg_core::Policy& policy = mission.agents[0].policy;

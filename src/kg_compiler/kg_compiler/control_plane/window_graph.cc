@@ -175,6 +175,7 @@ class GraphBuilder {
       draft.waypoint.id = static_cast<int>(graph.waypoints.size());
       graph.waypoints.push_back(std::move(draft.waypoint));
     }
+    // Isolation depends on all waypoints, so edges are priced last.
     const std::vector<double> isolation = Isolation(graph.waypoints);
     for (std::size_t to = 0; to < drafts_.size(); ++to) {
       for (const auto& [from, flight] : drafts_[to].flights) {
@@ -247,15 +248,12 @@ class GraphBuilder {
 };
 
 void HashRules(const SeamRules& rules, kg_core::Hasher* hash) {
-  const MotionModel& motion = rules.motion;
-  const SeamWeights& weights = rules.weights;
   hash->Add(rules.agent_iri);
+  HashMotion(rules.motion, hash);
+  HashWeights(rules.weights, hash);
   for (const double value :
-       {motion.cruise_mps, motion.max_mps, motion.boost_gain,
-        motion.energy_per_m_j, motion.hotel_load_w, weights.time_per_s,
-        weights.energy_per_j, weights.risk_per_s, weights.uncertainty,
-        weights.isolation, rules.sensor_radius_m, rules.spacing_m,
-        rules.hazard_range_m, static_cast<double>(rules.max_waypoints)}) {
+       {rules.sensor_radius_m, rules.spacing_m, rules.hazard_range_m,
+        static_cast<double>(rules.max_waypoints)}) {
     hash->Add(value);
   }
   hash->Add(Name(rules.movement_mode));

@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/control_plane/nav_graph.h"
 #include "kg_compiler/control_plane/seam_cache.h"
+#include "kg_compiler/control_plane/seam_rules.h"
+#include "kg_compiler/control_plane/waypoint_graph.h"
 
 namespace kg_compiler {
 

@@ -1,8 +1,8 @@
-// What the ways of one window depend on of its tensor: where one may be, and
-// what is soft. Parts of it are kept and held against the next one.
+// What flights in one window depend on of its tensor: where one may be, and
+// what is soft. Parts of it are kept and compared with the next tensor's.
 
-#ifndef KG_COMPILER_CONTROL_PLANE_SEA_SURFACE_H_
-#define KG_COMPILER_CONTROL_PLANE_SEA_SURFACE_H_
+#ifndef KG_COMPILER_CONTROL_PLANE_WINDOW_SURFACE_H_
+#define KG_COMPILER_CONTROL_PLANE_WINDOW_SURFACE_H_
 
 #include "kg_compiler/data_plane/cell_box.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
@@ -35,4 +35,4 @@ class SurfacePatch {
 
 }  // namespace kg_compiler
 
-#endif  // KG_COMPILER_CONTROL_PLANE_SEA_SURFACE_H_
+#endif  // KG_COMPILER_CONTROL_PLANE_WINDOW_SURFACE_H_

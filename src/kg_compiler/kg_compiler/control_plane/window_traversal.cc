@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "kg_compiler/control_plane/field_exposure.h"
+#include "kg_compiler/control_plane/seam_cost.h"
 #include "kg_core/base/sha256.h"
 #include "kg_core/geo/geodesy.h"
 
@@ -20,6 +22,8 @@ CellsFor CellsWithin(const kg_core::Grid& grid, double metres) {
   double row_m = std::numeric_limits<double>::infinity(), col_m = row_m;
   const std::vector<double>& lon = grid.lon_deg();
   const std::vector<double>& lat = grid.lat_deg();
+  // The smallest cell of the grid in metres, along either axis. Rows change
+  // their length with the latitude by less than 1 %.
   double least_lon_deg = row_m;
   for (std::size_t c = 1; c < lon.size(); ++c) {
     least_lon_deg = std::min(least_lon_deg, lon[c] - lon[c - 1]);
@@ -139,6 +143,7 @@ std::optional<TraverseEdge> WindowTraversal::FlyWalk(
   }
   const VoyageRequest voyage = VoyageFrom(source);
   std::optional<FlownPath> flight = FlyStretches(voyage, stretches);
+  // A thrifty walk may arrive too late; all at cruise speed is the fastest.
   if (!flight && slow) {
     for (TrackStretch& stretch : stretches) {
       stretch.speed_mps = rules_.motion.cruise_mps;
@@ -155,14 +160,13 @@ double WindowTraversal::HazardAt(kg_core::LonLat place) const {
 }
 
 std::string WindowTraversal::Terms() const {
-  const MotionModel& motion = rules_.motion;
   const SeamWeights& weights = rules_.weights;
   kg_core::Hasher hash;
+  HashMotion(rules_.motion, &hash);
   for (const double value :
-       {motion.cruise_mps, motion.max_mps, motion.boost_gain,
-        motion.energy_per_m_j, motion.hotel_load_w, weights.time_per_s,
-        weights.energy_per_j, weights.risk_per_s, rules_.hazard_range_m,
-        window_.begin_s, window_.end_s, window_.base_travel_m}) {
+       {weights.time_per_s, weights.energy_per_j, weights.risk_per_s,
+        rules_.hazard_range_m, window_.begin_s, window_.end_s,
+        window_.base_travel_m}) {
     hash.Add(value);
   }
   hash.Add(window_.field_hash);
@@ -192,6 +196,7 @@ double WindowTraversal::Isolation(
 TraverseEdge WindowTraversal::Price(FlownPath flight, double isolation) const {
   TraverseEdge edge;
   edge.isolation_s = isolation * flight.travel_s;
+  edge.exposures = FieldExposures(field_, flight);
   edge.flight = std::move(flight);
   edge.seam_cost = SeamCost(rules_.weights, edge, window_.confidence);
   return edge;
@@ -206,15 +211,6 @@ std::vector<std::optional<TraverseEdge>> PriceWays(
     prices.push_back(flyer.FlyBy(way, traversal.Isolation(way.to, waypoints)));
   }
   return prices;
-}
-
-std::vector<kg_core::LonLat> PositionsOf(
-    const std::vector<Waypoint>& waypoints) {
-  std::vector<kg_core::LonLat> positions;
-  for (const Waypoint& waypoint : waypoints) {
-    positions.push_back(waypoint.position);
-  }
-  return positions;
 }
 
 }  // namespace kg_compiler

@@ -1,15 +1,18 @@
-// One window's sea as one agent meets it: where it may be, what is dangerous,
-// and what a flight there costs it. The only door to traversal.
+// Traversal within one window for one agent: where it may be, what is
+// dangerous, and what a flight there costs it. The only caller of traversal in
+// planning.
 
-#ifndef KG_COMPILER_CONTROL_PLANE_WINDOW_SEA_H_
-#define KG_COMPILER_CONTROL_PLANE_WINDOW_SEA_H_
+#ifndef KG_COMPILER_CONTROL_PLANE_WINDOW_TRAVERSAL_H_
+#define KG_COMPILER_CONTROL_PLANE_WINDOW_TRAVERSAL_H_
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/seam_rules.h"
+#include "kg_compiler/control_plane/waypoint_graph.h"
 #include "kg_compiler/control_plane/window_surface.h"
+#include "kg_compiler/traversal/traversal.h"
 
 namespace kg_compiler {
 
@@ -80,9 +83,6 @@ std::vector<std::optional<TraverseEdge>> PriceWays(
     const WindowTraversal& traversal, const std::vector<WaypointRoute>& ways,
     const std::vector<kg_core::LonLat>& waypoints);
 
-std::vector<kg_core::LonLat> PositionsOf(
-    const std::vector<Waypoint>& waypoints);
-
 }  // namespace kg_compiler
 
-#endif  // KG_COMPILER_CONTROL_PLANE_WINDOW_SEA_H_
+#endif  // KG_COMPILER_CONTROL_PLANE_WINDOW_TRAVERSAL_H_

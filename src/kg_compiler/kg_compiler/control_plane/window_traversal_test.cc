@@ -1,7 +1,7 @@
 #include "kg_compiler/control_plane/window_traversal.h"
 
 #include "gtest/gtest.h"
-#include "kg_compiler/control_plane/nav_graphs.h"
+#include "kg_compiler/control_plane/nav_graph.h"
 #include "kg_compiler/test_world.h"
 
 namespace kg_compiler {

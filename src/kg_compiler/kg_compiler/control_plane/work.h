@@ -17,7 +17,8 @@
 #include <optional>
 #include <vector>
 
-#include "kg_compiler/control_plane/nav_graph.h"
+#include "kg_compiler/control_plane/seam_rules.h"
+#include "kg_compiler/control_plane/waypoint_graph.h"
 #include "kg_core/geo/lon_lat.h"
 #include "kg_core/raster/grid.h"
 

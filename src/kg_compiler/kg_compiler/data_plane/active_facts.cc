@@ -2,18 +2,10 @@
 
 #include <algorithm>
 
+#include "kg_core/mission/scope.h"
+
 namespace kg_compiler {
 namespace {
-
-template <typename T>
-bool Has(const std::vector<T>& values, const T& value) {
-  return std::find(values.begin(), values.end(), value) != values.end();
-}
-
-template <typename T>
-bool InScope(const std::vector<T>& scope, const T& value) {
-  return scope.empty() || Has(scope, value);
-}
 
 std::string WeightIri(const kg_core::Policy& policy, const std::string& key) {
   const auto found = policy.weight_iris.find(key);
@@ -46,8 +38,8 @@ void FindPriors(const kg_core::Mission& mission, const kg_core::Agent& agent,
   for (const kg_core::PriorLayer& prior : mission.priors) {
     const auto beta = agent.policy.beta.find(prior.iri);
     if (beta == agent.policy.beta.end() || beta->second == 0.0) continue;
-    if (!InScope(prior.windows, window)) continue;
-    if (!InScope(prior.agents, agent.iri)) continue;
+    if (!kg_core::InScope(prior.windows, window)) continue;
+    if (!kg_core::InScope(prior.agents, agent.iri)) continue;
     active->priors.push_back(
         {&prior, beta->second, WeightIri(agent.policy, prior.iri)});
     active->names_agent |= !prior.agents.empty();
@@ -63,15 +55,16 @@ ActiveFacts FindActiveFacts(const kg_core::Mission& mission,
   const kg_core::Policy& policy = agent.policy;
   active.reads_value = policy.alpha_base != 0.0 || policy.gamma_front != 0.0;
   for (const kg_core::Constraint& constraint : mission.constraints) {
-    if (!InScope(constraint.windows, window.index)) continue;
-    if (!InScope(constraint.agents, agent.iri)) continue;
+    if (!constraint.AppliesTo(agent.iri, window.index)) continue;
     active.constraints.push_back(Activate(constraint, agent));
     active.names_agent |= !constraint.agents.empty();
   }
   FindPriors(mission, agent, window.index, &active);
   if (policy.beta_poi == 0.0) return active;
   for (const kg_core::Event& event : mission.events) {
-    if (Has(event.windows, window.index)) active.events.push_back(&event);
+    const bool is_on = std::find(event.windows.begin(), event.windows.end(),
+                                 window.index) != event.windows.end();
+    if (is_on) active.events.push_back(&event);
   }
   return active;
 }

@@ -212,6 +212,7 @@ class Place {
     const MotionModel& motion = in_.seam.rules->motion;
     double speed_mps = 0.0;
     if (const auto at = field_->grid.Locate(in_.place)) {
+      // Linear between slices: the largest speed is at one of them.
       for (const kg_core::FieldSlice& slice : field_->slices) {
         const auto c = field_->Sample(*at, slice.time_s);
         if (!c) continue;

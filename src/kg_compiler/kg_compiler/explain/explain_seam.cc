@@ -1,8 +1,10 @@
 #include "kg_compiler/explain/explain_seam.h"
 
+#include <map>
 #include <string>
 #include <utility>
 
+#include "kg_compiler/control_plane/seam_cost.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/units.h"
 
@@ -33,15 +35,48 @@ class SeamExplainer {
   }
 
   Explanation Explain() {
-    AddTime();
-    AddEnergy();
-    AddRisk();
-    AddIsolation();
-    AddUncertainty();
+    for (const SeamTerm& term : SeamTerms()) AddTerm(term);
     return std::move(explanation_);
   }
 
  private:
+  // Terms that fall into parts, or read better in words of their own, have
+  // somebody to say them; the others are told by their row.
+  void AddTerm(const SeamTerm& term) {
+    using Teller = void (SeamExplainer::*)();
+    static const std::map<std::string, Teller> kTellers = {
+        {"time", &SeamExplainer::AddTime},
+        {"energy", &SeamExplainer::AddEnergy},
+        {"risk", &SeamExplainer::AddRisk},
+        {"uncertainty", &SeamExplainer::AddUncertainty}};
+    const auto teller = kTellers.find(term.name);
+    if (teller == kTellers.end()) return AddField(term);
+    (this->*teller->second)();
+  }
+
+  void AddField(const SeamTerm& term) {
+    const double confidence = in_.window->confidence;
+    const double value = term.Cost(in_.rules->weights, edge_, confidence);
+    if (value == 0.0) return;
+    std::vector<const char*> properties;
+    for (const std::string& property : term.policy_properties) {
+      properties.push_back(property.c_str());
+    }
+    Facts facts =
+        facts_.Policy(*in_.agent, properties) + MotionFacts(in_, facts_);
+    // The layers of the window that the quantity was integrated over.
+    for (const auto& field : in_.compilation->mission.cost_fields) {
+      const bool is_met =
+          field.quantity == term.field && field.window == in_.window->window;
+      if (is_met) facts = std::move(facts) + facts_.Layer(field.iri);
+    }
+    Add(value, term.symbol,
+        term.name + ": " + term.policy_properties.front() + " for " +
+            Short(term.quantity(edge_, confidence)) + " " + term.unit +
+            " under way",
+        std::move(facts));
+  }
+
   void Add(double value, std::string term, std::string text, Facts facts) {
     explanation_.AddIfAny(
         {value, std::move(term), std::move(facts), std::move(text)});
@@ -58,6 +93,7 @@ class SeamExplainer {
   void AddEnergy() {
     const double weight = in_.rules->weights.energy_per_j;
     const MotionModel& motion = in_.rules->motion;
+    // Under way V t through the medium; the rest was made to hold station.
     const double swum_m = flight_.speed_mps * flight_.travel_s;
     const double held_m = flight_.through_water_m - swum_m;
     const double whole_s = in_.window->end_s - in_.window->begin_s;
@@ -80,6 +116,11 @@ class SeamExplainer {
   }
 
   void AddRisk() {
+    AddHazard();
+    AddIsolation();
+  }
+
+  void AddHazard() {
     const double value = in_.rules->weights.risk_per_s * flight_.hazard_s;
     if (value == 0.0) return;
     Facts facts =

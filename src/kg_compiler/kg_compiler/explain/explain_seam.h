@@ -1,7 +1,7 @@
 // Why a seam costs what it costs:
 //
 //   S = lambda_time t + lambda_energy E + lambda_risk (H + I)
-//       + lambda_unc (1 - w)
+//       + lambda_unc (1 - w) + sum of lambda_field X     (seam_cost.h)
 //   E = energy_per_m (V t + m held on station) + hotel_load (whole window)
 //
 // each product a contribution, the energy's three and the risk's two apart.

@@ -13,6 +13,7 @@ ArrivalTiles::ArrivalTiles(const kg_core::Grid& grid)
 std::vector<ReachedCell> ArrivalTiles::Reached() const {
   std::vector<ReachedCell> cells;
   for (int row = 0; row < grid_.rows(); ++row) {
+    // Along a row through its tiles, so that indices ascend.
     const std::size_t first = TileOf({row, 0});
     for (int tile = 0; tile < tile_cols_; ++tile) {
       if (!tiles_[first + tile]) continue;

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "kg_compiler/traversal/traversal.h"
+#include "kg_compiler/traversal/reach.h"
 
 namespace kg_compiler {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "kg_compiler/traversal/leg.h"
+#include "kg_compiler/traversal/flight.h"
 #include "kg_compiler/traversal/sight.h"
 
 namespace kg_compiler {
@@ -54,6 +54,8 @@ std::optional<FlownPath> FastestCrossing::Best(bool as_expected) const {
   std::optional<FlownPath> best = Fly({voyage_.departure.from, to_});
   const std::vector<ExtremalShooter::Guess> guesses = Guesses();
   if (guesses.empty()) return best;
+  // The more speed is kept back, the more there is to correct with, and the
+  // later one arrives: the first reserve whose course can be flown is taken.
   for (const double reserve : kReserves) {
     const ExtremalShooter shooter(voyage_, reach_,
                                   (1.0 - reserve) * voyage_.motion.cruise_mps);
@@ -67,6 +69,7 @@ std::optional<FlownPath> FastestCrossing::Best(bool as_expected) const {
     }
     if (refused_s.empty()) break;  // No course: none with less speed.
   }
+  // Round corners, straight legs may do where no extremal could be flown.
   for (const ExtremalShooter::Guess& guess : guesses) {
     if (guess.root > 0) KeepFaster(Fly(Corners(guess.root)), &best);
   }
@@ -126,6 +129,7 @@ std::vector<ExtremalShooter::Guess> FastestCrossing::Guesses() const {
       seeds.push_back({away, found});
     }
   }
+  // By distance; equals stay in the order of rows and columns.
   std::stable_sort(
       seeds.begin(), seeds.end(),
       [](const Seed& a, const Seed& b) { return a.rank_s < b.rank_s; });

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kg_compiler/traversal/shooting.h"
-#include "kg_compiler/traversal/traversal.h"
+#include "kg_compiler/traversal/voyage.h"
 
 namespace kg_compiler {
 

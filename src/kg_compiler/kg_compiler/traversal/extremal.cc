@@ -3,10 +3,13 @@
 namespace kg_compiler {
 namespace {
 
-ExtremalState Along(const ExtremalState& from, const ExtremalState& rate,
-                    double s) {
-  return {from.col + s * rate.col, from.row + s * rate.row,
-          from.p_lon + s * rate.p_lon, from.p_lat + s * rate.p_lat};
+// (col, row, p_lon, p_lat).
+Eigen::Vector4d ToVector(const ExtremalState& at) {
+  return {at.col, at.row, at.p_lon, at.p_lat};
+}
+
+ExtremalState ToState(const Eigen::Vector4d& at) {
+  return {at[0], at[1], at[2], at[3]};
 }
 
 }  // namespace
@@ -31,8 +34,8 @@ ExtremalStepper::Step::Step(const FlowSampler& flow, double begin_s,
       middle(flow.At(begin_s + 0.5 * length_s)),
       end(flow.At(begin_s + length_s)) {}
 
-ExtremalState ExtremalStepper::Rate(const ExtremalState& at,
-                                    const FlowSampler::Moment& moment) const {
+Eigen::Vector4d ExtremalStepper::Rate(const ExtremalState& at,
+                                      const FlowSampler::Moment& moment) const {
   const FlowSampler::Sample c = flow_(moment, at.col, at.row);
   const double east = c.lon_per_m * at.p_lon;
   const double north = c.lat_per_m * at.p_lat;
@@ -50,21 +53,18 @@ ExtremalState ExtremalStepper::Rate(const ExtremalState& at,
 ExtremalState ExtremalStepper::Advance(const ExtremalState& from,
                                        const Step& step) const {
   const double h = step.length_s;
-  const ExtremalState k1 = Rate(from, step.begin);
-  const ExtremalState k2 = Rate(Along(from, k1, 0.5 * h), step.middle);
-  const ExtremalState k3 = Rate(Along(from, k2, 0.5 * h), step.middle);
-  const ExtremalState k4 = Rate(Along(from, k3, h), step.end);
-  const double w = h / 6.0;
-  return {from.col + w * (k1.col + 2.0 * (k2.col + k3.col) + k4.col),
-          from.row + w * (k1.row + 2.0 * (k2.row + k3.row) + k4.row),
-          from.p_lon + w * (k1.p_lon + 2.0 * (k2.p_lon + k3.p_lon) + k4.p_lon),
-          from.p_lat + w * (k1.p_lat + 2.0 * (k2.p_lat + k3.p_lat) + k4.p_lat)};
+  const Eigen::Vector4d x = ToVector(from);
+  const Eigen::Vector4d k1 = Rate(from, step.begin);
+  const Eigen::Vector4d k2 = Rate(ToState(x + 0.5 * h * k1), step.middle);
+  const Eigen::Vector4d k3 = Rate(ToState(x + 0.5 * h * k2), step.middle);
+  const Eigen::Vector4d k4 = Rate(ToState(x + h * k3), step.end);
+  return ToState(x + h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4));
 }
 
 kg_core::GridPoint ExtremalStepper::Velocity(
     const ExtremalState& at, const FlowSampler::Moment& moment) const {
-  const ExtremalState rate = Rate(at, moment);
-  return {rate.row, rate.col};
+  const Eigen::Vector4d rate = Rate(at, moment);
+  return {rate[1], rate[0]};
 }
 
 }  // namespace kg_compiler

@@ -18,6 +18,7 @@
 #ifndef KG_COMPILER_TRAVERSAL_EXTREMAL_H_
 #define KG_COMPILER_TRAVERSAL_EXTREMAL_H_
 
+#include <Eigen/Core>
 #include <cmath>
 
 #include "kg_compiler/traversal/flow.h"
@@ -55,8 +56,9 @@ class ExtremalStepper {
                               const FlowSampler::Moment& moment) const;
 
  private:
-  ExtremalState Rate(const ExtremalState& at,
-                     const FlowSampler::Moment& moment) const;
+  // Of (col, row, p_lon, p_lat), per second.
+  Eigen::Vector4d Rate(const ExtremalState& at,
+                       const FlowSampler::Moment& moment) const;
 
   const FlowSampler& flow_;
   double speed_mps_;

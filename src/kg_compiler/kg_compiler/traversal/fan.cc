@@ -58,7 +58,7 @@ bool ExtremalFan::Begin() {
     const double heading_rad = 2.0 * kg_core::kPi * i / kFirstRays;
     rays_.push_back({SetOut(flow_, *from, heading_rad), heading_rad, 0, true});
     const kg_core::GridPoint v = helm_.Velocity(rays_.back().at, flow_.At(0.0));
-    fastest_ = std::max(fastest_, Length({v.col, v.row}));
+    fastest_ = std::max(fastest_, CellOffset{v.col, v.row}.norm());
   }
   rays_.back().linked = false;
   return true;
@@ -70,6 +70,9 @@ double ExtremalFan::StepLength_s() const {
   const double length_s = cells / fastest_;
   const double slice_s = flow_.NextSlice_s(now_s_) - now_s_;
   const double rest_s = latest_s_ - now_s_;
+  // Steps end on the field's slices, where its change in time bends: unless
+  // that made a step of less than 0.3 of its length. What is within 0.1 % of
+  // the end goes to the end, lest a step of rounding errors remains.
   const double wanted_s =
       slice_s > 0.3 * length_s && slice_s < length_s ? slice_s : length_s;
   return wanted_s > 0.999 * rest_s ? rest_s : wanted_s;
@@ -136,7 +139,7 @@ ExtremalStrand ExtremalFan::Advance(const Stride& stride,
   Touch(PlaceOf(from));
   Touch(PlaceOf(strand.end));
   if (stride.step->length_s > 0.0) {
-    const double cells = Length(PlaceOf(strand.end) - PlaceOf(from));
+    const double cells = (PlaceOf(strand.end) - PlaceOf(from)).norm();
     fastest_ = std::max(fastest_, cells / stride.step->length_s);
   }
   const kg_core::GridPoint end{strand.end.row, strand.end.col};
@@ -154,8 +157,8 @@ void ExtremalFan::Keep(const Stride& stride, const ExtremalStrand& strand) {
 bool ExtremalFan::IsWide(const ExtremalStrand& a, const ExtremalStrand& b,
                          const FrontSweep& sweep) {
   if (next_.size() >= kMaxRays) return false;
-  const double begin = Length(PlaceOf(b.begin) - PlaceOf(a.begin));
-  const double end = Length(PlaceOf(b.end) - PlaceOf(a.end));
+  const double begin = (PlaceOf(b.begin) - PlaceOf(a.begin)).norm();
+  const double end = (PlaceOf(b.end) - PlaceOf(a.end)).norm();
   if (a.dead != b.dead) return std::max(begin, end) > kWidestAtDead;
   const bool near_closed =
       sight_.NearClosed(CellOf(grid_, {a.begin.row, a.begin.col})) ||
@@ -187,12 +190,12 @@ ExtremalState ExtremalFan::Replay(int root, double heading_rad) const {
 std::optional<ExtremalState> ExtremalFan::Insert(
     const Stride& stride, const ExtremalStrand& a,
     const ExtremalStrand& b) const {
-  const double gap = Length(PlaceOf(b.begin) - PlaceOf(a.begin));
+  const double gap = (PlaceOf(b.begin) - PlaceOf(a.begin)).norm();
   if (gap > kFillIn && steps_.size() <= kMaxReplayed) {
     const ExtremalState at =
         Replay(stride.root, 0.5 * (a.heading_rad + b.heading_rad));
-    if (Length(PlaceOf(at) - PlaceOf(a.begin)) < 1.5 * gap &&
-        Length(PlaceOf(at) - PlaceOf(b.begin)) < 1.5 * gap) {
+    if ((PlaceOf(at) - PlaceOf(a.begin)).norm() < 1.5 * gap &&
+        (PlaceOf(at) - PlaceOf(b.begin)).norm() < 1.5 * gap) {
       return at;
     }
   }
@@ -202,6 +205,7 @@ std::optional<ExtremalState> ExtremalFan::Insert(
 void ExtremalFan::Between(const Stride& stride, const ExtremalStrand& a,
                           const ExtremalStrand& b, int depth) {
   const FrontSweep sweep(flow_, a, b, stride.step->length_s);
+  // Recursion: halve until the front between two neighbours is a cubic.
   if (depth < kDeepest && IsWide(a, b, sweep)) {
     const auto half = Insert(stride, a, b);
     if (half && sight_.IsOpen(CellOf(grid_, {half->row, half->col}))) {
@@ -215,25 +219,27 @@ void ExtremalFan::Between(const Stride& stride, const ExtremalStrand& a,
   }
   Paint(stride, a, b, sweep);
   if (!a.dead && !b.dead && !next_.empty()) next_.back().linked = true;
+  // One of two was stopped: at a corner, or along an edge that the other
+  // grazes.
   if (a.dead == b.dead) return;
   FindCornersBeside(stride, a.dead ? b : a);
   FindGraze(stride, a.dead ? b : a, a.dead ? a : b);
 }
 
-void ExtremalFan::Touch(CellOffset at) {
-  low_ = {std::min(low_.col, at.col), std::min(low_.row, at.row)};
-  high_ = {std::max(high_.col, at.col), std::max(high_.row, at.row)};
+void ExtremalFan::Touch(const CellOffset& at) {
+  low_ = {std::min(low_.x(), at.x()), std::min(low_.y(), at.y())};
+  high_ = {std::max(high_.x(), at.x()), std::max(high_.y(), at.y())};
 }
 
 void ExtremalFan::Paint(const Stride& stride, const ExtremalStrand& a,
                         const ExtremalStrand& b, const FrontSweep& sweep) {
   const CellOffset low = sweep.low(), high = sweep.high();
-  const int row0 = std::max(static_cast<int>(std::ceil(low.row - 0.5)), 0);
-  const int col0 = std::max(static_cast<int>(std::ceil(low.col - 0.5)), 0);
+  const int row0 = std::max(static_cast<int>(std::ceil(low.y() - 0.5)), 0);
+  const int col0 = std::max(static_cast<int>(std::ceil(low.x() - 0.5)), 0);
   const int row1 =
-      std::min(static_cast<int>(std::floor(high.row + 0.5)), grid_.rows() - 1);
+      std::min(static_cast<int>(std::floor(high.y() + 0.5)), grid_.rows() - 1);
   const int col1 =
-      std::min(static_cast<int>(std::floor(high.col + 0.5)), grid_.cols() - 1);
+      std::min(static_cast<int>(std::floor(high.x() + 0.5)), grid_.cols() - 1);
   const bool near_closed =
       a.dead || b.dead || NearClosed({row0, col0}, {row1, col1});
   for (int row = row0; row <= row1; ++row) {
@@ -268,8 +274,9 @@ void ExtremalFan::PaintCell(const Stride& stride, const ExtremalStrand& a,
   ArrivalTiles::Node& node = arrivals_.At(cell);
   if (!(time_s < node.arrival_s) || !sight_.IsOpen(cell)) return;
   if (near_closed) {
+    // The straight line from the front at the step's begin must be clear.
     const CellOffset from = sweep.BeginAt(share->across);
-    if (!sight_.IsClear({from.row, from.col}, {place.row, place.col})) return;
+    if (!sight_.IsClear({from.y(), from.x()}, {place.y(), place.x()})) return;
   }
   node.arrival_s = time_s;
   node.root = stride.root;
@@ -293,8 +300,8 @@ bool ExtremalFan::IsLate(const ExtremalState& at) const {
 // Can what lies between two do without one more?
 bool ExtremalFan::IsThin(const ExtremalState& a, const ExtremalState& b) const {
   const CellOffset na = NormalOf(flow_, a), nb = NormalOf(flow_, b);
-  return Length(PlaceOf(b) - PlaceOf(a)) < kThinner && Dot(na, nb) > 0.0 &&
-         std::abs(Cross(na, nb)) < kThinBend * Dot(na, nb);
+  return (PlaceOf(b) - PlaceOf(a)).norm() < kThinner && na.dot(nb) > 0.0 &&
+         std::abs(Cross(na, nb)) < kThinBend * na.dot(nb);
 }
 
 // Leaves out rays that come late, and those between close neighbours.
@@ -333,8 +340,8 @@ CellBox ExtremalFan::ReadBox() const {
     return std::min(std::max(seen, felt), size);
   };
   const CellBox& felt = flow_.felt();
-  return {down(low_.row, felt.row), up(high_.row, felt.row_end, grid_.rows()),
-          down(low_.col, felt.col), up(high_.col, felt.col_end, grid_.cols())};
+  return {down(low_.y(), felt.row), up(high_.y(), felt.row_end, grid_.rows()),
+          down(low_.x(), felt.col), up(high_.x(), felt.col_end, grid_.cols())};
 }
 
 }  // namespace kg_compiler

@@ -4,7 +4,7 @@
 // Neighbours that part, or whose front bends, get another between them; those
 // that come too late everywhere around are dropped, as are those closer than
 // needed. An extremal ends on what is closed and at the grid's edge. Where one
-// passes a corner of what is closed, or grazes a wall, a fan of its own sets
+// passes a corner of what is closed, or grazes its edge, a fan of its own sets
 // out into the shadow, in order of time, as often as needed.
 
 #ifndef KG_COMPILER_TRAVERSAL_FAN_H_
@@ -15,8 +15,10 @@
 
 #include "kg_compiler/traversal/arrivals.h"
 #include "kg_compiler/traversal/extremal.h"
+#include "kg_compiler/traversal/reach.h"
 #include "kg_compiler/traversal/sight.h"
 #include "kg_compiler/traversal/sweep.h"
+#include "kg_compiler/traversal/voyage.h"
 
 namespace kg_compiler {
 
@@ -81,7 +83,7 @@ class ExtremalFan {
                    const ExtremalStrand& b, const FrontSweep& sweep,
                    kg_core::Cell cell);
   void FindCornersBeside(const Stride& stride, const ExtremalStrand& strand);
-  void AddCorner(const Stride& stride, Restart found, CellOffset from,
+  void AddCorner(const Stride& stride, Restart found, const CellOffset& from,
                  const ExtremalStrand& near);
   void FindGraze(const Stride& stride, const ExtremalStrand& alive,
                  const ExtremalStrand& dead);
@@ -91,7 +93,7 @@ class ExtremalFan {
   bool IsLate(const ExtremalState& at) const;
   bool IsThin(const ExtremalState& a, const ExtremalState& b) const;
   void Thin();
-  void Touch(CellOffset at);
+  void Touch(const CellOffset& at);
   CellBox ReadBox() const;
 
   const VoyageRequest& voyage_;
@@ -114,7 +116,8 @@ class ExtremalFan {
   std::vector<Restart> restarts_;  // Found in this step, not yet begun.
   std::vector<Graze> grazes_;
   std::unordered_set<int> rounded_;  // Corners, by key.
-  CellOffset low_, high_;            // Of all places looked at.
+  // Of all places looked at.
+  CellOffset low_ = CellOffset::Zero(), high_ = CellOffset::Zero();
   ReachMap reach_;
 };
 

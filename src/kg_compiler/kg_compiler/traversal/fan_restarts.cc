@@ -1,4 +1,4 @@
-// Where fans set out anew: corners of what is closed, and grazed walls.
+// Where fans set out anew: corners of what is closed, and grazed edges.
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@ constexpr double kCornerEnd_rad = 0.9 * kg_core::kPi;  // Into the shadow.
 // Lengths in cells.
 constexpr double kBeside = 0.3;  // A corner passed so close is reached.
 constexpr double kBesideSpread_rad = 0.02;
-constexpr double kHeadOn = 0.4;  // Of a corner: sine of the angle to its walls.
-constexpr double kGrazeAhead = 1.5;  // Clear for so long: past the wall.
+constexpr double kHeadOn = 0.4;  // Of a corner: sine of the angle to its sides.
+constexpr double kGrazeAhead = 1.5;  // Clear for so long: past the edge.
 constexpr double kGrazeAside = 0.8;
 
 }  // namespace
@@ -49,10 +49,12 @@ void ExtremalFan::FindCornersBeside(const Stride& stride,
   const CellOffset go = PlaceOf(strand.end) - from;
   const kg_core::Cell a = CellOf(grid_, {strand.begin.row, strand.begin.col});
   const kg_core::Cell b = CellOf(grid_, {strand.end.row, strand.end.col});
-  if (strand.dead || !(Length(go) > 0.0) ||
+  if (strand.dead || !(go.norm() > 0.0) ||
       (!sight_.NearClosed(a) && !sight_.NearClosed(b))) {
     return;
   }
+  // All corners around the segment: those whose foot lies on it, at a distance
+  // below kBeside, are passed.
   for (int row = std::min(a.row, b.row) - 1; row <= std::max(a.row, b.row) + 1;
        ++row) {
     for (int col = std::min(a.col, b.col) - 1;
@@ -63,9 +65,9 @@ void ExtremalFan::FindCornersBeside(const Stride& stride,
         if (!(corners & (1u << k))) continue;
         const kg_core::GridPoint at = LineOfSight::CornerAt({row, col}, k);
         const CellOffset away = CellOffset{at.col, at.row} - from;
-        const double share = Dot(away, go) / Dot(go, go);
+        const double share = away.dot(go) / go.dot(go);
         if (!(share >= 0.0 && share <= 1.0) ||
-            !(Length(away - share * go) < kBeside)) {
+            !((away - share * go).norm() < kBeside)) {
           continue;
         }
         AddCorner(stride,
@@ -80,20 +82,21 @@ void ExtremalFan::FindCornersBeside(const Stride& stride,
 
 // `found` knows all but how one arrives, and its time from the step's begin.
 void ExtremalFan::AddCorner(const Stride& stride, Restart found,
-                            CellOffset from, const ExtremalStrand& near) {
+                            const CellOffset& from,
+                            const ExtremalStrand& near) {
   // Within the step, whatever the front's bow says.
   found.time_s = stride.begin_s +
                  std::clamp(found.time_s, 0.0, 0.999 * stride.step->length_s);
   if (rounded_.count(found.key) || !(found.time_s < latest_s_) ||
-      !sight_.IsClear({from.row, from.col}, found.place)) {
+      !sight_.IsClear({from.y(), from.x()}, found.place)) {
     return;
   }
   // Going by it, neither towards the corner nor away from it.
   const CellOffset go = PlaceOf(near.end) - PlaceOf(near.begin);
   const kg_core::Cell d =
       LineOfSight::kDiagonals[static_cast<std::size_t>(found.key % 4)];
-  const double slack = kHeadOn * Length(go);
-  const double east = d.col * go.col, north = d.row * go.row;
+  const double slack = kHeadOn * go.norm();
+  const double east = d.col * go.x(), north = d.row * go.y();
   if ((east > slack && north > slack) || (east < -slack && north < -slack)) {
     return;
   }
@@ -104,27 +107,30 @@ void ExtremalFan::AddCorner(const Stride& stride, Restart found,
   restarts_.push_back(found);
 }
 
-// The last that passes a wall beside one that hits it: unless it is about to
-// hit the wall itself, what lies behind is in its shadow.
+// The last that passes beside closed cells, next to one that is stopped by
+// them: unless it is about to be stopped itself, what lies behind is in its
+// shadow.
 void ExtremalFan::FindGraze(const Stride& stride, const ExtremalStrand& alive,
                             const ExtremalStrand& dead) {
   const CellOffset end = PlaceOf(alive.end);
   if (!sight_.Contains({dead.end.row, dead.end.col})) return;
   const CellOffset go = end - PlaceOf(alive.begin);
-  const double length = Length(go);
+  const double length = go.norm();
   if (!(length > 0.0)) return;
+  // It goes on past the closed cells if the way straight ahead is clear.
   const CellOffset ahead = end + (kGrazeAhead / length) * go;
-  if (!sight_.Contains({ahead.row, ahead.col}) ||
-      !sight_.IsClear({end.row, end.col}, {ahead.row, ahead.col})) {
+  if (!sight_.Contains({ahead.y(), ahead.x()}) ||
+      !sight_.IsClear({end.y(), end.x()}, {ahead.y(), ahead.x()})) {
     return;
   }
+  // The shadow lies on the side of the neighbour that was stopped.
   const int side = Cross(go, PlaceOf(dead.end) - end) > 0.0 ? 1 : -1;
   const CellOffset aside =
-      end + (side * kGrazeAside / length) * CellOffset{-go.row, go.col};
-  const kg_core::Cell shadow = CellOf(grid_, {aside.row, aside.col});
+      end + (side * kGrazeAside / length) * CellOffset{-go.y(), go.x()};
+  const kg_core::Cell shadow = CellOf(grid_, {aside.y(), aside.x()});
   if (!sight_.IsOpen(shadow)) return;
   grazes_.push_back({{stride.begin_s + stride.step->length_s,
-                      {end.row, end.col},
+                      {end.y(), end.x()},
                       stride.root,
                       alive.heading_rad,
                       std::abs(dead.heading_rad - alive.heading_rad),
@@ -162,12 +168,15 @@ void ExtremalFan::Restarts(double end_s) {
     const Restart restart = *first;
     restarts_.erase(first);
     if (!rounded_.insert(restart.key).second) continue;
+    // From the corner to the end of this common step; that may find corners
+    // farther on, which join the queue.
     const std::vector<Ray> rays = ShadowRays(restart);
     const ExtremalStepper::Step step(flow_, restart.time_s,
                                      end_s - restart.time_s);
     first_steps_.push_back({step, steps_.size() + 1});
     AdvanceChain({&step, restart.time_s, rays[0].root}, rays, 0);
   }
+  // Grazes are found at the end of a step, so their rays begin with the next.
   for (const Graze& graze : grazes_) {
     if (std::isfinite(arrivals_.Arrival_s(graze.shadow))) continue;
     const std::vector<Ray> rays = ShadowRays(graze.restart);

@@ -1,17 +1,18 @@
-// FlyTrack and holding station.
+#include "kg_compiler/traversal/flight.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "kg_compiler/traversal/leg.h"
-#include "kg_compiler/traversal/traversal.h"
 
 namespace kg_compiler {
 namespace {
 
-constexpr double kHoldCheck_s = 600.0;
-constexpr double kNotFlown = std::numeric_limits<double>::infinity();
+constexpr double kHoldStep_s = 600.0;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double Speed(const kg_core::Velocity& c) {
   return std::hypot(c.east_mps, c.north_mps);
@@ -31,20 +32,23 @@ std::vector<double> Knots(const kg_core::VectorField& field, double epoch_s,
 }
 
 // Holding station: metres made through the water to stay.
-std::optional<double> Hold_m(const LegFlyer& flyer, double max_mps,
+std::optional<double> Hold_m(const LegFlyer& flyer, const MotionModel& motion,
                              kg_core::GridPoint at,
                              const std::vector<double>& knots) {
   double through_m = 0.0;
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
     const double span_s = knots[k + 1] - knots[k];
     const int steps =
-        std::max(1, static_cast<int>(std::ceil(span_s / kHoldCheck_s)));
-    double before_mps = kNotFlown;
+        std::max(1, static_cast<int>(std::ceil(span_s / kHoldStep_s)));
+    // Trapezoids of the speed that staying takes: the field's, or more where
+    // the agent pays for staying aloft.
+    double before_mps = kInfinity;
     for (int i = 0; i <= steps; ++i) {
       const auto c = flyer.Current(at, knots[k] + span_s * i / steps);
-      if (!c || !(Speed(*c) <= max_mps)) return std::nullopt;
-      if (i > 0) through_m += 0.5 * (before_mps + Speed(*c)) * span_s / steps;
-      before_mps = Speed(*c);
+      if (!c || !(Speed(*c) <= motion.max_mps)) return std::nullopt;
+      const double held_mps = std::max(Speed(*c), motion.rest_mps);
+      if (i > 0) through_m += 0.5 * (before_mps + held_mps) * span_s / steps;
+      before_mps = held_mps;
     }
   }
   return through_m;
@@ -52,11 +56,14 @@ std::optional<double> Hold_m(const LegFlyer& flyer, double max_mps,
 
 // Where on [0, 1] from c to d, |c| > limit >= |d|, the speed falls to the
 // limit.
-double CrossingShare(const kg_core::Velocity& c, const kg_core::Velocity& d,
-                     double limit_mps) {
-  const double e = d.east_mps - c.east_mps, n = d.north_mps - c.north_mps;
-  const double square = e * e + n * n;
-  const double half = c.east_mps * e + c.north_mps * n;
+double Crossing(const kg_core::Velocity& c, const kg_core::Velocity& d,
+                double limit_mps) {
+  const Eigen::Vector2d from(c.east_mps, c.north_mps);
+  const Eigen::Vector2d change =
+      Eigen::Vector2d(d.east_mps, d.north_mps) - from;
+  // |from + s change| = limit is a quadratic equation in s; the smaller root.
+  const double square = change.squaredNorm();
+  const double half = from.dot(change);
   const double rest = Speed(c) * Speed(c) - limit_mps * limit_mps;
   const double root = std::sqrt(std::max(0.0, half * half - square * rest));
   return std::clamp((-half - root) / square, 0.0, 1.0);
@@ -108,7 +115,7 @@ bool HoldStation(const VoyageRequest& voyage, const LegFlyer& flyer,
   const kg_core::LonLat place = flight->track.back().position;
   const kg_core::GridPoint at = *flyer.grid().Locate(place);
   const std::optional<double> held_m = Hold_m(
-      flyer, motion.max_mps, at,
+      flyer, motion, at,
       Knots(*voyage.world.field, departure.time_s, flight->travel_s, whole_s));
   if (!held_m) return false;
   const double rest_s = whole_s - flight->travel_s;
@@ -128,6 +135,7 @@ std::optional<FlownPath> FlyAll(const VoyageRequest& voyage,
   FlownPath flight;
   flight.speed_mps = stretches.front().speed_mps;
   flight.track.push_back({voyage.departure.from, begin_s});
+  // Each stretch at its speed, with what the ones before left of base travel.
   for (const TrackStretch& stretch : stretches) {
     const double before_s = flight.travel_s;
     const VoyageRequest piece =
@@ -137,6 +145,7 @@ std::optional<FlownPath> FlyAll(const VoyageRequest& voyage,
     }
     flight.through_water_m += stretch.speed_mps * (flight.travel_s - before_s);
   }
+  // Of several speeds the mean; of one the speed itself, to the last bit.
   if (stretches.size() > 1 && flight.travel_s > 0.0) {
     flight.speed_mps = flight.through_water_m / flight.travel_s;
   }
@@ -151,17 +160,19 @@ double HoldableFrom_s(const VoyageRequest& voyage, kg_core::LonLat place) {
   const VoyageDeparture& departure = voyage.departure;
   const LegFlyer flyer(voyage);
   const std::optional<kg_core::GridPoint> at = flyer.grid().Locate(place);
-  if (!at) return kNotFlown;
+  if (!at) return kInfinity;
   const std::vector<double> knots =
       Knots(*voyage.world.field, departure.time_s, 0.0,
             departure.deadline_s - departure.time_s);
+  // From the deadline back: the last knot at which the field is too strong, and
+  // between it and the next the moment from which it is not.
   std::optional<kg_core::Velocity> later;
   for (std::size_t k = knots.size(); k-- > 0;) {
     const auto c = flyer.Current(*at, knots[k]);
-    if (!c) return kNotFlown;
+    if (!c) return kInfinity;
     if (!(Speed(*c) <= motion.max_mps)) {
-      if (!later) return kNotFlown;
-      const double share = CrossingShare(*c, *later, motion.max_mps);
+      if (!later) return kInfinity;
+      const double share = Crossing(*c, *later, motion.max_mps);
       return departure.time_s + knots[k] + share * (knots[k + 1] - knots[k]);
     }
     later = c;

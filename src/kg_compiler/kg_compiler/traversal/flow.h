@@ -6,42 +6,49 @@
 #ifndef KG_COMPILER_TRAVERSAL_FLOW_H_
 #define KG_COMPILER_TRAVERSAL_FLOW_H_
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <climits>
 #include <cmath>
 #include <vector>
 
-#include "kg_compiler/traversal/traversal.h"
+#include "kg_compiler/data_plane/cell_box.h"
+#include "kg_compiler/traversal/voyage.h"
 
 namespace kg_compiler {
 
-// One component at the four centres around a position.
+// Both components, east and north, at the four centres around a position.
 struct FlowCorners {
-  double sw, se, nw, ne;
+  Eigen::Array2d sw, se, nw, ne;
 
-  FlowCorners(const float* values, std::size_t cols)
-      : sw(values[0]), se(values[1]), nw(values[cols]), ne(values[cols + 1]) {}
-  void Towards(const float* later, std::size_t cols, double share) {
-    sw += share * (later[0] - sw);
-    se += share * (later[1] - se);
-    nw += share * (later[cols] - nw);
-    ne += share * (later[cols + 1] - ne);
+  FlowCorners(const float* east, const float* north, std::size_t cols)
+      : sw(east[0], north[0]),
+        se(east[1], north[1]),
+        nw(east[cols], north[cols]),
+        ne(east[cols + 1], north[cols + 1]) {}
+  // To `share` of the way to a later slice.
+  void Towards(const FlowCorners& later, double share) {
+    sw += share * (later.sw - sw);
+    se += share * (later.se - se);
+    nw += share * (later.nw - nw);
+    ne += share * (later.ne - ne);
   }
   void CalmWhereMissing() {
-    for (double* value : {&sw, &se, &nw, &ne}) {
-      if (std::isnan(*value)) *value = 0.0;
+    for (Eigen::Array2d* corner : {&sw, &se, &nw, &ne}) {
+      *corner = corner->isNaN().select(0.0, *corner);
     }
   }
-  bool Missing() const { return std::isnan(sw + se + nw + ne); }
+  bool IsMissing() const { return (sw + se + nw + ne).isNaN().any(); }
 };
 
+// A bilinear interpolation, and its change per cell step east and north.
 struct FlowSlope {
-  double value, east, north;
+  Eigen::Array2d value, east, north;
 };
 inline FlowSlope Bilinear(const FlowCorners& c, double north, double east) {
-  const double south_rise = c.se - c.sw, north_rise = c.ne - c.nw;
-  const double s = c.sw + east * south_rise;
-  const double n = c.nw + east * north_rise;
+  const Eigen::Array2d south_rise = c.se - c.sw, north_rise = c.ne - c.nw;
+  const Eigen::Array2d s = c.sw + east * south_rise;
+  const Eigen::Array2d n = c.nw + east * north_rise;
   return {s + north * (n - s), south_rise + north * (north_rise - south_rise),
           n - s};
 }
@@ -108,26 +115,20 @@ inline void FlowSampler::Interpolate(const Moment& moment, std::size_t corner,
                                      double north, double east,
                                      Sample* at) const {
   const std::size_t cols = static_cast<std::size_t>(cols_);
-  FlowCorners u(moment.east0 + corner, cols), v(moment.north0 + corner, cols);
-  if (u.Missing() || v.Missing()) {
-    u.CalmWhereMissing();
-    v.CalmWhereMissing();
-  }
+  FlowCorners flow(moment.east0 + corner, moment.north0 + corner, cols);
+  if (flow.IsMissing()) flow.CalmWhereMissing();
   if (moment.share > 0.0) {
-    u.Towards(moment.east1 + corner, cols, moment.share);
-    v.Towards(moment.north1 + corner, cols, moment.share);
-    if (u.Missing() || v.Missing()) {
-      u.CalmWhereMissing();
-      v.CalmWhereMissing();
-    }
+    flow.Towards({moment.east1 + corner, moment.north1 + corner, cols},
+                 moment.share);
+    if (flow.IsMissing()) flow.CalmWhereMissing();
   }
-  const FlowSlope e = Bilinear(u, north, east), n = Bilinear(v, north, east);
-  at->east = gain_ * e.value;
-  at->east_col = gain_ * e.east;
-  at->east_row = gain_ * e.north;
-  at->north = gain_ * n.value;
-  at->north_col = gain_ * n.east;
-  at->north_row = gain_ * n.north;
+  const FlowSlope slope = Bilinear(flow, north, east);
+  at->east = gain_ * slope.value[0];
+  at->east_col = gain_ * slope.east[0];
+  at->east_row = gain_ * slope.north[0];
+  at->north = gain_ * slope.value[1];
+  at->north_col = gain_ * slope.east[1];
+  at->north_row = gain_ * slope.north[1];
 }
 
 inline FlowSampler::Sample FlowSampler::operator()(const Moment& moment,
@@ -139,6 +140,7 @@ inline FlowSampler::Sample FlowSampler::operator()(const Moment& moment,
   const double held_north = std::min(std::max(north, 0.0), 1.0);
   felt_ = {std::min(felt_.row, r), std::max(felt_.row_end, r + 2),
            std::min(felt_.col, c), std::max(felt_.col_end, c + 2)};
+  // Beyond the outer centres the outer values hold: no change across.
   Sample at;
   Interpolate(moment, static_cast<std::size_t>(r) * cols_ + c, held_north,
               held_east, &at);

@@ -1,5 +1,6 @@
 #include "kg_compiler/traversal/leg.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -20,23 +21,20 @@ class LegScale {
         m_(At(0.5 * (from.lat_deg + to.lat_deg))),
         b_(At(to.lat_deg)) {}
 
-  struct Metres {
-    double east, north;  // Per degree of longitude and latitude.
-  };
-  Metres operator()(double s) const {
+  // Metres east and north, per degree of longitude and latitude.
+  Eigen::Vector2d operator()(double s) const {
     const double wa = (1.0 - s) * (1.0 - 2.0 * s);
     const double wm = 4.0 * s * (1.0 - s);
     const double wb = s * (2.0 * s - 1.0);
-    return {wa * a_.east + wm * m_.east + wb * b_.east,
-            wa * a_.north + wm * m_.north + wb * b_.north};
+    return wa * a_ + wm * m_ + wb * b_;
   }
 
  private:
-  static Metres At(double lat_deg) {
+  static Eigen::Vector2d At(double lat_deg) {
     const kg_core::DegreesPerMetre scale = kg_core::LocalScale(lat_deg);
     return {1.0 / scale.lon_deg, 1.0 / scale.lat_deg};
   }
-  Metres a_, m_, b_;
+  Eigen::Vector2d a_, m_, b_;  // At the ends and in the middle.
 };
 
 // A leg under way: s in [0, 1] along it.
@@ -63,13 +61,13 @@ class LegProgress {
                              double time_s) const {
     const std::optional<kg_core::Velocity> c = flyer_.Current(at, time_s);
     if (!c) return std::nullopt;
-    const LegScale::Metres scale = scale_(s);
-    const double east_m = lon_ * scale.east;
-    const double north_m = lat_ * scale.north;
-    const double length_m = std::sqrt(east_m * east_m + north_m * north_m);
-    const double e = east_m / length_m, n = north_m / length_m;
-    const double along = c->east_mps * e + c->north_mps * n;
-    const double across = c->east_mps * n - c->north_mps * e;
+    const Eigen::Vector2d leg_m =
+        Eigen::Vector2d(lon_, lat_).cwiseProduct(scale_(s));
+    const double length_m = leg_m.norm();
+    const Eigen::Vector2d ahead = leg_m / length_m;
+    const Eigen::Vector2d current(c->east_mps, c->north_mps);
+    const double along = current.dot(ahead);
+    const double across = current.x() * ahead.y() - current.y() * ahead.x();
     if (!(std::abs(across) <= most_across_mps_)) return std::nullopt;
     const double ground_mps =
         along + std::sqrt(speed_mps_ * speed_mps_ - across * across);
@@ -144,6 +142,8 @@ std::optional<LegEnd> LegFlyer::Fly(const TrackLeg& leg,
   const double cells = std::hypot(to->row - at->row, to->col - at->col);
   const double longest =
       1.0 / std::max(1.0, std::ceil(cells / care.step_cells));
+  // The end of a step is exactly 1 on the last one: a rest of less than 1e-9 is
+  // taken along.
   double s = 0.0;
   while (s < 1.0) {
     const std::optional<double> begin = progress.Rate(*at, s, end.arrive_s);
@@ -156,6 +156,7 @@ std::optional<LegEnd> LegFlyer::Fly(const TrackLeg& leg,
     if (!middle || !next) return std::nullopt;
     const std::optional<double> rate =
         progress.Rate(*middle, s + 0.5 * h, end.arrive_s + 0.5 * h / *begin);
+    // Steps are below a cell, so that the next cell is this one or beside it.
     if (!rate || !MayCross(*this, CellOf(*at), CellOf(*next))) {
       return std::nullopt;
     }
@@ -166,6 +167,7 @@ std::optional<LegEnd> LegFlyer::Fly(const TrackLeg& leg,
     s = h == 1.0 - s ? 1.0 : s + h;
     at = next;
   }
+  // The leg must be held at its very end, too.
   if (!progress.Rate(*at, 1.0, end.arrive_s)) return std::nullopt;
   return end;
 }

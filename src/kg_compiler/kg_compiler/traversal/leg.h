@@ -6,7 +6,8 @@
 
 #include <optional>
 
-#include "kg_compiler/traversal/traversal.h"
+#include "kg_compiler/data_plane/cell_box.h"
+#include "kg_compiler/traversal/voyage.h"
 
 namespace kg_compiler {
 
@@ -59,11 +60,6 @@ class LegFlyer {
   double epoch_s_;
   double latest_s_;  // After the departure's time.
 };
-
-// FlyTrack, within a box.
-std::optional<FlownPath> FlyTrackWithin(const VoyageRequest& voyage,
-                                        const std::vector<kg_core::LonLat>& via,
-                                        const CellBox* box);
 
 }  // namespace kg_compiler
 

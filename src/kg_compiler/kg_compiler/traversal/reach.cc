@@ -1,61 +1,14 @@
+#include "kg_compiler/traversal/reach.h"
+
 #include <algorithm>
 
-#include "kg_compiler/traversal/fan.h"
-#include "kg_compiler/traversal/slower_reaches.h"
-
 namespace kg_compiler {
-namespace {
-
-constexpr int kSlowerMargin_cells = 4;
-
-// What slower voyages may read, too: less than the fastest would until the
-// deadline, but for what their own steps look at in passing.
-CellBox WithSlower(const VoyageRequest& voyage, const CellBox& read) {
-  CellBox box = read;
-  if (voyage.departure.base_travel_m <
-      voyage.motion.cruise_mps *
-          (voyage.departure.deadline_s - voyage.departure.time_s)) {
-    VoyageRequest unbounded = voyage;
-    unbounded.departure.base_travel_m = std::numeric_limits<double>::infinity();
-    box = ExtremalFan(unbounded).Run().read;
-  }
-  const kg_core::Grid& grid = voyage.world.field->grid;
-  return {std::max(std::min(box.row, read.row) - kSlowerMargin_cells, 0),
-          std::min(std::max(box.row_end, read.row_end) + kSlowerMargin_cells,
-                   grid.rows()),
-          std::max(std::min(box.col, read.col) - kSlowerMargin_cells, 0),
-          std::min(std::max(box.col_end, read.col_end) + kSlowerMargin_cells,
-                   grid.cols())};
-}
-
-}  // namespace
 
 const ReachedCell* ReachMap::Find(int index) const {
   const auto at = std::lower_bound(
       cells.begin(), cells.end(), index,
       [](const ReachedCell& cell, int wanted) { return cell.index < wanted; });
   return at != cells.end() && at->index == index ? &*at : nullptr;
-}
-
-const ReachMap* SlowerReaches::At(int k, const VoyageRequest& voyage,
-                                  const CellBox& read) {
-  const auto i = static_cast<std::size_t>(k);
-  std::call_once(made_[i], [&] {
-    VoyageRequest slower = voyage;
-    slower.motion.cruise_mps *= kShares[i];
-    reaches_[i] = ExtremalFan(slower).Run();
-    stays_within_[i] = IsWithin(reaches_[i].read, read);
-  });
-  return stays_within_[i] ? &reaches_[i] : nullptr;
-}
-
-ReachMap ComputeReach(const VoyageRequest& voyage) {
-  ReachMap reach = ExtremalFan(voyage).Run();
-  if (voyage.price.per_j > 0.0) {
-    reach.slower = std::make_shared<SlowerReaches>();
-    reach.read = WithSlower(voyage, reach.read);
-  }
-  return reach;
 }
 
 }  // namespace kg_compiler

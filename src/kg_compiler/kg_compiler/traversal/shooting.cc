@@ -49,6 +49,8 @@ FarthestPoint FarthestBetween(const TimedCourse& course, std::size_t a,
 
 TimedCourse Simplify(const TimedCourse& course, double tolerance_cells) {
   if (course.size() < 3) return course;
+  // Douglas and Peucker's algorithm, in time: the point farthest from where
+  // linear interpolation has it is kept, and both halves are looked at again.
   std::vector<bool> kept(course.size(), false);
   kept.front() = kept.back() = true;
   std::vector<std::pair<std::size_t, std::size_t>> open = {
@@ -89,18 +91,20 @@ std::optional<ShotAt> ExtremalShooter::Fire(const ShotLeg& leg,
     time_s += step_s;
     if (!IsWithin(flow_.felt(), reach_.read)) return std::nullopt;
   }
+  // Newton's method in time: `ahead` is how far the front is past the target,
+  // `front` its speed along its normal.
   const CellOffset target{leg.to.col, leg.to.row};
   for (int i = 0; i < kMaxTimings; ++i) {
     const CellOffset normal = NormalOf(flow_, at);
     const CellOffset miss = PlaceOf(at) - target;
-    const double ahead = Dot(normal, miss) / Length(normal);
-    const double left = Cross(normal, miss) / Length(normal);
-    if (!(Length(miss) < kFarthest_cells)) return std::nullopt;
+    const double ahead = normal.dot(miss) / normal.norm();
+    const double left = Cross(normal, miss) / normal.norm();
+    if (!(miss.norm() < kFarthest_cells)) return std::nullopt;
     if (std::abs(ahead) < kTimed_cells) {
       return ShotAt{heading_rad, time_s - leg.begin_s, left};
     }
     const kg_core::GridPoint v = helm_.Velocity(at, flow_.At(time_s));
-    const double front = Dot(normal, {v.col, v.row}) / Length(normal);
+    const double front = normal.dot(CellOffset{v.col, v.row}) / normal.norm();
     const double most_s = kMaxShift_cells / std::max(std::abs(front), 1e-12);
     const double shift_s = std::min(std::max(-ahead / front, -most_s), most_s);
     if (!(time_s + shift_s > leg.begin_s)) return std::nullopt;
@@ -137,6 +141,8 @@ std::optional<ShotAt> ExtremalShooter::Between(const ShotLeg& leg, ShotAt a,
   std::optional<ShotAt> best = a;
   KeepBetter(b, &best);
   for (int i = 0; i < kMaxHalvings && std::abs(best->left) > kHit_cells; ++i) {
+    // Every fourth step halves the interval: regula falsi alone creeps where m
+    // is steep on one side.
     const bool halve = i % 4 == 3;
     const double share = halve ? 0.5 : weight_a / (weight_a - weight_b);
     const auto shot =
@@ -202,11 +208,11 @@ bool ExtremalShooter::Trace(const ShotLeg& leg, const ShotAt& shot,
   }
   // What it misses by is made good evenly all along.
   const CellOffset miss = PlaceOf(at) - CellOffset{leg.to.col, leg.to.row};
-  if (!(Length(miss) < 2.0 * kBent_cells)) return false;
+  if (!(miss.norm() < 2.0 * kBent_cells)) return false;
   for (int i = 0; i < steps; ++i) {
     kg_core::GridPoint& place = (*course)[first + i].place;
-    place.col -= miss.col * i / steps;
-    place.row -= miss.row * i / steps;
+    place.col -= miss.x() * i / steps;
+    place.row -= miss.y() * i / steps;
   }
   return true;
 }
@@ -220,6 +226,8 @@ std::optional<TimedCourse> ExtremalShooter::To(kg_core::GridPoint place,
   }
   TimedCourse course;
   double begin_s = 0.0;
+  // From the departure through the corners: each leg is shot from where and
+  // when the one before arrived.
   for (std::size_t i = roots.size(); i-- > 0;) {
     const ReachRoot& root = reach_.roots[roots[i]];
     ShotLeg leg{root.place,
@@ -236,6 +244,7 @@ std::optional<TimedCourse> ExtremalShooter::To(kg_core::GridPoint place,
       leg.spread_rad = next.spread_rad;
       leg.duration_s = next.time_s - root.time_s;
     }
+    // Coarse steps to solve for the heading, then those wanted for the course.
     leg.step_s = std::min(kSolveStep_cells / reach_.cells_per_s,
                           leg.duration_s / kFewestSteps);
     const auto shot = Solve(leg);

@@ -18,7 +18,8 @@
 #include <vector>
 
 #include "kg_compiler/traversal/extremal.h"
-#include "kg_compiler/traversal/traversal.h"
+#include "kg_compiler/traversal/reach.h"
+#include "kg_compiler/traversal/voyage.h"
 
 namespace kg_compiler {
 

@@ -38,8 +38,11 @@ bool LineOfSight::IsClear(kg_core::GridPoint a, kg_core::GridPoint b) const {
   kg_core::Cell cell = CellOf(grid_, a);
   const kg_core::Cell last = CellOf(grid_, b);
   AxisWalk row(a.row, b.row, cell.row), col(a.col, b.col, cell.col);
+  // Amanatides and Woo's grid traversal: the next edge crossed along either
+  // axis, at shares row.next and col.next of the line.
   while (!(cell == last)) {
     if (row.next > 1.0 && col.next > 1.0) return IsOpen(last);
+    // Through a corner: both cells beside it must be open.
     const bool both = std::abs(row.next - col.next) < kSame;
     const kg_core::Cell up{cell.row + row.step, cell.col};
     const kg_core::Cell beside{cell.row, cell.col + col.step};

@@ -6,7 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "kg_compiler/traversal/traversal.h"
+#include "kg_compiler/data_plane/cell_box.h"
+#include "kg_compiler/traversal/voyage.h"
 
 namespace kg_compiler {
 

@@ -7,7 +7,8 @@
 #include <array>
 #include <mutex>
 
-#include "kg_compiler/traversal/traversal.h"
+#include "kg_compiler/traversal/reach.h"
+#include "kg_compiler/traversal/voyage.h"
 
 namespace kg_compiler {
 

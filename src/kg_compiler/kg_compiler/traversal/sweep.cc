@@ -14,7 +14,7 @@ constexpr double kRefined = 1e-3;    // [cells]
 
 double Clamp01(double x) { return std::min(std::max(x, 0.0), 1.0); }
 
-CellOffset Normalised(CellOffset a) { return (1.0 / Length(a)) * a; }
+CellOffset Normalised(const CellOffset& a) { return (1.0 / a.norm()) * a; }
 
 }  // namespace
 
@@ -28,26 +28,28 @@ std::optional<ExtremalState> Halfway(const FlowSampler& flow,
   const CellOffset na = Normalised(NormalOf(flow, a));
   const CellOffset nb = Normalised(NormalOf(flow, b));
   const CellOffset chord = PlaceOf(b) - PlaceOf(a);
-  const double length = Length(chord);
+  const double length = chord.norm();
   CellOffset middle = PlaceOf(a) + 0.5 * chord;
   CellOffset normal = na + nb;
   if (length > kNoLength) {
     // Tangents along the chord, at right angles to the normals.
-    CellOffset ta{-na.row, na.col}, tb{-nb.row, nb.col};
-    if (Dot(ta, chord) < 0.0) ta = -1.0 * ta;
-    if (Dot(tb, chord) < 0.0) tb = -1.0 * tb;
-    if (!(Dot(ta, chord) > 0.5 * length && Dot(tb, chord) > 0.5 * length)) {
+    CellOffset ta{-na.y(), na.x()}, tb{-nb.y(), nb.x()};
+    if (ta.dot(chord) < 0.0) ta = -1.0 * ta;
+    if (tb.dot(chord) < 0.0) tb = -1.0 * tb;
+    if (!(ta.dot(chord) > 0.5 * length && tb.dot(chord) > 0.5 * length)) {
       return std::nullopt;
     }
     middle = middle + (0.125 * length) * (ta - tb);
     const CellOffset tangent = (1.5 / length) * chord - 0.25 * (ta + tb);
-    const CellOffset across{-tangent.row, tangent.col};
-    normal = Dot(across, normal) < 0.0 ? -1.0 * across : across;
+    const CellOffset across{-tangent.y(), tangent.x()};
+    // The side of it that the extremals move to.
+    const double side = across.dot(normal) < 0.0 ? -1.0 : 1.0;
+    normal = side * across;
   }
-  if (!(Length(normal) > 1e-3)) return std::nullopt;
-  ExtremalState half{middle.col, middle.row, 0.0, 0.0};
-  half.p_lon = normal.col / flow.DegPerCol(half.col);
-  half.p_lat = normal.row / flow.DegPerRow(half.row);
+  if (!(normal.norm() > 1e-3)) return std::nullopt;
+  ExtremalState half{middle.x(), middle.y(), 0.0, 0.0};
+  half.p_lon = normal.x() / flow.DegPerCol(half.col);
+  half.p_lat = normal.y() / flow.DegPerRow(half.row);
   return half;
 }
 
@@ -56,17 +58,18 @@ double FrontSweep::Bow::Ahead(double s) const {
   return length * s * r * (slope_a * r - slope_b * s);
 }
 
-FrontSweep::Bow FrontSweep::BowOf(CellOffset chord, CellOffset normal_a,
-                                  CellOffset normal_b) const {
+FrontSweep::Bow FrontSweep::BowOf(const CellOffset& chord,
+                                  const CellOffset& normal_a,
+                                  const CellOffset& normal_b) const {
   Bow bow;
-  bow.length = Length(chord);
+  bow.length = chord.norm();
   if (!(bow.length > kNoLength)) return {};
-  CellOffset ahead{-chord.row, chord.col};
-  if (Dot(ahead, motion_) < 0.0) ahead = -1.0 * ahead;
-  const double a = Dot(normal_a, ahead), b = Dot(normal_b, ahead);
+  CellOffset ahead{-chord.y(), chord.x()};
+  if (ahead.dot(motion_) < 0.0) ahead = -1.0 * ahead;
+  const double a = normal_a.dot(ahead), b = normal_b.dot(ahead);
   if (!(a > 0.0 && b > 0.0)) return {bow.length, HUGE_VAL, HUGE_VAL};
-  bow.slope_a = -Dot(normal_a, chord) / a;
-  bow.slope_b = -Dot(normal_b, chord) / b;
+  bow.slope_a = -normal_a.dot(chord) / a;
+  bow.slope_b = -normal_b.dot(chord) / b;
   return bow;
 }
 
@@ -80,11 +83,13 @@ FrontSweep::FrontSweep(const FlowSampler& flow, const ExtremalStrand& a,
       motion_(a1_ - a0_),
       twist_((b1_ - a1_) - begin_edge_),
       length_s_(length_s) {
+  // Each triangle's linear map is inverted once, for all places that are asked.
   const CellOffset end_edge = b1_ - a1_;
   const double det_a = Cross(begin_edge_, b1_ - a0_);
   const double det_b = Cross(b1_ - a0_, motion_);
   if (std::abs(det_a) > kNoLength) inverse_a_ = 1.0 / det_a;
   if (std::abs(det_b) > kNoLength) inverse_b_ = 1.0 / det_b;
+  // The mean motion of both ends tells the bows which way is ahead.
   motion_ = 0.5 * (motion_ + (b1_ - b0_));
   begin_bow_ =
       BowOf(begin_edge_, NormalOf(flow, a.begin), NormalOf(flow, b.begin));
@@ -93,7 +98,9 @@ FrontSweep::FrontSweep(const FlowSampler& flow, const ExtremalStrand& a,
       end_bow_.length > kNoLength
           ? std::abs(Cross(end_edge, motion_)) / end_bow_.length
           : 0.0;
-  if (across > kSlantest * Length(motion_) && Slope() < kSteepest) {
+  // The front's own speed, if it moves across itself and not mostly along, and
+  // is smooth enough for a cubic; else it is taken to be the chord.
+  if (across > kSlantest * motion_.norm() && Slope() < kSteepest) {
     s_per_cell_ = length_s_ / across;
   }
   motion_ = a1_ - a0_;
@@ -106,17 +113,18 @@ double FrontSweep::Slope() const {
 }
 
 CellOffset FrontSweep::low() const {
-  return {std::min(std::min(a0_.col, a1_.col), std::min(b0_.col, b1_.col)),
-          std::min(std::min(a0_.row, a1_.row), std::min(b0_.row, b1_.row))};
+  return {std::min(std::min(a0_.x(), a1_.x()), std::min(b0_.x(), b1_.x())),
+          std::min(std::min(a0_.y(), a1_.y()), std::min(b0_.y(), b1_.y()))};
 }
 
 CellOffset FrontSweep::high() const {
-  return {std::max(std::max(a0_.col, a1_.col), std::max(b0_.col, b1_.col)),
-          std::max(std::max(a0_.row, a1_.row), std::max(b0_.row, b1_.row))};
+  return {std::max(std::max(a0_.x(), a1_.x()), std::max(b0_.x(), b1_.x())),
+          std::max(std::max(a0_.y(), a1_.y()), std::max(b0_.y(), b1_.y()))};
 }
 
 // Two triangles, on either side of the diagonal from a0 to b1.
-std::optional<FrontSweep::Share> FrontSweep::Find(CellOffset place) const {
+std::optional<FrontSweep::Share> FrontSweep::Find(
+    const CellOffset& place) const {
   const CellOffset d = place - a0_, diagonal = b1_ - a0_;
   const double aside = Cross(d, diagonal);  // Which side of the diagonal?
   const double b0 = aside * inverse_a_;
@@ -137,7 +145,8 @@ std::optional<FrontSweep::Share> FrontSweep::Find(CellOffset place) const {
 }
 
 // Newton's method for X(s, w) = place.
-FrontSweep::Share FrontSweep::Refine(CellOffset place, Share share) const {
+FrontSweep::Share FrontSweep::Refine(const CellOffset& place,
+                                     Share share) const {
   for (int i = 0; i < 2; ++i) {
     const CellOffset by_s = begin_edge_ + share.along * twist_;
     const CellOffset by_w = motion_ + share.across * twist_;

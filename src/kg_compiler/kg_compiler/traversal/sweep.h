@@ -11,6 +11,7 @@
 #ifndef KG_COMPILER_TRAVERSAL_SWEEP_H_
 #define KG_COMPILER_TRAVERSAL_SWEEP_H_
 
+#include <Eigen/Core>
 #include <optional>
 
 #include "kg_compiler/traversal/extremal.h"
@@ -24,26 +25,11 @@ struct ExtremalStrand {
   bool dead = false;         // Ended in this step.
 };
 
-// A vector in cell units.
-struct CellOffset {
-  double col = 0.0, row = 0.0;
-};
-inline double Dot(CellOffset a, CellOffset b) {
-  return a.col * b.col + a.row * b.row;
+// A vector in cell units: x = columns, y = rows.
+using CellOffset = Eigen::Vector2d;
+inline double Cross(const CellOffset& a, const CellOffset& b) {
+  return a.x() * b.y() - a.y() * b.x();
 }
-inline double Cross(CellOffset a, CellOffset b) {
-  return a.col * b.row - a.row * b.col;
-}
-inline CellOffset operator-(CellOffset a, CellOffset b) {
-  return {a.col - b.col, a.row - b.row};
-}
-inline CellOffset operator+(CellOffset a, CellOffset b) {
-  return {a.col + b.col, a.row + b.row};
-}
-inline CellOffset operator*(double f, CellOffset a) {
-  return {f * a.col, f * a.row};
-}
-inline double Length(CellOffset a) { return std::sqrt(Dot(a, a)); }
 inline CellOffset PlaceOf(const ExtremalState& at) { return {at.col, at.row}; }
 // The front's normal in cell units.
 CellOffset NormalOf(const FlowSampler& flow, const ExtremalState& at);
@@ -64,7 +50,7 @@ class FrontSweep {
     double along = 0.0;   // w
   };
   // Where a place is, if between the two.
-  std::optional<Share> Find(CellOffset place) const;
+  std::optional<Share> Find(const CellOffset& place) const;
   double Time_s(Share share) const;  // After the step's begin.
   CellOffset BeginAt(double across) const { return a0_ + across * begin_edge_; }
 
@@ -78,8 +64,9 @@ class FrontSweep {
     double length = 0.0, slope_a = 0.0, slope_b = 0.0;
     double Ahead(double s) const;
   };
-  Bow BowOf(CellOffset chord, CellOffset normal_a, CellOffset normal_b) const;
-  Share Refine(CellOffset place, Share share) const;
+  Bow BowOf(const CellOffset& chord, const CellOffset& normal_a,
+            const CellOffset& normal_b) const;
+  Share Refine(const CellOffset& place, Share share) const;
 
   CellOffset a0_, a1_, b0_, b1_;
   CellOffset begin_edge_, motion_, twist_;

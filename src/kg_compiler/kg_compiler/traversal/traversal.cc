@@ -66,6 +66,7 @@ class SpeedSearch {
 
   std::optional<FlownPath> Cheapest() const {
     SpeedChoice best = Try(1.0, reach_);
+    // From fast to slow; the bound on the arrival only grows.
     double earliest_s = NotBefore(EarliestBy(reach_), best);
     int chosen = -1;
     bool between = false;  // May the cheapest lie next to the fastest?
@@ -155,6 +156,8 @@ class SpeedSearch {
         chosen < 0 ? reach_ : *reach_.slower->At(chosen, voyage_, reach_.read);
     double high = chosen <= 0 ? 1.0 : SlowerReaches::kShares[chosen - 1];
     for (int i = 0; i < kRefinements; ++i) {
+      // Probe the longer of the two intervals; the best stays between low and
+      // high, whichever of both the probe replaces.
       const bool up = high - best.share > best.share - low;
       const double share =
           up ? best.share + (1.0 - kGolden) * (high - best.share)

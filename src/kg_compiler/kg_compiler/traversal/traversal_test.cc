@@ -278,6 +278,23 @@ TEST(FlyTrack, AddsUpEnergyThroughWaterHotelLoadAndHolding) {
   EXPECT_EQ(kDay_s, flight->track.back().time_s);
 }
 
+TEST(FlyTrack, TakesAtRestWhatCruisingTakesOfWhatHovers) {
+  const TestFlowWorld sea(UniformFlow(TestGrid(), 0.2, 0.0));
+  MotionModel motion = Glider(0.5);
+  motion.rest_mps = motion.cruise_mps;
+  const auto flight = FlyTrack(sea.From(motion, {{-90, 25}, 0, kDay_s}),
+                               {{-90, 25}, {-89.8, 25}});
+  ASSERT_TRUE(flight);
+  EXPECT_NEAR(0.5 * kDay_s, flight->through_water_m, 1.0);
+  EXPECT_NEAR(2.0 * 0.5 * kDay_s + 3.0 * kDay_s, flight->energy_j, 2.0);
+  // Where the field is faster, that is what it takes.
+  const TestFlowWorld fast(UniformFlow(TestGrid(), 0.8, 0.0));
+  const auto held =
+      FlyTrack(fast.From(motion, {{-90, 25}, 0, kDay_s}), {{-90, 25}});
+  ASSERT_TRUE(held);
+  EXPECT_NEAR(0.8 * kDay_s, held->through_water_m, 1.0);
+}
+
 TEST(FlyTrack, IntegratesHazardUntilTheDeadline) {
   TestFlowWorld sea(UniformFlow(TestGrid(), 0.0, 0.0));
   kg_core::Raster attenuation(2500, 1.0f);

@@ -7,15 +7,20 @@
 #include "kg_core/base/units.h"
 #include "kg_core/facts/class_tree.h"
 #include "kg_core/facts/terms.h"
+#include "kg_core/mission/choice.h"
 #include "kg_core/mission/policy_reader.h"
 #include "kg_core/rules/reasons.h"
 
 namespace kg_core {
 namespace {
 
-// Its sources: the subject if it is asserted, and the inferences.
+constexpr Named<Mobility> kMobilities[] = {{"glider", Mobility::kGlider},
+                                           {"fixed_wing", Mobility::kFixedWing},
+                                           {"hover", Mobility::kHover}};
+
+// Where it is said: the subject if it is asserted, and the inferences.
 std::vector<std::string> CollectSources(const GraphView& asserted,
-                                        const Triple& triple) {
+                                   const Triple& triple) {
   std::vector<std::string> sources;
   if (Has(asserted, kFactsGraph, triple.subject, triple.predicate,
           triple.object)) {
@@ -59,13 +64,17 @@ Agent ReadAgent(const GraphView& asserted, const GraphView& view,
   Agent agent;
   agent.iri = entity.iri();
   agent.id = entity.Text(Ex("id"));
-  agent.mobility = entity.Text(Ex("mobility"), "");
+  agent.mobility =
+      Choice(entity, Ex("mobility"), kMobilities, Mobility::kGlider);
   agent.policy = ReadPolicy(view, entity.Follow(Ex("usesPolicy")));
   agent.capabilities = ReadCapabilities(entity.Follow(Ex("hasCapabilities")));
   const FactEntity start = FindStart(view, calendar, entity);
   agent.start = start.Position();
   agent.start_heading_rad = DegToRad(start.Number(Ex("headingDeg"), 0.0));
   agent.start_iri = start.iri();
+  if (const auto wh = start.MaybeNumber(Ex("energyRemaining"))) {
+    agent.start_energy_j = WhToJoules(*wh);
+  }
   for (const std::string& zone : entity.Iris(Ex("mustAvoid"))) {
     agent.must_avoid[zone] =
         CollectSources(asserted, {Iri(agent.iri), Ex("mustAvoid"), Iri(zone)});

@@ -48,6 +48,10 @@ const ClassCase kClasses[] = {
      "ex:forWindow ex:w1 ; ex:gridRefU \"u\" ; ex:gridRefV \"v\" ; "
      "ex:firstTimeIndex 0 ; ex:lastTimeIndex 1 ; ssn:observedProperty "
      "ex:seaWaterVelocity ; prov:wasDerivedFrom ex:file1"},
+    {"CostField", "ex:CostField",
+     "ex:forWindow ex:w1 ; ex:gridRef \"w\" ; ex:firstTimeIndex 0 ; "
+     "ex:lastTimeIndex 1 ; sosa:observedProperty ex:waveHeight ; "
+     "prov:wasDerivedFrom ex:file1"},
     {"ValueLayer", "ex:ValueLayer",
      "ex:forWindow ex:w1 ; ex:kind \"frontness\" ; ex:timeIndex 1 ; "
      "prov:wasDerivedFrom ex:file1"},

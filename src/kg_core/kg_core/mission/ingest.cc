@@ -15,6 +15,7 @@
 #include "kg_core/geo/geodesy.h"
 #include "kg_core/mission/conclusions.h"
 #include "kg_core/mission/entity.h"
+#include "kg_core/mission/field_quantities.h"
 #include "kg_core/mission/ingest_times.h"
 #include "kg_core/mission/ingested_facts.h"
 #include "kg_core/mission/layer_files.h"
@@ -63,12 +64,27 @@ class SourceIngest {
         transaction_(transaction),
         started_s_(Now_s()) {}
 
-  void StateCurrents(const OceanFile& file) {
+  // A field that carries agents.
+  void StateMotion(const OceanFile& file, const FieldQuantity& quantity) {
     RequireData(file);
     StateFile(file);
     StateGrid(Ex("grid"), file.grid);
     for (const TimeWindow& window : mission_.windows) {
-      StateField(file, window, StepsOfField(file.time_s, window));
+      StateField(file, quantity, window, {"gridRefU", "gridRefV"}, Ex("grid"));
+    }
+    StateActivity();
+  }
+
+  // A scalar that costs whoever meets it.
+  void StateCost(const OceanFile& file, const FieldQuantity& quantity,
+                 const Grid* field_grid) {
+    RequireData(file);
+    StateFile(file);
+    const Term grid = StateGridUnlessSame(file.grid, field_grid);
+    for (const TimeWindow& window : mission_.windows) {
+      const Term field = StateField(file, quantity, window, {"gridRef"}, grid);
+      const std::optional<Term> said = source_.One(Ex("resampling"));
+      if (said) Say(field, Ex("resampling"), *said);
     }
     StateActivity();
   }
@@ -157,24 +173,27 @@ class SourceIngest {
     Say(subject, Prov("wasDerivedFrom"), Part("file"));
   }
 
-  void StateField(const OceanFile& file, const TimeWindow& window,
-                  StepRange steps) {
+  // A field in time slices; `refs` name its components, in their order.
+  Term StateField(const OceanFile& file, const FieldQuantity& quantity,
+                  const TimeWindow& window,
+                  const std::vector<const char*>& refs, const Term& grid) {
+    const StepRange steps = StepsOfField(file.time_s, window);
     const Term field = Part("w" + std::to_string(window.index));
     const std::string at =
         "@" + std::to_string(steps.first) + ".." + std::to_string(steps.last);
-    const bool wind = IsWind(file.series[0]);
-    Generate(field, wind ? "WorkField" : "CurrentField");
+    Generate(field, quantity.layer_class.c_str());
     Say(field, Ex("forWindow"), Iri(window.iri));
-    Say(field, Ex("gridRefU"),
-        Literal(file.path + "#" + file.series[0].variable + at));
-    Say(field, Ex("gridRefV"),
-        Literal(file.path + "#" + file.series[1].variable + at));
+    for (std::size_t i = 0; i < refs.size(); ++i) {
+      Say(field, Ex(refs[i]),
+          Literal(file.path + "#" + file.series[i].variable + at));
+    }
     Say(field, Ex("firstTimeIndex"), IntegerLiteral(steps.first));
     Say(field, Ex("lastTimeIndex"), IntegerLiteral(steps.last));
-    Say(field, Ex("onGrid"), Ex("grid"));
+    Say(field, Ex("onGrid"), grid);
     Say(field, Iri(std::string(kSosa) + "observedProperty"),
-        Ex(wind ? "windVelocity" : "seaWaterVelocity"));
+        Ex(quantity.observed_property));
     Say(field, Prov("wasDerivedFrom"), Part("file"));
+    return field;
   }
 
   std::string Kind() const { return source_.Text(Ex("kind"), kDifferenceKind); }
@@ -244,32 +263,32 @@ class MissionIngest {
         mission_(ReadMission(transaction.view())) {}
 
   std::vector<std::string> Run() {
-    ForEach("current", &MissionIngest::ReadCurrents);
-    ForEach("wind", &MissionIngest::ReadCurrents);
-    ForEach("temperature", &MissionIngest::ReadTemperature);
+    // In the table's order: the grid is that of what carries agents.
+    for (const FieldQuantity& quantity : FieldQuantities()) ReadAll(quantity);
     for (const char* type : {"PriorLayer", "Constraint"}) {
       for (const Term& term :
            FindInstances(transaction_.view(), kFactsGraph, Ex(type))) {
-        Try(FactEntity(transaction_.view(), term), &MissionIngest::ReadRaster);
+        const FactEntity layer(transaction_.view(), term);
+        Try(layer, [&] { ReadRaster(layer); });
       }
     }
     return std::move(reasons_);
   }
 
  private:
-  void ForEach(const std::string& provides,
-               void (MissionIngest::*read)(const FactEntity&)) {
+  void ReadAll(const FieldQuantity& quantity) {
     for (const Term& term :
          FindInstances(transaction_.view(), kFactsGraph, Ex("DataSource"))) {
       const FactEntity source(transaction_.view(), term);
-      if (source.Text(Ex("provides")) == provides) Try(source, read);
+      if (source.Text(Ex("provides")) != quantity.name) continue;
+      Try(source, [&] { ReadSource(source, quantity); });
     }
   }
 
-  void Try(const FactEntity& source,
-           void (MissionIngest::*read)(const FactEntity&)) {
+  template <typename Read>
+  void Try(const FactEntity& source, const Read& read) {
     try {
-      (this->*read)(source);
+      read();
     } catch (const InputError& error) {
       reasons_.push_back(ToTurtle(source.subject()) + ": " + file_ +
                          error.what());
@@ -290,29 +309,23 @@ class MissionIngest {
     return *open_.back();
   }
 
-  void ReadCurrents(const FactEntity& source) {
-    const OceanFile& file = Open(
-        source, {Quantity::kEastwardVelocity, Quantity::kNorthwardVelocity});
-    if (field_grid_ != nullptr) {
-      source.Refuse(Ex("provides"),
-                    "one source of \"current\" or \"wind\", not two");
+  void ReadSource(const FactEntity& source, const FieldQuantity& quantity) {
+    const OceanFile& file = Open(source, quantity.components);
+    SourceIngest ingest(source, mission_, transaction_);
+    switch (quantity.role) {
+      case FieldRole::kMotion:
+        if (field_grid_ != nullptr) {
+          source.Refuse(Ex("provides"),
+                        "one source of \"current\" or \"wind\", not two");
+        }
+        CheckMedium(quantity, file.series.front());
+        field_grid_ = &file.grid;
+        return ingest.StateMotion(file, quantity);
+      case FieldRole::kValue:
+        return ingest.StateTemperature(file, field_grid_);
+      case FieldRole::kCost:
+        return ingest.StateCost(file, quantity, field_grid_);
     }
-    CheckMedium(source.Text(Ex("provides")) == "wind", file.series.front());
-    field_grid_ = &file.grid;
-    SourceIngest(source, mission_, transaction_).StateCurrents(file);
-  }
-
-  static void CheckMedium(bool wind, const QuantitySeries& east) {
-    if (wind == IsWind(east)) return;
-    throw InputError("variable " + east.variable + " has standard_name \"" +
-                     east.standard_name + "\": expected eastward_wind where " +
-                     "ex:provides is \"wind\", and only there");
-  }
-
-  void ReadTemperature(const FactEntity& source) {
-    const OceanFile& file = Open(source, {Quantity::kTemperature});
-    SourceIngest(source, mission_, transaction_)
-        .StateTemperature(file, field_grid_);
   }
 
   void ReadRaster(const FactEntity& layer) {

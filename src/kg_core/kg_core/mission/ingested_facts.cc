@@ -17,7 +17,9 @@ bool IsDataSource(const GraphView& view, const Term& subject) {
 // the class is not known any more.
 bool NamesAFile(const GraphView& view, const Statement& grid_ref) {
   return grid_ref.object != Literal(kLandRef) &&
-         !Has(view, kFactsGraph, grid_ref.subject, RdfType(), Ex("ValueLayer"));
+         !Has(view, kFactsGraph, grid_ref.subject, RdfType(),
+              Ex("ValueLayer")) &&
+         !Has(view, kFactsGraph, grid_ref.subject, RdfType(), Ex("CostField"));
 }
 
 bool HasRaster(const GraphView& view, const Term& subject) {

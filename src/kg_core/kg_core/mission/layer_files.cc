@@ -5,6 +5,7 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/facts/terms.h"
+#include "kg_core/mission/field_quantities.h"
 #include "kg_core/raster/resample.h"
 
 namespace kg_core {
@@ -49,6 +50,22 @@ Raster AbsoluteDifference(const Raster& a, const Raster& b) {
   return difference;
 }
 
+// On the grid of the velocity field, in the steps that the facts name.
+ScalarField LoadCostField(FileCache& cache, const Mission& mission,
+                          const CostFieldRef& field, const Grid& grid) {
+  const File file = ReadReferred(cache, mission, field.file_iri,
+                                 FindFieldQuantity(field.quantity).components);
+  ScalarField loaded;
+  loaded.quantity = field.quantity;
+  for (int i = field.first_time_index; i <= field.last_time_index; ++i) {
+    const SharedRaster values = StepAt(file, 0, i);
+    loaded.slices.push_back(
+        {file->time_s.at(i),
+         OnGrid(field.iri, {file->grid, values}, grid, field.resampling)});
+  }
+  return loaded;
+}
+
 bool Overlap(const Grid& a, const Grid& b) {
   return a.west_deg() < b.east_deg() && b.west_deg() < a.east_deg() &&
          a.south_deg() < b.north_deg() && b.south_deg() < a.north_deg();
@@ -66,6 +83,10 @@ VectorField LoadWorkField(FileCache& cache, const Mission& mission,
   for (int i = field.first_time_index; i <= field.last_time_index; ++i) {
     const SharedRaster east_mps = StepAt(file, 0, i);
     loaded.slices.push_back({file->time_s.at(i), east_mps, StepAt(file, 1, i)});
+  }
+  for (const CostFieldRef& cost : mission.cost_fields) {
+    if (cost.window != field.window) continue;
+    loaded.scalars.push_back(LoadCostField(cache, mission, cost, loaded.grid));
   }
   return loaded;
 }

@@ -21,6 +21,7 @@ namespace kg_core {
 // All throw InputError, also when a file is no longer the one that was
 // ingested.
 
+// With the window's fields that cost, on its grid.
 VectorField LoadWorkField(FileCache& cache, const Mission& mission,
                           const WorkFieldRef& field);
 

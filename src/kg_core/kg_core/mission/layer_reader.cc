@@ -2,6 +2,8 @@
 
 #include "kg_core/facts/terms.h"
 #include "kg_core/mission/choice.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/mission/field_quantities.h"
 
 namespace kg_core {
 namespace {
@@ -94,6 +96,27 @@ WorkFieldRef ReadWorkField(const WindowCalendar& calendar,
   field.file_iri = entity.Follow(Prov("wasDerivedFrom")).iri();
   field.first_time_index = entity.Integer(Ex("firstTimeIndex"));
   field.last_time_index = entity.Integer(Ex("lastTimeIndex"));
+  return field;
+}
+
+CostFieldRef ReadCostField(const WindowCalendar& calendar, const FactEntity& entity) {
+  CostFieldRef field;
+  field.iri = entity.iri();
+  field.window = calendar.WindowOf(entity);
+  const Term observed = Iri(std::string(kSosa) + "observedProperty");
+  const std::optional<Term> property = entity.One(observed);
+  for (const FieldQuantity& quantity : CostQuantities()) {
+    if (property == Ex(quantity.observed_property)) {
+      field.quantity = quantity.name;
+    }
+  }
+  if (field.quantity.empty()) {
+    entity.Refuse(observed, "a quantity that costs, such as ex:waveHeight");
+  }
+  field.file_iri = entity.Follow(Prov("wasDerivedFrom")).iri();
+  field.first_time_index = entity.Integer(Ex("firstTimeIndex"));
+  field.last_time_index = entity.Integer(Ex("lastTimeIndex"));
+  field.resampling = ReadResampling(entity);
   return field;
 }
 

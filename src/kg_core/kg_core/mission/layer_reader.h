@@ -33,10 +33,9 @@ std::optional<RasterRef> ReadRasterRef(const FactEntity& entity);
 Resampling ReadResampling(const FactEntity& entity);  // kNone if absent.
 std::string FileIri(const std::string& ingested_from);
 
-ValueLayer ReadValueLayer(const WindowCalendar& calendar,
-                          const FactEntity& entity);
-WorkFieldRef ReadWorkField(const WindowCalendar& calendar,
-                           const FactEntity& entity);
+ValueLayer ReadValueLayer(const WindowCalendar& calendar, const FactEntity& entity);
+WorkFieldRef ReadWorkField(const WindowCalendar& calendar, const FactEntity& entity);
+CostFieldRef ReadCostField(const WindowCalendar& calendar, const FactEntity& entity);
 SourceFile ReadSourceFile(const FactEntity& entity);
 
 }  // namespace kg_core

@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <tuple>
 
+#include "kg_core/mission/scope.h"
+
 namespace kg_core {
 namespace {
-
-template <typename Value>
-bool IsEmptyOrHas(const std::vector<Value>& values, const Value& wanted) {
-  return values.empty() ||
-         std::find(values.begin(), values.end(), wanted) != values.end();
-}
 
 auto Tie(const CoordinationFacts& f) {
   return std::tie(f.mode, f.gap_goal, f.auction_epsilon, f.select_limit_s,
@@ -27,7 +23,7 @@ bool operator==(const CoordinationFacts& a, const CoordinationFacts& b) {
 }
 
 bool Constraint::AppliesTo(const std::string& agent_iri, int window) const {
-  return IsEmptyOrHas(windows, window) && IsEmptyOrHas(agents, agent_iri);
+  return InScope(windows, window) && InScope(agents, agent_iri);
 }
 
 const Agent* Mission::FindAgent(const std::string& iri) const {

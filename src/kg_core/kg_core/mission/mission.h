@@ -60,6 +60,9 @@ struct Policy {
   double lambda_energy_per_j = 0.0;    // ex:lambda_energy, per Wh.
   double lambda_risk = 0.0;            // Per hour at hazard 1, see SeamRules.
   double lambda_uncertainty = 0.0;     // Times (1 - w).
+  // Reward per second and unit of a field that costs, by FieldQuantity::name
+  // (ex:lambda_waveHeight, ...); absent = it costs nothing.
+  std::map<std::string, double> lambda_fields;
   std::map<std::string, double> soft_overrides;  // By constraint IRI.
   // The ex:PriorWeight or ex:SoftOverride behind an entry of beta or
   // soft_overrides, by the same key.
@@ -82,16 +85,24 @@ struct Policy {
   double churn_weight = 0.0;   // ex:churnWeight (A34), reward a window.
 };
 
+// How an agent moves, by what it takes to stay at a place. A glider and a fixed
+// wing hold station by going against the field as fast as it carries them, for
+// nothing where it is calm. What hovers pays to stay aloft: it holds station at
+// no less than the energy per second that cruising takes.
+enum class Mobility { kGlider, kFixedWing, kHover };
+
 // ex:Agent with its policy and capabilities.
 struct Agent {
   std::string iri;
   std::string id;  // ex:id; names topics, so [a-z][a-z0-9_]*.
-  std::string mobility;
+  Mobility mobility = Mobility::kGlider;  // ex:mobility.
   Policy policy;
   Capabilities capabilities;
   LonLat start;  // Position of the ex:AgentState to start from.
   double start_heading_rad = 0.0;  // Clockwise from north.
   std::string start_iri;
+  // ex:energyRemaining of that state: less than the budget if stated.
+  std::optional<double> start_energy_j = std::nullopt;
   // ex:mustAvoid (A11): soft constraints that are hard for this agent, by IRI,
   // with where that is said: the agent's IRI if it is asserted, and those of
   // the inferences (rules/reasons.h) that conclude it.
@@ -180,6 +191,18 @@ struct WorkFieldRef {
   int last_time_index = 0;
 };
 
+// ex:CostField of a window: a scalar that is met under way
+// (field_quantities.h).
+struct CostFieldRef {
+  std::string iri;
+  int window = 0;
+  std::string quantity;  // FieldQuantity::name, by sosa:observedProperty.
+  std::string file_iri;
+  int first_time_index = 0;  // Slices that cover the window.
+  int last_time_index = 0;
+  Resampling resampling = Resampling::kNone;  // ex:resampling (A54).
+};
+
 // Team rules: ex:Mission's own properties.
 struct CoordinationFacts {
   // ex:teamMode: "greedy", "auction", "priced" or "exact".
@@ -214,6 +237,7 @@ struct Mission {
   std::vector<Event> events;
   std::vector<ValueLayer> value_layers;
   std::vector<WorkFieldRef> work_fields;
+  std::vector<CostFieldRef> cost_fields;
   std::map<std::string, SourceFile> files;  // By IRI.
   CoordinationFacts coordination;
 

@@ -135,8 +135,10 @@ Mission ReadMission(const GraphView& asserted) {
   mission.events = ReadAll(view, calendar, "Event", ReadEvent);
   mission.value_layers = ReadAll(view, calendar, "ValueLayer", ReadValueLayer);
   mission.work_fields = ReadAll(view, calendar, "WorkField", ReadWorkField);
+  mission.cost_fields = ReadAll(view, calendar, "CostField", ReadCostField);
   DropUnplanned(calendar, &mission.value_layers);
   DropUnplanned(calendar, &mission.work_fields);
+  DropUnplanned(calendar, &mission.cost_fields);
   for (const FactEntity& file : All(view, "SourceFile")) {
     mission.files[file.iri()] = ReadSourceFile(file);
   }

@@ -187,6 +187,25 @@ TEST(MissionReaderTest, PoliciesSayHowEquationOneIsDone) {
             LayerScale::kNone);
 }
 
+TEST(MissionReaderTest, AgentsSayHowTheyMoveAndWhatEnergyIsLeft) {
+  const Agent plain = ReadWith().agents.at(0);
+  EXPECT_EQ(plain.mobility, Mobility::kGlider);
+  EXPECT_FALSE(plain.start_energy_j);
+  const Agent said = ReadWith(
+                         "ex:alpha ex:mobility \"hover\" . "
+                         "ex:alpha_start ex:energyRemaining 20 .")
+                         .agents.at(0);
+  EXPECT_EQ(said.mobility, Mobility::kHover);
+  EXPECT_DOUBLE_EQ(said.start_energy_j.value(), 20 * 3600.0);
+}
+
+TEST(MissionReaderTest, PoliciesPriceFieldsThatCost) {
+  EXPECT_TRUE(ReadWith().agents.at(0).policy.lambda_fields.empty());
+  const Policy said =
+      ReadWith("ex:safe ex:lambda_waveHeight 7.2 .").agents.at(0).policy;
+  EXPECT_DOUBLE_EQ(said.lambda_fields.at("wave_height"), 0.002);
+}
+
 TEST(MissionReaderTest, PoliciesSayWhichPathsAreOffered) {
   const Policy plain = ReadWith().agents.at(0).policy;
   EXPECT_FALSE(plain.hazard_budget_s);
@@ -278,6 +297,8 @@ const Refused kRefused[] = {
      "ex:safe ex:pathChoice: expected one of best, diverse"},
     {"ex:alpha_base 1 ;", "ex:alpha_base 1 ; ex:minimumDifference 1.5 ;",
      "ex:safe ex:minimumDifference: expected an integer"},
+    {"ex:id \"alpha\"", "ex:id \"alpha\" ; ex:mobility \"balloon\"",
+     "ex:alpha ex:mobility: expected one of glider, fixed_wing, hover, not"},
     {"ex:gridRef \"land\"", "ex:gridRef \"x.nc\"", "\"file#variable@step\""},
     {"ex:gridRef \"land\"", "ex:gridRef \"x.nc#m@-1\"", "a time step behind @"},
     {"geo:asWKT \"POLYGON((-90", "ex:gridRef \"x.nc#m\" ; rdfs:label \"((-90",

@@ -6,6 +6,8 @@
 #include "kg_core/base/units.h"
 #include "kg_core/facts/terms.h"
 #include "kg_core/mission/choice.h"
+#include "kg_core/facts/terms.h"
+#include "kg_core/mission/field_quantities.h"
 
 namespace kg_core {
 namespace {
@@ -116,6 +118,10 @@ Policy ReadPolicy(const GraphView& view, const FactEntity& entity) {
   policy.lambda_risk = entity.Number(Ex("lambda_risk"), policy.lambda_risk);
   policy.lambda_uncertainty =
       entity.Number(Ex("lambda_unc"), policy.lambda_uncertainty);
+  for (const FieldQuantity& quantity : CostQuantities()) {
+    const auto lambda = entity.MaybeNumber(Ex(quantity.weight_property));
+    if (lambda) policy.lambda_fields[quantity.name] = *lambda / kSecondsPerHour;
+  }
   policy.value_kind = entity.Text(Ex("valueKind"), policy.value_kind);
   if (const auto km = entity.MaybeNumber(Ex("hazardRangeKm"))) {
     policy.hazard_range_m = KmToMetres(*km);

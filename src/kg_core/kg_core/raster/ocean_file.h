@@ -40,6 +40,8 @@ enum class Quantity {
   // degree Celsius; sea_surface_temperature, ..., surface_temperature,
   // air_temperature; water_temp
   kTemperature,
+  // m; sea_surface_wave_significant_height; swh, hs
+  kWaveHeight,
   kAny,  // A variable asked for by its own name, in its own unit.
 };
 const char* Name(Quantity quantity);  // "eastward velocity", ...

@@ -76,6 +76,13 @@ const std::vector<UnitScale>& TemperatureUnits() {
   return kUnits;
 }
 
+const std::vector<UnitScale>& LengthUnits() {
+  static const std::vector<UnitScale> kUnits = {
+      {"m", 1, 0},      {"meter", 1, 0}, {"meters", 1, 0},   {"metre", 1, 0},
+      {"metres", 1, 0}, {"cm", 0.01, 0}, {"feet", 0.3048, 0}};
+  return kUnits;
+}
+
 const Vocabulary& VocabularyOf(Quantity quantity) {
   static const Vocabulary kEast = {
       "eastward velocity",
@@ -104,6 +111,14 @@ const Vocabulary& VocabularyOf(Quantity quantity) {
       TemperatureUnits(),
       -5.0,
       60.0};
+  static const Vocabulary kWaveHeight = {
+      "wave height",
+      {"sea_surface_wave_significant_height",
+       "significant_height_of_wind_and_swell_waves"},
+      {"wave_height", "swh", "hs", "vhm0"},
+      LengthUnits(),
+      0.0,
+      40.0};
   static const Vocabulary kAny = {"values",
                                   {},
                                   {},
@@ -117,6 +132,8 @@ const Vocabulary& VocabularyOf(Quantity quantity) {
       return kNorth;
     case Quantity::kTemperature:
       return kTemperature;
+    case Quantity::kWaveHeight:
+      return kWaveHeight;
     case Quantity::kAny:
       return kAny;
   }

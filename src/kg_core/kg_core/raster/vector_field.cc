@@ -123,6 +123,7 @@ std::optional<Velocity> VectorField::Sample(GridPoint point,
 VectorField VectorField::Between(double begin_s, double end_s) const {
   VectorField part;
   part.grid = grid;
+  part.scalars = scalars;
   for (std::size_t i = 0; i < slices.size(); ++i) {
     const bool early = i + 1 < slices.size() && slices[i + 1].time_s < begin_s;
     const bool late = i > 0 && slices[i - 1].time_s > end_s;
@@ -161,6 +162,14 @@ std::string VectorField::Hash() const {
     hasher.Add(slice.time_s);
     hasher.Add(slice.east_mps);
     hasher.Add(slice.north_mps);
+  }
+  // Nothing where there are none: such a field's hash is what it was.
+  for (const ScalarField& scalar : scalars) {
+    hasher.Add(scalar.quantity);
+    for (const ScalarSlice& slice : scalar.slices) {
+      hasher.Add(slice.time_s);
+      hasher.Add(slice.values);
+    }
   }
   return hasher.Hex();
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "kg_core/raster/grid.h"
+#include "kg_core/raster/scalar_field.h"
 #include "kg_core/raster/shared_raster.h"
 
 namespace kg_core {
@@ -33,6 +34,8 @@ struct FieldSlice {
 struct VectorField {
   Grid grid;
   std::vector<FieldSlice> slices;  // Ascending in time, at least one.
+  // What is met beside the velocity, on the same grid; mostly none.
+  std::vector<ScalarField> scalars = {};
 
   // `point` in cell units of `grid`.
   std::optional<Velocity> Sample(GridPoint point, double time_s) const;

@@ -44,10 +44,11 @@ kg_compiler::SeamRules RandomRules(std::mt19937* random) {
   rules.agent_iri = "http://example.org/mission/alpha";
   rules.agent_id = "alpha";
   rules.world_version = 7;
-  rules.motion = {number(*random), 6.0, number(*random), number(*random),
-                  number(*random)};
+  rules.motion = {number(*random), 6.0,
+                  number(*random), number(*random),
+                  number(*random), number(*random)};
   rules.weights = {number(*random), number(*random), number(*random),
-                   number(*random), number(*random)};
+                   number(*random), number(*random), {number(*random)}};
   rules.hazard_range_m = number(*random);
   rules.movement_mode = static_cast<kg_compiler::MovementMode>((*random)() % 2);
   rules.energy_budget_j = number(*random);
@@ -111,11 +112,20 @@ TEST(ConversionTest, WorkFieldsComeBackAsTheyWere) {
   field.field.slices = {
       {1.8e9, kg_core::Raster(6, 0.5F), kg_core::Raster(6, -0.25F)},
       {1.8e9 + 3600.0, kg_core::Raster(6, 1.0F), kg_core::Raster(6, 0.0F)}};
+  field.field.scalars = {{"wave_height",
+                          {{1.8e9, kg_core::Raster(6, 2.0F)},
+                           {1.8e9 + 1800.0, kg_core::Raster(6, 3.0F)}}}};
   const kg_compiler::WorkField back = FromMessage(ToMessage(field, 4));
   EXPECT_EQ(back.hash, "h");
   ASSERT_EQ(back.field.slices.size(), 2u);
   EXPECT_EQ(back.field.slices[1].time_s, 1.8e9 + 3600.0);
   EXPECT_EQ(back.field.slices[0].north_mps, field.field.slices[0].north_mps);
+  ASSERT_EQ(back.field.scalars.size(), 1u);
+  EXPECT_EQ(back.field.scalars[0].quantity, "wave_height");
+  EXPECT_EQ(back.field.Hash(), field.field.Hash());
+  kg_msgs::WorkField message = ToMessage(field, 4);
+  message.scalars[1].stamp = message.scalars[0].stamp;
+  EXPECT_THROW(FromMessage(message), InputError);
 }
 
 TEST(ConversionTest, SeamRulesComeBackAsTheyWere) {
@@ -129,6 +139,8 @@ TEST(ConversionTest, SeamRulesComeBackAsTheyWere) {
     EXPECT_EQ(back.motion.hotel_load_w, rules.motion.hotel_load_w);
     EXPECT_EQ(back.weights.risk_per_s, rules.weights.risk_per_s);
     EXPECT_EQ(back.weights.isolation, rules.weights.isolation);
+    EXPECT_EQ(back.weights.field_per_s, rules.weights.field_per_s);
+    EXPECT_EQ(back.motion.rest_mps, rules.motion.rest_mps);
     EXPECT_EQ(back.hazard_range_m, rules.hazard_range_m);
     EXPECT_EQ(back.movement_mode, rules.movement_mode);
     EXPECT_EQ(back.energy_budget_j, rules.energy_budget_j);
@@ -506,6 +518,7 @@ kg_compiler::NavGraph SmallGraph() {
   edge.flight.speed_mps = 0.6875;
   edge.seam_cost = 0.375;
   edge.isolation_s = 0.0625;
+  edge.exposures = {0.5};
   graph.edges = {edge};
   edge.via = {1, 0};
   graph.edges.push_back(edge);
@@ -557,6 +570,7 @@ TEST(ConversionTest, AWaypointGraphComesBackAsItWas) {
   EXPECT_EQ(a.flight.through_water_m, b.flight.through_water_m);
   EXPECT_EQ(a.flight.speed_mps, b.flight.speed_mps);
   EXPECT_EQ(a.isolation_s, b.isolation_s);
+  EXPECT_EQ(a.exposures, b.exposures);
   EXPECT_EQ(a.via, b.via);
   EXPECT_EQ(2u, b.flight.track.size());
   EXPECT_EQ(kg_compiler::MovementMode::kEdges, back.movement_mode);

@@ -56,6 +56,7 @@ TraverseEdge FromMessage(const kg_msgs::TraverseEdge& message) {
   edge.flight.speed_mps = message.cost.speed_mps;
   edge.seam_cost = message.cost.seam_cost;
   edge.isolation_s = message.cost.isolation_s;
+  edge.exposures = message.cost.exposures;
   return edge;
 }
 
@@ -229,6 +230,7 @@ kg_msgs::EdgeCost ToMessage(const EdgeCost& cost) {
   message.through_water_m = cost.through_water_m;
   message.speed_mps = cost.speed_mps;
   message.isolation_s = cost.isolation_s;
+  message.exposures = cost.exposures;
   message.seam_cost = cost.seam_cost;
   return message;
 }
@@ -241,6 +243,7 @@ EdgeCost FromMessage(const kg_msgs::EdgeCost& message) {
   cost.through_water_m = message.through_water_m;
   cost.speed_mps = message.speed_mps;
   cost.isolation_s = message.isolation_s;
+  cost.exposures = message.exposures;
   cost.seam_cost = message.seam_cost;
   return cost;
 }

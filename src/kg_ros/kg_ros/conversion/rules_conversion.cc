@@ -186,12 +186,14 @@ kg_msgs::SeamRules ToMessage(const kg_compiler::SeamRules& rules,
   message.boost_gain = rules.motion.boost_gain;
   message.energy_per_m_j = rules.motion.energy_per_m_j;
   message.hotel_load_w = rules.motion.hotel_load_w;
+  message.rest_mps = rules.motion.rest_mps;
   message.energy_budget_j = rules.energy_budget_j;
   message.lambda_time_per_s = rules.weights.time_per_s;
   message.lambda_energy_per_j = rules.weights.energy_per_j;
   message.lambda_risk_per_s = rules.weights.risk_per_s;
   message.lambda_uncertainty = rules.weights.uncertainty;
   message.isolation_weight = rules.weights.isolation;
+  message.lambda_fields = rules.weights.field_per_s;
   message.hazard_range_m = rules.hazard_range_m;
   message.movement_mode = kg_compiler::Name(rules.movement_mode);
   message.sensor_radius_m = rules.sensor_radius_m;
@@ -215,17 +217,22 @@ kg_compiler::SeamRules FromMessage(const kg_msgs::SeamRules& message) {
   RequireAtLeast(message.sensor_radius_m, 0.0, "SeamRules.sensor_radius_m");
   RequireAtLeast(message.isolation_weight, 0.0, "SeamRules.isolation_weight");
   RequireAtLeast(message.hazard_range_m, 0.0, "SeamRules.hazard_range_m");
+  RequireAtLeast(message.rest_mps, 0.0, "SeamRules.rest_mps");
+  for (const double lambda : message.lambda_fields) {
+    RequireAtLeast(lambda, 0.0, "SeamRules.lambda_fields");
+  }
   RequireAtLeast(message.max_waypoints, 1, "SeamRules.max_waypoints");
   RequireAtLeast(message.candidates, 1, "SeamRules.candidates");
   kg_compiler::SeamRules rules;
   rules.agent_iri = message.agent_iri;
   rules.agent_id = message.agent;
   rules.world_version = message.world_version;
-  rules.motion = {message.cruise_mps, message.max_mps, message.boost_gain,
-                  message.energy_per_m_j, message.hotel_load_w};
+  rules.motion = {message.cruise_mps,   message.max_mps,
+                  message.boost_gain,   message.energy_per_m_j,
+                  message.hotel_load_w, message.rest_mps};
   rules.weights = {message.lambda_time_per_s, message.lambda_energy_per_j,
                    message.lambda_risk_per_s, message.lambda_uncertainty,
-                   message.isolation_weight};
+                   message.isolation_weight,  message.lambda_fields};
   rules.energy_budget_j = message.energy_budget_j;
   rules.sensor_radius_m = message.sensor_radius_m;
   rules.spacing_m = message.spacing_m;

@@ -105,6 +105,44 @@ kg_compiler::MissionTensor FromMessage(const kg_msgs::MissionTensor& message) {
   return tensor;
 }
 
+namespace {
+
+std::vector<kg_msgs::ScalarSlice> ToMessage(
+    const std::vector<kg_core::ScalarField>& fields) {
+  std::vector<kg_msgs::ScalarSlice> message;
+  for (const kg_core::ScalarField& field : fields) {
+    for (const kg_core::ScalarSlice& slice : field.slices) {
+      message.emplace_back();
+      message.back().quantity = field.quantity;
+      message.back().stamp = ToRosTime(slice.time_s);
+      message.back().values = slice.values;
+    }
+  }
+  return message;
+}
+
+// Slices of one quantity follow one another.
+std::vector<kg_core::ScalarField> FromMessage(
+    const std::vector<kg_msgs::ScalarSlice>& message,
+    const kg_core::Grid& grid) {
+  std::vector<kg_core::ScalarField> fields;
+  for (const kg_msgs::ScalarSlice& slice : message) {
+    CheckSize(grid, slice.values.size(), "ScalarSlice.values");
+    if (fields.empty() || fields.back().quantity != slice.quantity) {
+      fields.push_back({slice.quantity, {}});
+    }
+    std::vector<kg_core::ScalarSlice>& slices = fields.back().slices;
+    const double time_s = FromRosTime(slice.stamp);
+    if (!slices.empty() && !(time_s > slices.back().time_s)) {
+      throw InputError("WorkField.scalars must ascend in time");
+    }
+    slices.push_back({time_s, slice.values});
+  }
+  return fields;
+}
+
+}  // namespace
+
 kg_msgs::WorkField ToMessage(const kg_compiler::WorkField& field,
                              const std::uint64_t world_version) {
   kg_msgs::WorkField message;
@@ -119,6 +157,7 @@ kg_msgs::WorkField ToMessage(const kg_compiler::WorkField& field,
     message.slices.back().east_mps = slice.east_mps;
     message.slices.back().north_mps = slice.north_mps;
   }
+  message.scalars = ToMessage(field.field.scalars);
   return message;
 }
 
@@ -139,6 +178,7 @@ kg_compiler::WorkField FromMessage(const kg_msgs::WorkField& message) {
     }
     field.field.slices.push_back({time_s, slice.east_mps, slice.north_mps});
   }
+  field.field.scalars = FromMessage(message.scalars, field.field.grid);
   return field;
 }
 

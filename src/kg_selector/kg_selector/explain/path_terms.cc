@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "kg_compiler/control_plane/seam_cost.h"
 #include "kg_compiler/explain/explain_seam.h"
 #include "kg_compiler/explain/explain_tensor.h"
+#include "kg_core/mission/field_quantities.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_planner/k_best/k_best.h"
 #include "kg_selector/paths/churn.h"
@@ -37,22 +39,26 @@ std::string EventNames(const Visit& visit) {
   return names;
 }
 
+// A term of a field that costs is told apart by `where`.
+TermKind KindOf(const kg_compiler::SeamTerm& term) {
+  for (const TermKind kind : {TermKind::kTime, TermKind::kEnergy,
+                              TermKind::kRisk, TermKind::kUncertainty}) {
+    if (term.name == Name(kind)) return kind;
+  }
+  return TermKind::kField;
+}
+
 void AddSeam(const TeamMember& member, std::size_t stage,
              const kg_compiler::TraverseEdge& edge,
              std::vector<PathTerm>* terms) {
   const SeamWeights& weights = member.rules.weights;
-  const kg_compiler::FlownPath& flight = edge.flight;
   const int window = member.graphs[stage].window;
-  const double doubt = 1.0 - member.rules.windows[stage].confidence;
-  terms->push_back(
-      {window, TermKind::kTime, -weights.time_per_s * flight.travel_s, ""});
-  terms->push_back(
-      {window, TermKind::kEnergy, -weights.energy_per_j * flight.energy_j, ""});
-  const double hazard_s = flight.hazard_s + edge.isolation_s;
-  terms->push_back(
-      {window, TermKind::kRisk, -weights.risk_per_s * hazard_s, ""});
-  terms->push_back(
-      {window, TermKind::kUncertainty, -weights.uncertainty * doubt, ""});
+  const double confidence = member.rules.windows[stage].confidence;
+  for (const kg_compiler::SeamTerm& term : kg_compiler::SeamTerms()) {
+    if (term.is_optional && term.weight(weights) == 0.0) continue;
+    terms->push_back({window, KindOf(term),
+                      -term.Cost(weights, edge, confidence), term.field});
+  }
 }
 
 const std::vector<const char*>& PolicyProperties(TermKind kind) {
@@ -64,6 +70,7 @@ const std::vector<const char*>& PolicyProperties(TermKind kind) {
       {"ex:lambda_risk", "ex:isolationWeight"},
       {"ex:lambda_unc"},
       {"ex:churnWeight"},
+      {},
       {}};
   return properties[static_cast<int>(kind)];
 }
@@ -74,6 +81,19 @@ Facts EventFacts(const PlannedWorld& world, const PathTerm& term) {
     if (std::count(term.events.begin(), term.events.end(), event.iri) > 0) {
       facts = std::move(facts) + world.facts().Event(event.iri);
     }
+  }
+  return facts;
+}
+
+// Its price, and the layers of the window that it is the price of.
+Facts FieldFacts(const PlannedWorld& world, const kg_core::Agent& agent,
+                 const PathTerm& term) {
+  const auto& quantity = kg_core::FindFieldQuantity(term.where);
+  const std::string property = "ex:" + quantity.weight_property;
+  Facts facts = world.facts().Policy(agent, {property.c_str()});
+  for (const auto& field : world.compilation->mission.cost_fields) {
+    if (field.quantity != term.where || field.window != term.window) continue;
+    facts = std::move(facts) + world.facts().Layer(field.iri);
   }
   return facts;
 }
@@ -103,9 +123,9 @@ bool SameStops(const Pathlet& a, const Pathlet& b) {
 }  // namespace
 
 const char* Name(TermKind kind) {
-  static const char* const names[] = {"value",  "events",    "time",
-                                      "energy", "risk",      "uncertainty",
-                                      "churn",  "separation"};
+  static const char* const names[] = {"value",  "events",     "time",
+                                      "energy", "risk",       "uncertainty",
+                                      "churn",  "separation", "field"};
   return names[static_cast<int>(kind)];
 }
 
@@ -165,6 +185,8 @@ Facts TermFacts(const PlannedWorld& world, const kg_core::Agent& agent,
     case TermKind::kEnergy:
       return policy + MotionFacts(world, agent, term.window) +
              facts.Capabilities(agent, {"ex:energyPerKm", "ex:hotelLoadW"});
+    case TermKind::kField:
+      return FieldFacts(world, agent, term) + window;
     case TermKind::kRisk:
     case TermKind::kUncertainty:
     case TermKind::kChurn:
@@ -215,7 +237,9 @@ Explanation Difference(const PlannedWorld& world, const TeamMember& member,
   for (const PathTerm& a : ours) {
     const auto b =
         std::find_if(theirs.begin(), theirs.end(), [&](const PathTerm& term) {
-          return term.window == a.window && term.kind == a.kind;
+          // A window may have several terms of fields, told apart by `where`.
+          return term.window == a.window && term.kind == a.kind &&
+                 (a.kind != TermKind::kField || term.where == a.where);
         });
     add(a, b == theirs.end() ? nullptr : &*b);
     if (b != theirs.end()) theirs.erase(b);

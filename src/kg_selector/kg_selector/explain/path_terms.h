@@ -26,7 +26,8 @@ enum class TermKind {
   kRisk,
   kUncertainty,
   kChurn,  // For leaving the plan in force.
-  kSeparation
+  kSeparation,
+  kField  // For what is met under way: wave height, ...
 };
 const char* Name(TermKind kind);  // "value", "events", ...
 
@@ -34,7 +35,8 @@ struct PathTerm {
   int window = -1;
   TermKind kind = TermKind::kValue;
   double value = 0.0;  // Costs are negative.
-  std::string where;   // For a person: the waypoints, or the events' names.
+  // For a person: the waypoints, the events' names, or the field quantity.
+  std::string where;
   std::vector<std::string> events = {};  // kEvents: the IRIs of those earned.
 };
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "kg_compiler/control_plane/nav_graph.h"
 #include "kg_compiler/control_plane/window_traversal.h"
 #include "kg_core/geo/geodesy.h"
 #include "kg_planner/tours/micro_paths.h"
@@ -55,8 +56,9 @@ struct WalkLeg {
   const FlownPath* flight = nullptr;
   double cruise_mps = 0.0;
   double length_m = 0.0;
-  double hazard = 0.0;       // Mean, under way.
-  double isolation_s = 0.0;  // A second under way.
+  double hazard = 0.0;                 // Mean, under way.
+  double isolation_s = 0.0;            // A second under way.
+  std::vector<double> exposures = {};  // Likewise, of the fields that cost.
 
   double Speed_mps(TravelPace pace) const {
     return pace == TravelPace::kPriced ? flight->speed_mps : cruise_mps;
@@ -134,6 +136,10 @@ class WindowWalks {
       way.hazard = std::clamp(under_way_s / flight.travel_s, 0.0, 1.0);
     }
     way.isolation_s = traversal_.Isolation(places_[edge.to], places_);
+    for (const double exposure : edge.exposures) {
+      way.exposures.push_back(flight.travel_s > 0.0 ? exposure / flight.travel_s
+                                                    : 0.0);
+    }
     return way;
   }
 
@@ -149,11 +155,16 @@ class WindowWalks {
     const double travel_s = way.Travel_s(pace);
     const double energy_j =
         in_.rules->motion.energy_per_m_j * way.Speed_mps(pace) * travel_s;
-    const double risk_s = (way.hazard + way.isolation_s) * travel_s;
-    return {ends.first, ends.second,
-            weights_.time_per_s * travel_s + weights_.energy_per_j * energy_j +
-                weights_.risk_per_s * risk_s,
-            energy_j, travel_s};
+    // The window's uncertainty is not a leg's: confidence 1.
+    TraverseEdge leg;
+    leg.flight.travel_s = travel_s;
+    leg.flight.energy_j = energy_j;
+    leg.flight.hazard_s = (way.hazard + way.isolation_s) * travel_s;
+    for (const double exposure : way.exposures) {
+      leg.exposures.push_back(exposure * travel_s);
+    }
+    return {ends.first, ends.second, SeamCost(weights_, leg, 1.0), energy_j,
+            travel_s};
   }
 
   std::vector<kg_planner::Node> Nodes(bool with_events) const {

@@ -8,6 +8,7 @@
 
 #include "gtest/gtest.h"
 #include "kg_compiler/compile/same_compilation.h"
+#include "kg_compiler/control_plane/nav_graph.h"
 #include "kg_compiler/traversal/testing/test_flow_world.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/team/plan_mission.h"

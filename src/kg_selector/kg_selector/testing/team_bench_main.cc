@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "kg_compiler/bench_report.h"
+#include "kg_compiler/control_plane/nav_graph.h"
 #include "kg_selector/team/auction_search.h"
 #include "kg_selector/team/exact_search.h"
 #include "kg_selector/team/priced_search.h"

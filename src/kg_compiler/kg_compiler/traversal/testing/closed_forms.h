@@ -2,8 +2,8 @@
 // (540 x 384 steps of 0.001 degree around 0 N 0 E, where WGS84 is one to 1e-5).
 // V = 1 m/s; places in metres from the middle, x east, y north.
 
-#ifndef KG_COMPILER_TRAVERSAL_CLOSED_FORMS_H_
-#define KG_COMPILER_TRAVERSAL_CLOSED_FORMS_H_
+#ifndef KG_COMPILER_TRAVERSAL_TESTING_CLOSED_FORMS_H_
+#define KG_COMPILER_TRAVERSAL_TESTING_CLOSED_FORMS_H_
 
 #include <cmath>
 #include <functional>
@@ -182,4 +182,4 @@ inline std::vector<ClosedForm> ClosedForms() {
 
 }  // namespace kg_compiler
 
-#endif  // KG_COMPILER_TRAVERSAL_CLOSED_FORMS_H_
+#endif  // KG_COMPILER_TRAVERSAL_TESTING_CLOSED_FORMS_H_

@@ -3,8 +3,8 @@
 // extremals is measured against. It claims what cannot be flown and misses what
 // can where the current is stronger than the agent.
 
-#ifndef KG_COMPILER_TRAVERSAL_GRID_SEARCH_H_
-#define KG_COMPILER_TRAVERSAL_GRID_SEARCH_H_
+#ifndef KG_COMPILER_TRAVERSAL_TESTING_GRID_SEARCH_H_
+#define KG_COMPILER_TRAVERSAL_TESTING_GRID_SEARCH_H_
 
 #include <algorithm>
 #include <cmath>
@@ -375,4 +375,4 @@ inline GridReach GridSearch(const VoyageRequest& voyage, int neighbours) {
 
 }  // namespace kg_compiler
 
-#endif  // KG_COMPILER_TRAVERSAL_GRID_SEARCH_H_
+#endif  // KG_COMPILER_TRAVERSAL_TESTING_GRID_SEARCH_H_

@@ -1,8 +1,8 @@
 // For tests and benchmarks: how good flights are, against closed forms and on
 // real files.
 
-#ifndef KG_COMPILER_TRAVERSAL_SEAM_QUALITY_H_
-#define KG_COMPILER_TRAVERSAL_SEAM_QUALITY_H_
+#ifndef KG_COMPILER_TRAVERSAL_TESTING_SEAM_QUALITY_H_
+#define KG_COMPILER_TRAVERSAL_TESTING_SEAM_QUALITY_H_
 
 #include <algorithm>
 #include <cmath>
@@ -140,4 +140,4 @@ inline SeamTruth TruthOn(const TestFlowWorld& sea, double cruise_mps,
 
 }  // namespace kg_compiler
 
-#endif  // KG_COMPILER_TRAVERSAL_SEAM_QUALITY_H_
+#endif  // KG_COMPILER_TRAVERSAL_TESTING_SEAM_QUALITY_H_

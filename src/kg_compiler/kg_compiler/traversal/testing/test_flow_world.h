@@ -2,8 +2,8 @@
 // real files where they are, and an integrator that shares no code with the
 // library, to fly again what it claims.
 
-#ifndef KG_COMPILER_TRAVERSAL_TEST_SEA_H_
-#define KG_COMPILER_TRAVERSAL_TEST_SEA_H_
+#ifndef KG_COMPILER_TRAVERSAL_TESTING_TEST_FLOW_WORLD_H_
+#define KG_COMPILER_TRAVERSAL_TESTING_TEST_FLOW_WORLD_H_
 
 #include <algorithm>
 #include <cmath>
@@ -174,4 +174,4 @@ inline constexpr const char* kRealFiles[] = {
 
 }  // namespace kg_compiler
 
-#endif  // KG_COMPILER_TRAVERSAL_TEST_SEA_H_
+#endif  // KG_COMPILER_TRAVERSAL_TESTING_TEST_FLOW_WORLD_H_

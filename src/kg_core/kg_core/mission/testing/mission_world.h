@@ -62,6 +62,9 @@ ex:grid a ex:GridSpec ; ex:rows 25 ; ex:cols 50 ; ex:pixelSizeKm 4.45 ;
 ex:field a ex:CurrentField ; ex:forWindow ex:w0 ; ex:gridRefU "x.nc#u@0..1" ;
     ex:gridRefV "x.nc#v@0..1" ; ex:firstTimeIndex 0 ; ex:lastTimeIndex 1 ;
     ex:onGrid ex:grid ; prov:wasDerivedFrom ex:file1 .
+ex:waves a ex:CostField ; ex:forWindow ex:w0 ; ex:gridRef "x.nc#swh@0..1" ;
+    ex:firstTimeIndex 0 ; ex:lastTimeIndex 1 ; ex:onGrid ex:grid ;
+    sosa:observedProperty ex:waveHeight ; prov:wasDerivedFrom ex:file1 .
 ex:layer1 a ex:BaseLayer ; ex:forWindow ex:w0 ; ex:kind "delta_sst" ;
     ex:timeIndex 1 ; ex:previousTimeIndex 0 ; prov:wasDerivedFrom ex:file1 .
 ex:heat a ex:HeatmapArtifact ; ex:forAgent ex:alpha ; ex:forWindow ex:w0 ;

@@ -1,0 +1,27 @@
+// What a flight meets of the fields that cost (wave height, ...):
+//
+//   X = int_departure^arrival field(x(t), t) dt        [unit s]
+//
+// x(t) is linear between the points of the track, which are so near that the
+// flown path is told by them; the midpoint rule, in steps of at most
+// kStep_cells and kStep_s. Exact for a field that is linear along a leg. What
+// is not known counts 0 (scalar_field.h).
+
+#ifndef KG_COMPILER_CONTROL_PLANE_FIELD_EXPOSURE_H_
+#define KG_COMPILER_CONTROL_PLANE_FIELD_EXPOSURE_H_
+
+#include <vector>
+
+#include "kg_compiler/traversal/voyage.h"
+#include "kg_core/raster/vector_field.h"
+
+namespace kg_compiler {
+
+// One for each of kg_core's CostQuantities(), in their order; 0 for those that
+// `field` does not have. Empty if it has none.
+std::vector<double> FieldExposures(const kg_core::VectorField& field,
+                                   const FlownPath& flight);
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_CONTROL_PLANE_FIELD_EXPOSURE_H_

@@ -1,0 +1,52 @@
+// Flying a given track, and holding station at its end (traversal.h has the
+// equations). Every figure of a FlownPath comes from this integration.
+
+#ifndef KG_COMPILER_TRAVERSAL_FLIGHT_H_
+#define KG_COMPILER_TRAVERSAL_FLIGHT_H_
+
+#include <optional>
+#include <vector>
+
+#include "kg_compiler/data_plane/cell_box.h"
+#include "kg_compiler/traversal/voyage.h"
+#include "kg_core/geo/lon_lat.h"
+
+namespace kg_compiler {
+
+// Earliest time from which station can be held at a place until the deadline:
+// |boost_gain * current| <= max_mps all along. Infinite if not even then, or
+// where the current is unknown.
+double HoldableFrom_s(const VoyageRequest& voyage, kg_core::LonLat place);
+
+// Flies along `via` (first = departure, legs straight in longitude and
+// latitude), holding V = cruise_mps through water on every leg. Nothing if a
+// leg cannot be held in the current, leaves the open cells (every cell the leg
+// touches counts, both beside a corner it passes), the deadline passes, or
+// station cannot be held then. A leg is held where 99.8 % of V make up for the
+// cross current and at least 0.2 % of V are left over ground, looked at every
+// 0.05 cells.
+std::optional<FlownPath> FlyTrack(const VoyageRequest& voyage,
+                                  const std::vector<kg_core::LonLat>& via);
+
+// A stretch of a way at one speed through water. Its first place is where the
+// one before ended, or the departure.
+struct TrackStretch {
+  std::vector<kg_core::LonLat> via;
+  double speed_mps = 0.0;
+};
+
+// Stretches one after the other, each flown as FlyTrack does from when the one
+// before has arrived. Station is held at the end of the last only; base travel
+// is what all of them take together. speed_mps of the flight is the mean until
+// the arrival.
+std::optional<FlownPath> FlyStretches(
+    const VoyageRequest& voyage, const std::vector<TrackStretch>& stretches);
+
+// FlyTrack, where what lies outside of `box` counts as closed; null = no box.
+std::optional<FlownPath> FlyTrackWithin(const VoyageRequest& voyage,
+                                        const std::vector<kg_core::LonLat>& via,
+                                        const CellBox* box);
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_TRAVERSAL_FLIGHT_H_

@@ -1,0 +1,69 @@
+// What a traversal is asked (a world, an agent's motion, a departure, prices)
+// and what it answers (a flight). Values only; traversal.h has the equations.
+// Times are Unix seconds unless said otherwise, lengths metres, energy joules.
+
+#ifndef KG_COMPILER_TRAVERSAL_VOYAGE_H_
+#define KG_COMPILER_TRAVERSAL_VOYAGE_H_
+
+#include <limits>
+#include <vector>
+
+#include "kg_compiler/traversal/hazard_map.h"
+#include "kg_compiler/traversal/motion.h"
+#include "kg_core/geo/lon_lat.h"
+#include "kg_core/raster/grid.h"
+#include "kg_core/raster/vector_field.h"
+
+namespace kg_compiler {
+
+struct TimedPoint {
+  kg_core::LonLat position;
+  double time_s = 0.0;  // Unix seconds.
+};
+
+// A flown path: from the departure through its turning points to the arrival,
+// then at rest there until the deadline.
+struct FlownPath {
+  std::vector<TimedPoint> track;  // Ends with arrival and, if later, deadline.
+  double travel_s = 0.0;          // Departure to arrival.
+  double energy_j = 0.0;          // Propulsion, hotel load and holding station.
+  double hazard_s = 0.0;  // Hazard in [0, 1] integrated until the deadline.
+  double through_water_m = 0.0;
+  double speed_mps = 0.0;  // Through water until the arrival.
+};
+
+// The world as one window's traversal sees it. All on one grid.
+struct TraversalWorld {
+  const kg_core::VectorField* field = nullptr;
+  const kg_core::Mask* open = nullptr;  // 1 = may be entered.
+  const HazardMap* hazard = nullptr;    // Null = no hazard.
+};
+
+struct VoyageDeparture {
+  kg_core::LonLat from;
+  double time_s = 0.0;  // Unix seconds, as the deadline.
+  double deadline_s = 0.0;
+  // Most that may be travelled through water to get there (A17); holding
+  // station does not count.
+  double base_travel_m = std::numeric_limits<double>::infinity();
+};
+
+// What a flight is chosen by: the price of a second under way, of a joule, and
+// of a second at hazard 1. All 0 or only per_s set: the fastest.
+struct FlightPrice {
+  double per_s = 0.0;
+  double per_j = 0.0;
+  double per_hazard_s = 0.0;
+};
+
+// Who sets out from where, into what world.
+struct VoyageRequest {
+  TraversalWorld world;
+  MotionModel motion;
+  VoyageDeparture departure;
+  FlightPrice price;
+};
+
+}  // namespace kg_compiler
+
+#endif  // KG_COMPILER_TRAVERSAL_VOYAGE_H_

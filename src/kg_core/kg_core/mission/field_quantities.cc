@@ -1,0 +1,79 @@
+#include "kg_core/mission/field_quantities.h"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+#include "kg_core/base/input_error.h"
+
+namespace kg_core {
+
+const std::vector<FieldQuantity>& FieldQuantities() {
+  static const std::vector<FieldQuantity> kQuantities = {
+      {"current",
+       FieldRole::kMotion,
+       {Quantity::kEastwardVelocity, Quantity::kNorthwardVelocity},
+       "",
+       "CurrentField",
+       "seaWaterVelocity",
+       "",
+       "m/s"},
+      {"wind",
+       FieldRole::kMotion,
+       {Quantity::kEastwardVelocity, Quantity::kNorthwardVelocity},
+       "eastward_wind",
+       "WorkField",
+       "windVelocity",
+       "",
+       "m/s"},
+      {"temperature",
+       FieldRole::kValue,
+       {Quantity::kTemperature},
+       "",
+       "ValueLayer",
+       "",
+       "",
+       "degree Celsius"},
+      {"wave_height",
+       FieldRole::kCost,
+       {Quantity::kWaveHeight},
+       "",
+       "CostField",
+       "waveHeight",
+       "lambda_waveHeight",
+       "m"}};
+  return kQuantities;
+}
+
+const std::vector<FieldQuantity>& CostQuantities() {
+  static const std::vector<FieldQuantity> kCosts = [] {
+    std::vector<FieldQuantity> costs;
+    std::copy_if(FieldQuantities().begin(), FieldQuantities().end(),
+                 std::back_inserter(costs), [](const FieldQuantity& row) {
+                   return row.role == FieldRole::kCost;
+                 });
+    return costs;
+  }();
+  return kCosts;
+}
+
+const FieldQuantity& FindFieldQuantity(const std::string& name) {
+  for (const FieldQuantity& row : FieldQuantities()) {
+    if (row.name == name) return row;
+  }
+  throw std::logic_error("no field quantity \"" + name + "\"");
+}
+
+void CheckMedium(const FieldQuantity& quantity, const QuantitySeries& first) {
+  for (const FieldQuantity& row : FieldQuantities()) {
+    if (row.role != quantity.role || row.standard_name.empty()) continue;
+    const bool is_it = first.standard_name == row.standard_name;
+    if (is_it == (row.name == quantity.name)) continue;
+    throw InputError("variable " + first.variable + " has standard_name \"" +
+                     first.standard_name + "\": expected " + row.standard_name +
+                     " where ex:provides is \"" + row.name +
+                     "\", and only there");
+  }
+}
+
+}  // namespace kg_core

@@ -1,0 +1,55 @@
+// The quantities that a mission's fields are of, one row each: what a data
+// source names by ex:provides, how a file is read for it, and what is stated
+// and compiled from it. How files name and scale a component (CF standard
+// names, variable names, units, limits) is told by its Quantity
+// (ocean_values.cc).
+//
+// A new quantity that costs is a row here and a Quantity: ingest, the mission
+// reader, the seam cost terms and their hashes, messages and explanations go
+// through the rows.
+
+#ifndef KG_CORE_MISSION_FIELD_QUANTITIES_H_
+#define KG_CORE_MISSION_FIELD_QUANTITIES_H_
+
+#include <string>
+#include <vector>
+
+#include "kg_core/raster/ocean_file.h"
+
+namespace kg_core {
+
+enum class FieldRole {
+  kMotion,  // A velocity that carries agents: two components, east and north.
+  kValue,   // A scalar that value layers are made of.
+  kCost,    // A scalar whose integral along a flight is a term of its cost.
+};
+
+struct FieldQuantity {
+  std::string name;  // ex:provides.
+  FieldRole role;
+  std::vector<Quantity> components;
+  // CF standard name of the first component that is of this quantity and of no
+  // other; empty = any that is not another row's.
+  std::string standard_name;
+  std::string layer_class;        // Of what an ingest states: "CurrentField".
+  std::string observed_property;  // sosa:observedProperty of it; may be empty.
+  // Of ex:Policy, for kCost: reward per `unit` and hour.
+  std::string weight_property;
+  std::string unit;  // SI.
+};
+
+// In a fixed order: motion, value, cost.
+const std::vector<FieldQuantity>& FieldQuantities();
+// Those with role kCost, in that order. Weights and exposures are kept so.
+const std::vector<FieldQuantity>& CostQuantities();
+
+// By name. Throws std::logic_error if there is none: shapes admit no other.
+const FieldQuantity& FindFieldQuantity(const std::string& name);
+
+// Throws InputError if a file's first component is of another row's medium: of
+// wind where sea water's is asked for.
+void CheckMedium(const FieldQuantity& quantity, const QuantitySeries& first);
+
+}  // namespace kg_core
+
+#endif  // KG_CORE_MISSION_FIELD_QUANTITIES_H_
