@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kg_core/mission/field_quantities.h"
+#include "kg_core/mission/source_quantities.h"
 
 namespace kg_compiler {
 namespace {
@@ -48,7 +48,7 @@ std::vector<double> FieldExposures(const kg_core::VectorField& field,
                                    const FlownPath& flight) {
   std::vector<double> exposures;
   if (field.scalars.empty()) return exposures;
-  for (const kg_core::FieldQuantity& quantity : kg_core::CostQuantities()) {
+  for (const kg_core::SourceQuantity& quantity : kg_core::CostQuantities()) {
     exposures.push_back(0.0);
     for (const kg_core::ScalarField& scalar : field.scalars) {
       if (scalar.quantity != quantity.name) continue;

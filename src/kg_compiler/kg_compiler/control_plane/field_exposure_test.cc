@@ -7,7 +7,7 @@
 
 #include "kg_compiler/control_plane/seam_cost.h"
 #include "kg_compiler/test_world.h"
-#include "kg_core/mission/field_quantities.h"
+#include "kg_core/mission/source_quantities.h"
 
 namespace kg_compiler {
 namespace {

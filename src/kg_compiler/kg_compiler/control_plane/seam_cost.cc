@@ -1,6 +1,6 @@
 #include "kg_compiler/control_plane/seam_cost.h"
 
-#include "kg_core/mission/field_quantities.h"
+#include "kg_core/mission/source_quantities.h"
 
 namespace kg_compiler {
 namespace {
@@ -46,7 +46,7 @@ std::vector<SeamTerm> FixedTerms() {
 
 // A term for each field that costs: the i-th of the quantities.
 SeamTerm FieldTerm(std::size_t i) {
-  const kg_core::FieldQuantity& quantity = kg_core::CostQuantities()[i];
+  const kg_core::SourceQuantity& quantity = kg_core::CostQuantities()[i];
   SeamTerm term;
   term.name = quantity.name;
   term.symbol = quantity.weight_property + " * X";

@@ -12,7 +12,7 @@
 //
 // S is summed, hashed (HashWeights) and explained in loops over the rows. A new
 // term is a row here, if its quantity is in the edge; one of a further field is
-// a row of kg_core's field_quantities.cc and nothing here.
+// a row of kg_core's source_quantities.cc and nothing here.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_SEAM_COST_H_
 #define KG_COMPILER_CONTROL_PLANE_SEAM_COST_H_
@@ -35,7 +35,7 @@ struct SeamTerm {
   std::function<double(const TraverseEdge&, double confidence)> quantity;
   // The facts that it rests on, by the properties that say them.
   std::vector<std::string> policy_properties;
-  std::string field;         // The kg_core::FieldQuantity, if it is of one.
+  std::string field;         // The kg_core::SourceQuantity, if it is of one.
   bool is_optional = false;  // Absent (no bit changes) where its weight is 0.
 
   double Cost(const SeamWeights& weights, const TraverseEdge& edge,

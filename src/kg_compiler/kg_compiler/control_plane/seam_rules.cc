@@ -9,7 +9,7 @@
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
 #include "kg_core/base/units.h"
-#include "kg_core/mission/field_quantities.h"
+#include "kg_core/mission/source_quantities.h"
 
 namespace kg_compiler {
 namespace {
@@ -52,7 +52,7 @@ SeamWeights Weights(const kg_core::Policy& policy) {
   weights.uncertainty = policy.lambda_uncertainty;
   weights.isolation = policy.isolation_weight;
   if (policy.lambda_fields.empty()) return weights;
-  for (const kg_core::FieldQuantity& field : kg_core::CostQuantities()) {
+  for (const kg_core::SourceQuantity& field : kg_core::CostQuantities()) {
     const auto lambda = policy.lambda_fields.find(field.name);
     weights.field_per_s.push_back(
         lambda == policy.lambda_fields.end() ? 0.0 : lambda->second);

@@ -15,13 +15,13 @@
 #include "kg_core/geo/geodesy.h"
 #include "kg_core/mission/conclusions.h"
 #include "kg_core/mission/entity.h"
-#include "kg_core/mission/field_quantities.h"
 #include "kg_core/mission/ingest_times.h"
 #include "kg_core/mission/ingested_facts.h"
 #include "kg_core/mission/layer_files.h"
 #include "kg_core/mission/layer_reader.h"
 #include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/mission_rules.h"
+#include "kg_core/mission/source_quantities.h"
 #include "kg_core/mission/validator.h"
 
 namespace kg_core {
@@ -65,7 +65,7 @@ class SourceIngest {
         started_s_(Now_s()) {}
 
   // A field that carries agents.
-  void StateMotion(const OceanFile& file, const FieldQuantity& quantity) {
+  void StateMotion(const OceanFile& file, const SourceQuantity& quantity) {
     RequireData(file);
     StateFile(file);
     StateGrid(Ex("grid"), file.grid);
@@ -76,7 +76,7 @@ class SourceIngest {
   }
 
   // A scalar that costs whoever meets it.
-  void StateCost(const OceanFile& file, const FieldQuantity& quantity,
+  void StateCost(const OceanFile& file, const SourceQuantity& quantity,
                  const Grid* field_grid) {
     RequireData(file);
     StateFile(file);
@@ -174,7 +174,7 @@ class SourceIngest {
   }
 
   // A field in time slices; `refs` name its components, in their order.
-  Term StateField(const OceanFile& file, const FieldQuantity& quantity,
+  Term StateField(const OceanFile& file, const SourceQuantity& quantity,
                   const TimeWindow& window,
                   const std::vector<const char*>& refs, const Term& grid) {
     const StepRange steps = StepsOfField(file.time_s, window);
@@ -264,7 +264,7 @@ class MissionIngest {
 
   std::vector<std::string> Run() {
     // In the table's order: the grid is that of what carries agents.
-    for (const FieldQuantity& quantity : FieldQuantities()) ReadAll(quantity);
+    for (const SourceQuantity& quantity : SourceQuantities()) ReadAll(quantity);
     for (const char* type : {"PriorLayer", "Constraint"}) {
       for (const Term& term :
            FindInstances(transaction_.view(), kFactsGraph, Ex(type))) {
@@ -276,7 +276,7 @@ class MissionIngest {
   }
 
  private:
-  void ReadAll(const FieldQuantity& quantity) {
+  void ReadAll(const SourceQuantity& quantity) {
     for (const Term& term :
          FindInstances(transaction_.view(), kFactsGraph, Ex("DataSource"))) {
       const FactEntity source(transaction_.view(), term);
@@ -309,7 +309,7 @@ class MissionIngest {
     return *open_.back();
   }
 
-  void ReadSource(const FactEntity& source, const FieldQuantity& quantity) {
+  void ReadSource(const FactEntity& source, const SourceQuantity& quantity) {
     const OceanFile& file = Open(source, quantity.components);
     SourceIngest ingest(source, mission_, transaction_);
     switch (quantity.role) {

@@ -5,7 +5,7 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/facts/terms.h"
-#include "kg_core/mission/field_quantities.h"
+#include "kg_core/mission/source_quantities.h"
 #include "kg_core/raster/resample.h"
 
 namespace kg_core {

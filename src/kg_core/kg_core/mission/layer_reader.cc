@@ -2,8 +2,7 @@
 
 #include "kg_core/facts/terms.h"
 #include "kg_core/mission/choice.h"
-#include "kg_core/facts/terms.h"
-#include "kg_core/mission/field_quantities.h"
+#include "kg_core/mission/source_quantities.h"
 
 namespace kg_core {
 namespace {
@@ -99,13 +98,14 @@ WorkFieldRef ReadWorkField(const WindowCalendar& calendar,
   return field;
 }
 
-CostFieldRef ReadCostField(const WindowCalendar& calendar, const FactEntity& entity) {
+CostFieldRef ReadCostField(const WindowCalendar& calendar,
+                           const FactEntity& entity) {
   CostFieldRef field;
   field.iri = entity.iri();
   field.window = calendar.WindowOf(entity);
   const Term observed = Iri(std::string(kSosa) + "observedProperty");
   const std::optional<Term> property = entity.One(observed);
-  for (const FieldQuantity& quantity : CostQuantities()) {
+  for (const SourceQuantity& quantity : CostQuantities()) {
     if (property == Ex(quantity.observed_property)) {
       field.quantity = quantity.name;
     }

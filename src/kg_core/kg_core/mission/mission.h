@@ -60,7 +60,7 @@ struct Policy {
   double lambda_energy_per_j = 0.0;    // ex:lambda_energy, per Wh.
   double lambda_risk = 0.0;            // Per hour at hazard 1, see SeamRules.
   double lambda_uncertainty = 0.0;     // Times (1 - w).
-  // Reward per second and unit of a field that costs, by FieldQuantity::name
+  // Reward per second and unit of a field that costs, by SourceQuantity::name
   // (ex:lambda_waveHeight, ...); absent = it costs nothing.
   std::map<std::string, double> lambda_fields;
   std::map<std::string, double> soft_overrides;  // By constraint IRI.
@@ -192,11 +192,11 @@ struct WorkFieldRef {
 };
 
 // ex:CostField of a window: a scalar that is met under way
-// (field_quantities.h).
+// (source_quantities.h).
 struct CostFieldRef {
   std::string iri;
   int window = 0;
-  std::string quantity;  // FieldQuantity::name, by sosa:observedProperty.
+  std::string quantity;  // SourceQuantity::name, by sosa:observedProperty.
   std::string file_iri;
   int first_time_index = 0;  // Slices that cover the window.
   int last_time_index = 0;

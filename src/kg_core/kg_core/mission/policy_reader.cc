@@ -6,8 +6,7 @@
 #include "kg_core/base/units.h"
 #include "kg_core/facts/terms.h"
 #include "kg_core/mission/choice.h"
-#include "kg_core/facts/terms.h"
-#include "kg_core/mission/field_quantities.h"
+#include "kg_core/mission/source_quantities.h"
 
 namespace kg_core {
 namespace {
@@ -118,7 +117,7 @@ Policy ReadPolicy(const GraphView& view, const FactEntity& entity) {
   policy.lambda_risk = entity.Number(Ex("lambda_risk"), policy.lambda_risk);
   policy.lambda_uncertainty =
       entity.Number(Ex("lambda_unc"), policy.lambda_uncertainty);
-  for (const FieldQuantity& quantity : CostQuantities()) {
+  for (const SourceQuantity& quantity : CostQuantities()) {
     const auto lambda = entity.MaybeNumber(Ex(quantity.weight_property));
     if (lambda) policy.lambda_fields[quantity.name] = *lambda / kSecondsPerHour;
   }

@@ -22,7 +22,7 @@ struct ScalarSlice {
 };
 
 struct ScalarField {
-  std::string quantity;             // Of field_quantities.h: "wave_height".
+  std::string quantity;             // Of source_quantities.h: "wave_height".
   std::vector<ScalarSlice> slices;  // Ascending in time.
 
   // `point` in cell units of `grid`. 0 where nothing is known: off the grid,

@@ -6,7 +6,7 @@
 #include "kg_compiler/control_plane/seam_cost.h"
 #include "kg_compiler/explain/explain_seam.h"
 #include "kg_compiler/explain/explain_tensor.h"
-#include "kg_core/mission/field_quantities.h"
+#include "kg_core/mission/source_quantities.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_planner/k_best/k_best.h"
 #include "kg_selector/paths/churn.h"

@@ -8,8 +8,8 @@
 // reader, the seam cost terms and their hashes, messages and explanations go
 // through the rows.
 
-#ifndef KG_CORE_MISSION_FIELD_QUANTITIES_H_
-#define KG_CORE_MISSION_FIELD_QUANTITIES_H_
+#ifndef KG_CORE_MISSION_SOURCE_QUANTITIES_H_
+#define KG_CORE_MISSION_SOURCE_QUANTITIES_H_
 
 #include <string>
 #include <vector>
@@ -24,7 +24,7 @@ enum class FieldRole {
   kCost,    // A scalar whose integral along a flight is a term of its cost.
 };
 
-struct FieldQuantity {
+struct SourceQuantity {
   std::string name;  // ex:provides.
   FieldRole role;
   std::vector<Quantity> components;
@@ -39,17 +39,17 @@ struct FieldQuantity {
 };
 
 // In a fixed order: motion, value, cost.
-const std::vector<FieldQuantity>& FieldQuantities();
+const std::vector<SourceQuantity>& SourceQuantities();
 // Those with role kCost, in that order. Weights and exposures are kept so.
-const std::vector<FieldQuantity>& CostQuantities();
+const std::vector<SourceQuantity>& CostQuantities();
 
 // By name. Throws std::logic_error if there is none: shapes admit no other.
-const FieldQuantity& FindFieldQuantity(const std::string& name);
+const SourceQuantity& FindFieldQuantity(const std::string& name);
 
 // Throws InputError if a file's first component is of another row's medium: of
 // wind where sea water's is asked for.
-void CheckMedium(const FieldQuantity& quantity, const QuantitySeries& first);
+void CheckMedium(const SourceQuantity& quantity, const QuantitySeries& first);
 
 }  // namespace kg_core
 
-#endif  // KG_CORE_MISSION_FIELD_QUANTITIES_H_
+#endif  // KG_CORE_MISSION_SOURCE_QUANTITIES_H_

@@ -1,4 +1,4 @@
-#include "kg_core/mission/field_quantities.h"
+#include "kg_core/mission/source_quantities.h"
 
 #include <algorithm>
 #include <iterator>
@@ -8,8 +8,8 @@
 
 namespace kg_core {
 
-const std::vector<FieldQuantity>& FieldQuantities() {
-  static const std::vector<FieldQuantity> kQuantities = {
+const std::vector<SourceQuantity>& SourceQuantities() {
+  static const std::vector<SourceQuantity> kQuantities = {
       {"current",
        FieldRole::kMotion,
        {Quantity::kEastwardVelocity, Quantity::kNorthwardVelocity},
@@ -45,11 +45,11 @@ const std::vector<FieldQuantity>& FieldQuantities() {
   return kQuantities;
 }
 
-const std::vector<FieldQuantity>& CostQuantities() {
-  static const std::vector<FieldQuantity> kCosts = [] {
-    std::vector<FieldQuantity> costs;
-    std::copy_if(FieldQuantities().begin(), FieldQuantities().end(),
-                 std::back_inserter(costs), [](const FieldQuantity& row) {
+const std::vector<SourceQuantity>& CostQuantities() {
+  static const std::vector<SourceQuantity> kCosts = [] {
+    std::vector<SourceQuantity> costs;
+    std::copy_if(SourceQuantities().begin(), SourceQuantities().end(),
+                 std::back_inserter(costs), [](const SourceQuantity& row) {
                    return row.role == FieldRole::kCost;
                  });
     return costs;
@@ -57,15 +57,15 @@ const std::vector<FieldQuantity>& CostQuantities() {
   return kCosts;
 }
 
-const FieldQuantity& FindFieldQuantity(const std::string& name) {
-  for (const FieldQuantity& row : FieldQuantities()) {
+const SourceQuantity& FindFieldQuantity(const std::string& name) {
+  for (const SourceQuantity& row : SourceQuantities()) {
     if (row.name == name) return row;
   }
   throw std::logic_error("no field quantity \"" + name + "\"");
 }
 
-void CheckMedium(const FieldQuantity& quantity, const QuantitySeries& first) {
-  for (const FieldQuantity& row : FieldQuantities()) {
+void CheckMedium(const SourceQuantity& quantity, const QuantitySeries& first) {
+  for (const SourceQuantity& row : SourceQuantities()) {
     if (row.role != quantity.role || row.standard_name.empty()) continue;
     const bool is_it = first.standard_name == row.standard_name;
     if (is_it == (row.name == quantity.name)) continue;
