@@ -19,7 +19,7 @@
 #include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/terms.h"
 #include "kg_core/mission/vocabulary.h"
-#include "kg_core/raster/test_raster_file.h"
+#include "kg_core/raster/testing/test_raster_file.h"
 
 namespace kg_compiler {
 namespace {

@@ -122,7 +122,7 @@ struct WantedTensor {
 // What a compiler keeps beside its last compilation.
 struct CompilerStores {
   RasterStore* rasters;
-  std::map<std::string, Normaliser>* horizons;
+  std::map<std::string, ValueNormaliser>* horizons;
   DataPlaneCache* cache;
 };
 
@@ -182,7 +182,7 @@ class CompilationRun {
   }
 
   void MeasureHorizons() {
-    std::map<std::string, Normaliser> measured;
+    std::map<std::string, ValueNormaliser> measured;
     for (const Agent& agent : now_->mission.agents) {
       if (agent.policy.confidence_mode == kg_core::ConfidenceMode::kHorizon) {
         now_->horizons[agent.iri] = Horizon(agent, &measured);
@@ -197,7 +197,7 @@ class CompilationRun {
 
   // Blends all windows only if something in one of them changed.
   HorizonScale Horizon(const Agent& agent,
-                       std::map<std::string, Normaliser>* measured) const {
+                       std::map<std::string, ValueNormaliser>* measured) const {
     std::vector<std::shared_ptr<const WindowRasters>> all;
     kg_core::Hasher hash;
     std::set<std::string> sources;
@@ -215,13 +215,13 @@ class CompilationRun {
     for (const auto* known : {measured, stores_.horizons}) {
       const auto found = known->find(key);
       if (found == known->end()) continue;
-      const Normaliser scale = found->second;
+      const ValueNormaliser scale = found->second;
       measured->emplace(key, scale);
       return {scale.low, scale.range, {sources.begin(), sources.end()}};
     }
     HorizonScale scale =
         MeasureHorizon(now_->mission, agent, all, stores_.cache);
-    measured->emplace(key, Normaliser{scale.low, scale.range});
+    measured->emplace(key, ValueNormaliser{scale.low, scale.range});
     return scale;
   }
 

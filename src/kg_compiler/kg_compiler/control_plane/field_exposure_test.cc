@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "kg_compiler/control_plane/seam_cost.h"
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 #include "kg_core/mission/source_quantities.h"
 
 namespace kg_compiler {

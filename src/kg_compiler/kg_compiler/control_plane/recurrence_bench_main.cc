@@ -5,10 +5,10 @@
 #include <cstring>
 #include <random>
 
-#include "kg_compiler/bench_report.h"
 #include "kg_compiler/control_plane/disc.h"
 #include "kg_compiler/control_plane/proximal_recurrence.h"
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
+#include "kg_core/base/testing/bench_report.h"
 #include "opencv2/imgproc.hpp"
 
 namespace kg_compiler {

@@ -150,9 +150,9 @@ void AddTerm(const WindowRasters& rasters, const kg_core::Policy& policy,
   }
 }
 
-Blend BlendLayers(const ActiveFacts& active, const kg_core::Policy& policy,
-                  const WindowRasters& rasters) {
-  Blend blend;
+LayerBlend BlendLayers(const ActiveFacts& active, const kg_core::Policy& policy,
+                       const WindowRasters& rasters) {
+  LayerBlend blend;
   blend.open = OpenCells(rasters, active.constraints);
   blend.attenuation =
       Attenuations(rasters, active.constraints, policy.soft_overlap);
@@ -178,14 +178,14 @@ Blend BlendLayers(const ActiveFacts& active, const kg_core::Policy& policy,
   return blend;
 }
 
-double Normaliser::Apply(double x) const {
+double ValueNormaliser::Apply(double x) const {
   if (!(range > 0.0)) return 0.0;
   return std::clamp((x - low) / range, 0.0, 1.0);
 }
 
-Normaliser FitNormaliser(const std::vector<double>& values,
-                         const kg_core::Mask& counted,
-                         kg_core::Normalisation kind) {
+ValueNormaliser FitNormaliser(const std::vector<double>& values,
+                              const kg_core::Mask& counted,
+                              kg_core::Normalisation kind) {
   std::vector<double> inside;
   inside.reserve(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -193,21 +193,21 @@ Normaliser FitNormaliser(const std::vector<double>& values,
   }
   if (inside.empty()) return {};
   const auto [least, most] = std::minmax_element(inside.begin(), inside.end());
-  const Normaliser by_max{0.0, *most};
+  const ValueNormaliser by_max{0.0, *most};
   switch (kind) {
     case kg_core::Normalisation::kMax:
       return by_max;
     case kg_core::Normalisation::kMinMax:
-      return *most > *least ? Normaliser{*least, *most - *least} : by_max;
+      return *most > *least ? ValueNormaliser{*least, *most - *least} : by_max;
     case kg_core::Normalisation::kPercentile: {
       const double range = NearestRank(inside);
-      return range > 0.0 ? Normaliser{0.0, range} : by_max;
+      return range > 0.0 ? ValueNormaliser{0.0, range} : by_max;
     }
   }
   return by_max;
 }
 
-Normaliser Merge(const Normaliser& a, const Normaliser& b) {
+ValueNormaliser Merge(const ValueNormaliser& a, const ValueNormaliser& b) {
   const double low = std::min(a.low, b.low);
   const double top = std::max(a.low + a.range, b.low + b.range);
   return {low, top - low};

@@ -93,7 +93,7 @@ BlendRecipe WriteRecipe(const kg_core::Mission& mission,
   if (active.reads_value) recipe.content_hash = rasters.content_hash;
   recipe.overlap = policy.soft_overlap;
   for (const ActiveConstraint& constraint : active.constraints) {
-    if (constraint.hard) {
+    if (constraint.forbids()) {
       recipe.hard.push_back({writer.Extent(constraint)});
     } else if (constraint.attenuation != 1.0) {
       recipe.soft.push_back({writer.Extent(constraint),

@@ -90,8 +90,9 @@ bool IsStreamed(const BlendedField& field) {
 constexpr float kNoLayer[kTileCols] = {};
 
 // V' to `y`; the extremes of the stretch's open cells.
-Extremes ComputeStretch(const WindowRasters& rasters, const BlendedField& field,
-                        const Stretch& at, float* y) {
+ValueExtremes ComputeStretch(const WindowRasters& rasters,
+                             const BlendedField& field, const Stretch& at,
+                             float* y) {
   Sums sums;
   PassRow row;
   SetPriors(field.recipe, at, &sums, &row);
@@ -108,9 +109,9 @@ Extremes ComputeStretch(const WindowRasters& rasters, const BlendedField& field,
 
 }  // namespace
 
-Extremes BlendedField::All() const {
-  Extremes all;
-  for (const Extremes& tile : extremes) all = Both(all, tile);
+ValueExtremes BlendedField::All() const {
+  ValueExtremes all;
+  for (const ValueExtremes& tile : extremes) all = Both(all, tile);
   return all;
 }
 
@@ -142,7 +143,7 @@ bool SoftnessOfRow(const BlendRecipe& recipe, kg_core::Cell first, int n,
 }
 
 void CloseCells(const kg_core::Mask& land, const BlendRecipe& recipe,
-                const CellBox& box, Bands<unsigned char>* state) {
+                const CellBox& box, RowBands<unsigned char>* state) {
   for (int r = box.row; r < box.row_end; ++r) {
     const unsigned char* dry =
         &land[static_cast<std::size_t>(r) * state->cols()];
@@ -163,7 +164,7 @@ void CloseCells(const kg_core::Mask& land, const BlendRecipe& recipe,
 
 void ComputeRows(const WindowRasters& rasters, int row, int row_end,
                  BlendedField* field) {
-  const Tiling& tiling = field->tiling;
+  const TileLayout& tiling = field->tiling;
   const bool is_streamed = IsStreamed(*field);
   const int width = tiling.width;
   for (int r = row; r < row_end; ++r) {
@@ -173,10 +174,10 @@ void ComputeRows(const WindowRasters& rasters, int row, int row_end,
       const Stretch at{{r, col}, std::min(width, tiling.cols - col)};
       alignas(kRowAlignment) float y[kTileCols];
       float* made = is_streamed ? y : to + col;
-      const Extremes found = ComputeStretch(rasters, *field, at, made);
+      const ValueExtremes found = ComputeStretch(rasters, *field, at, made);
       if (is_streamed) Stream(y, at.n, to + col);
-      Extremes& tile =
-          field->extremes[Bands<float>::BandOf(r) * tiling.across + t];
+      ValueExtremes& tile =
+          field->extremes[RowBands<float>::BandOf(r) * tiling.across + t];
       tile = r % kBandRows == 0 ? found : Both(tile, found);
     }
   }
@@ -198,11 +199,11 @@ void ComputeBox(const WindowRasters& rasters, const CellBox& box,
 }
 
 void MeasureTiles(const CellBox& box, BlendedField* field) {
-  const Tiling& tiling = field->tiling;
+  const TileLayout& tiling = field->tiling;
   if (box.empty()) return;
   const int width = tiling.width;
-  const int first_band = Bands<float>::BandOf(box.row);
-  const int last_band = Bands<float>::BandOf(box.row_end - 1);
+  const int first_band = RowBands<float>::BandOf(box.row);
+  const int last_band = RowBands<float>::BandOf(box.row_end - 1);
   for (int band = first_band; band <= last_band; ++band) {
     for (int t = box.col / width; t <= (box.col_end - 1) / width; ++t) {
       const int i = band * tiling.across + t;

@@ -40,7 +40,7 @@ class Compiler {
     field_->recipe =
         WriteRecipe(*in_.mission, policy_, active_, rasters_,
                     previous_ ? &previous_->recipe : nullptr, in_.cache);
-    field_->tiling = Tiling(rasters_.grid.rows(), rasters_.grid.cols());
+    field_->tiling = TileLayout(rasters_.grid.rows(), rasters_.grid.cols());
     has_same_sea_ =
         previous_ && previous_->recipe.land_hash == field_->recipe.land_hash;
     if (policy_.paper_literal) return Slowly();
@@ -77,7 +77,7 @@ class Compiler {
       return;
     }
     field_->state =
-        Bands<unsigned char>(field_->tiling.rows, field_->tiling.cols);
+        RowBands<unsigned char>(field_->tiling.rows, field_->tiling.cols);
     ForEachBand([&](int row, int row_end) {
       CloseCells(rasters_.land, field_->recipe,
                  {row, row_end, 0, field_->tiling.cols}, &field_->state);
@@ -160,7 +160,7 @@ class Compiler {
   }
 
   MadeBlend Whole() {
-    field_->masked = Bands<float>(field_->tiling.rows, field_->tiling.cols);
+    field_->masked = RowBands<float>(field_->tiling.rows, field_->tiling.cols);
     field_->extremes.resize(field_->tiling.size());
     ForEachBand([&](int row, int row_end) {
       ComputeRows(rasters_, row, row_end, field_.get());
@@ -169,18 +169,18 @@ class Compiler {
   }
 
   MadeBlend Checked(std::size_t cells) {
-    const Extremes all = field_->All();
+    const ValueExtremes all = field_->All();
     if (all.most > 0.0f && !IsComfortable(all.most)) return Slowly();
     return {field_, cells};
   }
 
   MadeBlend Slowly() {
-    const Blend blend = BlendLayers(active_, policy_, rasters_);
+    const LayerBlend blend = BlendLayers(active_, policy_, rasters_);
     field_->is_literal = policy_.paper_literal;
     field_->recipe.weights = {};
     field_->state =
-        Bands<unsigned char>(field_->tiling.rows, field_->tiling.cols);
-    field_->masked = Bands<float>(field_->tiling.rows, field_->tiling.cols);
+        RowBands<unsigned char>(field_->tiling.rows, field_->tiling.cols);
+    field_->masked = RowBands<float>(field_->tiling.rows, field_->tiling.cols);
     CloseCells(rasters_.land, field_->recipe, WholeGrid(rasters_.grid),
                &field_->state);
     double most = 0.0;
@@ -195,9 +195,9 @@ class Compiler {
     return {field_, rasters_.grid.size()};
   }
 
-  void FillTile(const Blend& blend, int tile) {
+  void FillTile(const LayerBlend& blend, int tile) {
     const CellBox box = field_->tiling.Box(tile);
-    Extremes& extremes = field_->extremes[tile];
+    ValueExtremes& extremes = field_->extremes[tile];
     for (int r = box.row; r < box.row_end; ++r) {
       float* row = field_->masked.RowToWrite(r);
       for (int c = box.col; c < box.col_end; ++c) {

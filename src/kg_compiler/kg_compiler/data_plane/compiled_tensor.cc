@@ -71,7 +71,7 @@ RowScale FitScale(const BlendedField& field, const kg_core::Policy& policy,
     n.range = static_cast<float>(horizon->range / field.unit);
     return n;
   }
-  const Extremes all = field.All();
+  const ValueExtremes all = field.All();
   if (!(all.most >= all.least)) return n;  // No cell counts.
   const float least = before * all.least, most = before * all.most;
   n.range = most;
@@ -150,7 +150,7 @@ float CompiledTensor::At(Layer layer, std::size_t cell) const {
 }
 
 kg_core::Raster CompiledTensor::Get(Layer layer) const {
-  const Tiling& tiling = field_->tiling;
+  const TileLayout& tiling = field_->tiling;
   kg_core::Raster values;
   values.reserve(static_cast<std::size_t>(tiling.rows) * tiling.cols);
   std::array<float, kTileCols> part;

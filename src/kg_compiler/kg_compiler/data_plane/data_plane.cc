@@ -55,8 +55,8 @@ void HashConstraints(const Mission& mission, const ActiveFacts& active,
   hash->Add(static_cast<double>(active.constraints.size()));
   for (const ActiveConstraint& constraint : active.constraints) {
     const kg_core::Constraint& fact = *constraint.fact;
-    hash->Add(constraint.hard ? 1.0 : 0.0);
-    if (!constraint.hard) hash->Add(constraint.attenuation);
+    hash->Add(constraint.forbids() ? 1.0 : 0.0);
+    if (!constraint.forbids()) hash->Add(constraint.attenuation);
     if (fact.mask) {
       HashRaster(mission, *fact.mask, hash);
     } else {
@@ -113,7 +113,7 @@ void HashOptions(const kg_core::Policy& policy, const ActiveFacts& active,
     }
   }
   const auto is_soft = [](const ActiveConstraint& constraint) {
-    return !constraint.hard && constraint.attenuation != 1.0;
+    return !constraint.forbids() && constraint.attenuation != 1.0;
   };
   const bool can_overlap = std::count_if(active.constraints.begin(),
                                          active.constraints.end(), is_soft) > 1;
@@ -126,7 +126,7 @@ HorizonScale MeasureHorizon(
     const Mission& mission, const Agent& agent,
     const std::vector<std::shared_ptr<const WindowRasters>>& rasters,
     DataPlaneCache* cache) {
-  Normaliser all;
+  ValueNormaliser all;
   std::set<std::string> sources;
   for (std::size_t i = 0; i < mission.windows.size(); ++i) {
     const TimeWindow& window = mission.windows[i];
@@ -136,7 +136,8 @@ HorizonScale MeasureHorizon(
     const MadeBlend made = CompileBlend(inputs, active, nullptr);
     const RowScale n = FitScale(*made.field, agent.policy,
                                 static_cast<float>(window.confidence), nullptr);
-    const Normaliser own{n.low * made.field->unit, n.range * made.field->unit};
+    const ValueNormaliser own{n.low * made.field->unit,
+                              n.range * made.field->unit};
     if (own.range > 0.0) all = all.range > 0.0 ? Merge(all, own) : own;
     for (std::string& iri : TensorSources(mission, agent, window, here)) {
       sources.insert(std::move(iri));
@@ -166,7 +167,7 @@ TensorBlend BlendTensor(const Agent& agent, const TimeWindow& window,
   const kg_core::Normalisation kind = policy.paper_literal
                                           ? kg_core::Normalisation::kMinMax
                                           : policy.normalisation;
-  made.n = horizon ? Normaliser{horizon->low, horizon->range}
+  made.n = horizon ? ValueNormaliser{horizon->low, horizon->range}
                    : FitNormaliser(made.blend.masked, made.blend.counted, kind);
   return made;
 }

@@ -54,8 +54,8 @@ HorizonScale MeasureHorizon(const kg_core::Mission& mission,
 // cells that count, 0 elsewhere; w_t stands either in `after` (A1, `post`) or,
 // by `before`, in masked already.
 struct TensorBlend {
-  Blend blend;
-  Normaliser n;
+  LayerBlend blend;
+  ValueNormaliser n;
   double before = 1.0;
   double after = 1.0;
 };

@@ -7,7 +7,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 #include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {

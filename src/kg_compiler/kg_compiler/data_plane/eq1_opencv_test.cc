@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 
 namespace kg_compiler {
 namespace {

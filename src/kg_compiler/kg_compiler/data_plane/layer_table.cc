@@ -48,7 +48,7 @@ std::vector<double> ColSteps_deg(const kg_core::Grid& grid) {
   return steps;
 }
 
-bool IsAllOpen(const Bands<unsigned char>& state, const CellBox& box) {
+bool IsAllOpen(const RowBands<unsigned char>& state, const CellBox& box) {
   for (int r = box.row; r < box.row_end; ++r) {
     const unsigned char* row = state.Row(r);
     for (int c = box.col; c < box.col_end; ++c) {
@@ -74,7 +74,7 @@ PassRow Shifted(PassRow row, int cols) {
 
 }  // namespace
 
-CellBox Tiling::Box(int tile) const {
+CellBox TileLayout::Box(int tile) const {
   const int row = tile / across * kBandRows;
   const int col = tile % across * width;
   return {row, std::min(row + kBandRows, rows), col,
@@ -109,8 +109,8 @@ void LayerTable::FindGaps(const kg_core::Raster& value) {
       const int begin = t * width, end = std::min(begin + width, cols);
       const int first = std::max(begin - 1, 0), last = std::min(end + 1, cols);
       own[r * across + t] = !AllFinite(row + first, last - first);
-      const Magnitudes found = MagnitudesOf(row + begin, end - begin);
-      float& most = values_[Bands<float>::BandOf(r) * across + t];
+      const ValueMagnitudes found = MagnitudesOf(row + begin, end - begin);
+      float& most = values_[RowBands<float>::BandOf(r) * across + t];
       most = std::max(most, found.most);
       largest_ = std::max(largest_, found.largest);
     }
@@ -171,9 +171,9 @@ const LayerTable::GapFronts& LayerTable::GapFrontsOf(
   return gaps;
 }
 
-Extremes LayerTable::Pass(const kg_core::Raster& value, const Weights& weights,
-                          kg_core::Cell first, int n, PassRow row,
-                          float* y) const {
+ValueExtremes LayerTable::Pass(const kg_core::Raster& value,
+                               const Weights& weights, kg_core::Cell first,
+                               int n, PassRow row, float* y) const {
   row.base = weights.base;
   row.front = weights.front;
   row.values =
@@ -188,7 +188,7 @@ Extremes LayerTable::Pass(const kg_core::Raster& value, const Weights& weights,
     return PassStored(row, n, y);
   }
   // The outermost columns have a neighbour on one side only.
-  Extremes found;
+  ValueExtremes found;
   int begin = 0, end = n;
   if (first.col == 0) {
     row.fronts = &gaps.first[first.row];
@@ -250,7 +250,7 @@ const LayerTable::Tiles& LayerTable::FrontTiles(
 
 // The tile with the largest first: usually all of it is open, and that is it.
 template <typename Evaluate>
-float LayerTable::Most(const Tiles& tiles, const Bands<unsigned char>& state,
+float LayerTable::Most(const Tiles& tiles, const RowBands<unsigned char>& state,
                        const Evaluate& evaluate) const {
   std::vector<int> order;
   for (int i = 0; i < static_cast<int>(tiles.size()); ++i) {
@@ -270,7 +270,7 @@ float LayerTable::Most(const Tiles& tiles, const Bands<unsigned char>& state,
 }
 
 float LayerTable::MostValue(const kg_core::Raster& value,
-                            const Bands<unsigned char>& state) const {
+                            const RowBands<unsigned char>& state) const {
   return Most(values_, state, [&](const CellBox& box) {
     float most = 0.0f;
     for (int r = box.row; r < box.row_end; ++r) {
@@ -285,7 +285,7 @@ float LayerTable::MostValue(const kg_core::Raster& value,
 
 float LayerTable::MostFront(const kg_core::Raster& value,
                             kg_core::FrontOperator op,
-                            const Bands<unsigned char>& state) const {
+                            const RowBands<unsigned char>& state) const {
   return Most(FrontTiles(value, op), state, [&](const CellBox& box) {
     float most = 0.0f;
     float f[kTileCols];

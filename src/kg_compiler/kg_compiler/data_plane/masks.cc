@@ -21,8 +21,9 @@ kg_core::Mask Bare(const WindowRasters& rasters,
     return *mask->second;
   }
   if (!fact.area) return kg_core::Mask(rasters.grid.size(), 0);
-  return constraint.hard ? kg_core::RasteriseTouched(*fact.area, rasters.grid)
-                         : kg_core::RasteriseCentres(*fact.area, rasters.grid);
+  return constraint.forbids()
+             ? kg_core::RasteriseTouched(*fact.area, rasters.grid)
+             : kg_core::RasteriseCentres(*fact.area, rasters.grid);
 }
 
 }  // namespace
@@ -41,7 +42,7 @@ kg_core::Mask OpenCells(const WindowRasters& rasters,
     open[i] = rasters.land[i] ? 0 : 1;
   }
   for (const ActiveConstraint& constraint : constraints) {
-    if (!constraint.hard) continue;
+    if (!constraint.forbids()) continue;
     const kg_core::Mask closed = ConstraintExtent(rasters, constraint);
     for (std::size_t i = 0; i < open.size(); ++i) {
       if (closed[i]) open[i] = 0;
@@ -57,7 +58,7 @@ std::vector<double> Attenuations(
   std::vector<double> factor(rasters.grid.size(), 1.0);
   const bool is_product = overlap == kg_core::SoftOverlap::kProduct;
   for (const ActiveConstraint& constraint : constraints) {
-    if (constraint.hard || constraint.attenuation == 1.0) continue;
+    if (constraint.forbids() || constraint.attenuation == 1.0) continue;
     const kg_core::Mask inside = ConstraintExtent(rasters, constraint);
     for (std::size_t i = 0; i < factor.size(); ++i) {
       if (!inside[i]) continue;

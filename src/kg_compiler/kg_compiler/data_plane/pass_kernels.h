@@ -13,11 +13,11 @@ namespace kg_compiler {
 // What a row of cells is to M_hard.
 enum CellState : unsigned char { kClosed = 0, kOpen = 1, kLand = 2 };
 
-struct Extremes {
+struct ValueExtremes {
   float least = std::numeric_limits<float>::infinity();
   float most = -std::numeric_limits<float>::infinity();
 };
-inline Extremes Both(const Extremes& a, const Extremes& b) {
+inline ValueExtremes Both(const ValueExtremes& a, const ValueExtremes& b) {
   return {a.least < b.least ? a.least : b.least,
           a.most > b.most ? a.most : b.most};
 }
@@ -41,10 +41,10 @@ struct PassRow {
   bool is_far = false;
 };
 // Each gives the extremes of y over the cells whose state is kOpen.
-Extremes PassBase(const PassRow& row, int n, float* y);
-Extremes PassStored(const PassRow& row, int n, float* y);
-Extremes PassSobel(const PassRow& row, int n, float* y);
-Extremes PassCentral(const PassRow& row, int n, float* y);
+ValueExtremes PassBase(const PassRow& row, int n, float* y);
+ValueExtremes PassStored(const PassRow& row, int n, float* y);
+ValueExtremes PassSobel(const PassRow& row, int n, float* y);
+ValueExtremes PassCentral(const PassRow& row, int n, float* y);
 
 }  // namespace kg_compiler
 

@@ -119,8 +119,8 @@ MaskPatch BarePatch(const WindowRasters& rasters,
   const CellBox box = BoxAround(rasters.grid, *fact.area);
   const Grid part = Within(rasters.grid, box);
   return {"", box,
-          constraint.hard ? kg_core::RasteriseTouched(*fact.area, part)
-                          : kg_core::RasteriseCentres(*fact.area, part)};
+          constraint.forbids() ? kg_core::RasteriseTouched(*fact.area, part)
+                               : kg_core::RasteriseCentres(*fact.area, part)};
 }
 
 }  // namespace
@@ -136,7 +136,8 @@ std::string ConstraintKey(const kg_core::Mission& mission,
   if (fact.is_land) return key + "land";
   if (fact.mask) return key + FileKey(mission, *fact.mask);
   if (!fact.area) return key + "nothing";
-  return key + (constraint.hard ? "touched " : "centres ") + fact.area->Wkt();
+  return key + (constraint.forbids() ? "touched " : "centres ") +
+         fact.area->Wkt();
 }
 
 MaskPatch ConstraintPatch(const WindowRasters& rasters,

@@ -34,8 +34,9 @@ KG_WIDE void AttenuateToLeast(const unsigned char* __restrict inside,
   }
 }
 
-KG_WIDE Extremes OpenExtremes(const float* __restrict y,
-                              const unsigned char* __restrict state, int n) {
+KG_WIDE ValueExtremes OpenExtremes(const float* __restrict y,
+                                   const unsigned char* __restrict state,
+                                   int n) {
   std::int32_t least = kNoneLeast, most = -1;
   for (int c = 0; c < n; ++c) {
     const std::int32_t bits = Bits(y[c]);
@@ -97,7 +98,7 @@ KG_WIDE bool AllFinite(const float* __restrict values, int n) {
   return bad == 0;
 }
 
-KG_WIDE Magnitudes MagnitudesOf(const float* __restrict values, int n) {
+KG_WIDE ValueMagnitudes MagnitudesOf(const float* __restrict values, int n) {
   std::int32_t most = 0, largest = 0;
   for (int c = 0; c < n; ++c) {
     const float held = std::abs(values[c]) <= kMost ? values[c] : 0.0f;

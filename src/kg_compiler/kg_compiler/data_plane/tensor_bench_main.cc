@@ -23,10 +23,10 @@
 #include <thread>
 #include <vector>
 
-#include "kg_compiler/bench_report.h"
-#include "kg_compiler/data_plane/tensor_bench_peers.h"
-#include "kg_compiler/data_plane/tensor_bench_world.h"
+#include "kg_compiler/data_plane/testing/tensor_bench_peers.h"
+#include "kg_compiler/data_plane/testing/tensor_bench_world.h"
 #include "kg_core/base/temporary_folder.h"
+#include "kg_core/base/testing/bench_report.h"
 
 namespace kg_compiler {
 namespace {

@@ -61,7 +61,7 @@ inline constexpr std::int32_t kNoneLeast =
 
 // A cell that does not count has all bits set: below every other as a candidate
 // for the largest, above as one for the least but for its sign.
-inline Extremes OfBits(std::int32_t least, std::int32_t most) {
+inline ValueExtremes OfBits(std::int32_t least, std::int32_t most) {
   if (most < 0) return {};
   return {OfBits(least), OfBits(most)};
 }

@@ -152,7 +152,7 @@ Facts CitedFacts::Constraint(const kg_core::Agent& agent,
   facts = std::move(facts) + Policy(agent, {}) +
           Entry(agent, "ex:hasSoftOverride",
                 {iri, {"ex:constraint", "ex:attenuation"}});
-  if (!constraint.hard) return facts;
+  if (!constraint.forbids()) return facts;
   return std::move(facts) + MustAvoid(agent.iri, iri);
 }
 

@@ -88,7 +88,7 @@ class Place {
       names = "land";
     }
     for (const ActiveConstraint& constraint : active_.constraints) {
-      if (!constraint.hard || !Holds(constraint)) continue;
+      if (!constraint.forbids() || !Holds(constraint)) continue;
       so_far.push_back(constraint);
       const double after_m = MetresToOpen(OpenCells(rasters_, so_far));
       const std::string iri = kg_core::AbbreviateIri(constraint.fact->iri);

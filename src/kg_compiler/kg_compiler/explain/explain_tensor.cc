@@ -74,8 +74,8 @@ void TensorExplainer::AddTerms(const ActiveFacts& active) {
 
 void TensorExplainer::AddZones(const ActiveFacts& active) {
   for (const ActiveConstraint& constraint : active.constraints) {
-    if (!constraint.hard && constraint.attenuation == 1.0) continue;
-    (constraint.hard ? hard_ : soft_)
+    if (!constraint.forbids() && constraint.attenuation == 1.0) continue;
+    (constraint.forbids() ? hard_ : soft_)
         .push_back({constraint, ConstraintExtent(*in_.rasters, constraint)});
   }
 }

@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "kg_compiler/bench_report.h"
 #include "kg_compiler/traversal/testing/seam_quality.h"
+#include "kg_core/base/testing/bench_report.h"
 
 namespace kg_compiler {
 namespace {

@@ -43,26 +43,26 @@ std::string FileCache::Resolve(const std::string& file) const {
                    (tried.empty() ? "it nowhere: no folder is given" : tried));
 }
 
-std::shared_ptr<const OceanFile> FileCache::Read(
-    const std::string& path, const std::vector<Quantity>& wanted) {
+std::shared_ptr<const FieldFile> FileCache::Read(
+    const std::string& path, const std::vector<FieldQuantity>& wanted) {
   std::string names;
-  for (const Quantity quantity : wanted) {
+  for (const FieldQuantity quantity : wanted) {
     names += std::string("|") + Name(quantity);
   }
-  return Get(path, names, [&] { return ReadOceanFileSafely(path, wanted); });
+  return Get(path, names, [&] { return ReadFieldFileSafely(path, wanted); });
 }
 
-std::shared_ptr<const OceanFile> FileCache::ReadVariable(
+std::shared_ptr<const FieldFile> FileCache::ReadVariable(
     const std::string& path, const std::string& variable) {
   return Get(path, "#" + variable,
              [&] { return ReadVariableSafely(path, variable); });
 }
 
-std::shared_ptr<const OceanFile> FileCache::Get(
+std::shared_ptr<const FieldFile> FileCache::Get(
     const std::string& path, const std::string& wanted,
-    const std::function<OceanFile()>& read) {
+    const std::function<FieldFile()>& read) {
   const std::string version = ComputeVersion(path);
-  const auto known = [&]() -> std::shared_ptr<const OceanFile> {
+  const auto known = [&]() -> std::shared_ptr<const FieldFile> {
     const auto found = files_.find(path + wanted);
     if (found == files_.end() || found->second.version != version) return {};
     return found->second.contents;
@@ -71,7 +71,7 @@ std::shared_ptr<const OceanFile> FileCache::Get(
     const std::lock_guard<std::mutex> lock(mutex_);
     if (const auto file = known()) return file;
   }
-  auto file = std::make_shared<const OceanFile>(read());
+  auto file = std::make_shared<const FieldFile>(read());
   const std::lock_guard<std::mutex> lock(mutex_);
   if (const auto other = known()) return other;
   files_[path + wanted] = {version, file};

@@ -65,7 +65,7 @@ class SourceIngest {
         started_s_(Now_s()) {}
 
   // A field that carries agents.
-  void StateMotion(const OceanFile& file, const SourceQuantity& quantity) {
+  void StateMotion(const FieldFile& file, const SourceQuantity& quantity) {
     RequireData(file);
     StateFile(file);
     StateGrid(Ex("grid"), file.grid);
@@ -76,7 +76,7 @@ class SourceIngest {
   }
 
   // A scalar that costs whoever meets it.
-  void StateCost(const OceanFile& file, const SourceQuantity& quantity,
+  void StateCost(const FieldFile& file, const SourceQuantity& quantity,
                  const Grid* field_grid) {
     RequireData(file);
     StateFile(file);
@@ -90,7 +90,7 @@ class SourceIngest {
   }
 
   // `field_grid`: that of the currents, if there are any.
-  void StateTemperature(const OceanFile& file, const Grid* field_grid) {
+  void StateTemperature(const FieldFile& file, const Grid* field_grid) {
     RequireData(file);
     StateFile(file);
     const Term grid = StateGridUnlessSame(file.grid, field_grid);
@@ -107,7 +107,7 @@ class SourceIngest {
   }
 
   // What a prior layer or a constraint names by ex:gridRef.
-  void StateRaster(const OceanFile& file, const GridRef& ref,
+  void StateRaster(const FieldFile& file, const GridRef& ref,
                    const Grid* field_grid) {
     const std::vector<Raster>& steps = file.series[0].at_time;
     if (!(ref.time_index < static_cast<int>(steps.size()))) {
@@ -133,7 +133,7 @@ class SourceIngest {
     transaction_.Add({subject, property, object, Facts()});
   }
 
-  static void RequireData(const OceanFile& file) {
+  static void RequireData(const FieldFile& file) {
     for (const QuantitySeries& series : file.series) {
       if (HasData(series)) continue;
       throw InputError("variable " + series.variable +
@@ -157,7 +157,7 @@ class SourceIngest {
     generated_.push_back(entity);
   }
 
-  void StateFile(const OceanFile& file) {
+  void StateFile(const FieldFile& file) {
     Say(Part("file"), RdfType(), Ex("SourceFile"));
     Say(Part("file"), Ex("ingestedFrom"), name_);
     Say(Part("file"), Ex("path"), Literal(file.path));
@@ -174,7 +174,7 @@ class SourceIngest {
   }
 
   // A field in time slices; `refs` name its components, in their order.
-  Term StateField(const OceanFile& file, const SourceQuantity& quantity,
+  Term StateField(const FieldFile& file, const SourceQuantity& quantity,
                   const TimeWindow& window,
                   const std::vector<const char*>& refs, const Term& grid) {
     const StepRange steps = StepsOfField(file.time_s, window);
@@ -198,7 +198,7 @@ class SourceIngest {
 
   std::string Kind() const { return source_.Text(Ex("kind"), kDifferenceKind); }
 
-  StepPair StepsOfLayer(const OceanFile& file, const TimeWindow& window) const {
+  StepPair StepsOfLayer(const FieldFile& file, const TimeWindow& window) const {
     if (Kind() == kDifferenceKind) {
       return StepsOfDifference(file.time_s, window);
     }
@@ -206,7 +206,7 @@ class SourceIngest {
     return {step, step};
   }
 
-  void StateLayer(const OceanFile& file, const TimeWindow& window,
+  void StateLayer(const FieldFile& file, const TimeWindow& window,
                   const Term& layer) {
     const StepPair steps = StepsOfLayer(file, window);
     Generate(layer, "ValueLayer");
@@ -296,21 +296,21 @@ class MissionIngest {
     file_.clear();
   }
 
-  const OceanFile& Open(const FactEntity& source,
-                        const std::vector<Quantity>& wanted) {
+  const FieldFile& Open(const FactEntity& source,
+                        const std::vector<FieldQuantity>& wanted) {
     const std::string path = cache_.Resolve(source.Text(Ex("file")));
     return Keep(path, cache_.Read(path, wanted));
   }
 
-  const OceanFile& Keep(const std::string& path,
-                        std::shared_ptr<const OceanFile> file) {
+  const FieldFile& Keep(const std::string& path,
+                        std::shared_ptr<const FieldFile> file) {
     open_.push_back(std::move(file));
     file_ = path + ": ";  // For reasons that come after the reading.
     return *open_.back();
   }
 
   void ReadSource(const FactEntity& source, const SourceQuantity& quantity) {
-    const OceanFile& file = Open(source, quantity.components);
+    const FieldFile& file = Open(source, quantity.components);
     SourceIngest ingest(source, mission_, transaction_);
     switch (quantity.role) {
       case FieldRole::kMotion:
@@ -332,7 +332,7 @@ class MissionIngest {
     const std::optional<GridRef> ref = ReadGridRef(layer);
     if (!ref) return;
     const std::string path = cache_.Resolve(ref->file);
-    const OceanFile& file =
+    const FieldFile& file =
         Keep(path, cache_.ReadVariable(path, ref->variable));
     SourceIngest(layer, mission_, transaction_)
         .StateRaster(file, *ref, field_grid_);
@@ -343,7 +343,7 @@ class MissionIngest {
   const Mission mission_;
   const Grid* field_grid_ = nullptr;
   std::string file_;
-  std::vector<std::shared_ptr<const OceanFile>> open_;
+  std::vector<std::shared_ptr<const FieldFile>> open_;
   std::vector<std::string> reasons_;
 };
 

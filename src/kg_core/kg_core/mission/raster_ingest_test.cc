@@ -17,7 +17,7 @@
 #include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/testing/mission_world.h"
 #include "kg_core/mission/validator.h"
-#include "kg_core/raster/test_raster_file.h"
+#include "kg_core/raster/testing/test_raster_file.h"
 
 namespace kg_core {
 namespace {

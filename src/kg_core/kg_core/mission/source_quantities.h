@@ -1,12 +1,12 @@
 // The quantities that a mission's fields are of, one row each: what a data
 // source names by ex:provides, how a file is read for it, and what is stated
 // and compiled from it. How files name and scale a component (CF standard
-// names, variable names, units, limits) is told by its Quantity
-// (ocean_values.cc).
+// names, variable names, units, limits) is told by its FieldQuantity
+// (field_values.cc).
 //
-// A new quantity that costs is a row here and a Quantity: ingest, the mission
-// reader, the seam cost terms and their hashes, messages and explanations go
-// through the rows.
+// A new quantity that costs is a row here and a FieldQuantity: ingest, the
+// mission reader, the seam cost terms and their hashes, messages and
+// explanations go through the rows.
 
 #ifndef KG_CORE_MISSION_SOURCE_QUANTITIES_H_
 #define KG_CORE_MISSION_SOURCE_QUANTITIES_H_
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/raster/ocean_file.h"
+#include "kg_core/raster/field_file.h"
 
 namespace kg_core {
 
@@ -27,7 +27,7 @@ enum class FieldRole {
 struct SourceQuantity {
   std::string name;  // ex:provides.
   FieldRole role;
-  std::vector<Quantity> components;
+  std::vector<FieldQuantity> components;
   // CF standard name of the first component that is of this quantity and of no
   // other; empty = any that is not another row's.
   std::string standard_name;

@@ -14,7 +14,7 @@
 #include <sstream>
 #include <string>
 
-#include "kg_compiler/bench_report.h"
+#include "kg_core/base/testing/bench_report.h"
 #include "kg_selector/orienteering/top_report.h"
 #include "kg_selector/team/team_modes.h"
 
@@ -63,8 +63,8 @@ void Measure(const BenchData& data, double seconds, std::size_t step,
   char what[64];
   std::snprintf(what, sizeof what, "Team Orienteering, exact, %g s an instance",
                 seconds);
-  kg_compiler::Report({12, what, goal, true, "%"},
-                      MeasureShare(data, options, step));
+  kg_core::Report({12, what, goal, true, "%"},
+                  MeasureShare(data, options, step));
 }
 
 void Run(const BenchData& data, bool quick) {

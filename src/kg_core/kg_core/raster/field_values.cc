@@ -1,4 +1,4 @@
-#include "kg_core/raster/ocean_values.h"
+#include "kg_core/raster/field_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +83,7 @@ const std::vector<UnitScale>& LengthUnits() {
   return kUnits;
 }
 
-const Vocabulary& VocabularyOf(Quantity quantity) {
+const Vocabulary& VocabularyOf(FieldQuantity quantity) {
   static const Vocabulary kEast = {
       "eastward velocity",
       {"eastward_sea_water_velocity", "surface_eastward_sea_water_velocity",
@@ -126,24 +126,24 @@ const Vocabulary& VocabularyOf(Quantity quantity) {
                                   -std::numeric_limits<float>::max(),
                                   std::numeric_limits<float>::max()};
   switch (quantity) {
-    case Quantity::kEastwardVelocity:
+    case FieldQuantity::kEastwardVelocity:
       return kEast;
-    case Quantity::kNorthwardVelocity:
+    case FieldQuantity::kNorthwardVelocity:
       return kNorth;
-    case Quantity::kTemperature:
+    case FieldQuantity::kTemperature:
       return kTemperature;
-    case Quantity::kWaveHeight:
+    case FieldQuantity::kWaveHeight:
       return kWaveHeight;
-    case Quantity::kAny:
+    case FieldQuantity::kAny:
       return kAny;
   }
   throw std::logic_error("no such quantity");
 }
 
 // Those of the variable's standard_name, else the quantity's.
-Vocabulary WordsFor(Quantity quantity, const NetcdfVariable& variable) {
+Vocabulary WordsFor(FieldQuantity quantity, const NetcdfVariable& variable) {
   Vocabulary words = VocabularyOf(quantity);
-  if (quantity == Quantity::kAny) return words;
+  if (quantity == FieldQuantity::kAny) return words;
   const std::string name = variable.Text("standard_name");
   for (const Limits& limits : kElsewhere) {
     if (name != limits.standard_name) continue;
@@ -306,7 +306,7 @@ class Unpacker {
   std::size_t absurd_ = 0;
 };
 
-std::vector<double> RawSlice(const NetcdfFile& file, const OceanAxes& axes,
+std::vector<double> RawSlice(const NetcdfFile& file, const FieldAxes& axes,
                              const NetcdfVariable& variable, std::size_t time) {
   std::vector<std::size_t> start = axes.start;
   std::vector<std::size_t> count(start.size(), 1);
@@ -316,7 +316,7 @@ std::vector<double> RawSlice(const NetcdfFile& file, const OceanAxes& axes,
   return file.Values(variable, start, count);
 }
 
-Raster Canonical(const OceanAxes& axes, const std::vector<double>& raw,
+Raster Canonical(const FieldAxes& axes, const std::vector<double>& raw,
                  Unpacker* unpack) {
   const bool rows_first = axes.lat < axes.lon;
   const std::size_t row_step = rows_first ? axes.file_col.size() : 1;
@@ -362,13 +362,13 @@ bool IsWind(const QuantitySeries& series) {
   return IsWindName(series.standard_name);
 }
 
-const char* Name(Quantity quantity) { return VocabularyOf(quantity).name; }
+const char* Name(FieldQuantity quantity) { return VocabularyOf(quantity).name; }
 
 std::vector<const NetcdfVariable*> FindVariables(
-    const NetcdfFile& file, const std::vector<Quantity>& quantities) {
+    const NetcdfFile& file, const std::vector<FieldQuantity>& quantities) {
   std::vector<const NetcdfVariable*> variables;
   std::string missing;
-  for (const Quantity quantity : quantities) {
+  for (const FieldQuantity quantity : quantities) {
     const Vocabulary& words = VocabularyOf(quantity);
     variables.push_back(FindVariable(file, words));
     if (variables.back() != nullptr) continue;
@@ -382,8 +382,9 @@ std::vector<const NetcdfVariable*> FindVariables(
   return variables;
 }
 
-QuantitySeries ReadSeries(const NetcdfFile& file, const OceanAxes& axes,
-                          const NetcdfVariable& variable, Quantity quantity) {
+QuantitySeries ReadSeries(const NetcdfFile& file, const FieldAxes& axes,
+                          const NetcdfVariable& variable,
+                          FieldQuantity quantity) {
   const Vocabulary words = WordsFor(quantity, variable);
   Unpacker unpack(file, variable, words);
   QuantitySeries series{
@@ -395,7 +396,7 @@ QuantitySeries ReadSeries(const NetcdfFile& file, const OceanAxes& axes,
     series.at_time.push_back(Canonical(axes, raw, &unpack));
     if (unpack.plausible() == before) empty_times.push_back(time);
   }
-  if (quantity == Quantity::kAny) return series;
+  if (quantity == FieldQuantity::kAny) return series;
   RefuseAbsurd(file, variable, words, unpack);
   if (!empty_times.empty()) {
     file.Refuse(variable, "no value in any cell at time " +

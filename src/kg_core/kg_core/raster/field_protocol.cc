@@ -1,4 +1,4 @@
-#include "kg_core/raster/ocean_protocol.h"
+#include "kg_core/raster/field_protocol.h"
 
 #include <cmath>
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace kg_core {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x314e4145434f474bULL;  // "KGOCEAN1"
+constexpr std::uint64_t kMagic = 0x31444c454946474bULL;  // "KGFIELD1"
 constexpr std::uint32_t kContents = 1;
 constexpr std::uint32_t kError = 2;
 constexpr std::uint32_t kMaxAxis = 100000;
@@ -42,13 +42,13 @@ class Reader {
   Reader(const std::string& path, const GetBytes& get)
       : path_(path), get_(get) {}
 
-  OceanFile Read() {
+  FieldFile Read() {
     Head head;
     get_(&head, sizeof(head));
     if (head.magic != kMagic) Refuse();
     if (head.kind == kError) throw InputError(Text());
     CheckSizes(head);
-    OceanFile file;
+    FieldFile file;
     file.path = path_;
     file.sha256 = Text();
     file.grid = ReadGrid(head);
@@ -72,7 +72,7 @@ class Reader {
     const double values = 1.0 * head.rows * head.cols * head.times *
                           (head.series > 0 ? head.series : 1);
     if (head.kind != kContents || !axes || head.series > kMaxSeries ||
-        values > static_cast<double>(kMaxOceanValues)) {
+        values > static_cast<double>(kMaxFieldValues)) {
       Refuse();
     }
   }
@@ -102,7 +102,7 @@ class Reader {
     QuantitySeries series;
     std::uint32_t quantity = 0;
     get_(&quantity, sizeof(quantity));
-    series.quantity = static_cast<Quantity>(quantity);
+    series.quantity = static_cast<FieldQuantity>(quantity);
     series.variable = Text();
     series.standard_name = Text();
     for (std::uint32_t time = 0; time < head.times; ++time) {
@@ -122,7 +122,7 @@ class Reader {
 
 }  // namespace
 
-void WriteOceanFile(const OceanFile& file, const PutBytes& put) {
+void WriteFieldFile(const FieldFile& file, const PutBytes& put) {
   Head head;
   head.rows = static_cast<std::uint32_t>(file.grid.rows());
   head.cols = static_cast<std::uint32_t>(file.grid.cols());
@@ -144,14 +144,14 @@ void WriteOceanFile(const OceanFile& file, const PutBytes& put) {
   }
 }
 
-void WriteOceanError(const std::string& line, const PutBytes& put) {
+void WriteFieldError(const std::string& line, const PutBytes& put) {
   Head head;
   head.kind = kError;
   put(&head, sizeof(head));
   PutText(line.substr(0, kMaxText), put);
 }
 
-OceanFile ReadOceanBytes(const std::string& path, const GetBytes& get) {
+FieldFile ReadFieldBytes(const std::string& path, const GetBytes& get) {
   return Reader(path, get).Read();
 }
 

@@ -1,7 +1,7 @@
 // For tests: writes small ocean files of every shape, and finds the real ones.
 
-#ifndef KG_CORE_RASTER_OCEAN_TEST_FILE_H_
-#define KG_CORE_RASTER_OCEAN_TEST_FILE_H_
+#ifndef KG_CORE_RASTER_TESTING_FIELD_TEST_FILE_H_
+#define KG_CORE_RASTER_TESTING_FIELD_TEST_FILE_H_
 
 #include <gtest/gtest.h>
 #include <netcdf.h>
@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/raster/ocean_file.h"
+#include "kg_core/raster/field_file.h"
 
 namespace kg_core {
 
@@ -220,7 +220,7 @@ class TestFileWriter {
 class TempFile {
  public:
   TempFile() {
-    char folder[] = "/tmp/kg_ocean_XXXXXX";
+    char folder[] = "/tmp/kg_field_XXXXXX";
     folder_ = mkdtemp(folder);
     path_ = folder_ + "/file.nc";
   }
@@ -249,9 +249,9 @@ class TempFile {
   std::string path_;
 };
 
-inline const std::vector<Quantity>& BothVelocities() {
-  static const std::vector<Quantity> kBoth{Quantity::kEastwardVelocity,
-                                           Quantity::kNorthwardVelocity};
+inline const std::vector<FieldQuantity>& BothVelocities() {
+  static const std::vector<FieldQuantity> kBoth{
+      FieldQuantity::kEastwardVelocity, FieldQuantity::kNorthwardVelocity};
   return kBoth;
 }
 
@@ -278,4 +278,4 @@ inline std::string SharedData(const std::string& name) {
 
 }  // namespace kg_core
 
-#endif  // KG_CORE_RASTER_OCEAN_TEST_FILE_H_
+#endif  // KG_CORE_RASTER_TESTING_FIELD_TEST_FILE_H_

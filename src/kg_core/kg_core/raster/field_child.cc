@@ -1,4 +1,4 @@
-// ReadOceanFileSafely: the program read_ocean_file in a process of its own, its
+// ReadFieldFileSafely: the program read_field_file in a process of its own, its
 // answer over a pipe, its end at the deadline at the latest.
 
 #include <fcntl.h>
@@ -17,15 +17,15 @@
 #include <stdexcept>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/raster/ocean_file.h"
-#include "kg_core/raster/ocean_protocol.h"
+#include "kg_core/raster/field_file.h"
+#include "kg_core/raster/field_protocol.h"
 
 namespace kg_core {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr char kProgram[] = "read_ocean_file";
+constexpr char kProgram[] = "read_field_file";
 constexpr double kMaxDeadline_s = 86400.0;
 
 class Descriptor {
@@ -56,7 +56,7 @@ std::string FolderOfThisProgram() {
 }
 
 std::string FindProgram() {
-  const char* named = std::getenv("KG_READ_OCEAN_FILE");
+  const char* named = std::getenv("KG_READ_FIELD_FILE");
   if (named != nullptr && *named != '\0') return named;
   const std::string folder = FolderOfThisProgram();
   for (const std::string& candidate :
@@ -64,8 +64,8 @@ std::string FindProgram() {
     if (access(candidate.c_str(), X_OK) == 0) return candidate;
   }
   throw InputError(
-      std::string("the program read_ocean_file is not there, expected it in ") +
-      folder + ", in ../kg_core beside it, or named by KG_READ_OCEAN_FILE");
+      std::string("the program read_field_file is not there, expected it in ") +
+      folder + ", in ../kg_core beside it, or named by KG_READ_FIELD_FILE");
 }
 
 // What a new process gets instead of its parent's descriptors and signals.
@@ -187,7 +187,7 @@ class Answer {
 };
 
 // `wanted`: as the program's arguments.
-OceanFile ReadInChild(const std::string& path,
+FieldFile ReadInChild(const std::string& path,
                       const std::vector<std::string>& wanted,
                       double deadline_s) {
   const double limit_s = std::min(std::max(deadline_s, 0.0), kMaxDeadline_s);
@@ -203,7 +203,7 @@ OceanFile ReadInChild(const std::string& path,
   Child child(arguments, to_parent.get());
   to_parent.Close();
   const Answer answer(path, from_child.get(), limit_s);
-  return ReadOceanBytes(path, [&](void* bytes, std::size_t count) {
+  return ReadFieldBytes(path, [&](void* bytes, std::size_t count) {
     if (answer.Get(bytes, count) == count) return;
     throw InputError(path + ": the reading process ended " + child.End() +
                      " before it was done, expected a file that is not "
@@ -213,18 +213,18 @@ OceanFile ReadInChild(const std::string& path,
 
 }  // namespace
 
-OceanFile ReadOceanFileSafely(const std::string& path,
-                              const std::vector<Quantity>& quantities,
+FieldFile ReadFieldFileSafely(const std::string& path,
+                              const std::vector<FieldQuantity>& quantities,
                               double deadline_s) {
   if (quantities.empty()) throw std::logic_error("no quantity is asked for");
   std::vector<std::string> wanted;
-  for (const Quantity quantity : quantities) {
+  for (const FieldQuantity quantity : quantities) {
     wanted.push_back(std::to_string(static_cast<int>(quantity)));
   }
   return ReadInChild(path, wanted, deadline_s);
 }
 
-OceanFile ReadVariableSafely(const std::string& path,
+FieldFile ReadVariableSafely(const std::string& path,
                              const std::string& variable, double deadline_s) {
   return ReadInChild(path, {kVariableArgument + variable}, deadline_s);
 }

@@ -1,7 +1,7 @@
 // For tests: writes NetCDF files of any variables on one grid.
 
-#ifndef KG_CORE_RASTER_TEST_RASTER_FILE_H_
-#define KG_CORE_RASTER_TEST_RASTER_FILE_H_
+#ifndef KG_CORE_RASTER_TESTING_TEST_RASTER_FILE_H_
+#define KG_CORE_RASTER_TESTING_TEST_RASTER_FILE_H_
 
 #include <netcdf.h>
 
@@ -96,4 +96,4 @@ class TestRasterFileWriter {
 
 }  // namespace kg_core
 
-#endif  // KG_CORE_RASTER_TEST_RASTER_FILE_H_
+#endif  // KG_CORE_RASTER_TESTING_TEST_RASTER_FILE_H_

@@ -1,4 +1,4 @@
-#include "kg_core/raster/ocean_axes.h"
+#include "kg_core/raster/field_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +73,7 @@ class Reader {
     axes_.start.assign(variable.dimensions.size(), 0);
   }
 
-  OceanAxes Read() {
+  FieldAxes Read() {
     RefuseCurvilinear();
     for (std::size_t i = 0; i < variable_.dimensions.size(); ++i) {
       Assign(static_cast<int>(i));
@@ -119,7 +119,7 @@ class Reader {
   const NetcdfVariable* lat_ = nullptr;
   const NetcdfVariable* lon_ = nullptr;
   const NetcdfVariable* time_ = nullptr;
-  OceanAxes axes_;
+  FieldAxes axes_;
 };
 
 void Reader::RefuseCurvilinear() const {
@@ -334,7 +334,7 @@ void Reader::ReadTimes() {
 
 }  // namespace
 
-OceanAxes ReadOceanAxes(const NetcdfFile& file, const NetcdfVariable& variable,
+FieldAxes ReadFieldAxes(const NetcdfFile& file, const NetcdfVariable& variable,
                         TimeAxis time) {
   return Reader(file, variable, time).Read();
 }

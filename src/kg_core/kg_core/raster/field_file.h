@@ -20,8 +20,8 @@
 // a file has the quantity of the sea and of elsewhere, the sea's is taken.
 // Source of the conventions: CF-1.8, sections 2.5.1, 4.1-4.4, 8.1.
 
-#ifndef KG_CORE_RASTER_OCEAN_FILE_H_
-#define KG_CORE_RASTER_OCEAN_FILE_H_
+#ifndef KG_CORE_RASTER_FIELD_FILE_H_
+#define KG_CORE_RASTER_FIELD_FILE_H_
 
 #include <string>
 #include <vector>
@@ -32,7 +32,7 @@ namespace kg_core {
 
 // What can be asked of a file, and the CF standard names (first) and variable
 // names (second) that provide it.
-enum class Quantity {
+enum class FieldQuantity {
   // m/s; eastward_sea_water_velocity, ..., eastward_wind; water_u, u
   kEastwardVelocity,
   // m/s; northward_sea_water_velocity, ..., northward_wind; water_v, v
@@ -44,10 +44,10 @@ enum class Quantity {
   kWaveHeight,
   kAny,  // A variable asked for by its own name, in its own unit.
 };
-const char* Name(Quantity quantity);  // "eastward velocity", ...
+const char* Name(FieldQuantity quantity);  // "eastward velocity", ...
 
 struct QuantitySeries {
-  Quantity quantity = Quantity::kTemperature;
+  FieldQuantity quantity = FieldQuantity::kTemperature;
   std::string variable;         // Its name in the file.
   std::string standard_name;    // Empty if it has none.
   std::vector<Raster> at_time;  // One raster for each time of the file.
@@ -55,7 +55,7 @@ struct QuantitySeries {
 
 bool IsWind(const QuantitySeries& series);
 
-struct OceanFile {
+struct FieldFile {
   std::string path;
   std::string sha256;  // Of the whole file.
   Grid grid;
@@ -65,24 +65,24 @@ struct OceanFile {
 };
 
 // Throws InputError, also when a quantity is missing.
-OceanFile ReadOceanFile(const std::string& path,
-                        const std::vector<Quantity>& quantities);
+FieldFile ReadFieldFile(const std::string& path,
+                        const std::vector<FieldQuantity>& quantities);
 
 // One variable by its name, whatever it is: a mask, a map of habitats. Packing
 // and fill values are taken away, units are not looked at, any finite value is
 // a value, a step may be empty, and there may be no time. Throws InputError.
-OceanFile ReadVariable(const std::string& path, const std::string& variable);
+FieldFile ReadVariable(const std::string& path, const std::string& variable);
 
-// Both in a child process (program "read_ocean_file" of this package, found
+// Both in a child process (program "read_field_file" of this package, found
 // beside the running program) that is ended after `deadline_s`: damaged
 // NetCDF-4 files can hang or crash the library. Throws InputError then, too.
-OceanFile ReadOceanFileSafely(const std::string& path,
-                              const std::vector<Quantity>& quantities,
+FieldFile ReadFieldFileSafely(const std::string& path,
+                              const std::vector<FieldQuantity>& quantities,
                               double deadline_s = 30.0);
-OceanFile ReadVariableSafely(const std::string& path,
+FieldFile ReadVariableSafely(const std::string& path,
                              const std::string& variable,
                              double deadline_s = 30.0);
 
 }  // namespace kg_core
 
-#endif  // KG_CORE_RASTER_OCEAN_FILE_H_
+#endif  // KG_CORE_RASTER_FIELD_FILE_H_
