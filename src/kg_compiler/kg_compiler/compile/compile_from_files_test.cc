@@ -19,7 +19,8 @@
 #include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/terms.h"
 #include "kg_core/mission/vocabulary.h"
-#include "kg_core/raster/test_raster_file.h"
+#include "kg_core/raster/field_child.h"
+#include "kg_core/raster/testing/test_raster_file.h"
 
 namespace kg_compiler {
 namespace {
@@ -140,10 +141,11 @@ class CompileFromFiles : public testing::Test {
     if (!std::ifstream(ocean.currents) || !std::ifstream(ocean.sst)) return {};
     ocean.currents = std::filesystem::absolute(ocean.currents).string();
     ocean.sst = std::filesystem::absolute(ocean.sst).string();
-    ocean.grid = kg_core::ReadOceanFileSafely(
-                     ocean.currents, {kg_core::Quantity::kEastwardVelocity,
-                                      kg_core::Quantity::kNorthwardVelocity})
-                     .grid;
+    ocean.grid =
+        kg_core::ReadFieldFileSafely(
+            ocean.currents, {kg_core::FieldQuantity::kEastwardVelocity,
+                             kg_core::FieldQuantity::kNorthwardVelocity})
+            .grid;
     return ocean;
   }
 

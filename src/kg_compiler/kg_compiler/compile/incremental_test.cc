@@ -11,7 +11,7 @@
 
 #include "kg_compiler/compile/same_compilation.h"
 #include "kg_compiler/control_plane/seam_cache.h"
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 #include "kg_core/base/input_error.h"
 
 namespace kg_compiler {

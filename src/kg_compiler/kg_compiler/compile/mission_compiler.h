@@ -91,7 +91,7 @@ class MissionCompiler {
   RasterStore rasters_;
   std::shared_ptr<const Compilation> last_;
   // What MeasureHorizon found, by what it measured.
-  std::map<std::string, Normaliser> horizons_;
+  std::map<std::string, ValueNormaliser> horizons_;
   std::shared_ptr<DataPlaneCache> cache_ = std::make_shared<DataPlaneCache>();
 };
 

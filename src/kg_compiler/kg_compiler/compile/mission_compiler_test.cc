@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 #include "kg_core/base/input_error.h"
 
 namespace kg_compiler {

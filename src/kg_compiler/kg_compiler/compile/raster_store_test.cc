@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 #include "kg_core/base/input_error.h"
 
 namespace kg_compiler {

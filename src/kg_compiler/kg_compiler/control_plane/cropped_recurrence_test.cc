@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 
 namespace kg_compiler {
 namespace {

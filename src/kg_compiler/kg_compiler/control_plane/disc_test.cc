@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 #include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {

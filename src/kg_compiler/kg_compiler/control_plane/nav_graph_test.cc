@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "kg_compiler/control_plane/seam_cache.h"
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/geo/geodesy.h"
 

@@ -5,14 +5,18 @@
 #include <cstring>
 #include <random>
 
-#include "kg_compiler/bench_report.h"
 #include "kg_compiler/control_plane/disc.h"
 #include "kg_compiler/control_plane/proximal_recurrence.h"
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
+#include "kg_core/base/testing/bench_report.h"
 #include "opencv2/imgproc.hpp"
 
 namespace kg_compiler {
 namespace {
+
+using kg_core::Median;
+using kg_core::Report;
+using kg_core::Seconds;
 
 constexpr int kPicks = 20;
 constexpr double kCell_m = 100.0;

@@ -17,11 +17,11 @@ inline constexpr int kBandRows = 16;
 inline constexpr std::size_t kRowAlignment = 64;
 
 template <typename T>
-class Bands {
+class RowBands {
  public:
-  Bands() = default;
+  RowBands() = default;
   // Of values that are not set yet.
-  Bands(int rows, int cols) : rows_(rows), cols_(cols) {
+  RowBands(int rows, int cols) : rows_(rows), cols_(cols) {
     const std::size_t unit = kRowAlignment / sizeof(T);
     stride_ = (static_cast<std::size_t>(cols) + unit - 1) / unit * unit;
     for (int band = 0; band < bands(); ++band) data_.push_back(New());

@@ -39,11 +39,11 @@ struct BlendTerm {
 std::vector<BlendTerm> BlendTerms(const ActiveFacts& active,
                                   const kg_core::Policy& policy);
 
-// What a layer is divided by. `most` is its largest open value, `stated` its
-// ex:fullScale or ex:frontFullScale: throws kg_core::InputError if that is
+// What a layer is divided by. `max_value` is its largest open value, `stated`
+// its ex:fullScale or ex:frontFullScale: throws kg_core::InputError if that is
 // wanted and not there. Infinite where the layer is 0 everywhere.
 double LayerDivisor(const kg_core::Policy& policy,
-                    const std::optional<double>& stated, double most);
+                    const std::optional<double>& stated, double max_value);
 
 // Adds a term to `sum`, cell by cell.
 void AddTerm(const WindowRasters& rasters, const kg_core::Policy& policy,
@@ -51,7 +51,7 @@ void AddTerm(const WindowRasters& rasters, const kg_core::Policy& policy,
              std::vector<double>* sum);
 
 // What N is applied to, and what it is made of.
-struct Blend {
+struct LayerBlend {
   kg_core::Mask open;               // M_hard.
   std::vector<double> attenuation;  // M_soft.
   std::vector<double> priors;       // sum beta P, events included.
@@ -61,11 +61,11 @@ struct Blend {
   // paper_literal: all water.
   kg_core::Mask counted;
 };
-Blend BlendLayers(const ActiveFacts& active, const kg_core::Policy& policy,
-                  const WindowRasters& rasters);
+LayerBlend BlendLayers(const ActiveFacts& active, const kg_core::Policy& policy,
+                       const WindowRasters& rasters);
 
 // N(x) = (x - low) / range, held in [0, 1]; 0 everywhere if range is 0.
-struct Normaliser {
+struct ValueNormaliser {
   double low = 0.0;
   double range = 0.0;
   double Apply(double x) const;
@@ -74,12 +74,12 @@ struct Normaliser {
 // From the counted cells' values alone (A4). kMax: low 0, range max. kMinMax:
 // the two extremes; a constant field as kMax. kPercentile: low 0, range the
 // 98th percentile (nearest rank), or the maximum where that is 0.
-Normaliser FitNormaliser(const std::vector<double>& values,
-                         const kg_core::Mask& counted,
-                         kg_core::Normalisation kind);
+ValueNormaliser FitNormaliser(const std::vector<double>& values,
+                              const kg_core::Mask& counted,
+                              kg_core::Normalisation kind);
 
 // The one that covers both (A1, `horizon`): lowest low to highest top.
-Normaliser Merge(const Normaliser& a, const Normaliser& b);
+ValueNormaliser Merge(const ValueNormaliser& a, const ValueNormaliser& b);
 
 }  // namespace kg_compiler
 

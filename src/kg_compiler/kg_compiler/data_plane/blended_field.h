@@ -19,21 +19,22 @@ namespace kg_compiler {
 struct BlendedField {
   BlendRecipe recipe;
   std::shared_ptr<const LayerTable> table;  // Of B, where it is read.
-  Tiling tiling;
-  Bands<unsigned char> state;  // CellState: M_hard, and land.
-  Bands<float> masked;         // V' / unit, also where it is forbidden.
+  TileLayout tiling;
+  RowBands<unsigned char> state;  // CellState: M_hard, and land.
+  RowBands<float> masked;         // V' / unit, also where it is forbidden.
   double unit = 1.0;
-  std::vector<Extremes> extremes;  // By tile, of the cells that N is fitted on.
+  std::vector<ValueExtremes>
+      extremes;  // By tile, of the cells that N is fitted on.
   // The paper's letter: V is not held at 0, M_hard stands before N, which is
   // fitted on all water.
   bool is_literal = false;
 
-  Extremes All() const;
+  ValueExtremes All() const;
 };
 
 // M_hard by the recipe's hard zones.
 void CloseCells(const kg_core::Mask& land, const BlendRecipe& recipe,
-                const CellBox& box, Bands<unsigned char>* state);
+                const CellBox& box, RowBands<unsigned char>* state);
 
 // V' and the extremes of rows [row, row_end) of a field whose recipe and state
 // are there and whose rows are its own. Rows may be computed by several

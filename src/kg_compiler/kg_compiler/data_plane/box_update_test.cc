@@ -14,7 +14,7 @@
 #include "kg_compiler/data_plane/data_plane.h"
 #include "kg_compiler/data_plane/masks.h"
 #include "kg_compiler/data_plane/patches.h"
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/sha256.h"
 

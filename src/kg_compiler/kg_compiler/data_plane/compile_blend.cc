@@ -26,10 +26,10 @@ bool IsComfortable(float x) {
   return x == 0.0f || (std::abs(x) >= kSmallest && std::abs(x) <= kLargest);
 }
 
-class Compiler {
+class BlendCompiler {
  public:
-  Compiler(const TensorInputs& inputs, const ActiveFacts& active,
-           const std::shared_ptr<const BlendedField>& previous)
+  BlendCompiler(const TensorInputs& inputs, const ActiveFacts& active,
+                const std::shared_ptr<const BlendedField>& previous)
       : in_(inputs),
         active_(active),
         policy_(inputs.agent->policy),
@@ -40,7 +40,7 @@ class Compiler {
     field_->recipe =
         WriteRecipe(*in_.mission, policy_, active_, rasters_,
                     previous_ ? &previous_->recipe : nullptr, in_.cache);
-    field_->tiling = Tiling(rasters_.grid.rows(), rasters_.grid.cols());
+    field_->tiling = TileLayout(rasters_.grid.rows(), rasters_.grid.cols());
     has_same_sea_ =
         previous_ && previous_->recipe.land_hash == field_->recipe.land_hash;
     if (policy_.paper_literal) return Slowly();
@@ -77,7 +77,7 @@ class Compiler {
       return;
     }
     field_->state =
-        Bands<unsigned char>(field_->tiling.rows, field_->tiling.cols);
+        RowBands<unsigned char>(field_->tiling.rows, field_->tiling.cols);
     ForEachBand([&](int row, int row_end) {
       CloseCells(rasters_.land, field_->recipe,
                  {row, row_end, 0, field_->tiling.cols}, &field_->state);
@@ -89,7 +89,7 @@ class Compiler {
     LayerTable::Weights& weights = field_->recipe.weights;
     weights.op = policy_.front_operator;
     if (field_->table) {
-      if (!IsComfortable(field_->table->largest())) return false;
+      if (!IsComfortable(field_->table->max_abs())) return false;
       if (policy_.alpha_base != 0.0) {
         weights.base = static_cast<float>(policy_.alpha_base / ValueScale());
       }
@@ -106,19 +106,19 @@ class Compiler {
 
   // What B and F are divided by; infinite where the layer is to be 0.
   double ValueScale() const {
-    const double most =
+    const double max_value =
         policy_.layer_scale == kg_core::LayerScale::kWindow
-            ? field_->table->MostValue(rasters_.value, field_->state)
+            ? field_->table->MaxOpenValue(rasters_.value, field_->state)
             : 0.0;
-    return LayerDivisor(policy_, rasters_.full_scale, most);
+    return LayerDivisor(policy_, rasters_.full_scale, max_value);
   }
   double FrontScale() const {
-    const double most =
+    const double max_value =
         policy_.layer_scale == kg_core::LayerScale::kWindow
-            ? field_->table->MostFront(rasters_.value, policy_.front_operator,
-                                       field_->state)
+            ? field_->table->MaxOpenFront(rasters_.value,
+                                          policy_.front_operator, field_->state)
             : 0.0;
-    return LayerDivisor(policy_, rasters_.front_full_scale, most);
+    return LayerDivisor(policy_, rasters_.front_full_scale, max_value);
   }
 
   bool CanUpdate() {
@@ -160,7 +160,7 @@ class Compiler {
   }
 
   MadeBlend Whole() {
-    field_->masked = Bands<float>(field_->tiling.rows, field_->tiling.cols);
+    field_->masked = RowBands<float>(field_->tiling.rows, field_->tiling.cols);
     field_->extremes.resize(field_->tiling.size());
     ForEachBand([&](int row, int row_end) {
       ComputeRows(rasters_, row, row_end, field_.get());
@@ -169,25 +169,28 @@ class Compiler {
   }
 
   MadeBlend Checked(std::size_t cells) {
-    const Extremes all = field_->All();
-    if (all.most > 0.0f && !IsComfortable(all.most)) return Slowly();
+    const ValueExtremes all = field_->All();
+    if (all.max > 0.0f && !IsComfortable(all.max)) return Slowly();
     return {field_, cells};
   }
 
   MadeBlend Slowly() {
-    const Blend blend = BlendLayers(active_, policy_, rasters_);
+    const LayerBlend blend = BlendLayers(active_, policy_, rasters_);
     field_->is_literal = policy_.paper_literal;
     field_->recipe.weights = {};
     field_->state =
-        Bands<unsigned char>(field_->tiling.rows, field_->tiling.cols);
-    field_->masked = Bands<float>(field_->tiling.rows, field_->tiling.cols);
+        RowBands<unsigned char>(field_->tiling.rows, field_->tiling.cols);
+    field_->masked = RowBands<float>(field_->tiling.rows, field_->tiling.cols);
     CloseCells(rasters_.land, field_->recipe, WholeGrid(rasters_.grid),
                &field_->state);
-    double most = 0.0;
+    // In units of the largest magnitude, so that float32 neither overflows nor
+    // loses small values.
+    double max_value = 0.0;
     for (std::size_t i = 0; i < blend.masked.size(); ++i) {
-      if (blend.counted[i]) most = std::max(most, std::abs(blend.masked[i]));
+      if (blend.counted[i])
+        max_value = std::max(max_value, std::abs(blend.masked[i]));
     }
-    field_->unit = most > 0.0 ? most : 1.0;
+    field_->unit = max_value > 0.0 ? max_value : 1.0;
     field_->extremes.assign(field_->tiling.size(), {});
     for (int tile = 0; tile < field_->tiling.size(); ++tile) {
       FillTile(blend, tile);
@@ -195,9 +198,9 @@ class Compiler {
     return {field_, rasters_.grid.size()};
   }
 
-  void FillTile(const Blend& blend, int tile) {
+  void FillTile(const LayerBlend& blend, int tile) {
     const CellBox box = field_->tiling.Box(tile);
-    Extremes& extremes = field_->extremes[tile];
+    ValueExtremes& extremes = field_->extremes[tile];
     for (int r = box.row; r < box.row_end; ++r) {
       float* row = field_->masked.RowToWrite(r);
       for (int c = box.col; c < box.col_end; ++c) {
@@ -237,7 +240,7 @@ class Compiler {
 
 MadeBlend CompileBlend(const TensorInputs& inputs, const ActiveFacts& active,
                        const std::shared_ptr<const BlendedField>& previous) {
-  return Compiler(inputs, active, previous).Make();
+  return BlendCompiler(inputs, active, previous).Make();
 }
 
 }  // namespace kg_compiler

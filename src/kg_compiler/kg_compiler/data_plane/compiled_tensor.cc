@@ -71,16 +71,17 @@ RowScale FitScale(const BlendedField& field, const kg_core::Policy& policy,
     n.range = static_cast<float>(horizon->range / field.unit);
     return n;
   }
-  const Extremes all = field.All();
-  if (!(all.most >= all.least)) return n;  // No cell counts.
-  const float least = before * all.least, most = before * all.most;
-  n.range = most;
+  const ValueExtremes all = field.All();
+  if (!(all.max >= all.min)) return n;  // No cell counts.
+  const float min_value = before * all.min, max_value = before * all.max;
+  n.range =
+      max_value;  // N divides by the maximum, unless a policy says otherwise.
   const bool is_minmax =
       field.is_literal ||
       policy.normalisation == kg_core::Normalisation::kMinMax;
-  if (is_minmax && most > least) {
-    n.low = least;
-    n.range = most - least;
+  if (is_minmax && max_value > min_value) {
+    n.low = min_value;
+    n.range = max_value - min_value;
   } else if (!is_minmax &&
              policy.normalisation == kg_core::Normalisation::kPercentile) {
     const float range = before * Percentile(field);
@@ -113,6 +114,7 @@ void CompiledTensor::GetRow(Layer layer, kg_core::Cell first, int n,
   const float* y = field_->masked.Row(first.row) + first.col;
   const unsigned char* state = field_->state.Row(first.row) + first.col;
   switch (layer) {
+    // Also where it is forbidden: what a place would be worth, without w_t.
     case Layer::kReward:
       Normalise(y, unweighted_, n, values);
       for (int c = 0; c < n; ++c) {
@@ -150,7 +152,7 @@ float CompiledTensor::At(Layer layer, std::size_t cell) const {
 }
 
 kg_core::Raster CompiledTensor::Get(Layer layer) const {
-  const Tiling& tiling = field_->tiling;
+  const TileLayout& tiling = field_->tiling;
   kg_core::Raster values;
   values.reserve(static_cast<std::size_t>(tiling.rows) * tiling.cols);
   std::array<float, kTileCols> part;

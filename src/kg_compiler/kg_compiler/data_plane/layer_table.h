@@ -20,9 +20,9 @@ namespace kg_compiler {
 
 // How a grid is cut into tiles: kBandRows rows by at most kTileCols columns, as
 // even as whole vectors allow.
-struct Tiling {
-  Tiling() = default;
-  Tiling(int grid_rows, int grid_cols) : rows(grid_rows), cols(grid_cols) {
+struct TileLayout {
+  TileLayout() = default;
+  TileLayout(int grid_rows, int grid_cols) : rows(grid_rows), cols(grid_cols) {
     const int wanted = (cols + kTileCols - 1) / kTileCols;
     width = ((cols + wanted - 1) / wanted + 31) / 32 * 32;
     across = (cols + width - 1) / width;
@@ -42,9 +42,9 @@ class LayerTable {
   // Keeps no reference to `value`, but must always be asked with it.
   LayerTable(const kg_core::Grid& grid, const kg_core::Raster& value);
 
-  const Tiling& tiling() const { return tiling_; }
+  const TileLayout& tiling() const { return tiling_; }
   // The largest |B|, 0 if there is none.
-  float largest() const { return largest_; }
+  float max_abs() const { return max_abs_; }
 
   // What a pass is made of beyond the layers, see PassRow; all at its first
   // column. Columns [col, col + n) of a row, within one tile.
@@ -53,14 +53,14 @@ class LayerTable {
     float front = 0.0f;
     kg_core::FrontOperator op = kg_core::FrontOperator::kSobel;
   };
-  Extremes Pass(const kg_core::Raster& value, const Weights& weights,
-                kg_core::Cell first, int n, PassRow row, float* y) const;
+  ValueExtremes Pass(const kg_core::Raster& value, const Weights& weights,
+                     kg_core::Cell first, int n, PassRow row, float* y) const;
 
   // The largest B or F of an open cell, 0 if none is positive.
-  float MostValue(const kg_core::Raster& value,
-                  const Bands<unsigned char>& state) const;
-  float MostFront(const kg_core::Raster& value, kg_core::FrontOperator op,
-                  const Bands<unsigned char>& state) const;
+  float MaxOpenValue(const kg_core::Raster& value,
+                     const RowBands<unsigned char>& state) const;
+  float MaxOpenFront(const kg_core::Raster& value, kg_core::FrontOperator op,
+                     const RowBands<unsigned char>& state) const;
 
  private:
   using Tiles = std::vector<float>;  // The largest in each, wherever.
@@ -86,17 +86,17 @@ class LayerTable {
                  col / tiling_.width] != 0;
   }
   template <typename Evaluate>
-  float Most(const Tiles& tiles, const Bands<unsigned char>& state,
-             const Evaluate& evaluate) const;
+  float MaxOpen(const Tiles& tiles, const RowBands<unsigned char>& state,
+                const Evaluate& evaluate) const;
 
-  Tiling tiling_;
+  TileLayout tiling_;
   std::vector<float> deg_per_km_;    // Of longitude, by row.
   std::vector<float> per_km_;        // By row: from the row before to the next.
   std::vector<float> per_km_after_;  // By row: to the next one.
   std::vector<float> per_deg_;       // By column, likewise, in degrees.
   std::vector<float> per_deg_after_;
   std::vector<unsigned char> gaps_;  // By row and tile across.
-  float largest_ = 0.0f;
+  float max_abs_ = 0.0f;
   Tiles values_;
   mutable std::once_flag made_[2];  // By operator, when first asked for.
   mutable Tiles fronts_[2];

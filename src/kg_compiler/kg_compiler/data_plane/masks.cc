@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "kg_compiler/data_plane/distance_transform.h"
+#include "kg_core/raster/wkt_raster.h"
 
 namespace kg_compiler {
 namespace {
@@ -21,8 +22,7 @@ kg_core::Mask Bare(const WindowRasters& rasters,
     return *mask->second;
   }
   if (!fact.area) return kg_core::Mask(rasters.grid.size(), 0);
-  return constraint.hard ? kg_core::RasteriseTouched(*fact.area, rasters.grid)
-                         : kg_core::RasteriseCentres(*fact.area, rasters.grid);
+  return kg_core::Rasterise(*fact.area, rasters.grid, constraint.effect->cover);
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ kg_core::Mask OpenCells(const WindowRasters& rasters,
     open[i] = rasters.land[i] ? 0 : 1;
   }
   for (const ActiveConstraint& constraint : constraints) {
-    if (!constraint.hard) continue;
+    if (!constraint.forbids()) continue;
     const kg_core::Mask closed = ConstraintExtent(rasters, constraint);
     for (std::size_t i = 0; i < open.size(); ++i) {
       if (closed[i]) open[i] = 0;
@@ -57,7 +57,7 @@ std::vector<double> Attenuations(
   std::vector<double> factor(rasters.grid.size(), 1.0);
   const bool is_product = overlap == kg_core::SoftOverlap::kProduct;
   for (const ActiveConstraint& constraint : constraints) {
-    if (constraint.hard || constraint.attenuation == 1.0) continue;
+    if (constraint.forbids() || constraint.attenuation == 1.0) continue;
     const kg_core::Mask inside = ConstraintExtent(rasters, constraint);
     for (std::size_t i = 0; i < factor.size(); ++i) {
       if (!inside[i]) continue;

@@ -32,14 +32,14 @@ KG_INLINE float LayersAt(const PassRow& row, int c) {
 enum class Soft { kNone, kInside, kSoftness };
 
 template <Front kind, bool has_priors, Soft soft>
-KG_INLINE Extremes Loop(const PassRow& in, int n, float* __restrict y) {
+KG_INLINE ValueExtremes Loop(const PassRow& in, int n, float* __restrict y) {
   const PassRow row = in;  // Its own: nothing in it changes with y.
-  std::int32_t least = kNoneLeast, most = -1;
+  std::int32_t min_bits = kNoMinimum, max_bits = -1;
   for (int c = 0; c < n; ++c) {
     float v = LayersAt<kind>(row, c);
     if constexpr (has_priors) {
       const float p = row.priors[c];
-      v += row.weight * (std::abs(p) <= kMost ? p : 0.0f);
+      v += row.weight * (std::abs(p) <= kMaxFloat ? p : 0.0f);
     }
     float value = AtLeast0(v);
     if constexpr (soft == Soft::kInside) {
@@ -48,11 +48,11 @@ KG_INLINE Extremes Loop(const PassRow& in, int n, float* __restrict y) {
     if constexpr (soft == Soft::kSoftness) value *= row.softness[c];
     y[c] = value;
     const std::int32_t high = Bits(value) | -(row.state[c] != kOpen);
-    const std::int32_t low = high & kNoneLeast;
-    most = high > most ? high : most;
-    least = low < least ? low : least;
+    const std::int32_t low = high & kNoMinimum;
+    max_bits = high > max_bits ? high : max_bits;
+    min_bits = low < min_bits ? low : min_bits;
   }
-  return OfBits(least, most);
+  return OfBits(min_bits, max_bits);
 }
 
 // The same row from a later column on.
@@ -99,10 +99,10 @@ KG_INLINE void FetchAhead(const PassRow& row) {
 // What the blocks leave over is done as a block that begins earlier: cells that
 // are made twice are the same both times.
 template <Front kind, bool has_priors, Soft soft>
-KG_INLINE Extremes Blocks(const PassRow& row, int n, float* y) {
+KG_INLINE ValueExtremes Blocks(const PassRow& row, int n, float* y) {
   if (n < kBlock) return Loop<kind, has_priors, soft>(row, n, y);
   const int whole = n / kBlock * kBlock;
-  Extremes found;
+  ValueExtremes found;
   const auto pass = [&](int first, int count) {
     const PassRow part = From(row, first);
     if (row.is_far) FetchAhead(part);
@@ -115,30 +115,30 @@ KG_INLINE Extremes Blocks(const PassRow& row, int n, float* y) {
 }
 
 template <Front kind, bool has_priors>
-KG_INLINE Extremes LoopBySoft(const PassRow& row, int n, float* y) {
+KG_INLINE ValueExtremes LoopBySoft(const PassRow& row, int n, float* y) {
   if (row.inside) return Blocks<kind, has_priors, Soft::kInside>(row, n, y);
   if (row.softness) return Blocks<kind, has_priors, Soft::kSoftness>(row, n, y);
   return Blocks<kind, has_priors, Soft::kNone>(row, n, y);
 }
 
 template <Front kind>
-KG_INLINE Extremes PassOf(const PassRow& row, int n, float* y) {
+KG_INLINE ValueExtremes PassOf(const PassRow& row, int n, float* y) {
   return row.priors ? LoopBySoft<kind, true>(row, n, y)
                     : LoopBySoft<kind, false>(row, n, y);
 }
 
 }  // namespace
 
-KG_WIDE Extremes PassBase(const PassRow& row, int n, float* y) {
+KG_WIDE ValueExtremes PassBase(const PassRow& row, int n, float* y) {
   return PassOf<Front::kNone>(row, n, y);
 }
-KG_WIDE Extremes PassStored(const PassRow& row, int n, float* y) {
+KG_WIDE ValueExtremes PassStored(const PassRow& row, int n, float* y) {
   return PassOf<Front::kStored>(row, n, y);
 }
-KG_WIDE Extremes PassSobel(const PassRow& row, int n, float* y) {
+KG_WIDE ValueExtremes PassSobel(const PassRow& row, int n, float* y) {
   return PassOf<Front::kSobel>(row, n, y);
 }
-KG_WIDE Extremes PassCentral(const PassRow& row, int n, float* y) {
+KG_WIDE ValueExtremes PassCentral(const PassRow& row, int n, float* y) {
   return PassOf<Front::kCentral>(row, n, y);
 }
 

@@ -20,7 +20,7 @@ void Attenuate(const unsigned char* inside, float factor, int n, float* s);
 void AttenuateToLeast(const unsigned char* inside, float factor, int n,
                       float* s);
 // Extremes over the cells whose state is kOpen; values must be >= 0.
-Extremes OpenExtremes(const float* y, const unsigned char* state, int n);
+ValueExtremes OpenExtremes(const float* y, const unsigned char* state, int n);
 
 // N and w_t of a stored value: w clamp((scale y - low) / range, 0, 1), 0 where
 // the range is.
@@ -39,14 +39,14 @@ void NormaliseOpen(const float* y, const unsigned char* state,
 bool AllFinite(const float* values, int n);
 // Of finite values: the largest positive and the largest magnitude, 0 if there
 // is none.
-struct Magnitudes {
-  float most = 0.0f;
-  float largest = 0.0f;
+struct ValueMagnitudes {
+  float max_positive = 0.0f;
+  float max_abs = 0.0f;
 };
-Magnitudes MagnitudesOf(const float* values, int n);
+ValueMagnitudes MagnitudesOf(const float* values, int n);
 // The largest finite positive value, of all or of kOpen cells; 0 if none is.
-float MostOf(const float* values, int n);
-float MostOpen(const float* values, const unsigned char* state, int n);
+float MaxPositive(const float* values, int n);
+float MaxPositiveOpen(const float* values, const unsigned char* state, int n);
 
 // Writes past the caches, for what is not read again soon. `to` is aligned to
 // 16 bytes. Followed by StreamEnd() before another thread reads it.

@@ -23,13 +23,19 @@
 #include <thread>
 #include <vector>
 
-#include "kg_compiler/bench_report.h"
-#include "kg_compiler/data_plane/tensor_bench_peers.h"
-#include "kg_compiler/data_plane/tensor_bench_world.h"
+#include "kg_compiler/data_plane/testing/tensor_bench_peers.h"
+#include "kg_compiler/data_plane/testing/tensor_bench_world.h"
 #include "kg_core/base/temporary_folder.h"
+#include "kg_core/base/testing/bench_report.h"
 
 namespace kg_compiler {
 namespace {
+
+using kg_core::Median;
+using kg_core::PairedRatio;
+using kg_core::PairedRatioBy;
+using kg_core::Report;
+using kg_core::Seconds;
 
 constexpr double kBytesPerCell = 17.0;
 

@@ -74,8 +74,8 @@ void TensorExplainer::AddTerms(const ActiveFacts& active) {
 
 void TensorExplainer::AddZones(const ActiveFacts& active) {
   for (const ActiveConstraint& constraint : active.constraints) {
-    if (!constraint.hard && constraint.attenuation == 1.0) continue;
-    (constraint.hard ? hard_ : soft_)
+    if (!constraint.forbids() && constraint.attenuation == 1.0) continue;
+    (constraint.forbids() ? hard_ : soft_)
         .push_back({constraint, ConstraintExtent(*in_.rasters, constraint)});
   }
 }
@@ -162,8 +162,7 @@ void TensorExplainer::DescribeHard() {
                     facts_.Layer(in_.rasters->field_iri)});
   for (const Zone& zone : hard_) {
     const std::string iri = AbbreviateIri(zone.constraint.fact->iri);
-    const bool is_soft =
-        zone.constraint.fact->kind == kg_core::ConstraintKind::kSoft;
+    const bool is_soft = !kg_core::EffectOf(zone.constraint.fact->kind).forbids;
     parts_.push_back(
         {"M_hard(" + iri + ")",
          "forbidden by " + iri +

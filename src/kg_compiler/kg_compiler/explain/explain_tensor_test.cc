@@ -7,7 +7,7 @@
 #include <random>
 
 #include "kg_compiler/control_plane/proximal_recurrence.h"
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 #include "kg_core/base/input_error.h"
 #include "kg_core/rdf/store.h"
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 #include "kg_core/geo/geodesy.h"
 #include "kg_core/raster/vector_field.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 #include "kg_compiler/traversal/test_sea.h"
 
 namespace kg_compiler {

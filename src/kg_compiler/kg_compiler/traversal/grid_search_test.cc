@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 
 namespace kg_compiler {
 namespace {

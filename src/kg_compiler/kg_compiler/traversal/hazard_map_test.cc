@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "kg_compiler/data_plane/distance_transform.h"
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 #include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {

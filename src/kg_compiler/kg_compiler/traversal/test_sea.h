@@ -16,7 +16,7 @@
 
 #include "kg_compiler/traversal/traversal.h"
 #include "kg_core/geo/geodesy.h"
-#include "kg_core/raster/ocean_file.h"
+#include "kg_core/raster/read_field_file.h"
 
 namespace kg_compiler {
 
@@ -151,9 +151,9 @@ inline std::optional<Sea> RealSea(const std::string& file) {
   const std::string path =
       std::string(folder ? folder : "../../../shared/data") + "/" + file;
   if (!std::ifstream(path)) return std::nullopt;
-  kg_core::OceanFile ocean =
-      kg_core::ReadOceanFile(path, {kg_core::Quantity::kEastwardVelocity,
-                                    kg_core::Quantity::kNorthwardVelocity});
+  kg_core::FieldFile ocean = kg_core::ReadFieldFile(
+      path, {kg_core::FieldQuantity::kEastwardVelocity,
+             kg_core::FieldQuantity::kNorthwardVelocity});
   kg_core::VectorField field;
   field.grid = ocean.grid;
   for (std::size_t i = 0; i < ocean.time_s.size(); ++i) {

@@ -10,11 +10,16 @@
 #include <cstdio>
 #include <cstring>
 
-#include "kg_compiler/bench_report.h"
 #include "kg_compiler/traversal/seam_quality.h"
+#include "kg_core/base/testing/bench_report.h"
 
 namespace kg_compiler {
 namespace {
+
+using kg_core::Median;
+using kg_core::PairedRatio;
+using kg_core::Report;
+using kg_core::Seconds;
 
 constexpr double kPercent = 100.0;
 

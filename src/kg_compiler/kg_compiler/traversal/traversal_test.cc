@@ -6,7 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 #include "kg_compiler/traversal/sight.h"
 #include "kg_compiler/traversal/test_sea.h"
 #include "kg_core/geo/geodesy.h"

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/join_strings.h"
+#include "kg_core/raster/field_child.h"
 
 namespace kg_core {
 namespace {
@@ -28,7 +30,7 @@ FileCache::FileCache(std::string mission_folder, std::string data_folder)
 
 std::string FileCache::Resolve(const std::string& file) const {
   const fs::path name(file);
-  std::string tried;
+  std::vector<std::string> tried;
   for (const std::string& folder : {data_folder_, mission_folder_}) {
     if (folder.empty() && name.is_relative()) continue;
     const fs::path path = fs::absolute(fs::path(folder) / name);
@@ -36,33 +38,34 @@ std::string FileCache::Resolve(const std::string& file) const {
     if (fs::is_regular_file(path, error)) {
       return path.lexically_normal().string();
     }
-    tried += (tried.empty() ? "" : ", ") + path.lexically_normal().string();
+    tried.push_back(path.lexically_normal().string());
     if (name.is_absolute()) break;
   }
-  throw InputError("file \"" + file + "\" is not there; looked for " +
-                   (tried.empty() ? "it nowhere: no folder is given" : tried));
+  throw InputError(
+      "file \"" + file + "\" is not there; looked for " +
+      (tried.empty() ? "it nowhere: no folder is given" : JoinStrings(tried)));
 }
 
-std::shared_ptr<const OceanFile> FileCache::Read(
-    const std::string& path, const std::vector<Quantity>& wanted) {
+std::shared_ptr<const FieldFile> FileCache::Read(
+    const std::string& path, const std::vector<FieldQuantity>& wanted) {
   std::string names;
-  for (const Quantity quantity : wanted) {
+  for (const FieldQuantity quantity : wanted) {
     names += std::string("|") + Name(quantity);
   }
-  return Get(path, names, [&] { return ReadOceanFileSafely(path, wanted); });
+  return Get(path, names, [&] { return ReadFieldFileSafely(path, wanted); });
 }
 
-std::shared_ptr<const OceanFile> FileCache::ReadVariable(
+std::shared_ptr<const FieldFile> FileCache::ReadVariable(
     const std::string& path, const std::string& variable) {
   return Get(path, "#" + variable,
              [&] { return ReadVariableSafely(path, variable); });
 }
 
-std::shared_ptr<const OceanFile> FileCache::Get(
+std::shared_ptr<const FieldFile> FileCache::Get(
     const std::string& path, const std::string& wanted,
-    const std::function<OceanFile()>& read) {
+    const std::function<FieldFile()>& read) {
   const std::string version = VersionOf(path);
-  const auto known = [&]() -> std::shared_ptr<const OceanFile> {
+  const auto known = [&]() -> std::shared_ptr<const FieldFile> {
     const auto found = files_.find(path + wanted);
     if (found == files_.end() || found->second.version != version) return {};
     return found->second.contents;
@@ -71,7 +74,7 @@ std::shared_ptr<const OceanFile> FileCache::Get(
     const std::lock_guard<std::mutex> lock(mutex_);
     if (const auto file = known()) return file;
   }
-  auto file = std::make_shared<const OceanFile>(read());
+  auto file = std::make_shared<const FieldFile>(read());
   const std::lock_guard<std::mutex> lock(mutex_);
   if (const auto other = known()) return other;
   files_[path + wanted] = {version, file};

@@ -1,5 +1,5 @@
 // The rasters of files that facts refer to; a file is read once, in a child
-// process (ReadOceanFileSafely), and forgotten when it is written anew.
+// process (ReadFieldFileSafely), and forgotten when it is written anew.
 
 #ifndef KG_CORE_MISSION_FILE_CACHE_H_
 #define KG_CORE_MISSION_FILE_CACHE_H_
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/raster/ocean_file.h"
+#include "kg_core/raster/field_file.h"
 
 namespace kg_core {
 
@@ -26,19 +26,19 @@ class FileCache {
   // The absolute path of a file named by facts; throws InputError.
   std::string Resolve(const std::string& file) const;
   // Both throw InputError (unreadable, truncated, missing variable, ...).
-  std::shared_ptr<const OceanFile> Read(const std::string& path,
-                                        const std::vector<Quantity>& wanted);
-  std::shared_ptr<const OceanFile> ReadVariable(const std::string& path,
+  std::shared_ptr<const FieldFile> Read(
+      const std::string& path, const std::vector<FieldQuantity>& wanted);
+  std::shared_ptr<const FieldFile> ReadVariable(const std::string& path,
                                                 const std::string& variable);
 
  private:
   struct Held {
     std::string version;  // Size and time of the file on disk.
-    std::shared_ptr<const OceanFile> contents;
+    std::shared_ptr<const FieldFile> contents;
   };
-  std::shared_ptr<const OceanFile> Get(const std::string& path,
+  std::shared_ptr<const FieldFile> Get(const std::string& path,
                                        const std::string& wanted,
-                                       const std::function<OceanFile()>& read);
+                                       const std::function<FieldFile()>& read);
 
   std::string mission_folder_;
   std::string data_folder_;

@@ -29,6 +29,9 @@ Term TimeLiteral(double time_s) {
   return Literal(FormatDateTime(time_s), std::string(kXsd) + "dateTime");
 }
 
+// Of one sampled field: what rules and shapes can still go through in seconds.
+constexpr std::size_t kMaxSamples = 10000;
+
 bool HasData(const Raster& raster) {
   const auto is_number = [](float value) { return std::isfinite(value); };
   return std::any_of(raster.begin(), raster.end(), is_number);
@@ -66,7 +69,7 @@ class SourceIngest {
         transaction_(transaction),
         started_s_(Now_s()) {}
 
-  void StateCurrents(const OceanFile& file) {
+  void StateCurrents(const FieldFile& file) {
     RequireData(file);
     StateFile(file);
     StateGrid(Ex("grid"), file.grid);
@@ -77,7 +80,7 @@ class SourceIngest {
   }
 
   // `field_grid`: that of the currents, if there are any.
-  void StateTemperature(const OceanFile& file, const Grid* field_grid) {
+  void StateTemperature(const FieldFile& file, const Grid* field_grid) {
     RequireData(file);
     StateFile(file);
     const Term grid = StateGridUnlessSame(file.grid, field_grid);
@@ -94,20 +97,31 @@ class SourceIngest {
   }
 
   // What a prior layer or a constraint names by ex:gridRef.
-  void StateRaster(const OceanFile& file, const GridRef& ref,
+  void StateRaster(const FieldFile& file, const GridRef& ref,
                    const Grid* field_grid) {
-    const std::vector<Raster>& steps = file.series[0].at_time;
-    if (!(ref.time_index < static_cast<int>(steps.size()))) {
-      throw InputError(
-          "variable " + ref.variable + " has " + std::to_string(steps.size()) +
-          " time steps, none with index " + std::to_string(ref.time_index));
-    }
-    if (!HasData(steps[ref.time_index])) {
-      throw InputError("variable " + ref.variable + " has no data in step " +
-                       std::to_string(ref.time_index));
-    }
+    StepOf(file, ref);
     StateFile(file);
     StateGridUnlessSame(file.grid, field_grid);
+    StateActivity();
+  }
+
+  // Cells of a field above a limit, one fact each: what rules make events of.
+  // On the file's own grid, which need not be the mission's.
+  void StateSamples(const FieldFile& file, const GridRef& ref, double above) {
+    const Raster& values = StepOf(file, ref);
+    StateFile(file);
+    std::size_t count = 0;
+    for (int row = 0; row < file.grid.rows(); ++row) {
+      for (int col = 0; col < file.grid.cols(); ++col) {
+        const double value = values[file.grid.Index({row, col})];
+        if (!(value > above)) continue;  // No data (NaN) is not above.
+        if (++count > kMaxSamples) {
+          throw InputError("expected at most " + std::to_string(kMaxSamples) +
+                           " cells above ex:sampleAbove");
+        }
+        StateSample(file.grid, {row, col}, value);
+      }
+    }
     StateActivity();
   }
 
@@ -123,7 +137,31 @@ class SourceIngest {
     transaction_.Add({subject, property, object, Iri(kProvGraph)});
   }
 
-  static void RequireData(const OceanFile& file) {
+  // Throws InputError where the file has no such step or no data in it.
+  static const Raster& StepOf(const FieldFile& file, const GridRef& ref) {
+    const std::vector<Raster>& steps = file.series[0].at_time;
+    if (!(ref.time_index < static_cast<int>(steps.size()))) {
+      throw InputError(
+          "variable " + ref.variable + " has " + std::to_string(steps.size()) +
+          " time steps, none with index " + std::to_string(ref.time_index));
+    }
+    const Raster& step = steps[ref.time_index];
+    if (!HasData(step)) {
+      throw InputError("variable " + ref.variable + " has no data in step " +
+                       std::to_string(ref.time_index));
+    }
+    return step;
+  }
+
+  void StateSample(const Grid& grid, Cell cell, double value) {
+    const Term sample = Part("cell/" + std::to_string(cell.row) + "_" +
+                             std::to_string(cell.col));
+    Generate(sample, "CellSample");
+    Say(sample, GeoTerm("asWKT"), WktLiteral(PointWkt(grid.Centre(cell))));
+    Say(sample, Ex("cellValue"), DoubleLiteral(value));
+  }
+
+  static void RequireData(const FieldFile& file) {
     for (const QuantitySeries& series : file.series) {
       if (HasData(series)) continue;
       throw InputError("variable " + series.variable +
@@ -147,7 +185,7 @@ class SourceIngest {
     generated_.push_back(entity);
   }
 
-  void StateFile(const OceanFile& file) {
+  void StateFile(const FieldFile& file) {
     Say(Part("file"), RdfType(), Ex("SourceFile"));
     Say(Part("file"), Ex("ingestedFrom"), name_);
     Say(Part("file"), Ex("path"), Literal(file.path));
@@ -163,7 +201,7 @@ class SourceIngest {
     Say(subject, Prov("wasDerivedFrom"), Part("file"));
   }
 
-  void StateField(const OceanFile& file, const TimeWindow& window,
+  void StateField(const FieldFile& file, const TimeWindow& window,
                   StepRange steps) {
     const Term field = Part("w" + std::to_string(window.index));
     const std::string at =
@@ -185,14 +223,14 @@ class SourceIngest {
 
   std::string Kind() const { return source_.Text(Ex("kind"), kDifferenceKind); }
 
-  StepPair StepsOfLayer(const OceanFile& file, const TimeWindow& window) const {
+  StepPair StepsOfLayer(const FieldFile& file, const TimeWindow& window) const {
     if (Kind() == kDifferenceKind)
       return StepsOfDifference(file.time_s, window);
     const int step = StepOfWindow(file.time_s, window);
     return {step, step};
   }
 
-  void StateLayer(const OceanFile& file, const TimeWindow& window,
+  void StateLayer(const FieldFile& file, const TimeWindow& window,
                   const Term& layer) {
     const StepPair steps = StepsOfLayer(file, window);
     Generate(layer, "ValueLayer");
@@ -253,12 +291,9 @@ class Ingest {
     ForEach("current", &Ingest::ReadCurrents);
     ForEach("wind", &Ingest::ReadCurrents);
     ForEach("temperature", &Ingest::ReadTemperature);
-    for (const char* type : {"PriorLayer", "Constraint"}) {
-      for (const Term& term :
-           InstancesOf(transaction_.view(), kFactsGraph, Ex(type))) {
-        Try(Entity(transaction_.view(), term), &Ingest::ReadRaster);
-      }
-    }
+    ForAll("PriorLayer", &Ingest::ReadRaster);
+    ForAll("Constraint", &Ingest::ReadRaster);
+    ForAll("SampledField", &Ingest::ReadSamples);
     return std::move(reasons_);
   }
 
@@ -272,6 +307,13 @@ class Ingest {
     }
   }
 
+  void ForAll(const char* type, void (Ingest::*read)(const Entity&)) {
+    for (const Term& term :
+         InstancesOf(transaction_.view(), kFactsGraph, Ex(type))) {
+      Try(Entity(transaction_.view(), term), read);
+    }
+  }
+
   void Try(const Entity& source, void (Ingest::*read)(const Entity&)) {
     try {
       (this->*read)(source);
@@ -282,22 +324,22 @@ class Ingest {
     file_.clear();
   }
 
-  const OceanFile& Open(const Entity& source,
-                        const std::vector<Quantity>& wanted) {
+  const FieldFile& Open(const Entity& source,
+                        const std::vector<FieldQuantity>& wanted) {
     const std::string path = cache_.Resolve(source.Text(Ex("file")));
     return Keep(path, cache_.Read(path, wanted));
   }
 
-  const OceanFile& Keep(const std::string& path,
-                        std::shared_ptr<const OceanFile> file) {
+  const FieldFile& Keep(const std::string& path,
+                        std::shared_ptr<const FieldFile> file) {
     open_.push_back(std::move(file));
     file_ = path + ": ";  // For reasons that come after the reading.
     return *open_.back();
   }
 
   void ReadCurrents(const Entity& source) {
-    const OceanFile& file = Open(
-        source, {Quantity::kEastwardVelocity, Quantity::kNorthwardVelocity});
+    const FieldFile& file = Open(source, {FieldQuantity::kEastwardVelocity,
+                                          FieldQuantity::kNorthwardVelocity});
     if (field_grid_ != nullptr) {
       source.Refuse(Ex("provides"),
                     "one source of \"current\" or \"wind\", not two");
@@ -315,7 +357,7 @@ class Ingest {
   }
 
   void ReadTemperature(const Entity& source) {
-    const OceanFile& file = Open(source, {Quantity::kTemperature});
+    const FieldFile& file = Open(source, {FieldQuantity::kTemperature});
     SourceIngest(source, mission_, transaction_)
         .StateTemperature(file, field_grid_);
   }
@@ -324,10 +366,20 @@ class Ingest {
     const std::optional<GridRef> ref = ReadGridRef(layer);
     if (!ref) return;
     const std::string path = cache_.Resolve(ref->file);
-    const OceanFile& file =
+    const FieldFile& file =
         Keep(path, cache_.ReadVariable(path, ref->variable));
     SourceIngest(layer, mission_, transaction_)
         .StateRaster(file, *ref, field_grid_);
+  }
+
+  void ReadSamples(const Entity& field) {
+    const std::optional<GridRef> ref = ReadGridRef(field);
+    if (!ref) field.Refuse(Ex("gridRef"), "a raster");
+    const std::string path = cache_.Resolve(ref->file);
+    const FieldFile& file =
+        Keep(path, cache_.ReadVariable(path, ref->variable));
+    SourceIngest(field, mission_, transaction_)
+        .StateSamples(file, *ref, field.Number(Ex("sampleAbove")));
   }
 
   FileCache& cache_;
@@ -335,7 +387,7 @@ class Ingest {
   const Mission mission_;
   const Grid* field_grid_ = nullptr;
   std::string file_;
-  std::vector<std::shared_ptr<const OceanFile>> open_;
+  std::vector<std::shared_ptr<const FieldFile>> open_;
   std::vector<std::string> reasons_;
 };
 

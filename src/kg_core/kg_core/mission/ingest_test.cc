@@ -448,18 +448,18 @@ TEST_F(IngestTest, TheDataFolderComesFirst) {
 
 TEST_F(IngestTest, AFileIsReadOnce) {
   FileCache cache(folder_, "");
-  const auto first = cache.Read(Path("sst.nc"), {Quantity::kTemperature});
-  EXPECT_EQ(first, cache.Read(Path("sst.nc"), {Quantity::kTemperature}));
+  const auto first = cache.Read(Path("sst.nc"), {FieldQuantity::kTemperature});
+  EXPECT_EQ(first, cache.Read(Path("sst.nc"), {FieldQuantity::kTemperature}));
 }
 
 TEST_F(IngestTest, AFileWrittenAnewTakesThePlaceOfTheOldOne) {
   FileCache cache(folder_, "");
-  auto first = cache.Read(Path("sst.nc"), {Quantity::kTemperature});
-  const std::weak_ptr<const OceanFile> old = first;
+  auto first = cache.Read(Path("sst.nc"), {FieldQuantity::kTemperature});
+  const std::weak_ptr<const FieldFile> old = first;
   Ocean longer;
   longer.days = kDays + 1;
   Write("sst.nc", longer);
-  const auto second = cache.Read(Path("sst.nc"), {Quantity::kTemperature});
+  const auto second = cache.Read(Path("sst.nc"), {FieldQuantity::kTemperature});
   EXPECT_EQ(second->time_s.size(), first->time_s.size() + 1);
   first.reset();
   EXPECT_TRUE(old.expired());

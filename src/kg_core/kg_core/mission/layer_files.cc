@@ -10,7 +10,7 @@
 namespace kg_core {
 namespace {
 
-using File = std::shared_ptr<const OceanFile>;
+using File = std::shared_ptr<const FieldFile>;
 
 const SourceFile& FindFile(const Mission& mission, const std::string& iri) {
   const auto found = mission.files.find(iri);
@@ -26,7 +26,8 @@ File Checked(File ocean, const SourceFile& file) {
 }
 
 File ReadReferred(FileCache& cache, const Mission& mission,
-                  const std::string& iri, const std::vector<Quantity>& wanted) {
+                  const std::string& iri,
+                  const std::vector<FieldQuantity>& wanted) {
   const SourceFile& file = FindFile(mission, iri);
   return Checked(cache.Read(file.path, wanted), file);
 }
@@ -58,9 +59,9 @@ bool Overlap(const Grid& a, const Grid& b) {
 
 VectorField LoadWorkField(FileCache& cache, const Mission& mission,
                           const WorkFieldRef& field) {
-  const File file =
-      ReadReferred(cache, mission, field.file_iri,
-                   {Quantity::kEastwardVelocity, Quantity::kNorthwardVelocity});
+  const File file = ReadReferred(
+      cache, mission, field.file_iri,
+      {FieldQuantity::kEastwardVelocity, FieldQuantity::kNorthwardVelocity});
   VectorField loaded;
   loaded.grid = file->grid;
   for (int i = field.first_time_index; i <= field.last_time_index; ++i) {
@@ -72,8 +73,8 @@ VectorField LoadWorkField(FileCache& cache, const Mission& mission,
 
 GriddedRaster LoadValueLayer(FileCache& cache, const Mission& mission,
                              const ValueLayer& layer) {
-  const File file =
-      ReadReferred(cache, mission, layer.file_iri, {Quantity::kTemperature});
+  const File file = ReadReferred(cache, mission, layer.file_iri,
+                                 {FieldQuantity::kTemperature});
   const SharedRaster now = StepAt(file, 0, layer.time_index);
   if (layer.kind != kDifferenceKind) return {file->grid, now};
   const SharedRaster before = StepAt(file, 0, layer.previous_time_index);

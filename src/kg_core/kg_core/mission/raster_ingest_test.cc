@@ -16,7 +16,7 @@
 #include "kg_core/mission/terms.h"
 #include "kg_core/mission/test_world.h"
 #include "kg_core/mission/validator.h"
-#include "kg_core/raster/test_raster_file.h"
+#include "kg_core/raster/testing/test_raster_file.h"
 
 namespace kg_core {
 namespace {

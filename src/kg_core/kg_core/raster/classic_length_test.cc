@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "kg_core/raster/ocean_test_file.h"
+#include "kg_core/raster/testing/field_test_file.h"
 
 namespace kg_core {
 namespace {
@@ -43,14 +43,14 @@ TEST(ClassicLength, EveryPercentOfTruncationIsRefused) {
     for (int percent = 0; percent < 100; ++percent) {
       file.Write(bytes.substr(0, bytes.size() * percent / 100));
       const std::string error =
-          InputErrorOf([&] { ReadOceanFile(file.path(), BothVelocities()); });
+          InputErrorOf([&] { ReadFieldFile(file.path(), BothVelocities()); });
       EXPECT_NE(error.find(file.path() + ": "), std::string::npos)
           << percent << " % of " << bytes.size() << ": " << error;
       refused += error != "read";
     }
     file.Write(bytes);
     EXPECT_EQ(
-        InputErrorOf([&] { ReadOceanFile(file.path(), BothVelocities()); }),
+        InputErrorOf([&] { ReadFieldFile(file.path(), BothVelocities()); }),
         "read");
   }
   EXPECT_EQ(refused, 1200);
@@ -66,7 +66,7 @@ TEST(ClassicLength, EveryPercentOfTheReal2014FileIsRefused) {
   for (int percent = 0; percent < 100; ++percent) {
     file.Write(bytes.str().substr(0, bytes.str().size() * percent / 100));
     EXPECT_NE(
-        InputErrorOf([&] { ReadOceanFile(file.path(), BothVelocities()); }),
+        InputErrorOf([&] { ReadFieldFile(file.path(), BothVelocities()); }),
         "read")
         << percent;
   }

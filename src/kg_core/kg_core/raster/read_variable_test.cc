@@ -7,9 +7,10 @@
 #include <string>
 
 #include "kg_core/base/temporary_folder.h"
-#include "kg_core/raster/ocean_file.h"
-#include "kg_core/raster/ocean_test_file.h"
-#include "kg_core/raster/test_raster_file.h"
+#include "kg_core/raster/field_child.h"
+#include "kg_core/raster/read_field_file.h"
+#include "kg_core/raster/testing/field_test_file.h"
+#include "kg_core/raster/testing/test_raster_file.h"
 
 namespace kg_core {
 namespace {
@@ -32,10 +33,10 @@ TEST_F(ReadVariableTest, TakesValuesAsTheyAreWhateverTheirUnit) {
   Write({kGrid,
          {6},
          {{"depth_of_interest", "sea_floor_depth", "fathom", {values}}}});
-  const OceanFile file = ReadVariable(path_, "depth_of_interest");
+  const FieldFile file = ReadVariable(path_, "depth_of_interest");
   EXPECT_TRUE(file.grid == kGrid);
   ASSERT_EQ(file.series.size(), 1u);
-  EXPECT_EQ(file.series[0].quantity, Quantity::kAny);
+  EXPECT_EQ(file.series[0].quantity, FieldQuantity::kAny);
   EXPECT_EQ(file.series[0].variable, "depth_of_interest");
   const Raster& read = file.series[0].at_time.at(0);
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -50,7 +51,7 @@ TEST_F(ReadVariableTest, TakesValuesAsTheyAreWhateverTheirUnit) {
 TEST_F(ReadVariableTest, NeedsNoTimeAndNoDataInEveryStep) {
   const Raster some(6, 1.0f), none(6, kNan);
   Write({kGrid, {}, {{"mask", "", "", {some}, false}}});
-  OceanFile file = ReadVariable(path_, "mask");
+  FieldFile file = ReadVariable(path_, "mask");
   ASSERT_EQ(file.time_s.size(), 1u);
   EXPECT_TRUE(std::isnan(file.time_s[0]));
   EXPECT_EQ(file.series[0].at_time.size(), 1u);
@@ -60,15 +61,15 @@ TEST_F(ReadVariableTest, NeedsNoTimeAndNoDataInEveryStep) {
   EXPECT_EQ(file.series[0].at_time[1], some);
 }
 
-// As ReadOceanFile gives it: packing, fill and the order of rows are the same
-// code, which ocean_file_test.cc tries in every form.
+// As ReadFieldFile gives it: packing, fill and the order of rows are the same
+// code, which field_file_test.cc tries in every form.
 TEST_F(ReadVariableTest, UnpacksAndTurnsAsOtherReadersDo) {
   TestFile spec;
   spec.order = "tzxy";
   spec.lat = {21.25, 21.1, 21};
   const TempFile written(spec);
-  const OceanFile all = ReadOceanFile(written.path(), BothVelocities());
-  const OceanFile one = ReadVariable(written.path(), "water_u");
+  const FieldFile all = ReadFieldFile(written.path(), BothVelocities());
+  const FieldFile one = ReadVariable(written.path(), "water_u");
   EXPECT_TRUE(one.grid == all.grid);
   EXPECT_EQ(one.time_s, all.time_s);
   EXPECT_EQ(one.sha256, all.sha256);
@@ -86,8 +87,8 @@ TEST_F(ReadVariableTest, UnpacksAndTurnsAsOtherReadersDo) {
 TEST_F(ReadVariableTest, AChildProcessReadsTheSame) {
   const Raster values{0, 1, 0, 1, kNan, 1};
   Write({kGrid, {}, {{"mask", "", "", {values}, false}}});
-  const OceanFile here = ReadVariable(path_, "mask");
-  const OceanFile there = ReadVariableSafely(path_, "mask");
+  const FieldFile here = ReadVariable(path_, "mask");
+  const FieldFile there = ReadVariableSafely(path_, "mask");
   EXPECT_TRUE(there.grid == here.grid);
   EXPECT_EQ(there.sha256, here.sha256);
   EXPECT_EQ(there.series[0].at_time[0][3], 1.0f);

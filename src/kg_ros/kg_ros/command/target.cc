@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/join_strings.h"
 #include "kg_core/mission/fact_update.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/vocabulary.h"
@@ -48,20 +49,13 @@ void StageOntology(kg_core::Store* store) {
   if (!transaction.empty()) transaction.Commit(WorldChange::kYes);
 }
 
-std::string Joined(const std::vector<std::string>& reasons) {
-  std::string joined;
-  for (const std::string& reason : reasons) {
-    joined += (joined.empty() ? "" : "; ") + reason;
-  }
-  return joined;
-}
-
 // What the files of the mission say, if they are there.
 void Ingest(kg_core::FileCache files, kg_core::Store* store) {
   Transaction transaction = store->Begin();
   std::string reason;
   try {
-    reason = Joined(kg_core::StageIngest(files, transaction));
+    reason =
+        kg_core::JoinStrings(kg_core::StageIngest(files, transaction), "; ");
   } catch (const InputError& error) {
     reason = error.what();
   }
@@ -83,7 +77,7 @@ Target ReadMissionFolder(const fs::path& folder,
     Transaction transaction = target.store->Begin();
     const auto reasons =
         kg_core::StageFactsFile(folder / kMissionName, transaction);
-    if (!reasons.empty()) throw InputError(Joined(reasons));
+    if (!reasons.empty()) throw InputError(kg_core::JoinStrings(reasons, "; "));
     transaction.Commit(WorldChange::kYes);
   }
   Ingest({folder, data_folder}, target.store.get());

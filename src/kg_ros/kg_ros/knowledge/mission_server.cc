@@ -1,14 +1,15 @@
 #include "kg_ros/knowledge/mission_server.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <limits>
 #include <utility>
 
 #include "kg_core/base/clock.h"
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/join_strings.h"
 #include "kg_core/base/sha256.h"
+#include "kg_core/base/stopwatch.h"
 #include "kg_core/mission/expiry.h"
 #include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/terms.h"
@@ -27,28 +28,6 @@ using kg_core::Transaction;
 using kg_core::WorldChange;
 
 constexpr double kLongAgo_s = -std::numeric_limits<double>::infinity();
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
-                                         begin_)
-        .count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ =
-      std::chrono::steady_clock::now();
-};
-
-std::string JoinLines(const std::vector<std::string>& lines) {
-  std::string joined;
-  for (const std::string& line : lines) {
-    if (!joined.empty()) joined += "; ";
-    joined += line;
-  }
-  return joined;
-}
 
 std::string StorePath(const std::string& state_folder) {
   return state_folder + "/store.db";
@@ -120,7 +99,7 @@ void MissionServer::LoadMission() {
   Transaction transaction = store_->Begin();
   std::vector<std::string> reasons = kg_core::StageFactsFile(path, transaction);
   if (reasons.empty()) reasons = kg_core::StageIngest(files_, transaction);
-  if (!reasons.empty()) throw InputError(JoinLines(reasons));
+  if (!reasons.empty()) throw InputError(kg_core::JoinStrings(reasons, "; "));
   mission_ = kg_core::ReadMission(transaction.view());
   kg_core::LogUpdate(origin, kg_core::Now_s(), transaction);
   transaction.Commit(WorldChange::kYes);
@@ -147,7 +126,7 @@ void MissionServer::Restore(const MissionState& state) {
 }
 
 Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
-  const Stopwatch watch;
+  const kg_core::Stopwatch watch;
   Decision decision;
   Transaction transaction = store_->Begin();
   try {
@@ -172,7 +151,7 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
     decision.reasons.push_back(error.what());
   }
   decision.world_version = store_->world_version();
-  decision.facts_s = watch.seconds() - decision.ingest_s;
+  decision.facts_s = watch.Elapsed_s() - decision.ingest_s;
   return decision;
 }
 

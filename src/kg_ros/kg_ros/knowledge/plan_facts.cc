@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kg_core/base/join_strings.h"
 #include "kg_core/base/units.h"
 #include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
@@ -157,12 +158,11 @@ class PlanWriter {
   // The stops on the way, in their order.
   static std::string StopsWkt(const kg_msgs::Visit& visit) {
     const std::size_t name = std::string("POINT").size();
-    std::string points;
+    std::vector<std::string> points;
     for (const kg_msgs::Stop& stop : visit.via) {
-      points += (points.empty() ? "" : ", ") +
-                kg_core::PointWkt(GetPosition(stop)).substr(name);
+      points.push_back(kg_core::PointWkt(GetPosition(stop)).substr(name));
     }
-    return "MULTIPOINT(" + points + ")";
+    return "MULTIPOINT(" + kg_core::JoinStrings(points) + ")";
   }
 
   // What every assignment says.

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <map>
 
+#include "kg_core/base/join_strings.h"
 #include "kg_core/base/units.h"
 
 namespace kg_ros {
@@ -47,16 +48,18 @@ bool SamePlace(const kg_msgs::Visit& a, const kg_msgs::Visit& b) {
 
 // "windows 2, 3", where the stops differ.
 std::string OtherStops(const kg_msgs::PathChange& change) {
-  std::string windows;
+  std::vector<std::string> windows;
   for (const kg_msgs::Visit& visit : change.after.visits) {
     bool known = false;
     for (const kg_msgs::Visit& old : change.before.visits) {
       known = known || SamePlace(visit, old);
     }
     if (known) continue;
-    windows += (windows.empty() ? "" : ", ") + std::to_string(visit.window);
+    windows.push_back(std::to_string(visit.window));
   }
-  return windows.empty() ? "same stops" : "other stops in windows " + windows;
+  return windows.empty()
+             ? "same stops"
+             : "other stops in windows " + kg_core::JoinStrings(windows);
 }
 
 std::string PathLine(const kg_msgs::PathChange& change) {

@@ -1,11 +1,11 @@
 #include "kg_ros/knowledge/world_check.h"
 
-#include <chrono>
 #include <stdexcept>
 #include <string>
 
 #include "kg_compiler/compile/same_compilation.h"
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/stopwatch.h"
 #include "kg_core/mission/mission_reader.h"
 #include "kg_ros/knowledge/artifact_facts.h"
 
@@ -16,17 +16,6 @@ using kg_compiler::Compilation;
 using kg_compiler::Difference;
 using kg_compiler::MissionCompiler;
 using CompilationPtr = std::shared_ptr<const Compilation>;
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(Clock::now() - begin_).count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point begin_ = Clock::now();
-};
 
 std::string Text(const kg_msgs::CheckResponse& answer) {
   if (!answer.errors.empty()) return "not checked: " + answer.errors.front();
@@ -65,15 +54,15 @@ template <typename Compare>
 kg_msgs::CheckResponse Check(const kg_core::GraphView& view,
                              const StartState& start, kg_core::FileCache* files,
                              const Compare& compare) {
-  const Stopwatch watch;
+  const kg_core::Stopwatch watch;
   kg_msgs::CheckResponse answer;
   answer.world_version = view.world_version();
   try {
     const Task task = TaskOf(view, start);
-    const Stopwatch compiling;
+    const kg_core::Stopwatch compiling;
     MissionCompiler fresh(files);
     const CompilationPtr anew = task.By(&fresh);
-    answer.compile_s = compiling.seconds();
+    answer.compile_s = compiling.Elapsed_s();
     const Difference found = compare(task, *anew);
     answer.compared = static_cast<unsigned>(found.compared);
     answer.differs = found.differs;
@@ -81,7 +70,7 @@ kg_msgs::CheckResponse Check(const kg_core::GraphView& view,
     answer.errors.push_back(error.what());
   }
   answer.ok = answer.errors.empty() && answer.differs.empty();
-  answer.total_s = watch.seconds();
+  answer.total_s = watch.Elapsed_s();
   answer.text = Text(answer);
   return answer;
 }

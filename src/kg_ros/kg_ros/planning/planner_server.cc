@@ -1,10 +1,10 @@
 #include "kg_ros/planning/planner_server.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/stopwatch.h"
 #include "kg_planner/k_best/staging.h"
 #include "kg_ros/conversion/message_units.h"
 #include "kg_ros/conversion/plan_conversion.h"
@@ -21,11 +21,6 @@ namespace {
 using kg_compiler::NavGraph;
 using kg_compiler::NavGraphs;
 using kg_core::InputError;
-
-double Seconds(std::chrono::steady_clock::time_point since) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - since)
-      .count();
-}
 
 std::size_t CountEdges(const NavGraphs& graphs) {
   std::size_t count = 0;
@@ -123,7 +118,7 @@ kg_msgs::Candidates PlannerServer::Stitch(const AskedOf& asked,
   for (const kg_compiler::WindowRules& window : rules_.windows) {
     team.window_end_s[window.window] = window.end_s;
   }
-  const auto begin = std::chrono::steady_clock::now();
+  const kg_core::Stopwatch watch;
   const kg_selector::Candidates found =
       kg_selector::PlanUnder(team, {rules_, graphs_, memory_}, asked.ask);
   kg_msgs::Candidates candidates = Header(round);
@@ -134,7 +129,7 @@ kg_msgs::Candidates PlannerServer::Stitch(const AskedOf& asked,
     candidates.pathlets.push_back(ToMessage(pathlet, graphs_));
   }
   candidates.stages = {
-      Stage("stitch", Seconds(begin), candidates.pathlets.size())};
+      Stage("stitch", watch.Elapsed_s(), candidates.pathlets.size())};
   return candidates;
 }
 
@@ -156,7 +151,7 @@ void PlannerServer::MarkStaging(const kg_msgs::Candidates& candidates,
 PlannerAnswer PlannerServer::Plan() {
   due_ = false;
   PlannerAnswer answer;
-  const auto begin = std::chrono::steady_clock::now();
+  const kg_core::Stopwatch watch;
   try {
     graphs_ = kg_selector::CompileWalkedGraphs(rules_, Worlds(), &cache_);
   } catch (const InputError& error) {
@@ -166,7 +161,7 @@ PlannerAnswer PlannerServer::Plan() {
     answer.candidates.note = trouble_;
     return answer;
   }
-  const double graphs_s = Seconds(begin);
+  const double graphs_s = watch.Elapsed_s();
   answer.candidates = Stitch({}, 0);
   answer.candidates.stages.insert(
       answer.candidates.stages.begin(),

@@ -2,6 +2,7 @@
 
 #include "kg_compiler/explain/explain_seam.h"
 #include "kg_compiler/explain/explain_tensor.h"
+#include "kg_core/base/join_strings.h"
 #include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_selector/explain/explain_plan.h"
@@ -24,11 +25,13 @@ std::string WindowName(int window) {
 }
 
 std::string PlannedAround(const PlannedWorld& world, const Agent& agent) {
-  std::string names;
-  for (const Pathlet& other : CommittedBefore(world, agent.iri))
-    names += (names.empty() ? "" : ", ") + AbbreviateIri(other.agent);
-  return names.empty() ? " It was chosen first, around nobody."
-                       : " It was planned around " + names + ".";
+  std::vector<std::string> names;
+  for (const Pathlet& other : CommittedBefore(world, agent.iri)) {
+    names.push_back(AbbreviateIri(other.agent));
+  }
+  return names.empty()
+             ? " It was chosen first, around nobody."
+             : " It was planned around " + kg_core::JoinStrings(names) + ".";
 }
 
 std::string RunnerUp(const PlannedWorld& world, const TeamMember& member,

@@ -5,6 +5,7 @@
 
 #include "kg_compiler/explain/explain_seam.h"
 #include "kg_compiler/explain/explain_tensor.h"
+#include "kg_core/base/join_strings.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_planner/k_best/k_best.h"
 #include "kg_selector/paths/churn.h"
@@ -22,17 +23,18 @@ using kg_compiler::Short;
 
 // "waypoint 3", "waypoints 1, 3".
 std::string StopNames(const std::vector<int>& stops) {
-  std::string names;
-  for (const int stop : stops)
-    names += (names.empty() ? "" : ", ") + std::to_string(stop);
-  return (stops.size() == 1 ? "waypoint " : "waypoints ") + names;
+  std::vector<std::string> names;
+  for (const int stop : stops) names.push_back(std::to_string(stop));
+  return (stops.size() == 1 ? "waypoint " : "waypoints ") +
+         kg_core::JoinStrings(names);
 }
 
 std::string EventNames(const Visit& visit) {
-  std::string names;
-  for (const std::string& event : visit.events)
-    names += (names.empty() ? "" : ", ") + kg_core::AbbreviateIri(event);
-  return names;
+  std::vector<std::string> names;
+  for (const std::string& event : visit.events) {
+    names.push_back(kg_core::AbbreviateIri(event));
+  }
+  return kg_core::JoinStrings(names);
 }
 
 void AddSeam(const TeamMember& member, std::size_t stage,

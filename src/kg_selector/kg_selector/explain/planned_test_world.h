@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "kg_compiler/control_plane/nav_graphs.h"
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 #include "kg_core/rdf/store.h"
 #include "kg_selector/explain/planned_world.h"
 #include "kg_selector/paths/walks.h"

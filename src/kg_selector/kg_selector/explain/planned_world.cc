@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/join_strings.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_selector {
@@ -39,14 +40,15 @@ void NameAgentsByIri(PlannedWorld* world) {
 
 const kg_core::Agent& FindAgent(const PlannedWorld& world,
                                 const std::string& name) {
-  std::string known;
+  std::vector<std::string> known;
   for (const kg_core::Agent& agent : world.compilation->mission.agents) {
     if (name == agent.id || name == agent.iri ||
         name == kg_core::AbbreviateIri(agent.iri))
       return agent;
-    known += (known.empty() ? "" : ", ") + agent.id;
+    known.push_back(agent.id);
   }
-  throw InputError("agent '" + name + "' is not known; there are " + known);
+  throw InputError("agent '" + name + "' is not known; there are " +
+                   kg_core::JoinStrings(known));
 }
 
 const TeamMember& FindMember(const PlannedWorld& world,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/join_strings.h"
 #include "kg_core/base/units.h"
 #include "kg_core/mission/literals.h"
 #include "kg_core/rdf/namespaces.h"
@@ -124,19 +125,20 @@ class EventQuestion {
     const Facts facts = facts_.Event(event_.iri);
     explanation.parts = {{static_cast<double>(event_.capacity), "capacity",
                           facts, name_ + " rewards that many agents"}};
-    std::string names;
+    std::vector<std::string> names;
     for (const Holder& holder : Holders()) {
       const std::string name = AbbreviateIri(holder.agent);
       explanation.parts.push_back(
           {-1.0, "- " + name, holder.facts, name + " has it, " + holder.when});
-      names += (names.empty() ? "" : ", ") + name + " " + holder.when;
+      names.push_back(name + " " + holder.when);
     }
     explanation.parts.push_back({-1.0, "- itself",
                                  facts_.Quote({agent_.iri, {"ex:id"}}),
                                  agent_.id + " would be one more"});
     explanation.value = explanation.Sum();
     explanation.text += "it rewards " + std::to_string(event_.capacity) +
-                        " and is used up by " + names + ".";
+                        " and is used up by " + kg_core::JoinStrings(names) +
+                        ".";
     return explanation;
   }
 
@@ -253,11 +255,12 @@ Explanation WhyNotEvent(const PlannedWorld& world, const Agent& agent,
   const Event* event = FindEvent(world, name);
   if (event != nullptr)
     return EventQuestion(world, agent, *event).Explain(window);
-  std::string known;
-  for (const Event& one : world.compilation->mission.events)
-    known += (known.empty() ? "" : ", ") + AbbreviateIri(one.iri);
+  std::vector<std::string> known;
+  for (const Event& one : world.compilation->mission.events) {
+    known.push_back(AbbreviateIri(one.iri));
+  }
   throw InputError("event '" + name + "' is not known; there are " +
-                   (known.empty() ? "none" : known));
+                   (known.empty() ? "none" : kg_core::JoinStrings(known)));
 }
 
 }  // namespace kg_selector

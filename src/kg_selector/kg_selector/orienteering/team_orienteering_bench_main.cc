@@ -14,7 +14,7 @@
 #include <sstream>
 #include <string>
 
-#include "kg_compiler/bench_report.h"
+#include "kg_core/base/testing/bench_report.h"
 #include "kg_selector/orienteering/top_report.h"
 
 namespace kg_selector {
@@ -60,8 +60,7 @@ void Measure(const Data& data, double seconds, std::size_t step, double goal) {
   char what[64];
   std::snprintf(what, sizeof what, "Team Orienteering, exact, %g s an instance",
                 seconds);
-  kg_compiler::Report({12, what, goal, true, "%"},
-                      ShareOf(data, options, step));
+  kg_core::Report({12, what, goal, true, "%"}, ShareOf(data, options, step));
 }
 
 void Run(const Data& data, bool quick) {

@@ -1,7 +1,6 @@
 #include "kg_selector/paths/walks.h"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "kg_compiler/control_plane/window_sea.h"
+#include "kg_core/base/stopwatch.h"
 #include "kg_core/geo/geodesy.h"
 #include "kg_planner/tours/micro_paths.h"
 
@@ -324,7 +324,7 @@ NavGraphs CompileWalkedGraphs(const SeamRules& rules,
     if (cache) cache->walked.clear();
     return plain;
   }
-  const auto begin = std::chrono::steady_clock::now();
+  const kg_core::Stopwatch watch;
   NavGraphs walked;
   int searched = 0;
   std::vector<kg_core::LonLat> sources = {rules.start};
@@ -343,9 +343,7 @@ NavGraphs CompileWalkedGraphs(const SeamRules& rules,
   if (cache) {
     cache->walked = walked;
     cache->windows_walked = searched;
-    cache->walks_s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-            .count();
+    cache->walks_s = watch.Elapsed_s();
   }
   return walked;
 }

@@ -1,6 +1,5 @@
 #include "kg_selector/team/plan_mission.h"
 
-#include <chrono>
 #include <stdexcept>
 #include <string_view>
 #include <unordered_map>
@@ -8,6 +7,7 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/parallel.h"
+#include "kg_core/base/stopwatch.h"
 
 namespace kg_selector {
 namespace {
@@ -87,11 +87,6 @@ std::vector<Graphs> CompileAll(const Compilation& compilation,
   return made;
 }
 
-double SecondsSince(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-      .count();
-}
-
 // A planner that finds no path says so in its own words, which go before the
 // selector's.
 void TellWhy(const std::map<std::string, std::string>& unplannable,
@@ -151,9 +146,9 @@ std::vector<WindowWorld> WorldsOf(const Compilation& compilation,
 PlannedMission PlanMission(const Compilation& compilation,
                            const PlannedMission* previous) {
   PlannedMission planned;
-  const auto begin = std::chrono::steady_clock::now();
+  const kg_core::Stopwatch making_graphs;
   std::vector<Graphs> graphs = CompileAll(compilation, previous);
-  planned.stage_seconds["graphs"] = SecondsSince(begin);
+  planned.stage_seconds["graphs"] = making_graphs.Elapsed_s();
   planned.rules = ToTeamRules(compilation);
   for (const SeamRules& rules : compilation.rules) {
     Graphs& made = graphs[planned.members.size()];
@@ -162,9 +157,9 @@ PlannedMission PlanMission(const Compilation& compilation,
     planned.members.push_back({rules, std::move(made.graphs)});
     planned.caches[rules.agent_id] = std::move(made.cache);
   }
-  const auto graphs_made = std::chrono::steady_clock::now();
+  const kg_core::Stopwatch choosing_team;
   planned.plan = PlanTeam(planned.rules, planned.members);
-  planned.stage_seconds["team"] = SecondsSince(graphs_made);
+  planned.stage_seconds["team"] = choosing_team.Elapsed_s();
   TellWhy(planned.unplannable, &planned.plan);
   return planned;
 }

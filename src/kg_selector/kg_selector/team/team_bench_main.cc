@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_compiler/bench_report.h"
+#include "kg_core/base/testing/bench_report.h"
 #include "kg_selector/team/auction_search.h"
 #include "kg_selector/team/exact_search.h"
 #include "kg_selector/team/priced_search.h"
@@ -138,8 +138,8 @@ void Homogeneous(const Size& size) {
     search.gap_goal = 1e-4;
     Print("priced", RunMode<PricedSearch>(team, search), plan.value);
   } else {
-    kg_compiler::Report({10, "exact flow, " + NameOf(options), 1.0, false, "s"},
-                        seconds);
+    kg_core::Report({10, "exact flow, " + NameOf(options), 1.0, false, "s"},
+                    seconds);
   }
 }
 
@@ -161,7 +161,7 @@ void Heterogeneous(const Size& size) {
   options.time_limit_s = 10.0;
   if (size.team.agents <= 20)
     Print("exact", RunMode<ExactSearch>(team, options), priced.bound);
-  kg_compiler::Report(
+  kg_core::Report(
       {11, "priced, of own bound, " + NameOf(size.team), size.goal, true, "%"},
       100.0 * priced.score / priced.bound);
 }

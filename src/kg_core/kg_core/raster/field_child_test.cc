@@ -1,6 +1,8 @@
 // Reading in a child process: whatever is wrong with the file, the parent gets
 // one line, in time, and keeps no process and no descriptor.
 
+#include "kg_core/raster/field_child.h"
+
 #include <dirent.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -10,9 +12,9 @@
 #include <cmath>
 #include <random>
 
-#include "kg_core/raster/ocean_file.h"
-#include "kg_core/raster/ocean_protocol.h"
-#include "kg_core/raster/ocean_test_file.h"
+#include "kg_core/raster/field_protocol.h"
+#include "kg_core/raster/read_field_file.h"
+#include "kg_core/raster/testing/field_test_file.h"
 
 namespace kg_core {
 namespace {
@@ -39,7 +41,7 @@ bool SameRaster(const Raster& a, const Raster& b) {
   return a.size() == b.size();
 }
 
-void ExpectSame(const OceanFile& a, const OceanFile& b) {
+void ExpectSame(const FieldFile& a, const FieldFile& b) {
   EXPECT_EQ(a.path, b.path);
   EXPECT_EQ(a.sha256, b.sha256);
   EXPECT_EQ(a.grid, b.grid);
@@ -55,15 +57,15 @@ void ExpectSame(const OceanFile& a, const OceanFile& b) {
   }
 }
 
-// A program for KG_READ_OCEAN_FILE that misbehaves; the setting ends with it.
+// A program for KG_READ_FIELD_FILE that misbehaves; the setting ends with it.
 class Impostor {
  public:
   explicit Impostor(const std::string& script) {
     file_.Write("#!/bin/sh\n" + script + "\n");
     chmod(file_.path().c_str(), 0700);
-    setenv("KG_READ_OCEAN_FILE", file_.path().c_str(), 1);
+    setenv("KG_READ_FIELD_FILE", file_.path().c_str(), 1);
   }
-  ~Impostor() { unsetenv("KG_READ_OCEAN_FILE"); }
+  ~Impostor() { unsetenv("KG_READ_FIELD_FILE"); }
 
  private:
   TempFile file_;
@@ -71,54 +73,54 @@ class Impostor {
 
 std::string RefusalOf(const std::string& path, double deadline_s) {
   return InputErrorOf(
-      [&] { ReadOceanFileSafely(path, BothVelocities(), deadline_s); });
+      [&] { ReadFieldFileSafely(path, BothVelocities(), deadline_s); });
 }
 
-TEST(ReadOceanFileSafely, ReadsWhatTheReaderReads) {
+TEST(ReadFieldFileSafely, ReadsWhatTheReaderReads) {
   for (const int format : {0, NC_NETCDF4}) {
     TestFile spec;
     spec.format = format;
     const TempFile file(spec);
-    ExpectSame(ReadOceanFileSafely(file.path(), BothVelocities()),
-               ReadOceanFile(file.path(), BothVelocities()));
+    ExpectSame(ReadFieldFileSafely(file.path(), BothVelocities()),
+               ReadFieldFile(file.path(), BothVelocities()));
   }
 }
 
-TEST(ReadOceanFileSafely, HandsTheReadersLineThrough) {
+TEST(ReadFieldFileSafely, HandsTheReadersLineThrough) {
   TestFile spec;
   spec.north = false;
   const TempFile file(spec);
   EXPECT_EQ(RefusalOf(file.path(), kDeadline_s), InputErrorOf([&] {
-              ReadOceanFile(file.path(), BothVelocities());
+              ReadFieldFile(file.path(), BothVelocities());
             }));
   EXPECT_NE(RefusalOf("/nowhere/file.nc", kDeadline_s)
                 .find("/nowhere/file.nc: expected a file that exists"),
             std::string::npos);
 }
 
-TEST(ReadOceanFileSafely, ReadsTheRealHindcast) {
+TEST(ReadFieldFileSafely, ReadsTheRealHindcast) {
   const std::string path =
       SharedData("gom_2020/currents_hycom_gomu_2020-11-01-15_5h.nc4");
   if (path.empty()) GTEST_SKIP() << "the shared data are not there";
-  ExpectSame(ReadOceanFileSafely(path, BothVelocities()),
-             ReadOceanFile(path, BothVelocities()));
+  ExpectSame(ReadFieldFileSafely(path, BothVelocities()),
+             ReadFieldFile(path, BothVelocities()));
 }
 
-TEST(ReadOceanFileSafely, EndsAChildThatHangs) {
+TEST(ReadFieldFileSafely, EndsAChildThatHangs) {
   const Impostor impostor("exec sleep 1000");
   EXPECT_NE(RefusalOf("any.nc", 0.2).find("any.nc: not read within 0.2"),
             std::string::npos);
   EXPECT_FALSE(HasChildren());
 }
 
-TEST(ReadOceanFileSafely, EndsAChildThatHangsHalfWay) {
-  const Impostor impostor("printf 'KGOCEAN1'; exec sleep 1000");
+TEST(ReadFieldFileSafely, EndsAChildThatHangsHalfWay) {
+  const Impostor impostor("printf 'KGFIELD1'; exec sleep 1000");
   EXPECT_NE(RefusalOf("any.nc", 0.2).find("not read within"),
             std::string::npos);
   EXPECT_FALSE(HasChildren());
 }
 
-TEST(ReadOceanFileSafely, SaysHowAChildDied) {
+TEST(ReadFieldFileSafely, SaysHowAChildDied) {
   {
     const Impostor impostor("kill -SEGV $$");
     EXPECT_NE(RefusalOf("any.nc", kDeadline_s).find("ended by signal 11"),
@@ -130,20 +132,20 @@ TEST(ReadOceanFileSafely, SaysHowAChildDied) {
   EXPECT_FALSE(HasChildren());
 }
 
-TEST(ReadOceanFileSafely, RefusesNonsenseFromItsChild) {
+TEST(ReadFieldFileSafely, RefusesNonsenseFromItsChild) {
   const Impostor impostor("head -c 100000 /dev/zero");
   EXPECT_NE(RefusalOf("any.nc", kDeadline_s).find("sent nonsense"),
             std::string::npos);
 }
 
-TEST(ReadOceanFileSafely, SaysThatItsProgramIsNotThere) {
-  setenv("KG_READ_OCEAN_FILE", "/nowhere/read_ocean_file", 1);
+TEST(ReadFieldFileSafely, SaysThatItsProgramIsNotThere) {
+  setenv("KG_READ_FIELD_FILE", "/nowhere/read_field_file", 1);
   EXPECT_NE(RefusalOf("any.nc", kDeadline_s).find("cannot be run"),
             std::string::npos);
-  unsetenv("KG_READ_OCEAN_FILE");
+  unsetenv("KG_READ_FIELD_FILE");
 }
 
-TEST(ReadOceanFileSafely, KeepsNoProcessAndNoDescriptor) {
+TEST(ReadFieldFileSafely, KeepsNoProcessAndNoDescriptor) {
   const TempFile file{TestFile()};
   RefusalOf(file.path(), kDeadline_s);
   const int before = OpenDescriptors();
@@ -174,7 +176,7 @@ std::string Damaged(const std::string& whole, int kind, std::mt19937* random) {
 
 // Reliability test 12. A flipped bit in the data may go unseen (the files have
 // no checksums): then values differ, but they are values.
-TEST(ReadOceanFileSafely, SurvivesSixtyDamagedNetcdf4Files) {
+TEST(ReadFieldFileSafely, SurvivesSixtyDamagedNetcdf4Files) {
   TestFile spec;
   spec.format = NC_NETCDF4;
   const std::string whole = TempFile(spec).Bytes();
@@ -191,16 +193,16 @@ TEST(ReadOceanFileSafely, SurvivesSixtyDamagedNetcdf4Files) {
   EXPECT_FALSE(HasChildren());
 }
 
-TEST(OceanProtocol, GivesBackWhatItTakes) {
+TEST(FieldProtocol, GivesBackWhatItTakes) {
   const TempFile file{TestFile()};
-  const OceanFile read = ReadOceanFile(file.path(), BothVelocities());
+  const FieldFile read = ReadFieldFile(file.path(), BothVelocities());
   std::string bytes;
-  WriteOceanFile(read, [&](const void* from, std::size_t count) {
+  WriteFieldFile(read, [&](const void* from, std::size_t count) {
     bytes.append(static_cast<const char*>(from), count);
   });
   std::size_t at = 0;
-  const OceanFile back =
-      ReadOceanBytes(file.path(), [&](void* to, std::size_t count) {
+  const FieldFile back =
+      ReadFieldBytes(file.path(), [&](void* to, std::size_t count) {
         ASSERT_LE(at + count, bytes.size());
         bytes.copy(static_cast<char*>(to), count, at);
         at += count;
@@ -209,10 +211,10 @@ TEST(OceanProtocol, GivesBackWhatItTakes) {
   ExpectSame(back, read);
 }
 
-TEST(OceanProtocol, RefusesSizesBeforeItAllocatesForThem) {
+TEST(FieldProtocol, RefusesSizesBeforeItAllocatesForThem) {
   const TempFile file{TestFile()};
   std::string whole;
-  WriteOceanFile(ReadOceanFile(file.path(), BothVelocities()),
+  WriteFieldFile(ReadFieldFile(file.path(), BothVelocities()),
                  [&](const void* from, std::size_t count) {
                    whole.append(static_cast<const char*>(from), count);
                  });
@@ -222,7 +224,7 @@ TEST(OceanProtocol, RefusesSizesBeforeItAllocatesForThem) {
     bytes.replace(lie, 4, "\xff\xff\xff\xff");
     std::size_t at = 0;
     const std::string error = InputErrorOf([&] {
-      ReadOceanBytes("x.nc", [&](void* to, std::size_t count) {
+      ReadFieldBytes("x.nc", [&](void* to, std::size_t count) {
         if (at + count > bytes.size()) throw InputError("asked for too much");
         bytes.copy(static_cast<char*>(to), count, at);
         at += count;

@@ -1,5 +1,4 @@
-// ReadOceanFileSafely: the program read_ocean_file in a process of its own, its
-// answer over a pipe, its end at the deadline at the latest.
+#include "kg_core/raster/field_child.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -17,23 +16,22 @@
 #include <stdexcept>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/raster/ocean_file.h"
-#include "kg_core/raster/ocean_protocol.h"
+#include "kg_core/raster/field_protocol.h"
 
 namespace kg_core {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr char kProgram[] = "read_ocean_file";
+constexpr char kProgram[] = "read_field_file";
 constexpr double kMaxDeadline_s = 86400.0;
 
-class Descriptor {
+class FileDescriptor {
  public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() { Close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+  explicit FileDescriptor(int fd) : fd_(fd) {}
+  ~FileDescriptor() { Close(); }
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
   int get() const { return fd_; }
   void Close() {
     if (fd_ >= 0) close(fd_);
@@ -56,7 +54,7 @@ std::string FolderOfThisProgram() {
 }
 
 std::string FindProgram() {
-  const char* named = std::getenv("KG_READ_OCEAN_FILE");
+  const char* named = std::getenv("KG_READ_FIELD_FILE");
   if (named != nullptr && *named != '\0') return named;
   const std::string folder = FolderOfThisProgram();
   for (const std::string& candidate :
@@ -64,8 +62,8 @@ std::string FindProgram() {
     if (access(candidate.c_str(), X_OK) == 0) return candidate;
   }
   throw InputError(
-      std::string("the program read_ocean_file is not there, expected it in ") +
-      folder + ", in ../kg_core beside it, or named by KG_READ_OCEAN_FILE");
+      std::string("the program read_field_file is not there, expected it in ") +
+      folder + ", in ../kg_core beside it, or named by KG_READ_FIELD_FILE");
 }
 
 // What a new process gets instead of its parent's descriptors and signals.
@@ -101,9 +99,9 @@ class SpawnSettings {
 };
 
 // A child that is gone, and waited for, when this is.
-class Child {
+class ChildProcess {
  public:
-  Child(const std::vector<std::string>& arguments, int answer) {
+  ChildProcess(const std::vector<std::string>& arguments, int answer) {
     std::vector<char*> argv;
     for (const std::string& argument : arguments) {
       argv.push_back(const_cast<char*>(argument.c_str()));
@@ -116,9 +114,9 @@ class Child {
       throw InputError(arguments[0] + ": cannot be run: " + strerror(error));
     }
   }
-  ~Child() { End(); }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
+  ~ChildProcess() { End(); }
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
 
   // Kills it if it still runs; how it ended, for an error line.
   std::string End() {
@@ -140,9 +138,9 @@ class Child {
   pid_t pid_ = -1;
 };
 
-class Answer {
+class ChildAnswer {
  public:
-  Answer(const std::string& path, int fd, double deadline_s)
+  ChildAnswer(const std::string& path, int fd, double deadline_s)
       : path_(path),
         fd_(fd),
         deadline_s_(deadline_s),
@@ -187,7 +185,7 @@ class Answer {
 };
 
 // `wanted`: as the program's arguments.
-OceanFile ReadInChild(const std::string& path,
+FieldFile ReadInChild(const std::string& path,
                       const std::vector<std::string>& wanted,
                       double deadline_s) {
   const double limit_s = std::min(std::max(deadline_s, 0.0), kMaxDeadline_s);
@@ -198,12 +196,12 @@ OceanFile ReadInChild(const std::string& path,
   if (pipe2(ends, O_CLOEXEC) != 0) {
     throw InputError(path + ": no pipe to read it through: " + strerror(errno));
   }
-  const Descriptor from_child(ends[0]);
-  Descriptor to_parent(ends[1]);
-  Child child(arguments, to_parent.get());
+  const FileDescriptor from_child(ends[0]);
+  FileDescriptor to_parent(ends[1]);
+  ChildProcess child(arguments, to_parent.get());
   to_parent.Close();
-  const Answer answer(path, from_child.get(), limit_s);
-  return ReadOceanBytes(path, [&](void* bytes, std::size_t count) {
+  const ChildAnswer answer(path, from_child.get(), limit_s);
+  return ReadFieldBytes(path, [&](void* bytes, std::size_t count) {
     if (answer.Get(bytes, count) == count) return;
     throw InputError(path + ": the reading process ended " + child.End() +
                      " before it was done, expected a file that is not "
@@ -213,18 +211,18 @@ OceanFile ReadInChild(const std::string& path,
 
 }  // namespace
 
-OceanFile ReadOceanFileSafely(const std::string& path,
-                              const std::vector<Quantity>& quantities,
+FieldFile ReadFieldFileSafely(const std::string& path,
+                              const std::vector<FieldQuantity>& quantities,
                               double deadline_s) {
   if (quantities.empty()) throw std::logic_error("no quantity is asked for");
   std::vector<std::string> wanted;
-  for (const Quantity quantity : quantities) {
+  for (const FieldQuantity quantity : quantities) {
     wanted.push_back(std::to_string(static_cast<int>(quantity)));
   }
   return ReadInChild(path, wanted, deadline_s);
 }
 
-OceanFile ReadVariableSafely(const std::string& path,
+FieldFile ReadVariableSafely(const std::string& path,
                              const std::string& variable, double deadline_s) {
   return ReadInChild(path, {kVariableArgument + variable}, deadline_s);
 }

@@ -1,7 +1,7 @@
 // The mission that tensor_bench measures, on a grid of any size.
 
-#ifndef KG_COMPILER_DATA_PLANE_TENSOR_BENCH_WORLD_H_
-#define KG_COMPILER_DATA_PLANE_TENSOR_BENCH_WORLD_H_
+#ifndef KG_COMPILER_DATA_PLANE_TESTING_TENSOR_BENCH_WORLD_H_
+#define KG_COMPILER_DATA_PLANE_TESTING_TENSOR_BENCH_WORLD_H_
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 
 #include "kg_compiler/data_plane/compiled_tensor.h"
 #include "kg_compiler/data_plane/data_plane.h"
-#include "kg_compiler/test_world.h"
+#include "kg_compiler/testing/test_world.h"
 
 namespace kg_compiler {
 
@@ -76,7 +76,7 @@ struct World {
     }
     tensor = CompileTensor(Inputs(), nullptr);
     field = *dynamic_cast<const CompiledTensor&>(*tensor.content).field();
-    field.masked = Bands<float>(size.rows, size.cols);
+    field.masked = RowBands<float>(size.rows, size.cols);
     fused.resize(grid.size());
   }
 
@@ -119,4 +119,4 @@ struct World {
 
 }  // namespace kg_compiler
 
-#endif  // KG_COMPILER_DATA_PLANE_TENSOR_BENCH_WORLD_H_
+#endif  // KG_COMPILER_DATA_PLANE_TESTING_TENSOR_BENCH_WORLD_H_

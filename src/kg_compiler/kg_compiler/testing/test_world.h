@@ -1,8 +1,8 @@
 // What the tests of this package build their worlds from: seeded random grids,
 // masks and fields, and mission facts with plain values.
 
-#ifndef KG_COMPILER_TEST_WORLD_H_
-#define KG_COMPILER_TEST_WORLD_H_
+#ifndef KG_COMPILER_TESTING_TEST_WORLD_H_
+#define KG_COMPILER_TESTING_TEST_WORLD_H_
 
 #include <cmath>
 #include <limits>
@@ -217,4 +217,4 @@ inline WindowRasters TestRasters(const kg_core::Grid& grid,
 
 }  // namespace kg_compiler
 
-#endif  // KG_COMPILER_TEST_WORLD_H_
+#endif  // KG_COMPILER_TESTING_TEST_WORLD_H_

@@ -1,14 +1,14 @@
-// How a child process hands an ocean file's contents, or its error line, to its
-// parent: a fixed head with all sizes, then the numbers as both hold them.
+// How a child process hands a gridded file's contents, or its error line, to
+// its parent: a fixed head with all sizes, then the numbers as both hold them.
 
-#ifndef KG_CORE_RASTER_OCEAN_PROTOCOL_H_
-#define KG_CORE_RASTER_OCEAN_PROTOCOL_H_
+#ifndef KG_CORE_RASTER_FIELD_PROTOCOL_H_
+#define KG_CORE_RASTER_FIELD_PROTOCOL_H_
 
 #include <cstddef>
 #include <functional>
 #include <string>
 
-#include "kg_core/raster/ocean_file.h"
+#include "kg_core/raster/field_file.h"
 
 namespace kg_core {
 
@@ -17,20 +17,20 @@ namespace kg_core {
 inline constexpr char kVariableArgument[] = "variable=";
 
 // Of all series of a file together: 1 GiB of floats.
-inline constexpr std::size_t kMaxOceanValues = std::size_t{1} << 28;
+inline constexpr std::size_t kMaxFieldValues = std::size_t{1} << 28;
 
 using PutBytes = std::function<void(const void* bytes, std::size_t count)>;
 // Fills exactly `count` bytes or throws InputError.
 using GetBytes = std::function<void(void* bytes, std::size_t count)>;
 
-void WriteOceanFile(const OceanFile& file, const PutBytes& put);
-void WriteOceanError(const std::string& line, const PutBytes& put);
+void WriteFieldFile(const FieldFile& file, const PutBytes& put);
+void WriteFieldError(const std::string& line, const PutBytes& put);
 
 // Throws InputError: the error line that was sent, or what is wrong with the
 // bytes. Nothing is allocated for sizes that are not believable, and rasters
 // only as their bytes arrive. `path` goes into the result and the errors.
-OceanFile ReadOceanBytes(const std::string& path, const GetBytes& get);
+FieldFile ReadFieldBytes(const std::string& path, const GetBytes& get);
 
 }  // namespace kg_core
 
-#endif  // KG_CORE_RASTER_OCEAN_PROTOCOL_H_
+#endif  // KG_CORE_RASTER_FIELD_PROTOCOL_H_

@@ -1,8 +1,8 @@
 // What tensor_bench compares the pass with: the memory's bandwidth, and Eq. 1
 // in OpenCV's steps.
 
-#ifndef KG_COMPILER_DATA_PLANE_TENSOR_BENCH_PEERS_H_
-#define KG_COMPILER_DATA_PLANE_TENSOR_BENCH_PEERS_H_
+#ifndef KG_COMPILER_DATA_PLANE_TESTING_TENSOR_BENCH_PEERS_H_
+#define KG_COMPILER_DATA_PLANE_TESTING_TENSOR_BENCH_PEERS_H_
 
 #include <time.h>
 
@@ -15,7 +15,7 @@
 #include <emmintrin.h>
 #endif
 
-#include "kg_compiler/data_plane/tensor_bench_world.h"
+#include "kg_compiler/data_plane/testing/tensor_bench_world.h"
 #include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
@@ -131,4 +131,4 @@ class OpenCvSteps {
 
 }  // namespace kg_compiler
 
-#endif  // KG_COMPILER_DATA_PLANE_TENSOR_BENCH_PEERS_H_
+#endif  // KG_COMPILER_DATA_PLANE_TESTING_TENSOR_BENCH_PEERS_H_

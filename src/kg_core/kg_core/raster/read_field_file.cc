@@ -1,29 +1,30 @@
-#include "kg_core/raster/ocean_file.h"
+#include "kg_core/raster/read_field_file.h"
 
 #include <stdexcept>
 
+#include "kg_core/base/join_strings.h"
 #include "kg_core/base/sha256.h"
+#include "kg_core/raster/field_axes.h"
+#include "kg_core/raster/field_protocol.h"
+#include "kg_core/raster/field_values.h"
 #include "kg_core/raster/netcdf_file.h"
-#include "kg_core/raster/ocean_axes.h"
-#include "kg_core/raster/ocean_protocol.h"
-#include "kg_core/raster/ocean_values.h"
 
 namespace kg_core {
 namespace {
 
-void CheckSize(const NetcdfFile& file, const OceanFile& read,
+void CheckSize(const NetcdfFile& file, const FieldFile& read,
                std::size_t quantities) {
   const double values = static_cast<double>(read.grid.size()) *
                         static_cast<double>(read.time_s.size()) *
                         static_cast<double>(quantities);
-  if (values > static_cast<double>(kMaxOceanValues)) {
-    file.Refuse("expected at most " + std::to_string(kMaxOceanValues) +
+  if (values > static_cast<double>(kMaxFieldValues)) {
+    file.Refuse("expected at most " + std::to_string(kMaxFieldValues) +
                 " values in all");
   }
 }
 
-void CheckSameAxes(const NetcdfFile& file, const OceanAxes& axes,
-                   const OceanFile& read, const NetcdfVariable& variable) {
+void CheckSameAxes(const NetcdfFile& file, const FieldAxes& axes,
+                   const FieldFile& read, const NetcdfVariable& variable) {
   if (axes.grid == read.grid && axes.time_s == read.time_s) return;
   file.Refuse(variable, "expected the grid and the times of variable " +
                             read.series.front().variable);
@@ -31,28 +32,28 @@ void CheckSameAxes(const NetcdfFile& file, const OceanAxes& axes,
 
 const NetcdfVariable& VariableNamed(const NetcdfFile& file,
                                     const std::string& name) {
-  std::string names;
+  std::vector<std::string> names;  // Of what could be a field.
   for (const NetcdfVariable& variable : file.variables()) {
     if (variable.name == name) return variable;
-    if (variable.dimensions.size() < 2) continue;
-    names += (names.empty() ? "" : ", ") + variable.name;
+    if (variable.dimensions.size() >= 2) names.push_back(variable.name);
   }
   file.Refuse("no variable \"" + name + "\", expected one of " +
-              (names.empty() ? "none: it has no fields" : names));
+              (names.empty() ? "none: it has no fields" : JoinStrings(names)));
 }
 
 }  // namespace
 
-OceanFile ReadOceanFile(const std::string& path,
-                        const std::vector<Quantity>& quantities) {
+FieldFile ReadFieldFile(const std::string& path,
+                        const std::vector<FieldQuantity>& quantities) {
   if (quantities.empty()) throw std::logic_error("no quantity is asked for");
   const NetcdfFile file(path);
   const std::vector<const NetcdfVariable*> variables =
       FindVariables(file, quantities);
-  OceanFile read;
+  FieldFile read;
   read.path = path;
   for (std::size_t i = 0; i < variables.size(); ++i) {
-    const OceanAxes axes = ReadOceanAxes(file, *variables[i]);
+    const FieldAxes axes = ReadFieldAxes(file, *variables[i]);
+    // The first variable sets grid and times; the others must agree.
     if (i == 0) {
       read.grid = axes.grid;
       read.time_s = axes.time_s;
@@ -66,16 +67,16 @@ OceanFile ReadOceanFile(const std::string& path,
   return read;
 }
 
-OceanFile ReadVariable(const std::string& path, const std::string& variable) {
+FieldFile ReadVariable(const std::string& path, const std::string& variable) {
   const NetcdfFile file(path);
   const NetcdfVariable& found = VariableNamed(file, variable);
-  const OceanAxes axes = ReadOceanAxes(file, found, TimeAxis::kOptional);
-  OceanFile read;
+  const FieldAxes axes = ReadFieldAxes(file, found, TimeAxis::kOptional);
+  FieldFile read;
   read.path = path;
   read.grid = axes.grid;
   read.time_s = axes.time_s;
   CheckSize(file, read, 1);
-  read.series.push_back(ReadSeries(file, axes, found, Quantity::kAny));
+  read.series.push_back(ReadSeries(file, axes, found, FieldQuantity::kAny));
   read.sha256 = Sha256HexOfFile(path);
   return read;
 }

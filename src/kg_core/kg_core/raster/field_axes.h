@@ -1,9 +1,9 @@
-// Which dimension of an ocean file's variable is which, and the canonical grid
+// Which dimension of a gridded file's variable is which, and the canonical grid
 // and times behind them. CF attributes first, names second.
 // Source: CF-1.8, sections 4 and 5.
 
-#ifndef KG_CORE_RASTER_OCEAN_AXES_H_
-#define KG_CORE_RASTER_OCEAN_AXES_H_
+#ifndef KG_CORE_RASTER_FIELD_AXES_H_
+#define KG_CORE_RASTER_FIELD_AXES_H_
 
 #include <cstddef>
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace kg_core {
 
-struct OceanAxes {
+struct FieldAxes {
   // Positions in the variable's list of dimensions; -1: it has none.
   int time = -1;
   int lat = -1;
@@ -31,9 +31,9 @@ enum class TimeAxis { kRequired, kOptional };
 
 // Throws InputError for what is not understood: curvilinear grids, grids across
 // the antimeridian, axes or times that do not run one way, unknown dimensions.
-OceanAxes ReadOceanAxes(const NetcdfFile& file, const NetcdfVariable& variable,
+FieldAxes ReadFieldAxes(const NetcdfFile& file, const NetcdfVariable& variable,
                         TimeAxis time = TimeAxis::kRequired);
 
 }  // namespace kg_core
 
-#endif  // KG_CORE_RASTER_OCEAN_AXES_H_
+#endif  // KG_CORE_RASTER_FIELD_AXES_H_

@@ -1,4 +1,4 @@
-#include "kg_core/raster/ocean_protocol.h"
+#include "kg_core/raster/field_protocol.h"
 
 #include <cmath>
 #include <cstdint>
@@ -10,14 +10,14 @@
 namespace kg_core {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x314e4145434f474bULL;  // "KGOCEAN1"
+constexpr std::uint64_t kMagic = 0x31444c454946474bULL;  // "KGFIELD1"
 constexpr std::uint32_t kContents = 1;
 constexpr std::uint32_t kError = 2;
 constexpr std::uint32_t kMaxAxis = 100000;
 constexpr std::uint32_t kMaxSeries = 16;
 constexpr std::uint32_t kMaxText = 64 * 1024;
 
-struct Head {
+struct MessageHead {
   std::uint64_t magic = kMagic;
   std::uint32_t kind = kContents;
   std::uint32_t rows = 0;
@@ -37,18 +37,18 @@ void PutDoubles(const std::vector<double>& values, const PutBytes& put) {
   put(values.data(), values.size() * sizeof(double));
 }
 
-class Reader {
+class MessageReader {
  public:
-  Reader(const std::string& path, const GetBytes& get)
+  MessageReader(const std::string& path, const GetBytes& get)
       : path_(path), get_(get) {}
 
-  OceanFile Read() {
-    Head head;
+  FieldFile Read() {
+    MessageHead head;
     get_(&head, sizeof(head));
     if (head.magic != kMagic) Refuse();
     if (head.kind == kError) throw InputError(Text());
     CheckSizes(head);
-    OceanFile file;
+    FieldFile file;
     file.path = path_;
     file.sha256 = Text();
     file.grid = ReadGrid(head);
@@ -65,14 +65,14 @@ class Reader {
                      ": the reading process sent nonsense, expected "
                      "the contents of a NetCDF file");
   }
-  void CheckSizes(const Head& head) const {
+  void CheckSizes(const MessageHead& head) const {
     const bool axes = head.rows >= 2 && head.rows <= kMaxAxis &&
                       head.cols >= 2 && head.cols <= kMaxAxis &&
                       head.times >= 1 && head.times <= kMaxAxis;
     const double values = 1.0 * head.rows * head.cols * head.times *
                           (head.series > 0 ? head.series : 1);
     if (head.kind != kContents || !axes || head.series > kMaxSeries ||
-        values > static_cast<double>(kMaxOceanValues)) {
+        values > static_cast<double>(kMaxFieldValues)) {
       Refuse();
     }
   }
@@ -89,7 +89,7 @@ class Reader {
     get_(values.data(), count * sizeof(double));
     return values;
   }
-  Grid ReadGrid(const Head& head) const {
+  Grid ReadGrid(const MessageHead& head) const {
     std::vector<double> lon_deg = Doubles(head.cols);
     std::vector<double> lat_deg = Doubles(head.rows);
     try {
@@ -98,11 +98,11 @@ class Reader {
       Refuse();
     }
   }
-  QuantitySeries Series(const Head& head) const {
+  QuantitySeries Series(const MessageHead& head) const {
     QuantitySeries series;
     std::uint32_t quantity = 0;
     get_(&quantity, sizeof(quantity));
-    series.quantity = static_cast<Quantity>(quantity);
+    series.quantity = static_cast<FieldQuantity>(quantity);
     series.variable = Text();
     series.standard_name = Text();
     for (std::uint32_t time = 0; time < head.times; ++time) {
@@ -122,12 +122,13 @@ class Reader {
 
 }  // namespace
 
-void WriteOceanFile(const OceanFile& file, const PutBytes& put) {
-  Head head;
+void WriteFieldFile(const FieldFile& file, const PutBytes& put) {
+  MessageHead head;
   head.rows = static_cast<std::uint32_t>(file.grid.rows());
   head.cols = static_cast<std::uint32_t>(file.grid.cols());
   head.times = static_cast<std::uint32_t>(file.time_s.size());
   head.series = static_cast<std::uint32_t>(file.series.size());
+  // Sizes first: the reader checks them before it allocates anything.
   put(&head, sizeof(head));
   PutText(file.sha256, put);
   PutDoubles(file.grid.lon_deg(), put);
@@ -144,15 +145,15 @@ void WriteOceanFile(const OceanFile& file, const PutBytes& put) {
   }
 }
 
-void WriteOceanError(const std::string& line, const PutBytes& put) {
-  Head head;
+void WriteFieldError(const std::string& line, const PutBytes& put) {
+  MessageHead head;
   head.kind = kError;
   put(&head, sizeof(head));
   PutText(line.substr(0, kMaxText), put);
 }
 
-OceanFile ReadOceanBytes(const std::string& path, const GetBytes& get) {
-  return Reader(path, get).Read();
+FieldFile ReadFieldBytes(const std::string& path, const GetBytes& get) {
+  return MessageReader(path, get).Read();
 }
 
 }  // namespace kg_core

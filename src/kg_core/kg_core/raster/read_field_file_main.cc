@@ -1,9 +1,9 @@
-// read_ocean_file FILE DEADLINE_S (QUANTITY... | variable=NAME): reads an ocean
-// file and writes its contents, or the line that says why not, to its standard
-// output in the form of ocean_protocol.h. A process of its own, because damaged
-// NetCDF-4 files can hang or crash the library; it ends itself, too, soon after
-// its deadline, should its parent be gone. Exits 0 when it has said all it had
-// to.
+// read_field_file FILE DEADLINE_S (QUANTITY... | variable=NAME): reads a
+// gridded file and writes its contents, or the line that says why not, to its
+// standard output in the form of field_protocol.h. A process of its own,
+// because damaged NetCDF-4 files can hang or crash the library; it ends itself,
+// too, soon after its deadline, should its parent be gone. Exits 0 when it has
+// said all it had to.
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -16,14 +16,14 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/raster/ocean_file.h"
-#include "kg_core/raster/ocean_protocol.h"
+#include "kg_core/raster/field_protocol.h"
+#include "kg_core/raster/read_field_file.h"
 
 namespace {
 
-using kg_core::Quantity;
+using kg_core::FieldQuantity;
 
-// Far more than kMaxOceanValues needs, far less than a machine has.
+// Far more than kMaxFieldValues needs, far less than a machine has.
 constexpr rlim_t kMaxAddressSpace = rlim_t{8} << 30;
 
 void LimitMyself(double deadline_s) {
@@ -47,21 +47,21 @@ void Put(const void* bytes, std::size_t count) {
   }
 }
 
-std::vector<Quantity> Quantities(int argc, char** argv) {
-  std::vector<Quantity> quantities;
+std::vector<FieldQuantity> Quantities(int argc, char** argv) {
+  std::vector<FieldQuantity> quantities;
   for (int i = 3; i < argc; ++i) {
-    quantities.push_back(static_cast<Quantity>(std::atoi(argv[i])));
+    quantities.push_back(static_cast<FieldQuantity>(std::atoi(argv[i])));
   }
   return quantities;
 }
 
-kg_core::OceanFile Read(int argc, char** argv) {
+kg_core::FieldFile Read(int argc, char** argv) {
   const std::string wanted = argv[3];
   const std::string by_name = kg_core::kVariableArgument;
   if (wanted.compare(0, by_name.size(), by_name) == 0) {
     return kg_core::ReadVariable(argv[1], wanted.substr(by_name.size()));
   }
-  return kg_core::ReadOceanFile(argv[1], Quantities(argc, argv));
+  return kg_core::ReadFieldFile(argv[1], Quantities(argc, argv));
 }
 
 }  // namespace
@@ -70,9 +70,9 @@ int main(int argc, char** argv) {
   if (argc < 4) return 2;
   LimitMyself(std::atof(argv[2]));
   try {
-    kg_core::WriteOceanFile(Read(argc, argv), Put);
+    kg_core::WriteFieldFile(Read(argc, argv), Put);
   } catch (const std::exception& error) {
-    kg_core::WriteOceanError(error.what(), Put);
+    kg_core::WriteFieldError(error.what(), Put);
   }
   // Not through exit: a library that met a damaged file may not be able to
   // tidy up.

@@ -1,21 +1,20 @@
-#include "kg_core/raster/ocean_file.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <functional>
 #include <stdexcept>
 
-#include "kg_core/raster/ocean_test_file.h"
+#include "kg_core/raster/read_field_file.h"
+#include "kg_core/raster/testing/field_test_file.h"
 
 namespace kg_core {
 namespace {
 
 constexpr double kEpoch2000_s = 946684800.0;
 
-OceanFile Read(const TestFile& spec) {
+FieldFile Read(const TestFile& spec) {
   const TempFile file(spec);
-  return ReadOceanFile(file.path(), BothVelocities());
+  return ReadFieldFile(file.path(), BothVelocities());
 }
 
 std::string Refusal(const TestFile& spec) {
@@ -30,7 +29,7 @@ void ExpectRefused(const TestFile& spec, const std::string& because) {
 }
 
 // Whatever the file's form, the canonical contents are the same.
-void ExpectCanonical(const OceanFile& file, std::size_t times = 3) {
+void ExpectCanonical(const FieldFile& file, std::size_t times = 3) {
   const std::vector<double> lon{-98, -97.9, -97.8, -97.7};
   const std::vector<double> lat{21, 21.1, 21.25};
   ASSERT_TRUE(Grid(lon, lat).AlmostEquals(file.grid, 1e-6));
@@ -53,7 +52,7 @@ void ExpectCanonical(const OceanFile& file, std::size_t times = 3) {
   }
 }
 
-TEST(ReadOceanFile, ReadsEveryFormatPackingAndFill) {
+TEST(ReadFieldFile, ReadsEveryFormatPackingAndFill) {
   for (const int format : {0, NC_64BIT_OFFSET, NC_64BIT_DATA, NC_NETCDF4}) {
     for (const bool packed : {true, false}) {
       for (const Fill fill :
@@ -71,7 +70,7 @@ TEST(ReadOceanFile, ReadsEveryFormatPackingAndFill) {
   }
 }
 
-TEST(ReadOceanFile, ReadsDimensionsInAnyOrder) {
+TEST(ReadFieldFile, ReadsDimensionsInAnyOrder) {
   std::string order = "txyz";
   int orders = 0;
   do {
@@ -84,7 +83,7 @@ TEST(ReadOceanFile, ReadsDimensionsInAnyOrder) {
   EXPECT_EQ(orders, 24);
 }
 
-TEST(ReadOceanFile, ReadsWithoutDepthAndWithoutTimeDimension) {
+TEST(ReadFieldFile, ReadsWithoutDepthAndWithoutTimeDimension) {
   TestFile spec;
   spec.order = "tyx";
   ExpectCanonical(Read(spec));
@@ -93,13 +92,13 @@ TEST(ReadOceanFile, ReadsWithoutDepthAndWithoutTimeDimension) {
   ExpectCanonical(Read(spec), 1);
 }
 
-TEST(ReadOceanFile, TakesTheShallowestLevelWherever) {
+TEST(ReadFieldFile, TakesTheShallowestLevelWherever) {
   TestFile spec;
   spec.depth = {20, 0, 10};
   ExpectCanonical(Read(spec));
 }
 
-TEST(ReadOceanFile, TurnsAxesIntoCanonicalOrder) {
+TEST(ReadFieldFile, TurnsAxesIntoCanonicalOrder) {
   TestFile spec;
   std::reverse(spec.lat.begin(), spec.lat.end());
   ExpectCanonical(Read(spec));
@@ -109,7 +108,7 @@ TEST(ReadOceanFile, TurnsAxesIntoCanonicalOrder) {
   ExpectCanonical(Read(spec));
 }
 
-TEST(ReadOceanFile, ReadsRecordsOfAnUnlimitedTime) {
+TEST(ReadFieldFile, ReadsRecordsOfAnUnlimitedTime) {
   TestFile spec;
   spec.records = true;
   ExpectCanonical(Read(spec));
@@ -117,7 +116,7 @@ TEST(ReadOceanFile, ReadsRecordsOfAnUnlimitedTime) {
   ExpectCanonical(Read(spec));
 }
 
-TEST(ReadOceanFile, GoesByAttributesFirstAndNamesSecond) {
+TEST(ReadFieldFile, GoesByAttributesFirstAndNamesSecond) {
   TestFile spec;
   spec.east_name = "ugo";
   ExpectCanonical(Read(spec));
@@ -142,8 +141,8 @@ TestFile WindFile() {
   return spec;
 }
 
-TEST(ReadOceanFile, ReadsTheWindByItsStandardNames) {
-  const OceanFile file = Read(WindFile());
+TEST(ReadFieldFile, ReadsTheWindByItsStandardNames) {
+  const FieldFile file = Read(WindFile());
   ExpectCanonical(file);
   EXPECT_TRUE(IsWind(file.series[0]));
   EXPECT_EQ(file.series[0].variable, "u10");
@@ -151,7 +150,7 @@ TEST(ReadOceanFile, ReadsTheWindByItsStandardNames) {
   EXPECT_FALSE(IsWind(Read(TestFile()).series[0]));
 }
 
-TEST(ReadOceanFile, TheWindBlowsHarderThanWaterFlows) {
+TEST(ReadFieldFile, TheWindBlowsHarderThanWaterFlows) {
   TestFile spec = WindFile();
   spec.packed = false;
   spec.all_value = 35.0;
@@ -160,7 +159,7 @@ TEST(ReadOceanFile, TheWindBlowsHarderThanWaterFlows) {
   ExpectRefused(spec, "variable u10: most values are impossible");
 }
 
-TEST(ReadOceanFile, RefusesHalfOfTheSeaAndHalfOfTheWind) {
+TEST(ReadFieldFile, RefusesHalfOfTheSeaAndHalfOfTheWind) {
   TestFile spec = WindFile();
   spec.north_standard = "northward_sea_water_velocity";
   ExpectRefused(spec,
@@ -169,7 +168,7 @@ TEST(ReadOceanFile, RefusesHalfOfTheSeaAndHalfOfTheWind) {
                 "or both of wind");
 }
 
-TEST(ReadOceanFile, ReadsTheTemperatureOfAirAndOfBurningGround) {
+TEST(ReadFieldFile, ReadsTheTemperatureOfAirAndOfBurningGround) {
   TestFile spec;
   spec.packed = false;
   spec.east_name = "anything";
@@ -179,8 +178,8 @@ TEST(ReadOceanFile, ReadsTheTemperatureOfAirAndOfBurningGround) {
     spec.all_value = kelvin;
     const TempFile file(spec);
     return InputErrorOf([&] {
-      const OceanFile read =
-          ReadOceanFile(file.path(), {Quantity::kTemperature});
+      const FieldFile read =
+          ReadFieldFile(file.path(), {FieldQuantity::kTemperature});
       EXPECT_NEAR(read.series[0].at_time[0][5], kelvin - 273.15, 1e-3);
     });
   };
@@ -191,7 +190,7 @@ TEST(ReadOceanFile, ReadsTheTemperatureOfAirAndOfBurningGround) {
               std::string::npos);
 }
 
-TEST(ReadOceanFile, SaysWhatIsMissingAndWhatItTried) {
+TEST(ReadFieldFile, SaysWhatIsMissingAndWhatItTried) {
   TestFile spec;
   spec.north = false;
   ExpectRefused(spec, "no variable for northward velocity");
@@ -201,7 +200,7 @@ TEST(ReadOceanFile, SaysWhatIsMissingAndWhatItTried) {
   EXPECT_EQ(error.find("eastward velocity"), std::string::npos);
 }
 
-TEST(ReadOceanFile, ConvertsUnitsAndAssumesSiWhereNoneIsNamed) {
+TEST(ReadFieldFile, ConvertsUnitsAndAssumesSiWhereNoneIsNamed) {
   TestFile spec;
   spec.speed_units = "";
   ExpectCanonical(Read(spec));
@@ -213,26 +212,26 @@ TEST(ReadOceanFile, ConvertsUnitsAndAssumesSiWhereNoneIsNamed) {
   ExpectRefused(spec, "unit \"furlong/fortnight\" is not understood");
 }
 
-TEST(ReadOceanFile, UnderstandsTheUsualTimeUnits) {
+TEST(ReadFieldFile, UnderstandsTheUsualTimeUnits) {
   TestFile spec;
   spec.time = {600, 900, 1200};
   for (const char* units :
        {"minutes since 2000-1-1", "min since 2000-01-01Z"}) {
     spec.time_units = units;
-    const OceanFile file = Read(spec);
+    const FieldFile file = Read(spec);
     EXPECT_EQ(file.time_s[0], kEpoch2000_s + 36000.0) << units;
   }
 }
 
-TEST(ReadOceanFile, KeepsTheNoiseOfRealTimes) {
+TEST(ReadFieldFile, KeepsTheNoiseOfRealTimes) {
   TestFile spec;
   spec.time = {10.0012, 15, 19.9991};
-  const OceanFile file = Read(spec);
+  const FieldFile file = Read(spec);
   EXPECT_NEAR(file.time_s[0], kEpoch2000_s + 10.0012 * 3600, 1e-6);
   EXPECT_NEAR(file.time_s[2], kEpoch2000_s + 19.9991 * 3600, 1e-6);
 }
 
-TEST(ReadOceanFile, RefusesTimesThatDoNotAscend) {
+TEST(ReadFieldFile, RefusesTimesThatDoNotAscend) {
   TestFile spec;
   spec.time = {10, 20, 20};
   ExpectRefused(spec,
@@ -246,7 +245,7 @@ TEST(ReadOceanFile, RefusesTimesThatDoNotAscend) {
   ExpectRefused(spec, "variable time: value 1 is missing");
 }
 
-TEST(ReadOceanFile, RefusesTimesItDoesNotUnderstand) {
+TEST(ReadFieldFile, RefusesTimesItDoesNotUnderstand) {
   TestFile spec;
   spec.calendar = "noleap";
   ExpectRefused(spec, "calendar \"noleap\"");
@@ -257,7 +256,7 @@ TEST(ReadOceanFile, RefusesTimesItDoesNotUnderstand) {
   ExpectRefused(spec, "time unit \"hours\"");
 }
 
-TEST(ReadOceanFile, RefusesAxesThatDoNotRunOneWay) {
+TEST(ReadFieldFile, RefusesAxesThatDoNotRunOneWay) {
   TestFile spec;
   spec.lat = {21, 21.2, 21.1};
   ExpectRefused(spec, "variable lat: expected values that only ascend");
@@ -271,48 +270,48 @@ TEST(ReadOceanFile, RefusesAxesThatDoNotRunOneWay) {
   ExpectRefused(spec, "variable lat: expected at least two values");
 }
 
-TEST(ReadOceanFile, RefusesCurvilinearGrids) {
+TEST(ReadFieldFile, RefusesCurvilinearGrids) {
   TestFile spec;
   spec.curvilinear = true;
   ExpectRefused(spec, "lies on a curvilinear grid (lat2 has two dimensions)");
 }
 
-TEST(ReadOceanFile, RefusesTheAntimeridianButTurnsGlobalGrids) {
+TEST(ReadFieldFile, RefusesTheAntimeridianButTurnsGlobalGrids) {
   TestFile spec;
   spec.lon = {179, 180, 181, 182};
   ExpectRefused(spec, "the grid crosses the antimeridian");
   spec.lon = {0, 90, 180, 270, 360};
   ExpectRefused(spec, "span less than a turn");
   spec.lon = {0, 90, 180, 270};
-  const OceanFile file = Read(spec);
+  const FieldFile file = Read(spec);
   EXPECT_EQ(file.grid.lon_deg(), (std::vector<double>{-180, -90, 0, 90}));
   EXPECT_NEAR(file.series[0].at_time[0][file.grid.Index({1, 1})],
               TestSpeed(-90, 21.1, 10, 0), 1e-5);
 }
 
-TEST(ReadOceanFile, RefusesAllLand) {
+TEST(ReadFieldFile, RefusesAllLand) {
   TestFile spec;
   spec.all_land = true;
   ExpectRefused(spec, "variable water_u: no value in any cell");
 }
 
-TEST(ReadOceanFile, MasksAbsurdValuesAndRefusesAbsurdVariables) {
+TEST(ReadFieldFile, MasksAbsurdValuesAndRefusesAbsurdVariables) {
   TestFile spec;
   spec.odd_value = -10.5;
-  const OceanFile file = Read(spec);
+  const FieldFile file = Read(spec);
   EXPECT_TRUE(std::isnan(file.series[0].at_time[0][11]));
   EXPECT_FALSE(std::isnan(file.series[0].at_time[1][11]));
   spec.all_value = 11;
   ExpectRefused(spec, "variable water_u: most values are impossible");
 }
 
-TEST(ReadOceanFile, TakesValidRangeForNoMask) {
+TEST(ReadFieldFile, TakesValidRangeForNoMask) {
   TestFile spec;
   spec.east_numbers = {{"valid_min", -1e-6}, {"valid_max", 1e-6}};
   ExpectCanonical(Read(spec));
 }
 
-TEST(ReadOceanFile, RefusesPackingThatMakesNoSense) {
+TEST(ReadFieldFile, RefusesPackingThatMakesNoSense) {
   TestFile spec;
   for (const double scale : {0.0, double(NAN), double(INFINITY)}) {
     spec.east_numbers = {{"scale_factor", scale}};
@@ -320,7 +319,7 @@ TEST(ReadOceanFile, RefusesPackingThatMakesNoSense) {
   }
 }
 
-TEST(ReadOceanFile, ReadsTemperatureInKelvinAndCelsius) {
+TEST(ReadFieldFile, ReadsTemperatureInKelvinAndCelsius) {
   TestFile spec;
   spec.packed = false;
   spec.all_value = 293.15;
@@ -328,21 +327,22 @@ TEST(ReadOceanFile, ReadsTemperatureInKelvinAndCelsius) {
   spec.east_standard = "sea_surface_temperature";
   spec.speed_units = "K";
   const TempFile kelvin(spec);
-  const OceanFile file = ReadOceanFile(kelvin.path(), {Quantity::kTemperature});
+  const FieldFile file =
+      ReadFieldFile(kelvin.path(), {FieldQuantity::kTemperature});
   EXPECT_NEAR(file.series[0].at_time[0][5], 20.0, 1e-4);
   EXPECT_EQ(file.series[0].variable, "anything");
   spec.speed_units = "degC";
   const TempFile lie(spec);
   const std::string error = InputErrorOf(
-      [&] { ReadOceanFile(lie.path(), {Quantity::kTemperature}); });
+      [&] { ReadFieldFile(lie.path(), {FieldQuantity::kTemperature}); });
   EXPECT_NE(error.find("variable anything: most values are impossible"),
             std::string::npos);
 }
 
-TEST(ReadOceanFile, RefusesWhatIsNoNetcdfFile) {
+TEST(ReadFieldFile, RefusesWhatIsNoNetcdfFile) {
   const TempFile file;
   const auto refusal = [&] {
-    return InputErrorOf([&] { ReadOceanFile(file.path(), BothVelocities()); });
+    return InputErrorOf([&] { ReadFieldFile(file.path(), BothVelocities()); });
   };
   EXPECT_NE(refusal().find("expected a file that exists"), std::string::npos);
   file.Write("");
@@ -352,10 +352,10 @@ TEST(ReadOceanFile, RefusesWhatIsNoNetcdfFile) {
   file.Write("CDF\1");
   EXPECT_NE(refusal().find("ends within its header"), std::string::npos);
   EXPECT_NE(InputErrorOf([] {
-              ReadOceanFile("/tmp", BothVelocities());
+              ReadFieldFile("/tmp", BothVelocities());
             }).find("expected a file"),
             std::string::npos);
-  EXPECT_THROW(ReadOceanFile(file.path(), {}), std::logic_error);
+  EXPECT_THROW(ReadFieldFile(file.path(), {}), std::logic_error);
 }
 
 // Share of cells without data.
@@ -365,11 +365,11 @@ double LandShare(const Raster& raster) {
   return static_cast<double>(land) / static_cast<double>(raster.size());
 }
 
-TEST(ReadOceanFileReal, ReadsTheHindcastOff2020) {
+TEST(ReadFieldFileReal, ReadsTheHindcastOff2020) {
   const std::string path =
       SharedData("gom_2020/currents_hycom_gomu_2020-11-01-15_5h.nc4");
   if (path.empty()) GTEST_SKIP() << "the shared data are not there";
-  const OceanFile file = ReadOceanFile(path, BothVelocities());
+  const FieldFile file = ReadFieldFile(path, BothVelocities());
   EXPECT_EQ(file.grid.rows(), 51);
   EXPECT_EQ(file.grid.cols(), 51);
   EXPECT_EQ(file.time_s.size(), 68u);
@@ -378,25 +378,25 @@ TEST(ReadOceanFileReal, ReadsTheHindcastOff2020) {
   EXPECT_EQ(file.sha256.size(), 64u);
 }
 
-TEST(ReadOceanFileReal, ReadsTheBorrowedTemperatureOnTheSameGrid) {
+TEST(ReadFieldFileReal, ReadsTheBorrowedTemperatureOnTheSameGrid) {
   const std::string path =
       SharedData("gom_2020/sst_borrowed_2020-11-01-15_daily.nc");
   const std::string currents =
       SharedData("gom_2020/currents_hycom_gomu_2020-11-01-15_5h.nc4");
   if (path.empty()) GTEST_SKIP() << "the shared data are not there";
-  const OceanFile file = ReadOceanFile(path, {Quantity::kTemperature});
+  const FieldFile file = ReadFieldFile(path, {FieldQuantity::kTemperature});
   EXPECT_EQ(file.time_s.size(), 15u);
   EXPECT_EQ(file.series[0].variable, "water_temp");
   EXPECT_TRUE(
-      file.grid.AlmostEquals(ReadOceanFile(currents, BothVelocities()).grid));
+      file.grid.AlmostEquals(ReadFieldFile(currents, BothVelocities()).grid));
 }
 
-TEST(ReadOceanFileReal, KeepsWaterThatAWrongValidRangeDenies) {
+TEST(ReadFieldFileReal, KeepsWaterThatAWrongValidRangeDenies) {
   const std::string path = SharedData("gom_2014/hycom_goml_tuv_2014-08-30.nc");
   if (path.empty()) GTEST_SKIP() << "the shared data are not there";
-  const OceanFile file =
-      ReadOceanFile(path, {Quantity::kTemperature, Quantity::kEastwardVelocity,
-                           Quantity::kNorthwardVelocity});
+  const FieldFile file = ReadFieldFile(
+      path, {FieldQuantity::kTemperature, FieldQuantity::kEastwardVelocity,
+             FieldQuantity::kNorthwardVelocity});
   EXPECT_EQ(file.time_s, std::vector<double>{1409356800.0});
   EXPECT_EQ(file.grid.rows(), 56);
   const Raster& warm = file.series[0].at_time[0];
@@ -408,16 +408,17 @@ TEST(ReadOceanFileReal, KeepsWaterThatAWrongValidRangeDenies) {
   EXPECT_GT(lat[1] - lat[0], lat[55] - lat[54]);
 }
 
-TEST(ReadOceanFileReal, NamesWhatTheUOnlyFileLacks) {
+TEST(ReadFieldFileReal, NamesWhatTheUOnlyFileLacks) {
   const std::string path =
       SharedData("readers/hycom_native_names_u_only_2001.nc");
   if (path.empty()) GTEST_SKIP() << "the shared data are not there";
   const std::string error =
-      InputErrorOf([&] { ReadOceanFile(path, BothVelocities()); });
+      InputErrorOf([&] { ReadFieldFile(path, BothVelocities()); });
   EXPECT_NE(error.find("no variable for northward velocity"),
             std::string::npos);
   EXPECT_EQ(error.find("eastward velocity"), std::string::npos);
-  const OceanFile file = ReadOceanFile(path, {Quantity::kEastwardVelocity});
+  const FieldFile file =
+      ReadFieldFile(path, {FieldQuantity::kEastwardVelocity});
   EXPECT_EQ(file.time_s, std::vector<double>{978350400.0});  // 2001-01-01T12Z.
   EXPECT_EQ(file.grid.rows(), 285);
 }
