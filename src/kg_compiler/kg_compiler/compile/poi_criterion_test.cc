@@ -40,7 +40,7 @@ ex:w0 a ex:TimeWindow ; ex:index 0 ; ex:confidence 1 ; ex:durationHours 24 ;
     time:hasBeginning "2026-06-02T00:00:00Z"^^xsd:dateTime .
 ex:w1 a ex:TimeWindow ; ex:index 1 ; ex:confidence 0.5 ; ex:durationHours 24 ;
     time:hasBeginning "2026-06-03T00:00:00Z"^^xsd:dateTime .
-ex:poi a ex:Policy ; ex:beta_poi 1 .
+ex:poi a ex:Policy ; ex:alpha_base 0 ; ex:beta_poi 1 .
 ex:alpha a ex:Agent ; ex:id "alpha" ; ex:usesPolicy ex:poi ;
     ex:hasCapabilities ex:can .
 ex:can a ex:AgentCapabilities ; ex:cruiseSpeedKts 1 ; ex:maxSpeedKts 2 ;
