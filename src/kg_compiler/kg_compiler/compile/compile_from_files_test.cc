@@ -19,6 +19,7 @@
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/mission_reader.h"
 #include "kg_core/mission/stage_vocabulary.h"
+#include "kg_core/raster/field_child.h"
 #include "kg_core/raster/testing/test_raster_file.h"
 
 namespace kg_compiler {

@@ -24,7 +24,8 @@ std::string HashOfTheRest(const TensorInputs& origin) {
 bool Same(const ActiveConstraint& a, const ActiveConstraint& b) {
   const kg_core::Constraint& x = *a.fact;
   const kg_core::Constraint& y = *b.fact;
-  if (a.hard != b.hard || (!a.hard && a.attenuation != b.attenuation) ||
+  if (a.forbids() != b.forbids() || a.effect->cover != b.effect->cover ||
+      (!a.forbids() && a.attenuation != b.attenuation) ||
       x.is_land != y.is_land || x.buffer_cells != y.buffer_cells ||
       x.buffer_metric != y.buffer_metric) {
     return false;

@@ -1,6 +1,5 @@
 #include "kg_compiler/compile/mission_compiler.h"
 
-#include <chrono>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -10,6 +9,7 @@
 #include "kg_compiler/compile/dirty_box.h"
 #include "kg_core/base/parallel.h"
 #include "kg_core/base/sha256.h"
+#include "kg_core/base/stopwatch.h"
 
 namespace kg_compiler {
 namespace {
@@ -22,16 +22,11 @@ class StageClock {
  public:
   explicit StageClock(std::map<std::string, double>* stages)
       : stages_(stages) {}
-  void End(const std::string& stage) {
-    const auto now = std::chrono::steady_clock::now();
-    (*stages_)[stage] += std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-  }
+  void End(const std::string& stage) { (*stages_)[stage] += watch_.Lap_s(); }
 
  private:
   std::map<std::string, double>* stages_;
-  std::chrono::steady_clock::time_point last_ =
-      std::chrono::steady_clock::now();
+  kg_core::Stopwatch watch_;
 };
 
 bool Same(const CoordinationRules& a, const CoordinationRules& b) {
@@ -116,7 +111,7 @@ struct WantedTensor {
   const TimeWindow* window = nullptr;
   std::shared_ptr<const WindowRasters> rasters;
   const HorizonScale* horizon = nullptr;
-  std::string hash;
+  TensorRequest request;  // Set once the horizon is known.
 };
 
 // What a compiler keeps beside its last compilation.
@@ -176,7 +171,7 @@ class CompilationRun {
         now_->rasters.push_back(stores_.rasters->Rasters(
             now_->mission, agent.policy, *now_->fields[i]));
         wanted_.push_back(
-            {&agent, windows_[i], now_->rasters.back(), nullptr, ""});
+            {&agent, windows_[i], now_->rasters.back(), nullptr, {}});
       }
     }
   }
@@ -205,10 +200,10 @@ class CompilationRun {
       const auto field = stores_.rasters->Field(now_->mission, window.index);
       all.push_back(
           stores_.rasters->Rasters(now_->mission, agent.policy, *field));
-      hash.Add(TensorHash(now_->mission, agent, window, *all.back()));
-      const auto read =
-          TensorSources(now_->mission, agent, window, *all.back());
-      sources.insert(read.begin(), read.end());
+      const TensorRequest request =
+          PrepareTensor({&now_->mission, &agent, &window, all.back().get()});
+      hash.Add(request.hash);
+      sources.insert(request.sources.begin(), request.sources.end());
     }
     // Measured in this compilation, or in one before.
     const std::string key = hash.Hex();
@@ -228,8 +223,9 @@ class CompilationRun {
   void HashTensors() {
     kg_core::ForEachInParallel(wanted_.size(), [&](std::size_t i) {
       WantedTensor& tensor = wanted_[i];
-      tensor.hash = TensorHash(now_->mission, *tensor.agent, *tensor.window,
-                               *tensor.rasters, tensor.horizon);
+      tensor.request =
+          PrepareTensor({&now_->mission, tensor.agent, tensor.window,
+                         tensor.rasters.get(), tensor.horizon, stores_.cache});
     });
   }
 
@@ -237,9 +233,9 @@ class CompilationRun {
   void MakeTensors() {
     std::vector<const WantedTensor*> missing;
     for (const WantedTensor& tensor : wanted_) {
-      const auto [made, is_new] = made_.try_emplace(tensor.hash);
+      const auto [made, is_new] = made_.try_emplace(tensor.request.hash);
       if (!is_new) continue;
-      made->second = known_.TensorOf(tensor.hash);
+      made->second = known_.TensorOf(tensor.request.hash);
       if (!made->second) missing.push_back(&tensor);
     }
     std::vector<KnownArtifacts::Tensor> compiled(missing.size());
@@ -247,7 +243,7 @@ class CompilationRun {
       compiled[i] = std::make_shared<const MissionTensor>(Make(*missing[i]));
     });
     for (std::size_t i = 0; i < missing.size(); ++i) {
-      made_[missing[i]->hash] = std::move(compiled[i]);
+      made_[missing[i]->request.hash] = std::move(compiled[i]);
     }
     now_->counts = {wanted_.size(), made_.size(), missing.size()};
   }
@@ -256,9 +252,7 @@ class CompilationRun {
   MissionTensor Make(const WantedTensor& tensor) const {
     const KnownArtifacts::Tensor last =
         known_.TensorAt(tensor.agent->iri, tensor.window->index);
-    return CompileTensor({&now_->mission, tensor.agent, tensor.window,
-                          tensor.rasters.get(), tensor.horizon, stores_.cache},
-                         last.get());
+    return CompilePrepared(tensor.request, last.get());
   }
 
   void NameTensors() {
@@ -274,35 +268,31 @@ class CompilationRun {
   KnownArtifacts::Tensor Named(const WantedTensor& tensor) const {
     const std::string& agent = tensor.agent->iri;
     const int window = tensor.window->index;
-    std::vector<std::string> sources =
-        tensor.horizon ? tensor.horizon->derived_from
-                       : TensorSources(now_->mission, *tensor.agent,
-                                       *tensor.window, *tensor.rasters);
+    const std::vector<std::string>& sources = tensor.request.sources;
     const auto is_it = [&](const KnownArtifacts::Tensor& one) {
-      return one && one->hash == tensor.hash && one->agent_iri == agent &&
-             one->window == window && one->derived_from == sources;
+      return one && one->hash == tensor.request.hash &&
+             one->agent_iri == agent && one->window == window &&
+             one->derived_from == sources;
     };
-    // Copies share the content: only name and sources are its own.
-    const KnownArtifacts::Tensor& made = made_.find(tensor.hash)->second;
+    const KnownArtifacts::Tensor& made = made_.find(tensor.request.hash)->second;
     if (is_it(made)) return made;
     const KnownArtifacts::Tensor own = known_.TensorAt(agent, window);
     if (is_it(own)) return own;
     auto copy = std::make_shared<MissionTensor>(*made);
     copy->agent_iri = agent;
     copy->window = window;
-    copy->derived_from = std::move(sources);
+    copy->derived_from = sources;
     return copy;
   }
 
   void NoteTensor(const WantedTensor& tensor) {
     const std::string& agent = tensor.agent->iri;
-    const KnownArtifacts::Tensor last =
-        known_.TensorAt(agent, tensor.window->index);
-    if (last && last->hash == tensor.hash) return;
+    const KnownArtifacts::Tensor last = known_.TensorAt(agent, tensor.window->index);
+    if (last && last->hash == tensor.request.hash) return;
     std::optional<CellBox> box;
     if (last) {
       const auto [known, is_new] =
-          boxes_.try_emplace({last->hash, tensor.hash});
+          boxes_.try_emplace({last->hash, tensor.request.hash});
       if (is_new) known->second = DirtyBoxOf(tensor);
       box = known->second;
     }

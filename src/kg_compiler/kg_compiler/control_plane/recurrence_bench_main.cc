@@ -14,6 +14,10 @@
 namespace kg_compiler {
 namespace {
 
+using kg_core::Median;
+using kg_core::Report;
+using kg_core::Seconds;
+
 constexpr int kPicks = 20;
 constexpr double kCell_m = 100.0;
 

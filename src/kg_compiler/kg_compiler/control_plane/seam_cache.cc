@@ -1,6 +1,6 @@
 #include "kg_compiler/control_plane/seam_cache.h"
 
-#include <chrono>
+#include "kg_core/base/stopwatch.h"
 
 namespace kg_compiler {
 namespace {
@@ -22,16 +22,13 @@ bool Holds(const SurfacePatch& patch, const WindowSurface& surface,
 class ElapsedTimer {
  public:
   explicit ElapsedTimer(double* sum_s) : sum_s_(sum_s) {}
-  ~ElapsedTimer() {
-    *sum_s_ += std::chrono::duration<double>(Clock::now() - begin_).count();
-  }
+  ~ElapsedTimer() { *sum_s_ += watch_.Elapsed_s(); }
   ElapsedTimer(const ElapsedTimer&) = delete;
   ElapsedTimer& operator=(const ElapsedTimer&) = delete;
 
  private:
-  using Clock = std::chrono::steady_clock;
   double* sum_s_;
-  Clock::time_point begin_ = Clock::now();
+  kg_core::Stopwatch watch_;
 };
 
 template <typename Map>

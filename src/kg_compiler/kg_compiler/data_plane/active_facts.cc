@@ -16,8 +16,9 @@ ActiveConstraint Activate(const kg_core::Constraint& fact,
                           const kg_core::Agent& agent) {
   ActiveConstraint active;
   active.fact = &fact;
-  active.hard = fact.kind == kg_core::ConstraintKind::kNoGo;
-  if (active.hard) return active;
+  active.effect = &kg_core::EffectOf(fact.kind);
+  if (active.forbids()) return active;
+  // The policy's own factor goes before the constraint's (A11).
   const auto& overrides = agent.policy.soft_overrides;
   const auto found = overrides.find(fact.iri);
   if (found == overrides.end()) {
@@ -28,7 +29,7 @@ ActiveConstraint Activate(const kg_core::Constraint& fact,
   }
   const auto avoided = agent.must_avoid.find(fact.iri);
   if (avoided == agent.must_avoid.end()) return active;
-  active.hard = true;
+  active.effect = &kg_core::EffectOf(active.effect->when_avoided);
   active.avoided_by = avoided->second;
   return active;
 }

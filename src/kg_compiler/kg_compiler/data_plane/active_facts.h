@@ -1,6 +1,5 @@
-// Which facts a mission tensor of one (agent, window) reads: chosen here once,
-// for the masks, the blend, the hash and the provenance alike, so that the four
-// cannot disagree.
+// Which facts a mission tensor of one (agent, window) reads: selected once, for
+// the masks, the blend, the hash and the provenance, so that the four agree.
 
 #ifndef KG_COMPILER_DATA_PLANE_ACTIVE_FACTS_H_
 #define KG_COMPILER_DATA_PLANE_ACTIVE_FACTS_H_
@@ -14,11 +13,14 @@ namespace kg_compiler {
 
 struct ActiveConstraint {
   const kg_core::Constraint* fact = nullptr;
-  bool hard = false;         // no_go, or a soft zone the agent must avoid.
-  double attenuation = 1.0;  // Of a soft zone, the policy's override applied.
+  // That of its kind, or where the agent must avoid it the one it has then.
+  const kg_core::ConstraintEffect* effect = nullptr;
+  double attenuation = 1.0;  // Of a factor, the policy's override applied.
   // Where it is said that the agent must avoid it (A11).
   std::vector<std::string> avoided_by;
   std::string override_iri;  // The ex:SoftOverride applied, if any.
+
+  bool forbids() const { return effect->forbids; }
 };
 
 struct ActivePrior {
@@ -29,14 +31,13 @@ struct ActivePrior {
 
 struct ActiveFacts {
   bool reads_value = false;  // B_t, for alpha or gamma.
-  bool names_agent =
-      false;  // Some fact is in force because it names the agent.
+  bool names_agent = false;  // Some fact applies because it names the agent.
   std::vector<ActiveConstraint> constraints;
   std::vector<ActivePrior> priors;
   std::vector<const kg_core::Event*> events;  // With beta_poi only.
 };
 
-// Points into `mission`, which must outlive it. A soft zone is hard where the
+// Points into `mission`, which must outlive it. A soft zone forbids where the
 // agent must avoid it: rules conclude that, or an operator says so.
 ActiveFacts FindActiveFacts(const kg_core::Mission& mission,
                             const kg_core::Agent& agent,

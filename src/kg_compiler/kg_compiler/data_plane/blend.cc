@@ -9,6 +9,7 @@
 #include "kg_compiler/data_plane/frontness.h"
 #include "kg_compiler/data_plane/masks.h"
 #include "kg_core/base/input_error.h"
+#include "kg_core/raster/wkt_raster.h"
 
 namespace kg_compiler {
 namespace {
@@ -32,6 +33,8 @@ void AddPrior(const WindowRasters& rasters, const ActivePrior& prior,
   if (!prior.fact->area) return;
   const kg_core::Mask inside =
       kg_core::RasteriseCentres(*prior.fact->area, grid);
+  // Without an edge the prior is 1 inside and 0 outside; with one it falls off
+  // as a Gaussian of the distance to the area (0 inside, so 1 there).
   const double edge_m = prior.fact->edge_m;
   if (!(edge_m > 0.0)) {
     for (std::size_t i = 0; i < sum->size(); ++i) {
@@ -52,14 +55,15 @@ void AddBump(const kg_core::Grid& grid, const kg_core::Event& event,
   });
 }
 
-double MostOpen(const kg_core::Raster& values, const kg_core::Mask& open) {
-  double most = 0.0;
+double MaxPositiveOpen(const kg_core::Raster& values,
+                       const kg_core::Mask& open) {
+  double max_value = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (open[i] && std::isfinite(values[i])) {
-      most = std::max<double>(most, values[i]);
+      max_value = std::max<double>(max_value, values[i]);
     }
   }
-  return most;
+  return max_value;
 }
 
 // Adds weight * max(0, x) / divisor.
@@ -103,10 +107,11 @@ std::vector<BlendTerm> BlendTerms(const ActiveFacts& active,
 }
 
 double LayerDivisor(const kg_core::Policy& policy,
-                    const std::optional<double>& stated, double most) {
+                    const std::optional<double>& stated, double max_value) {
   switch (policy.layer_scale) {
     case kg_core::LayerScale::kWindow:
-      return most > 0.0 ? most : std::numeric_limits<double>::infinity();
+      return max_value > 0.0 ? max_value
+                             : std::numeric_limits<double>::infinity();
     case kg_core::LayerScale::kFixed:
       if (stated && *stated > 0.0) return *stated;
       throw kg_core::InputError(
@@ -130,7 +135,7 @@ void AddTerm(const WindowRasters& rasters, const kg_core::Policy& policy,
       return;
     }
     AddLayer(values, term.weight,
-             LayerDivisor(policy, stated, MostOpen(values, open)), sum);
+             LayerDivisor(policy, stated, MaxPositiveOpen(values, open)), sum);
   };
   switch (term.kind) {
     case BlendTerm::Kind::kBase:
@@ -159,6 +164,7 @@ LayerBlend BlendLayers(const ActiveFacts& active, const kg_core::Policy& policy,
   blend.priors.assign(rasters.grid.size(), 0.0);
   blend.masked.assign(rasters.grid.size(), 0.0);
   for (const BlendTerm& term : BlendTerms(active, policy)) {
+    // Priors and events are summed apart: they are a layer of their own.
     const bool is_layer = term.kind == BlendTerm::Kind::kBase ||
                           term.kind == BlendTerm::Kind::kFront;
     AddTerm(rasters, policy, blend.open, term,
@@ -168,6 +174,8 @@ LayerBlend BlendLayers(const ActiveFacts& active, const kg_core::Policy& policy,
   for (std::size_t i = 0; i < blend.masked.size(); ++i) {
     double& v = blend.masked[i];
     v += blend.priors[i];
+    // By the paper's letter masks stand before N, which is fitted on all water;
+    // else N is fitted on open cells and M_hard is applied last (A4).
     if (policy.paper_literal) {
       v *= blend.open[i] ? blend.attenuation[i] : 0.0;
       blend.counted[i] = rasters.land[i] ? 0 : 1;
@@ -192,13 +200,18 @@ ValueNormaliser FitNormaliser(const std::vector<double>& values,
     if (counted[i]) inside.push_back(values[i]);
   }
   if (inside.empty()) return {};
-  const auto [least, most] = std::minmax_element(inside.begin(), inside.end());
-  const ValueNormaliser by_max{0.0, *most};
+  const auto [min_value, max_value] =
+      std::minmax_element(inside.begin(), inside.end());
+  // Where a kind leaves no range (all values equal, the percentile 0), the
+  // maximum takes its place.
+  const ValueNormaliser by_max{0.0, *max_value};
   switch (kind) {
     case kg_core::Normalisation::kMax:
       return by_max;
     case kg_core::Normalisation::kMinMax:
-      return *most > *least ? ValueNormaliser{*least, *most - *least} : by_max;
+      return *max_value > *min_value
+                 ? ValueNormaliser{*min_value, *max_value - *min_value}
+                 : by_max;
     case kg_core::Normalisation::kPercentile: {
       const double range = NearestRank(inside);
       return range > 0.0 ? ValueNormaliser{0.0, range} : by_max;

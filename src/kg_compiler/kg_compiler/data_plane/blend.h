@@ -39,11 +39,11 @@ struct BlendTerm {
 std::vector<BlendTerm> BlendTerms(const ActiveFacts& active,
                                   const kg_core::Policy& policy);
 
-// What a layer is divided by. `most` is its largest open value, `stated` its
-// ex:fullScale or ex:frontFullScale: throws kg_core::InputError if that is
+// What a layer is divided by. `max_value` is its largest open value, `stated`
+// its ex:fullScale or ex:frontFullScale: throws kg_core::InputError if that is
 // wanted and not there. Infinite where the layer is 0 everywhere.
 double LayerDivisor(const kg_core::Policy& policy,
-                    const std::optional<double>& stated, double most);
+                    const std::optional<double>& stated, double max_value);
 
 // Adds a term to `sum`, cell by cell.
 void AddTerm(const WindowRasters& rasters, const kg_core::Policy& policy,

@@ -42,10 +42,10 @@ auto FindPatch(const std::vector<T>& items, const std::string& key)
   return nullptr;
 }
 
-class Writer {
+class RecipeWriter {
  public:
-  Writer(const kg_core::Mission& mission, const WindowRasters& rasters,
-         const BlendRecipe* known, DataPlaneCache* cache)
+  RecipeWriter(const kg_core::Mission& mission, const WindowRasters& rasters,
+               const BlendRecipe* known, DataPlaneCache* cache)
       : mission_(mission), rasters_(rasters), known_(known), cache_(cache) {}
 
   std::shared_ptr<const MaskPatch> Extent(const ActiveConstraint& constraint) {
@@ -87,7 +87,7 @@ BlendRecipe WriteRecipe(const kg_core::Mission& mission,
                         const ActiveFacts& active, const WindowRasters& rasters,
                         const BlendRecipe* known, DataPlaneCache* cache) {
   const bool is_same_sea = known && known->land_hash == rasters.land_hash;
-  Writer writer(mission, rasters, is_same_sea ? known : nullptr, cache);
+  RecipeWriter writer(mission, rasters, is_same_sea ? known : nullptr, cache);
   BlendRecipe recipe;
   recipe.land_hash = rasters.land_hash;
   if (active.reads_value) recipe.content_hash = rasters.content_hash;

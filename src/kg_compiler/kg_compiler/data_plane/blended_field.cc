@@ -9,20 +9,20 @@ namespace {
 // again soon, and what it would displace is.
 constexpr std::size_t kStreamFrom_bytes = std::size_t{16} << 20;
 
-struct Stretch {
+struct RowSegment {
   kg_core::Cell first;
   int n = 0;
 };
 
 // What part of a box's row lies in a stretch.
-struct Overlap {
+struct ColumnOverlap {
   int begin = 0;  // In the stretch.
   int end = 0;
   int from = 0;  // In the box's row.
   bool empty() const { return begin >= end; }
 };
 
-Overlap Meet(const CellBox& box, kg_core::Cell first, int n) {
+ColumnOverlap Meet(const CellBox& box, kg_core::Cell first, int n) {
   if (!box.HasRow(first.row)) return {};
   const int begin = std::max(box.col - first.col, 0);
   const int end = std::min(box.col_end - first.col, n);
@@ -30,7 +30,7 @@ Overlap Meet(const CellBox& box, kg_core::Cell first, int n) {
 }
 
 // Sums and products that more than one prior or zone go into.
-struct Sums {
+struct SegmentSums {
   float p[kTileCols];
   float s[kTileCols];
 };
@@ -38,11 +38,12 @@ struct Sums {
 // The one item that is there and covers the stretch, else null. `count` says
 // how many are there.
 template <typename T>
-const T* OnlyCover(const std::vector<T>& items, const Stretch& at, int* count) {
+const T* OnlyCover(const std::vector<T>& items, const RowSegment& at,
+                   int* count) {
   const T* only = nullptr;
   *count = 0;
   for (const T& item : items) {
-    const Overlap part = Meet(item.patch->box, at.first, at.n);
+    const ColumnOverlap part = Meet(item.patch->box, at.first, at.n);
     if (part.empty()) continue;
     ++*count;
     only = part.end - part.begin == at.n ? &item : nullptr;
@@ -50,8 +51,8 @@ const T* OnlyCover(const std::vector<T>& items, const Stretch& at, int* count) {
   return *count == 1 ? only : nullptr;
 }
 
-void SetPriors(const BlendRecipe& recipe, const Stretch& at, Sums* sums,
-               PassRow* row) {
+void SetPriors(const BlendRecipe& recipe, const RowSegment& at,
+               SegmentSums* sums, PassRow* row) {
   int count = 0;
   const WeightedPatch* only = OnlyCover(recipe.priors, at, &count);
   if (count == 0) return;
@@ -66,8 +67,8 @@ void SetPriors(const BlendRecipe& recipe, const Stretch& at, Sums* sums,
   row->weight = 1.0f;
 }
 
-void SetSoftness(const BlendRecipe& recipe, const Stretch& at, Sums* sums,
-                 PassRow* row) {
+void SetSoftness(const BlendRecipe& recipe, const RowSegment& at,
+                 SegmentSums* sums, PassRow* row) {
   int count = 0;
   const SoftZone* only = OnlyCover(recipe.soft, at, &count);
   if (count == 0) return;
@@ -90,10 +91,10 @@ bool IsStreamed(const BlendedField& field) {
 constexpr float kNoLayer[kTileCols] = {};
 
 // V' to `y`; the extremes of the stretch's open cells.
-ValueExtremes ComputeStretch(const WindowRasters& rasters,
-                             const BlendedField& field, const Stretch& at,
+ValueExtremes ComputeSegment(const WindowRasters& rasters,
+                             const BlendedField& field, const RowSegment& at,
                              float* y) {
-  Sums sums;
+  SegmentSums sums;
   PassRow row;
   SetPriors(field.recipe, at, &sums, &row);
   SetSoftness(field.recipe, at, &sums, &row);
@@ -119,7 +120,7 @@ void PriorsOfRow(const BlendRecipe& recipe, kg_core::Cell first, int n,
                  float* p) {
   std::fill(p, p + n, 0.0f);
   for (const WeightedPatch& prior : recipe.priors) {
-    const Overlap part = Meet(prior.patch->box, first, n);
+    const ColumnOverlap part = Meet(prior.patch->box, first, n);
     if (part.empty()) continue;
     AddWeighted(prior.patch->Row(first.row) + part.from, prior.weight,
                 part.end - part.begin, p + part.begin);
@@ -130,7 +131,7 @@ bool SoftnessOfRow(const BlendRecipe& recipe, kg_core::Cell first, int n,
                    float* s) {
   bool any = false;
   for (const SoftZone& zone : recipe.soft) {
-    const Overlap part = Meet(zone.patch->box, first, n);
+    const ColumnOverlap part = Meet(zone.patch->box, first, n);
     if (part.empty()) continue;
     if (!any) std::fill(s, s + n, 1.0f);
     any = true;
@@ -150,7 +151,8 @@ void CloseCells(const kg_core::Mask& land, const BlendRecipe& recipe,
     unsigned char* row = state->RowToWrite(r);
     for (int c = box.col; c < box.col_end; ++c) row[c] = dry[c] ? kLand : kOpen;
     for (const HardZone& zone : recipe.hard) {
-      const Overlap part = Meet(zone.patch->box, {r, box.col}, box.cols());
+      const ColumnOverlap part =
+          Meet(zone.patch->box, {r, box.col}, box.cols());
       if (part.empty()) continue;
       const unsigned char* inside = zone.patch->Row(r) + part.from;
       unsigned char* cells = row + box.col + part.begin;
@@ -171,13 +173,15 @@ void ComputeRows(const WindowRasters& rasters, int row, int row_end,
     float* to = field->masked.RowToWrite(r);
     for (int t = 0; t < tiling.across; ++t) {
       const int col = t * width;
-      const Stretch at{{r, col}, std::min(width, tiling.cols - col)};
+      const RowSegment at{{r, col}, std::min(width, tiling.cols - col)};
+      // A large field is computed in the cache and then written past it.
       alignas(kRowAlignment) float y[kTileCols];
       float* made = is_streamed ? y : to + col;
-      const ValueExtremes found = ComputeStretch(rasters, *field, at, made);
+      const ValueExtremes found = ComputeSegment(rasters, *field, at, made);
       if (is_streamed) Stream(y, at.n, to + col);
       ValueExtremes& tile =
           field->extremes[RowBands<float>::BandOf(r) * tiling.across + t];
+      // The first row of a band resets its tiles' extremes.
       tile = r % kBandRows == 0 ? found : Both(tile, found);
     }
   }
@@ -191,8 +195,8 @@ void ComputeBox(const WindowRasters& rasters, const CellBox& box,
     float* to = field->masked.RowToWrite(r);
     for (int col = box.col; col < box.col_end;) {
       const int tile_end = (col / width + 1) * width;
-      const Stretch at{{r, col}, std::min(tile_end, box.col_end) - col};
-      ComputeStretch(rasters, *field, at, to + col);
+      const RowSegment at{{r, col}, std::min(tile_end, box.col_end) - col};
+      ComputeSegment(rasters, *field, at, to + col);
       col += at.n;
     }
   }
@@ -207,6 +211,7 @@ void MeasureTiles(const CellBox& box, BlendedField* field) {
   for (int band = first_band; band <= last_band; ++band) {
     for (int t = box.col / width; t <= (box.col_end - 1) / width; ++t) {
       const int i = band * tiling.across + t;
+      // Of the whole tile: what left the box may have been its extreme.
       const CellBox tile = tiling.Box(i);
       field->extremes[i] = {};
       for (int r = tile.row; r < tile.row_end; ++r) {

@@ -403,8 +403,8 @@ TEST(Patches, OfASmallAreaAreSmall) {
       "ex:z", ConstraintKind::kNoGo,
       Box(at.lon_deg, at.lat_deg, at.lon_deg + 0.1, at.lat_deg + 0.1));
   zone.buffer_cells = 2;
-  const MaskPatch patch =
-      ConstraintPatch(world.rasters, {&zone, true, 1.0, {}, ""}, "");
+  const MaskPatch patch = ConstraintPatch(
+      world.rasters, {&zone, &kg_core::EffectOf(zone.kind), 1.0, {}, ""}, "");
   EXPECT_FALSE(patch.box.empty());
   EXPECT_LT(patch.box.size(), 15u * 15u);
 }

@@ -10,11 +10,12 @@ namespace kg_compiler {
 namespace {
 
 // Cells [first, end) of an axis whose centres lie within [low, high].
-struct Span {
+struct IndexSpan {
   int first, end;
 };
 
-Span SpanBetween(const std::vector<double>& centres, double low, double high) {
+IndexSpan SpanBetween(const std::vector<double>& centres, double low,
+                      double high) {
   const auto first = std::lower_bound(centres.begin(), centres.end(), low);
   const auto end = std::upper_bound(first, centres.end(), high);
   return {static_cast<int>(first - centres.begin()),
@@ -23,12 +24,12 @@ Span SpanBetween(const std::vector<double>& centres, double low, double high) {
 
 // A row of a bump: its columns, and the scale there.
 struct BumpRow {
-  Span cols;
+  IndexSpan cols;
   double north_m;
   double lon_deg_per_m;
 };
 
-Span BumpRows(const kg_core::Grid& grid, const kg_core::Event& event) {
+IndexSpan BumpRows(const kg_core::Grid& grid, const kg_core::Event& event) {
   const double lat_deg = event.position.lat_deg;
   const double reach_deg =
       kBumpReach_sigmas * event.radius_m * kg_core::LocalScale(lat_deg).lat_deg;
@@ -61,16 +62,16 @@ CellBox BoxWithin(const kg_core::Grid& grid, const CellBox& box,
   const kg_core::DegreesPerMetre north = kg_core::LocalScale(north_deg);
   const double lat_deg = reach_m * std::max(south.lat_deg, north.lat_deg);
   const double lon_deg = reach_m * std::max(south.lon_deg, north.lon_deg);
-  const Span rows =
+  const IndexSpan rows =
       SpanBetween(grid.lat_deg(), south_deg - lat_deg, north_deg + lat_deg);
-  const Span cols =
+  const IndexSpan cols =
       SpanBetween(grid.lon_deg(), grid.lon_deg()[box.col] - lon_deg,
                   grid.lon_deg()[box.col_end - 1] + lon_deg);
   return Grown({rows.first, rows.end, cols.first, cols.end}, 1, grid);
 }
 
 CellBox BumpBox(const kg_core::Grid& grid, const kg_core::Event& event) {
-  const Span rows = BumpRows(grid, event);
+  const IndexSpan rows = BumpRows(grid, event);
   CellBox box{rows.first, rows.end, grid.cols(), 0};
   for (int r = rows.first; r < rows.end; ++r) {
     const BumpRow row = RowOf(grid, event, r);
@@ -83,7 +84,7 @@ CellBox BumpBox(const kg_core::Grid& grid, const kg_core::Event& event) {
 
 void ForEachBumpCell(const kg_core::Grid& grid, const kg_core::Event& event,
                      const std::function<void(kg_core::Cell, double)>& add) {
-  const Span rows = BumpRows(grid, event);
+  const IndexSpan rows = BumpRows(grid, event);
   for (int r = rows.first; r < rows.end; ++r) {
     const BumpRow row = RowOf(grid, event, r);
     for (int c = row.cols.first; c < row.cols.end; ++c) {

@@ -26,10 +26,10 @@ bool IsComfortable(float x) {
   return x == 0.0f || (std::abs(x) >= kSmallest && std::abs(x) <= kLargest);
 }
 
-class Compiler {
+class BlendCompiler {
  public:
-  Compiler(const TensorInputs& inputs, const ActiveFacts& active,
-           const std::shared_ptr<const BlendedField>& previous)
+  BlendCompiler(const TensorInputs& inputs, const ActiveFacts& active,
+                const std::shared_ptr<const BlendedField>& previous)
       : in_(inputs),
         active_(active),
         policy_(inputs.agent->policy),
@@ -89,7 +89,7 @@ class Compiler {
     LayerTable::Weights& weights = field_->recipe.weights;
     weights.op = policy_.front_operator;
     if (field_->table) {
-      if (!IsComfortable(field_->table->largest())) return false;
+      if (!IsComfortable(field_->table->max_abs())) return false;
       if (policy_.alpha_base != 0.0) {
         weights.base = static_cast<float>(policy_.alpha_base / ValueScale());
       }
@@ -106,19 +106,19 @@ class Compiler {
 
   // What B and F are divided by; infinite where the layer is to be 0.
   double ValueScale() const {
-    const double most =
+    const double max_value =
         policy_.layer_scale == kg_core::LayerScale::kWindow
-            ? field_->table->MostValue(rasters_.value, field_->state)
+            ? field_->table->MaxOpenValue(rasters_.value, field_->state)
             : 0.0;
-    return LayerDivisor(policy_, rasters_.full_scale, most);
+    return LayerDivisor(policy_, rasters_.full_scale, max_value);
   }
   double FrontScale() const {
-    const double most =
+    const double max_value =
         policy_.layer_scale == kg_core::LayerScale::kWindow
-            ? field_->table->MostFront(rasters_.value, policy_.front_operator,
-                                       field_->state)
+            ? field_->table->MaxOpenFront(rasters_.value,
+                                          policy_.front_operator, field_->state)
             : 0.0;
-    return LayerDivisor(policy_, rasters_.front_full_scale, most);
+    return LayerDivisor(policy_, rasters_.front_full_scale, max_value);
   }
 
   bool CanUpdate() {
@@ -170,7 +170,7 @@ class Compiler {
 
   MadeBlend Checked(std::size_t cells) {
     const ValueExtremes all = field_->All();
-    if (all.most > 0.0f && !IsComfortable(all.most)) return Slowly();
+    if (all.max > 0.0f && !IsComfortable(all.max)) return Slowly();
     return {field_, cells};
   }
 
@@ -183,11 +183,14 @@ class Compiler {
     field_->masked = RowBands<float>(field_->tiling.rows, field_->tiling.cols);
     CloseCells(rasters_.land, field_->recipe, WholeGrid(rasters_.grid),
                &field_->state);
-    double most = 0.0;
+    // In units of the largest magnitude, so that float32 neither overflows nor
+    // loses small values.
+    double max_value = 0.0;
     for (std::size_t i = 0; i < blend.masked.size(); ++i) {
-      if (blend.counted[i]) most = std::max(most, std::abs(blend.masked[i]));
+      if (blend.counted[i])
+        max_value = std::max(max_value, std::abs(blend.masked[i]));
     }
-    field_->unit = most > 0.0 ? most : 1.0;
+    field_->unit = max_value > 0.0 ? max_value : 1.0;
     field_->extremes.assign(field_->tiling.size(), {});
     for (int tile = 0; tile < field_->tiling.size(); ++tile) {
       FillTile(blend, tile);
@@ -237,7 +240,7 @@ class Compiler {
 
 MadeBlend CompileBlend(const TensorInputs& inputs, const ActiveFacts& active,
                        const std::shared_ptr<const BlendedField>& previous) {
-  return Compiler(inputs, active, previous).Make();
+  return BlendCompiler(inputs, active, previous).Make();
 }
 
 }  // namespace kg_compiler

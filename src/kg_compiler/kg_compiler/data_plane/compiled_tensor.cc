@@ -13,7 +13,7 @@ namespace kg_compiler {
 namespace {
 
 constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
-constexpr double kTopPercentile = 0.98;
+constexpr double kPercentile = 0.98;
 
 template <typename Visit>
 void ForEachOpen(const BlendedField& field, const Visit& visit) {
@@ -48,7 +48,7 @@ float Percentile(const BlendedField& field) {
     ++all;
   });
   std::size_t rank = static_cast<std::size_t>(
-      std::ceil(kTopPercentile * static_cast<double>(all)));
+      std::ceil(kPercentile * static_cast<double>(all)));
   const std::uint32_t upper = Select(counts, &rank);
   std::fill(counts.begin(), counts.end(), 0);
   ForEachOpen(field, [&](std::uint32_t bits) {
@@ -72,15 +72,16 @@ RowScale FitScale(const BlendedField& field, const kg_core::Policy& policy,
     return n;
   }
   const ValueExtremes all = field.All();
-  if (!(all.most >= all.least)) return n;  // No cell counts.
-  const float least = before * all.least, most = before * all.most;
-  n.range = most;
+  if (!(all.max >= all.min)) return n;  // No cell counts.
+  const float min_value = before * all.min, max_value = before * all.max;
+  n.range =
+      max_value;  // N divides by the maximum, unless a policy says otherwise.
   const bool is_minmax =
       field.is_literal ||
       policy.normalisation == kg_core::Normalisation::kMinMax;
-  if (is_minmax && most > least) {
-    n.low = least;
-    n.range = most - least;
+  if (is_minmax && max_value > min_value) {
+    n.low = min_value;
+    n.range = max_value - min_value;
   } else if (!is_minmax &&
              policy.normalisation == kg_core::Normalisation::kPercentile) {
     const float range = before * Percentile(field);
@@ -113,6 +114,7 @@ void CompiledTensor::GetRow(Layer layer, kg_core::Cell first, int n,
   const float* y = field_->masked.Row(first.row) + first.col;
   const unsigned char* state = field_->state.Row(first.row) + first.col;
   switch (layer) {
+    // Also where it is forbidden: what a place would be worth, without w_t.
     case Layer::kReward:
       Normalise(y, unweighted_, n, values);
       for (int c = 0; c < n; ++c) {

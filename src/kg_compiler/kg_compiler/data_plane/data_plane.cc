@@ -57,6 +57,12 @@ void HashConstraints(const Mission& mission, const ActiveFacts& active,
     const kg_core::Constraint& fact = *constraint.fact;
     hash->Add(constraint.forbids() ? 1.0 : 0.0);
     if (!constraint.forbids()) hash->Add(constraint.attenuation);
+    // Only where the cover is not the usual one of what forbids or attenuates.
+    const bool is_touched =
+        constraint.effect->cover == kg_core::CellCover::kTouched;
+    if (is_touched != constraint.forbids()) {
+      hash->Add(kg_core::Name(constraint.effect->cover));
+    }
     if (fact.mask) {
       HashRaster(mission, *fact.mask, hash);
     } else {
@@ -82,6 +88,7 @@ void HashPriors(const Mission& mission, const ActiveFacts& active,
     hash->Add(prior.fact->edge_m);
   }
   hash->Add(static_cast<double>(active.events.size()));
+  // A weight that nothing is multiplied with does not count.
   if (!active.events.empty()) hash->Add(beta_poi);
   for (const kg_core::Event* event : active.events) {
     hash->Add(event->position.lon_deg);
@@ -115,9 +122,52 @@ void HashOptions(const kg_core::Policy& policy, const ActiveFacts& active,
   const auto is_soft = [](const ActiveConstraint& constraint) {
     return !constraint.forbids() && constraint.attenuation != 1.0;
   };
+  // How zones combine matters from two on.
   const bool can_overlap = std::count_if(active.constraints.begin(),
                                          active.constraints.end(), is_soft) > 1;
   if (can_overlap) hash->Add(static_cast<double>(policy.soft_overlap));
+}
+
+// Of everything that CompileTensor reads, and nothing else.
+std::string HashOf(const TensorInputs& in, const ActiveFacts& active) {
+  const kg_core::Policy& policy = in.agent->policy;
+  const WindowRasters& rasters = *in.rasters;
+  kg_core::Hasher hash;
+  hash.Add(active.reads_value ? rasters.content_hash : rasters.land_hash);
+  hash.Add(in.window->confidence);
+  hash.Add(policy.alpha_base);
+  hash.Add(policy.gamma_front);
+  HashOptions(policy, active, rasters, &hash);
+  HashConstraints(*in.mission, active, &hash);
+  HashPriors(*in.mission, active, policy.beta_poi, &hash);
+  if (in.horizon) {
+    hash.Add(in.horizon->low);
+    hash.Add(in.horizon->range);
+  }
+  return hash.Hex();
+}
+
+// The IRIs of the facts and files that CompileTensor reads, sorted.
+std::vector<std::string> SourcesOf(const TensorInputs& in,
+                                   const ActiveFacts& active) {
+  std::set<std::string> sources = {in.agent->policy.iri, in.window->iri,
+                                   in.rasters->field_iri};
+  if (active.reads_value) {
+    sources.insert({in.rasters->value_iri, in.rasters->value_file_iri});
+  }
+  if (active.names_agent) sources.insert(in.agent->iri);
+  for (const ActiveConstraint& constraint : active.constraints) {
+    sources.insert({constraint.fact->iri, constraint.override_iri});
+    if (constraint.fact->mask) sources.insert(constraint.fact->mask->file_iri);
+    sources.insert(constraint.avoided_by.begin(), constraint.avoided_by.end());
+  }
+  for (const ActivePrior& prior : active.priors) {
+    sources.insert({prior.fact->iri, prior.weight_iri});
+    if (prior.fact->raster) sources.insert(prior.fact->raster->file_iri);
+  }
+  for (const kg_core::Event* event : active.events) sources.insert(event->iri);
+  sources.erase("");  // Of rasters and overrides that there are not.
+  return {sources.begin(), sources.end()};
 }
 
 }  // namespace
@@ -139,7 +189,7 @@ HorizonScale MeasureHorizon(
     const ValueNormaliser own{n.low * made.field->unit,
                               n.range * made.field->unit};
     if (own.range > 0.0) all = all.range > 0.0 ? Merge(all, own) : own;
-    for (std::string& iri : TensorSources(mission, agent, window, here)) {
+    for (std::string& iri : SourcesOf(inputs, active)) {
       sources.insert(std::move(iri));
     }
   }
@@ -179,24 +229,36 @@ MissionTensor CompileTensor(const Mission& mission, const Agent& agent,
   return CompileTensor({&mission, &agent, &window, &rasters, horizon}, nullptr);
 }
 
+TensorRequest PrepareTensor(const TensorInputs& inputs) {
+  TensorRequest request;
+  request.inputs = inputs;
+  request.active =
+      FindActiveFacts(*inputs.mission, *inputs.agent, *inputs.window);
+  request.hash = HashOf(inputs, request.active);
+  request.sources = inputs.horizon ? inputs.horizon->derived_from
+                                   : SourcesOf(inputs, request.active);
+  return request;
+}
+
 MissionTensor CompileTensor(const TensorInputs& inputs,
                             const MissionTensor* previous) {
-  const Mission& mission = *inputs.mission;
+  return CompilePrepared(PrepareTensor(inputs), previous);
+}
+
+MissionTensor CompilePrepared(const TensorRequest& request,
+                              const MissionTensor* previous) {
+  const TensorInputs& inputs = request.inputs;
   const Agent& agent = *inputs.agent;
   const TimeWindow& window = *inputs.window;
   const WindowRasters& rasters = *inputs.rasters;
-  const HorizonScale* horizon = inputs.horizon;
-  CheckArguments(agent, rasters, horizon);
-  const ActiveFacts active = FindActiveFacts(mission, agent, window);
+  CheckArguments(agent, rasters, inputs.horizon);
   MissionTensor tensor;
   tensor.agent_iri = agent.iri;
   tensor.window = window.index;
   tensor.confidence = window.confidence;
   tensor.grid = rasters.grid;
-  tensor.hash = TensorHash(mission, agent, window, rasters, horizon);
-  tensor.derived_from = horizon
-                            ? horizon->derived_from
-                            : TensorSources(mission, agent, window, rasters);
+  tensor.hash = request.hash;
+  tensor.derived_from = request.sources;
   if (previous && previous->hash == tensor.hash) {
     tensor.content = previous->content;
     return tensor;
@@ -205,11 +267,13 @@ MissionTensor CompileTensor(const TensorInputs& inputs,
       previous ? dynamic_cast<const CompiledTensor*>(previous->content.get())
                : nullptr;
   const MadeBlend made =
-      CompileBlend(inputs, active, before ? before->field() : nullptr);
+      CompileBlend(inputs, request.active, before ? before->field() : nullptr);
+  // The confidence w_t stands before N or after it; after it in mode `post`,
+  // because N would cancel it (A1).
   const float w = static_cast<float>(window.confidence);
   const bool post = IsPost(agent.policy);
   RowScale scale =
-      FitScale(*made.field, agent.policy, post ? 1.0f : w, horizon);
+      FitScale(*made.field, agent.policy, post ? 1.0f : w, inputs.horizon);
   scale.after = post ? w : 1.0f;
   tensor.content =
       std::make_shared<CompiledTensor>(made.field, scale, window.confidence);
@@ -220,46 +284,16 @@ MissionTensor CompileTensor(const TensorInputs& inputs,
 std::string TensorHash(const Mission& mission, const Agent& agent,
                        const TimeWindow& window, const WindowRasters& rasters,
                        const HorizonScale* horizon) {
-  const ActiveFacts active = FindActiveFacts(mission, agent, window);
-  const kg_core::Policy& policy = agent.policy;
-  kg_core::Hasher hash;
-  hash.Add(active.reads_value ? rasters.content_hash : rasters.land_hash);
-  hash.Add(window.confidence);
-  hash.Add(policy.alpha_base);
-  hash.Add(policy.gamma_front);
-  HashOptions(policy, active, rasters, &hash);
-  HashConstraints(mission, active, &hash);
-  HashPriors(mission, active, policy.beta_poi, &hash);
-  if (horizon) {
-    hash.Add(horizon->low);
-    hash.Add(horizon->range);
-  }
-  return hash.Hex();
+  const TensorInputs inputs{&mission, &agent, &window, &rasters, horizon};
+  return HashOf(inputs, FindActiveFacts(mission, agent, window));
 }
 
 std::vector<std::string> TensorSources(const Mission& mission,
                                        const Agent& agent,
                                        const TimeWindow& window,
                                        const WindowRasters& rasters) {
-  const ActiveFacts active = FindActiveFacts(mission, agent, window);
-  std::set<std::string> sources = {agent.policy.iri, window.iri,
-                                   rasters.field_iri};
-  if (active.reads_value) {
-    sources.insert({rasters.value_iri, rasters.value_file_iri});
-  }
-  if (active.names_agent) sources.insert(agent.iri);
-  for (const ActiveConstraint& constraint : active.constraints) {
-    sources.insert({constraint.fact->iri, constraint.override_iri});
-    if (constraint.fact->mask) sources.insert(constraint.fact->mask->file_iri);
-    sources.insert(constraint.avoided_by.begin(), constraint.avoided_by.end());
-  }
-  for (const ActivePrior& prior : active.priors) {
-    sources.insert({prior.fact->iri, prior.weight_iri});
-    if (prior.fact->raster) sources.insert(prior.fact->raster->file_iri);
-  }
-  for (const kg_core::Event* event : active.events) sources.insert(event->iri);
-  sources.erase("");
-  return {sources.begin(), sources.end()};
+  const TensorInputs inputs{&mission, &agent, &window, &rasters, nullptr};
+  return SourcesOf(inputs, FindActiveFacts(mission, agent, window));
 }
 
 }  // namespace kg_compiler

@@ -31,6 +31,7 @@
 #include <string>
 #include <vector>
 
+#include "kg_compiler/data_plane/active_facts.h"
 #include "kg_compiler/data_plane/blend.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
 #include "kg_compiler/data_plane/tensor_inputs.h"
@@ -64,11 +65,23 @@ TensorBlend BlendTensor(const kg_core::Agent& agent,
                         const WindowRasters& rasters, const ActiveFacts& active,
                         const HorizonScale* horizon);
 
+// What compiling a tensor reads, selected once for its hash, its provenance and
+// its blend.
+struct TensorRequest {
+  TensorInputs inputs;
+  ActiveFacts active;
+  std::string hash;                  // As TensorHash.
+  std::vector<std::string> sources;  // The horizon's, else as TensorSources.
+};
+TensorRequest PrepareTensor(const TensorInputs& inputs);
+
 // Makes again only what differs from `previous`, if that is given and was
 // compiled: any tensor will do, best is that of the same agent and window
 // before the facts changed. The result is the same, bit by bit, whatever
 // `previous` is; `cells_computed` says what it took. Throws std::logic_error if
 // the rasters' sizes or the horizon do not agree with the rest.
+MissionTensor CompilePrepared(const TensorRequest& request,
+                              const MissionTensor* previous);
 MissionTensor CompileTensor(const TensorInputs& inputs,
                             const MissionTensor* previous);
 

@@ -37,8 +37,8 @@ class Reference {
       }
     }
     for (int i = 0; i < Size(); ++i) open_.push_back(FindOpen(i));
-    most_value_ = Most([&](int j) { return double(in_.value[j]); });
-    most_front_ = Most([&](int j) { return Front(j); });
+    most_value_ = MaxOpen([&](int j) { return double(in_.value[j]); });
+    most_front_ = MaxOpen([&](int j) { return Front(j); });
   }
 
   bool Open(int i) const { return open_[i]; }
@@ -119,7 +119,7 @@ class Reference {
     return c.area->Intersects(
         Box(sw.lon_deg, sw.lat_deg, ne.lon_deg, ne.lat_deg));
   }
-  double Most(const std::function<double(int)>& f) const {
+  double MaxOpen(const std::function<double(int)>& f) const {
     double most = 0.0;
     for (int i = 0; i < Size(); ++i) {
       if (Open(i)) most = std::max(most, Positive(f(i)));

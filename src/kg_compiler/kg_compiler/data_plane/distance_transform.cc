@@ -46,9 +46,9 @@ void AlongRow(const kg_core::Grid& grid, const kg_core::Mask& set, int row,
 }
 
 // The lower envelope of the parabolas (y - y_i)^2 + f_i, i with finite f_i.
-class Envelope {
+class LowerEnvelope {
  public:
-  explicit Envelope(const std::vector<double>& y) : y_(y) {}
+  explicit LowerEnvelope(const std::vector<double>& y) : y_(y) {}
 
   void Build(const std::vector<double>& f) {
     members_.clear();
@@ -72,6 +72,8 @@ class Envelope {
 
  private:
   void Add(const std::vector<double>& f, int i) {
+    // A member that the new parabola undercuts before it begins is never the
+    // lowest: off the stack.
     double begin = -kInfinity;
     while (!members_.empty()) {
       const int j = members_.back();
@@ -147,6 +149,8 @@ kg_core::Mask GrowByCells(int rows, int cols, const kg_core::Mask& set,
 
 std::vector<double> DistanceTo_m(const kg_core::Grid& grid,
                                  const kg_core::Mask& set) {
+  // Step 1: squared distances along each row, by a row's own scale. Step 2:
+  // along each column the lower envelope of the parabolas that stand on them.
   std::vector<double> distance(grid.size());
   for (int r = 0; r < grid.rows(); ++r) {
     AlongRow(grid, set, r, &distance[grid.Index({r, 0})]);
@@ -154,7 +158,7 @@ std::vector<double> DistanceTo_m(const kg_core::Grid& grid,
   const std::vector<double> north_m = Northings_m(grid);
   std::vector<double> column(north_m.size());
   std::vector<double> result(north_m.size());
-  Envelope envelope(north_m);
+  LowerEnvelope envelope(north_m);
   for (int c = 0; c < grid.cols(); ++c) {
     for (int r = 0; r < grid.rows(); ++r) {
       column[r] = distance[grid.Index({r, c})];

@@ -305,7 +305,7 @@ cv::Mat Front(const World& w, const Known& b) {
   return front.mul(b.is_there);
 }
 
-double Most(const cv::Mat& m, const cv::Mat& mask) {
+double MaxOpen(const cv::Mat& m, const cv::Mat& mask) {
   double most = 0.0;
   cv::minMaxLoc(m, nullptr, &most, nullptr, nullptr, mask);
   return most;
@@ -316,7 +316,7 @@ cv::Mat Layer01(const World& w, const cv::Mat& layer, double stated) {
   const cv::Mat positive = cv::max(layer, 0.0);
   switch (w.policy().layer_scale) {
     case kg_core::LayerScale::kWindow:
-      return positive / Most(positive, w.open);
+      return positive / MaxOpen(positive, w.open);
     case kg_core::LayerScale::kFixed:
       return positive / stated;
     default:
@@ -448,7 +448,7 @@ TEST(Eq1OpenCv, TensorsAreWhatOpenCvMakesStepByStep) {
                                                w.mission.windows[0], w.rasters);
     const kg_core::Raster got = tensor.Get(Layer::kFused);
     const cv::Mat wanted = Fused(w);
-    ASSERT_GT(Most(wanted, cv::Mat()), 0.2) << round;
+    ASSERT_GT(MaxOpen(wanted, cv::Mat()), 0.2) << round;
     for (std::size_t i = 0; i < got.size(); ++i) {
       ASSERT_NEAR(wanted.ptr<double>()[i], got[i], 1e-6)
           << "round " << round << ", cell " << i;

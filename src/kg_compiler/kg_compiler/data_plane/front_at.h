@@ -1,16 +1,18 @@
-// F of one cell where there are no gaps, for the loops that need it.
+// F = |grad B| of one cell without gaps around it (frontness.h), inlined into
+// the loops of front_kernels.cc and pass_kernels.cc.
 
 #ifndef KG_COMPILER_DATA_PLANE_FRONT_AT_H_
 #define KG_COMPILER_DATA_PLANE_FRONT_AT_H_
 
 #include <cmath>
 
-#include "kg_compiler/data_plane/front_kernels.h"
+#include "kg_compiler/data_plane/front_rows.h"
 #include "kg_compiler/data_plane/wide.h"
 
 namespace kg_compiler {
 
-// The weights' quarter and half are exact.
+// Sobel weights 1 2 1 over 4, that is 0.25 and 0.5, which are exact in binary.
+// The order of the sums is fixed: another one would change the last bit.
 KG_INLINE float SobelAt(const FrontRows& rows, int c) {
   const float* s = rows.south;
   const float* m = rows.middle;

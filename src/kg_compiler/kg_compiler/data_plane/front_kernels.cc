@@ -13,11 +13,11 @@ namespace {
 constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
 
 // One row of the stretch with its neighbours, NaN where there is no data.
-struct Padded {
+struct PaddedRow {
   float at[kTileCols + 2];
 };
 
-void Pad(const float* row, GapEnds ends, int n, Padded* padded) {
+void Pad(const float* row, GapEnds ends, int n, PaddedRow* padded) {
   if (!row) {
     std::fill(padded->at, padded->at + n + 2, kNoData);
     return;
@@ -26,7 +26,7 @@ void Pad(const float* row, GapEnds ends, int n, Padded* padded) {
   const int last = ends.has_after ? n : n - 1;
   padded->at[0] = padded->at[n + 1] = kNoData;
   for (int c = first; c <= last; ++c) {
-    padded->at[c + 1] = std::abs(row[c]) <= kMost ? row[c] : kNoData;
+    padded->at[c + 1] = std::abs(row[c]) <= kMaxFloat ? row[c] : kNoData;
   }
 }
 
@@ -45,7 +45,7 @@ KG_WIDE void Central(const FrontRows& in, int n, float* __restrict f) {
 namespace {
 
 // Sums of slopes and of the weights they have, by column.
-struct Slopes {
+struct SlopeSums {
   float sum[kTileCols + 2];
   float weight[kTileCols + 2];
 };
@@ -65,7 +65,7 @@ struct StepScales {
 KG_WIDE void AddSlopes(const float* __restrict before,
                        const float* __restrict middle,
                        const float* __restrict after, const StepScales& scales,
-                       float weight, int n, Slopes* slopes) {
+                       float weight, int n, SlopeSums* slopes) {
   float* __restrict sum = slopes->sum;
   float* __restrict weights = slopes->weight;
   const float* __restrict both_scale = scales.both;
@@ -97,15 +97,19 @@ float Mean(float sum, float weight) {
 
 void FrontWithGaps(const FrontRows& rows, bool is_sobel, GapEnds ends, int n,
                    float* f) {
-  Padded south, middle, north;
+  // Step 1: the three rows with NaN for gaps and beyond the grid.
+  PaddedRow south, middle, north;
   Pad(rows.south, ends, n, &south);
   Pad(rows.middle, ends, n, &middle);
   Pad(rows.north, ends, n, &north);
   float before_scale[kTileCols];
   before_scale[0] = ends.has_before ? rows.per_deg_after[-1] : 0.0f;
   std::copy(rows.per_deg_after, rows.per_deg_after + n - 1, before_scale + 1);
-  Slopes east = {}, north_slopes = {};
-  const auto add_east = [&](const Padded& row, float deg_per_km, float weight) {
+  // Step 2: eastward slopes of the middle row, for Sobel of all three with
+  // weights 1 2 1, of those that have neighbours.
+  SlopeSums east = {}, north_slopes = {};
+  const auto add_east = [&](const PaddedRow& row, float deg_per_km,
+                            float weight) {
     AddSlopes(row.at, row.at + 1, row.at + 2,
               {rows.per_deg, rows.per_deg_after, before_scale, deg_per_km},
               weight, n, &east);
@@ -115,6 +119,7 @@ void FrontWithGaps(const FrontRows& rows, bool is_sobel, GapEnds ends, int n,
     add_east(south, rows.south_deg_per_km, 1.0f);
     add_east(north, rows.north_deg_per_km, 1.0f);
   }
+  // Step 3: northward slopes of all columns, one more on either side.
   float both[kTileCols + 2], after[kTileCols + 2], before[kTileCols + 2];
   std::fill(both, both + n + 2, rows.per_km);
   std::fill(after, after + n + 2, rows.per_km_north);
@@ -123,6 +128,7 @@ void FrontWithGaps(const FrontRows& rows, bool is_sobel, GapEnds ends, int n,
             n + 2, &north_slopes);
   const float* sum = north_slopes.sum + 1;
   const float* weight = north_slopes.weight + 1;
+  // Step 4: means over what there is, and the length of the two.
   const float side = is_sobel ? 1.0f : 0.0f;
   for (int c = 0; c < n; ++c) {
     const float gx = Mean(east.sum[c], east.weight[c]);

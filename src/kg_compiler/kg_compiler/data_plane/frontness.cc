@@ -12,13 +12,13 @@ namespace {
 constexpr float kNoFront = std::numeric_limits<float>::quiet_NaN();
 
 // Kilometres from each row to the next, and per degree of longitude in a row.
-struct Scales {
+struct GridScales {
   std::vector<double> row_step_km;
   std::vector<double> km_per_lon_deg;
 };
 
-Scales Measure(const kg_core::Grid& grid) {
-  Scales scales;
+GridScales Measure(const kg_core::Grid& grid) {
+  GridScales scales;
   const std::vector<double>& lat_deg = grid.lat_deg();
   for (std::size_t r = 0; r < lat_deg.size(); ++r) {
     scales.km_per_lon_deg.push_back(
@@ -33,13 +33,13 @@ Scales Measure(const kg_core::Grid& grid) {
 }
 
 // The slope at `mid` between a neighbour `before` and one `after` it.
-struct Difference {
+struct NeighbourDifference {
   double before, mid, after;   // Values; non-finite = no data.
   double before_km, after_km;  // Distances to the middle.
 };
 
 // False where there is nothing to difference.
-bool Slope(const Difference& d, double* slope) {
+bool Slope(const NeighbourDifference& d, double* slope) {
   const bool has_before = std::isfinite(d.before);
   const bool has_after = std::isfinite(d.after);
   const bool has_mid = std::isfinite(d.mid);
@@ -55,10 +55,10 @@ bool Slope(const Difference& d, double* slope) {
   return true;
 }
 
-class Gradient {
+class GradientField {
  public:
-  Gradient(const kg_core::Grid& grid, const kg_core::Raster& values,
-           kg_core::FrontOperator op)
+  GradientField(const kg_core::Grid& grid, const kg_core::Raster& values,
+                kg_core::FrontOperator op)
       : grid_(grid),
         values_(values),
         scales_(Measure(grid)),
@@ -109,7 +109,7 @@ class Gradient {
 
   const kg_core::Grid& grid_;
   const kg_core::Raster& values_;
-  Scales scales_;
+  GridScales scales_;
   int reach_;  // Rows and columns beside the cell's own.
 };
 
@@ -118,7 +118,7 @@ class Gradient {
 kg_core::Raster GradientPerKm(const kg_core::Grid& grid,
                               const kg_core::Raster& values,
                               kg_core::FrontOperator op) {
-  const Gradient gradient(grid, values, op);
+  const GradientField gradient(grid, values, op);
   kg_core::Raster result;
   result.reserve(values.size());
   for (int r = 0; r < grid.rows(); ++r) {

@@ -99,6 +99,8 @@ LayerTable::LayerTable(const kg_core::Grid& grid, const kg_core::Raster& value)
 void LayerTable::FindGaps(const kg_core::Raster& value) {
   const int across = tiling_.across, cols = tiling_.cols;
   const int width = tiling_.width;
+  // A segment has gaps if it, or a segment above or below, has a value that is
+  // not finite, one column beyond its ends included.
   std::vector<unsigned char> own(static_cast<std::size_t>(tiling_.rows) *
                                  across);
   gaps_.assign(own.size(), 1);
@@ -110,9 +112,9 @@ void LayerTable::FindGaps(const kg_core::Raster& value) {
       const int first = std::max(begin - 1, 0), last = std::min(end + 1, cols);
       own[r * across + t] = !AllFinite(row + first, last - first);
       const ValueMagnitudes found = MagnitudesOf(row + begin, end - begin);
-      float& most = values_[RowBands<float>::BandOf(r) * across + t];
-      most = std::max(most, found.most);
-      largest_ = std::max(largest_, found.largest);
+      float& max_value = values_[RowBands<float>::BandOf(r) * across + t];
+      max_value = std::max(max_value, found.max_positive);
+      max_abs_ = std::max(max_abs_, found.max_abs);
     }
   }
   for (int r = 1; r + 1 < tiling_.rows; ++r) {
@@ -153,6 +155,8 @@ const LayerTable::GapFronts& LayerTable::GapFrontsOf(
       FrontWithGaps(RowsAt(value, row, col), is_sobel,
                     {col > 0, col + n < cols}, n, f);
     };
+    // The outermost columns always, for they lack a neighbour; of the others
+    // only segments with gaps in or around them.
     gaps.first.resize(tiling_.rows);
     gaps.last.resize(tiling_.rows);
     float f[kTileCols];
@@ -220,6 +224,7 @@ void LayerTable::Fronts(const kg_core::Raster& value, kg_core::FrontOperator op,
     std::copy(&gaps.values[begin], &gaps.values[begin] + n, f);
     return;
   }
+  // The outermost columns come from the table, the rest is computed.
   const int begin = first.col == 0 ? 1 : 0;
   const int end = first.col + n == tiling_.cols ? n - 1 : n;
   const bool is_sobel = op == kg_core::FrontOperator::kSobel;
@@ -241,7 +246,8 @@ const LayerTable::Tiles& LayerTable::FrontTiles(
       float f[kTileCols];
       for (int r = box.row; r < box.row_end; ++r) {
         Fronts(value, op, {r, box.col}, box.cols(), f);
-        fronts_[k][tile] = std::max(fronts_[k][tile], MostOf(f, box.cols()));
+        fronts_[k][tile] =
+            std::max(fronts_[k][tile], MaxPositive(f, box.cols()));
       }
     });
   });
@@ -250,50 +256,54 @@ const LayerTable::Tiles& LayerTable::FrontTiles(
 
 // The tile with the largest first: usually all of it is open, and that is it.
 template <typename Evaluate>
-float LayerTable::Most(const Tiles& tiles, const RowBands<unsigned char>& state,
-                       const Evaluate& evaluate) const {
+float LayerTable::MaxOpen(const Tiles& tiles,
+                          const RowBands<unsigned char>& state,
+                          const Evaluate& evaluate) const {
   std::vector<int> order;
   for (int i = 0; i < static_cast<int>(tiles.size()); ++i) {
     if (tiles[i] > 0.0f) order.push_back(i);
   }
   const auto below = [&](int a, int b) { return tiles[a] < tiles[b]; };
   std::make_heap(order.begin(), order.end(), below);
-  float most = 0.0f;
-  while (!order.empty() && tiles[order.front()] > most) {
+  float max_value = 0.0f;
+  while (!order.empty() && tiles[order.front()] > max_value) {
     const int tile = order.front();
     std::pop_heap(order.begin(), order.end(), below);
     order.pop_back();
     const CellBox box = tiling_.Box(tile);
-    most = std::max(most, IsAllOpen(state, box) ? tiles[tile] : evaluate(box));
+    max_value = std::max(max_value,
+                         IsAllOpen(state, box) ? tiles[tile] : evaluate(box));
   }
-  return most;
+  return max_value;
 }
 
-float LayerTable::MostValue(const kg_core::Raster& value,
-                            const RowBands<unsigned char>& state) const {
-  return Most(values_, state, [&](const CellBox& box) {
-    float most = 0.0f;
+float LayerTable::MaxOpenValue(const kg_core::Raster& value,
+                               const RowBands<unsigned char>& state) const {
+  return MaxOpen(values_, state, [&](const CellBox& box) {
+    float max_value = 0.0f;
     for (int r = box.row; r < box.row_end; ++r) {
       const std::size_t first =
           static_cast<std::size_t>(r) * tiling_.cols + box.col;
-      most = std::max(
-          most, MostOpen(&value[first], state.Row(r) + box.col, box.cols()));
+      max_value = std::max(
+          max_value,
+          MaxPositiveOpen(&value[first], state.Row(r) + box.col, box.cols()));
     }
-    return most;
+    return max_value;
   });
 }
 
-float LayerTable::MostFront(const kg_core::Raster& value,
-                            kg_core::FrontOperator op,
-                            const RowBands<unsigned char>& state) const {
-  return Most(FrontTiles(value, op), state, [&](const CellBox& box) {
-    float most = 0.0f;
+float LayerTable::MaxOpenFront(const kg_core::Raster& value,
+                               kg_core::FrontOperator op,
+                               const RowBands<unsigned char>& state) const {
+  return MaxOpen(FrontTiles(value, op), state, [&](const CellBox& box) {
+    float max_value = 0.0f;
     float f[kTileCols];
     for (int r = box.row; r < box.row_end; ++r) {
       Fronts(value, op, {r, box.col}, box.cols(), f);
-      most = std::max(most, MostOpen(f, state.Row(r) + box.col, box.cols()));
+      max_value = std::max(
+          max_value, MaxPositiveOpen(f, state.Row(r) + box.col, box.cols()));
     }
-    return most;
+    return max_value;
   });
 }
 

@@ -44,7 +44,7 @@ class LayerTable {
 
   const TileLayout& tiling() const { return tiling_; }
   // The largest |B|, 0 if there is none.
-  float largest() const { return largest_; }
+  float max_abs() const { return max_abs_; }
 
   // What a pass is made of beyond the layers, see PassRow; all at its first
   // column. Columns [col, col + n) of a row, within one tile.
@@ -57,10 +57,10 @@ class LayerTable {
                      kg_core::Cell first, int n, PassRow row, float* y) const;
 
   // The largest B or F of an open cell, 0 if none is positive.
-  float MostValue(const kg_core::Raster& value,
-                  const RowBands<unsigned char>& state) const;
-  float MostFront(const kg_core::Raster& value, kg_core::FrontOperator op,
-                  const RowBands<unsigned char>& state) const;
+  float MaxOpenValue(const kg_core::Raster& value,
+                     const RowBands<unsigned char>& state) const;
+  float MaxOpenFront(const kg_core::Raster& value, kg_core::FrontOperator op,
+                     const RowBands<unsigned char>& state) const;
 
  private:
   using Tiles = std::vector<float>;  // The largest in each, wherever.
@@ -86,8 +86,8 @@ class LayerTable {
                  col / tiling_.width] != 0;
   }
   template <typename Evaluate>
-  float Most(const Tiles& tiles, const RowBands<unsigned char>& state,
-             const Evaluate& evaluate) const;
+  float MaxOpen(const Tiles& tiles, const RowBands<unsigned char>& state,
+                const Evaluate& evaluate) const;
 
   TileLayout tiling_;
   std::vector<float> deg_per_km_;    // Of longitude, by row.
@@ -96,7 +96,7 @@ class LayerTable {
   std::vector<float> per_deg_;       // By column, likewise, in degrees.
   std::vector<float> per_deg_after_;
   std::vector<unsigned char> gaps_;  // By row and tile across.
-  float largest_ = 0.0f;
+  float max_abs_ = 0.0f;
   Tiles values_;
   mutable std::once_flag made_[2];  // By operator, when first asked for.
   mutable Tiles fronts_[2];

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "kg_compiler/data_plane/distance_transform.h"
+#include "kg_core/raster/wkt_raster.h"
 
 namespace kg_compiler {
 namespace {
@@ -21,9 +22,7 @@ kg_core::Mask Bare(const WindowRasters& rasters,
     return *mask->second;
   }
   if (!fact.area) return kg_core::Mask(rasters.grid.size(), 0);
-  return constraint.forbids()
-             ? kg_core::RasteriseTouched(*fact.area, rasters.grid)
-             : kg_core::RasteriseCentres(*fact.area, rasters.grid);
+  return kg_core::Rasterise(*fact.area, rasters.grid, constraint.effect->cover);
 }
 
 }  // namespace

@@ -34,12 +34,12 @@ enum class Soft { kNone, kInside, kSoftness };
 template <Front kind, bool has_priors, Soft soft>
 KG_INLINE ValueExtremes Loop(const PassRow& in, int n, float* __restrict y) {
   const PassRow row = in;  // Its own: nothing in it changes with y.
-  std::int32_t least = kNoneLeast, most = -1;
+  std::int32_t min_bits = kNoMinimum, max_bits = -1;
   for (int c = 0; c < n; ++c) {
     float v = LayersAt<kind>(row, c);
     if constexpr (has_priors) {
       const float p = row.priors[c];
-      v += row.weight * (std::abs(p) <= kMost ? p : 0.0f);
+      v += row.weight * (std::abs(p) <= kMaxFloat ? p : 0.0f);
     }
     float value = AtLeast0(v);
     if constexpr (soft == Soft::kInside) {
@@ -48,11 +48,11 @@ KG_INLINE ValueExtremes Loop(const PassRow& in, int n, float* __restrict y) {
     if constexpr (soft == Soft::kSoftness) value *= row.softness[c];
     y[c] = value;
     const std::int32_t high = Bits(value) | -(row.state[c] != kOpen);
-    const std::int32_t low = high & kNoneLeast;
-    most = high > most ? high : most;
-    least = low < least ? low : least;
+    const std::int32_t low = high & kNoMinimum;
+    max_bits = high > max_bits ? high : max_bits;
+    min_bits = low < min_bits ? low : min_bits;
   }
-  return OfBits(least, most);
+  return OfBits(min_bits, max_bits);
 }
 
 // The same row from a later column on.

@@ -9,6 +9,7 @@
 
 #include "kg_compiler/data_plane/bump.h"
 #include "kg_compiler/data_plane/distance_transform.h"
+#include "kg_core/raster/wkt_raster.h"
 
 namespace kg_compiler {
 namespace {
@@ -102,8 +103,8 @@ Mask Cut(const CellBox& from, const Mask& inside, const CellBox& to) {
 }
 
 // A box and its mask, not buffered yet.
-MaskPatch BarePatch(const WindowRasters& rasters,
-                    const ActiveConstraint& constraint) {
+MaskPatch Bare(const WindowRasters& rasters,
+               const ActiveConstraint& constraint) {
   const kg_core::Constraint& fact = *constraint.fact;
   const CellBox whole = WholeGrid(rasters.grid);
   if (fact.is_land) return {"", whole, rasters.land};
@@ -119,8 +120,7 @@ MaskPatch BarePatch(const WindowRasters& rasters,
   const CellBox box = BoxAround(rasters.grid, *fact.area);
   const Grid part = Within(rasters.grid, box);
   return {"", box,
-          constraint.forbids() ? kg_core::RasteriseTouched(*fact.area, part)
-                               : kg_core::RasteriseCentres(*fact.area, part)};
+          kg_core::Rasterise(*fact.area, part, constraint.effect->cover)};
 }
 
 }  // namespace
@@ -136,14 +136,13 @@ std::string ConstraintKey(const kg_core::Mission& mission,
   if (fact.is_land) return key + "land";
   if (fact.mask) return key + FileKey(mission, *fact.mask);
   if (!fact.area) return key + "nothing";
-  return key + (constraint.forbids() ? "touched " : "centres ") +
-         fact.area->Wkt();
+  return key + kg_core::Name(constraint.effect->cover) + " " + fact.area->Wkt();
 }
 
 MaskPatch ConstraintPatch(const WindowRasters& rasters,
                           const ActiveConstraint& constraint, std::string key) {
   const kg_core::Constraint& fact = *constraint.fact;
-  MaskPatch bare = BarePatch(rasters, constraint);
+  MaskPatch bare = Bare(rasters, constraint);
   const CellBox tight = Tight(bare.box, bare.inside);
   if (tight.empty()) return {std::move(key), {}, {}};
   if (!(fact.buffer_cells > 0.0)) {
@@ -183,6 +182,8 @@ ValuePatch PriorPatch(const WindowRasters& rasters,
   const Mask inside = kg_core::RasteriseCentres(*prior.area, Within(grid, box));
   const CellBox tight = Tight(box, inside);
   if (tight.empty()) return {std::move(key), {}, values};
+  // A soft edge reaches beyond the area; further out it is below float32's
+  // notice (7 sigma: 2e-11).
   const CellBox reached =
       prior.edge_m > 0.0
           ? BoxWithin(grid, tight, kBumpReach_sigmas * prior.edge_m)

@@ -16,7 +16,7 @@ namespace kg_compiler {
 KG_WIDE void AddWeighted(const float* __restrict p, float weight, int n,
                          float* __restrict v) {
   for (int c = 0; c < n; ++c) {
-    const float held = std::abs(p[c]) <= kMost ? p[c] : 0.0f;
+    const float held = std::abs(p[c]) <= kMaxFloat ? p[c] : 0.0f;
     v[c] += weight * held;
   }
 }
@@ -37,22 +37,22 @@ KG_WIDE void AttenuateToLeast(const unsigned char* __restrict inside,
 KG_WIDE ValueExtremes OpenExtremes(const float* __restrict y,
                                    const unsigned char* __restrict state,
                                    int n) {
-  std::int32_t least = kNoneLeast, most = -1;
+  std::int32_t min_bits = kNoMinimum, max_bits = -1;
   for (int c = 0; c < n; ++c) {
     const std::int32_t bits = Bits(y[c]);
     const std::int32_t high = bits | -(state[c] != kOpen);
-    const std::int32_t low = high & kNoneLeast;
-    most = high > most ? high : most;
-    least = low < least ? low : least;
+    const std::int32_t low = high & kNoMinimum;
+    max_bits = high > max_bits ? high : max_bits;
+    min_bits = low < min_bits ? low : min_bits;
   }
-  return OfBits(least, most);
+  return OfBits(min_bits, max_bits);
 }
 
 namespace {
 
 // By a product: divisions are what takes the time.
-struct Held {
-  explicit Held(const RowScale& n)
+struct HeldScale {
+  explicit HeldScale(const RowScale& n)
       : scale(n.scale),
         low(n.low),
         per_range(n.range > 0.0f ? 1.0f / n.range : 0.0f),
@@ -66,8 +66,9 @@ struct Held {
 
 KG_INLINE void FuseLoop(const float* __restrict y,
                         const unsigned char* __restrict state,
-                        const Held& scale, int count, float* __restrict u) {
-  const Held n = scale;
+                        const HeldScale& scale, int count,
+                        float* __restrict u) {
+  const HeldScale n = scale;
   for (int c = 0; c < count; ++c) {
     const float held = n(y[c]);
     u[c] = state[c] == kOpen ? held : 0.0f;
@@ -78,13 +79,13 @@ KG_INLINE void FuseLoop(const float* __restrict y,
 
 KG_WIDE void Normalise(const float* __restrict y, const RowScale& scale,
                        int count, float* __restrict u) {
-  const Held n(scale);
+  const HeldScale n(scale);
   for (int c = 0; c < count; ++c) u[c] = n(y[c]);
 }
 
 KG_WIDE void NormaliseOpen(const float* y, const unsigned char* state,
                            const RowScale& scale, int count, float* u) {
-  const Held n(scale);
+  const HeldScale n(scale);
   const int whole = count / kBlock * kBlock;
   const int first = count < kBlock ? 0 : count - kBlock;
   FuseLoop(y, state, n, whole, u);
@@ -94,39 +95,39 @@ KG_WIDE void NormaliseOpen(const float* y, const unsigned char* state,
 
 KG_WIDE bool AllFinite(const float* __restrict values, int n) {
   std::int32_t bad = 0;
-  for (int c = 0; c < n; ++c) bad |= std::abs(values[c]) <= kMost ? 0 : 1;
+  for (int c = 0; c < n; ++c) bad |= std::abs(values[c]) <= kMaxFloat ? 0 : 1;
   return bad == 0;
 }
 
 KG_WIDE ValueMagnitudes MagnitudesOf(const float* __restrict values, int n) {
-  std::int32_t most = 0, largest = 0;
+  std::int32_t max_bits = 0, abs_bits = 0;
   for (int c = 0; c < n; ++c) {
-    const float held = std::abs(values[c]) <= kMost ? values[c] : 0.0f;
+    const float held = std::abs(values[c]) <= kMaxFloat ? values[c] : 0.0f;
     const std::int32_t bits = Bits(held > 0.0f ? held : 0.0f);
     const std::int32_t magnitude = Bits(std::abs(held));
-    most = bits > most ? bits : most;
-    largest = magnitude > largest ? magnitude : largest;
+    max_bits = bits > max_bits ? bits : max_bits;
+    abs_bits = magnitude > abs_bits ? magnitude : abs_bits;
   }
-  return {OfBits(most), OfBits(largest)};
+  return {OfBits(max_bits), OfBits(abs_bits)};
 }
 
-KG_WIDE float MostOf(const float* __restrict values, int n) {
-  std::int32_t most = 0;
+KG_WIDE float MaxPositive(const float* __restrict values, int n) {
+  std::int32_t max_bits = 0;
   for (int c = 0; c < n; ++c) {
     const std::int32_t bits = Bits(Positive(values[c]));
-    most = bits > most ? bits : most;
+    max_bits = bits > max_bits ? bits : max_bits;
   }
-  return OfBits(most);
+  return OfBits(max_bits);
 }
 
-KG_WIDE float MostOpen(const float* __restrict values,
-                       const unsigned char* __restrict state, int n) {
-  std::int32_t most = 0;
+KG_WIDE float MaxPositiveOpen(const float* __restrict values,
+                              const unsigned char* __restrict state, int n) {
+  std::int32_t max_bits = 0;
   for (int c = 0; c < n; ++c) {
     const std::int32_t bits = Bits(Positive(values[c])) & -(state[c] == kOpen);
-    most = bits > most ? bits : most;
+    max_bits = bits > max_bits ? bits : max_bits;
   }
-  return OfBits(most);
+  return OfBits(max_bits);
 }
 
 void Stream(const float* from, int n, float* to) {

@@ -40,13 +40,13 @@ bool AllFinite(const float* values, int n);
 // Of finite values: the largest positive and the largest magnitude, 0 if there
 // is none.
 struct ValueMagnitudes {
-  float most = 0.0f;
-  float largest = 0.0f;
+  float max_positive = 0.0f;
+  float max_abs = 0.0f;
 };
 ValueMagnitudes MagnitudesOf(const float* values, int n);
 // The largest finite positive value, of all or of kOpen cells; 0 if none is.
-float MostOf(const float* values, int n);
-float MostOpen(const float* values, const unsigned char* state, int n);
+float MaxPositive(const float* values, int n);
+float MaxPositiveOpen(const float* values, const unsigned char* state, int n);
 
 // Writes past the caches, for what is not read again soon. `to` is aligned to
 // 16 bytes. Followed by StreamEnd() before another thread reads it.

@@ -31,6 +31,12 @@
 namespace kg_compiler {
 namespace {
 
+using kg_core::Median;
+using kg_core::PairedRatio;
+using kg_core::PairedRatioBy;
+using kg_core::Report;
+using kg_core::Seconds;
+
 constexpr double kBytesPerCell = 17.0;
 
 template <typename A, typename B>

@@ -1,6 +1,6 @@
-// What the inner loops are written with: functions for several vector widths,
-// and floats compared by their bits. For the kernels' own files, which are
-// compiled without fused multiply and add.
+// Building blocks of the inner loops: functions compiled for several vector
+// widths, and floats compared by their bits. Only for the kernels' own files,
+// which are compiled without fused multiply and add.
 
 #ifndef KG_COMPILER_DATA_PLANE_WIDE_H_
 #define KG_COMPILER_DATA_PLANE_WIDE_H_
@@ -9,10 +9,10 @@
 #include <cstring>
 #include <limits>
 
-#include "kg_compiler/data_plane/pass_kernels.h"
+#include "kg_compiler/data_plane/extremes.h"
 
-// One function, several machines; the dynamic linker takes the best. Not under
-// sanitizers, which are not ready when it does.
+// Compiles a function for several instruction sets; the dynamic linker takes
+// the best one. Not under sanitizers, which are not initialised at that time.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define KG_WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
@@ -24,15 +24,15 @@
 
 namespace kg_compiler {
 
-inline constexpr float kMost = std::numeric_limits<float>::max();
+inline constexpr float kMaxFloat = std::numeric_limits<float>::max();
 
 inline float Positive(float x) {
-  const float held = x <= kMost ? x : 0.0f;
+  const float held = x <= kMaxFloat ? x : 0.0f;
   return held > 0.0f ? held : 0.0f;
 }
 
-// Floats >= 0 are ordered as their bits are, and the largest of integers is
-// found by vectors without leave to reorder floating-point operations.
+// Floats >= 0 are ordered as their bits are. The maximum of integers is
+// vectorised without permission to reorder floating-point operations.
 inline std::int32_t Bits(float x) {
   std::int32_t bits;
   std::memcpy(&bits, &x, sizeof(bits));
@@ -45,7 +45,7 @@ inline float OfBits(std::int32_t bits) {
   return x;
 }
 
-// Of anything but NaN, in one instruction.
+// max(0, x) in one instruction; x is not NaN.
 inline float AtLeast0(float x) {
   const std::int32_t bits = Bits(x);
   return OfBits(bits > 0 ? bits : 0);
@@ -56,17 +56,18 @@ inline float AtMost1(float positive) {
   return OfBits(bits < kOneBits ? bits : kOneBits);
 }
 
-inline constexpr std::int32_t kNoneLeast =
+inline constexpr std::int32_t kNoMinimum =
     std::numeric_limits<std::int32_t>::max();
 
-// A cell that does not count has all bits set: below every other as a candidate
-// for the largest, above as one for the least but for its sign.
-inline ValueExtremes OfBits(std::int32_t least, std::int32_t most) {
-  if (most < 0) return {};
-  return {OfBits(least), OfBits(most)};
+// Extremes from bits. A cell that does not count has all bits set: as a signed
+// integer (-1) it is below every candidate for the maximum, and without its
+// sign bit above every candidate for the minimum.
+inline ValueExtremes OfBits(std::int32_t min_bits, std::int32_t max_bits) {
+  if (max_bits < 0) return {};
+  return {OfBits(min_bits), OfBits(max_bits)};
 }
 
-// Cells that fill the vectors.
+// Cells per block: a whole number of vectors at every width.
 inline constexpr int kBlock = 32;
 
 }  // namespace kg_compiler

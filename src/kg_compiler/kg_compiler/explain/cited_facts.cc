@@ -148,7 +148,7 @@ Facts CitedFacts::Constraint(const kg_core::Agent& agent,
                         "geo:hasGeometry", "ex:appliesIn", "ex:appliesTo",
                         "ex:forAgent", "ex:forWindow", "ex:expires"}}) +
                 File(constraint.fact->mask);
-  if (constraint.fact->kind == kg_core::ConstraintKind::kNoGo) return facts;
+  if (kg_core::EffectOf(constraint.fact->kind).forbids) return facts;
   facts = std::move(facts) + Policy(agent, {}) +
           Entry(agent, "ex:hasSoftOverride",
                 {iri, {"ex:constraint", "ex:attenuation"}});

@@ -9,6 +9,7 @@
 #include "kg_compiler/data_plane/distance_transform.h"
 #include "kg_compiler/data_plane/masks.h"
 #include "kg_compiler/traversal/traversal.h"
+#include "kg_core/base/join_strings.h"
 #include "kg_core/base/units.h"
 #include "kg_core/geo/geodesy.h"
 #include "kg_core/geo/wkt.h"
@@ -80,12 +81,12 @@ class Place {
     Explanation explanation = Named("forbidden", "m", "");
     std::vector<ActiveConstraint> so_far;
     double before_m = MetresToOpen(OpenCells(rasters_, {}));
-    std::string names;
+    std::vector<std::string> names;
     if (rasters_.land[rasters_.grid.Index(cell_)]) {
       explanation.parts.push_back({before_m, "M_hard(land)",
                                    facts_.Layer(rasters_.field_iri),
                                    "land: the currents have no data here"});
-      names = "land";
+      names.push_back("land");
     }
     for (const ActiveConstraint& constraint : active_.constraints) {
       if (!constraint.forbids() || !Holds(constraint)) continue;
@@ -97,11 +98,11 @@ class Place {
            facts_.Constraint(*in_.tensor.agent, constraint),
            "forbidden by " + iri});
       before_m = after_m;
-      names += (names.empty() ? "" : ", ") + iri;
+      names.push_back(iri);
     }
     explanation.value = before_m;
-    explanation.text += "it is forbidden by " + names + ", " +
-                        Short(before_m / kg_core::kMetresPerKm) +
+    explanation.text += "it is forbidden by " + kg_core::JoinStrings(names) +
+                        ", " + Short(before_m / kg_core::kMetresPerKm) +
                         " km from the nearest open water.";
     return explanation;
   }

@@ -162,8 +162,7 @@ void TensorExplainer::DescribeHard() {
                     facts_.Layer(in_.rasters->field_iri)});
   for (const Zone& zone : hard_) {
     const std::string iri = AbbreviateIri(zone.constraint.fact->iri);
-    const bool is_soft =
-        zone.constraint.fact->kind == kg_core::ConstraintKind::kSoft;
+    const bool is_soft = !kg_core::EffectOf(zone.constraint.fact->kind).forbids;
     parts_.push_back(
         {"M_hard(" + iri + ")",
          "forbidden by " + iri +

@@ -16,6 +16,11 @@
 namespace kg_compiler {
 namespace {
 
+using kg_core::Median;
+using kg_core::PairedRatio;
+using kg_core::Report;
+using kg_core::Seconds;
+
 constexpr double kPercent = 100.0;
 
 void ReportAccuracy(bool quick) {

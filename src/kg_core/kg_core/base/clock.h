@@ -1,5 +1,5 @@
-// The time of day, for logs and provenance. What takes long is measured with
-// std::chrono::steady_clock instead, which nobody sets.
+// The time of day, for logs and provenance. Durations are measured with a
+// Stopwatch (stopwatch.h) instead.
 
 #ifndef KG_CORE_BASE_CLOCK_H_
 #define KG_CORE_BASE_CLOCK_H_

@@ -6,13 +6,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "kg_core/base/text.h"
+#include "kg_core/base/one_line.h"
 
 namespace kg_core {
 
-// Thrown where input is read, caught only at a node's or a program's door.
-// Its text is one line, whatever is quoted in it, that says where the mistake
-// is (file, line, subject, property) and what was expected.
+// Thrown where input is read, caught only in a node's callbacks or a program's
+// main(). Its text is one line, whatever is quoted in it, that says where the
+// mistake is (file, line, subject, property) and what was expected.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& text)

@@ -66,6 +66,8 @@ void AppendUtf8(std::uint32_t code_point, std::string* text) {
   const auto tail = [&](int shift) {
     text->push_back(static_cast<char>(0x80 | ((code_point >> shift) & 0x3F)));
   };
+  // The leading byte holds the top bits and says how many bytes follow; each of
+  // those holds six bits.
   if (code_point < 0x80) {
     text->push_back(static_cast<char>(code_point));
   } else if (code_point < 0x800) {
@@ -95,14 +97,6 @@ std::string_view StripAsciiSpace(std::string_view text) {
   while (!text.empty() && IsAsciiSpace(text.front())) text.remove_prefix(1);
   while (!text.empty() && IsAsciiSpace(text.back())) text.remove_suffix(1);
   return text;
-}
-
-std::string OneLine(const std::string_view text) {
-  std::string line(text);
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = ' ';
-  }
-  return line;
 }
 
 TextPosition PositionAt(std::string_view text, std::size_t offset) {

@@ -22,9 +22,6 @@ bool IsUnicodeScalar(std::uint32_t code_point);
 std::string ToLowerAscii(std::string_view text);
 std::string_view StripAsciiSpace(std::string_view text);
 
-// The text with blanks in place of control characters: fit for an error's line.
-std::string OneLine(std::string_view text);
-
 // A line and a column, both from 1; columns count bytes.
 struct TextPosition {
   std::size_t line = 1;

@@ -44,6 +44,7 @@ std::string XmlReader::ReadEntity() {
   constexpr std::pair<const char*, const char*> kEntities[] = {
       {"lt", "<"}, {"gt", ">"}, {"amp", "&"}, {"quot", "\""}, {"apos", "'"}};
   const std::size_t end = text_.find(';', at_);
+  // The longest entity is &#x10FFFF; further away the ';' is not its end.
   if (end == std::string_view::npos || end - at_ > 10) Expected("an entity");
   const std::string name(text_.substr(at_ + 1, end - at_ - 1));
   std::string out;
@@ -73,6 +74,7 @@ std::string XmlReader::TextUntil(char end) {
   while (at_ < text_.size()) {
     const std::size_t start = at_;
     if (SkipAside(kCdata, "]]>")) {
+      // Without the section's own brackets; 3 is the length of "]]>".
       out +=
           text_.substr(start + kCdata.size(), at_ - start - kCdata.size() - 3);
     } else if (SkipAside("<!--", "-->") || SkipAside("<?", "?>")) {
@@ -119,6 +121,7 @@ XmlTag XmlReader::Next() {
   TextUntil('<');
   if (at_ >= text_.size()) return tag;
   ++at_;
+  // A DTD could define entities that expand without bound.
   if (Peek() == '!') Expected("no DTD");
   if (Peek() == '/') {
     ++at_;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/one_line.h"
 #include "kg_core/base/text.h"
 #include "kg_core/conformance/test_case.h"
 #include "kg_core/rdf/namespaces.h"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/join_strings.h"
 #include "kg_core/conformance/documents.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/isomorphism.h"
@@ -151,11 +152,7 @@ std::string FormatLine(const QueryResult& result, const Row& row) {
     cells.insert("?" + result.variables[i] + " " +
                  (is_blank ? "_:" : ToTurtle(Canonical(*row[i]))));
   }
-  std::string line;
-  for (const std::string& cell : cells) {
-    line += (line.empty() ? "" : ", ") + cell;
-  }
-  return "{" + line + "}";
+  return "{" + JoinStrings({cells.begin(), cells.end()}) + "}";
 }
 
 using Lines = std::multiset<std::string>;

@@ -17,17 +17,10 @@
 #include <string_view>
 #include <vector>
 
+#include "kg_core/geo/geometry_parts.h"
 #include "kg_core/geo/lon_lat.h"
-#include "kg_core/raster/grid.h"
 
 namespace kg_core {
-
-// What a geometry is made of, as vertex lists.
-struct GeometryParts {
-  using Chain = std::vector<LonLat>;
-  std::vector<std::vector<Chain>> polygons;  // Each: shell, then holes; closed.
-  std::vector<Chain> lines;                  // A point: one vertex.
-};
 
 // An immutable geometry; cheap to copy. Safe to read from several threads.
 class Geometry {
@@ -62,11 +55,6 @@ class Geometry {
   explicit Geometry(std::shared_ptr<const Handle> handle);
   std::shared_ptr<const Handle> handle_;
 };
-
-// Cells that an area touches at all (supercover): for no_go, the safe side.
-Mask RasteriseTouched(const Geometry& area, const Grid& grid);
-// Cells whose centre lies inside: for soft zones and priors.
-Mask RasteriseCentres(const Geometry& area, const Grid& grid);
 
 // "POINT(lon lat)" with enough digits to read back the same position.
 std::string PointWkt(LonLat position);

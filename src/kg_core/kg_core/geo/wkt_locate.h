@@ -6,8 +6,8 @@
 #ifndef KG_CORE_GEO_WKT_LOCATE_H_
 #define KG_CORE_GEO_WKT_LOCATE_H_
 
+#include "kg_core/geo/geometry_parts.h"
 #include "kg_core/geo/lon_lat.h"
-#include "kg_core/geo/wkt.h"
 
 namespace kg_core {
 

@@ -23,6 +23,7 @@ void ForEachChain(WktNode* node, const Visit& visit) {
 void RefuseLongEdges(const std::vector<LonLat>& chain) {
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const double step_deg = std::abs(chain[i].lon_deg - chain[i - 1].lon_deg);
+    // Exactly a whole turn is the edge of a box around the globe.
     if (step_deg > 180.0 && step_deg < 360.0) {
       throw InputError(
           "WKT: an edge spans more than 180 degrees of longitude; expected a "
@@ -80,6 +81,8 @@ bool CoversWhatIsBeyondDoubt(const GEOSGeometry* whole, const WktNode& node) {
   }
   if (node.kind != WktKind::kPolygon) return true;
   const GeosGeometry polygon = Build(node);
+  // A valid member is beyond doubt: all of it must be covered. Of an invalid
+  // one only the size of the area is known, not the place.
   if (Answer(GEOSisValid_r(Geos(), polygon.get()))) {
     const double area = GeosArea(polygon.get());
     const GeosGeometry lost =
@@ -119,6 +122,8 @@ void Canonicalise(WktNode* node) {
       east_deg = std::max(east_deg, vertex.lon_deg);
     }
   });
+  // One turn for the whole geometry, so that its shape stays. What still does
+  // not fit into [-180, 180] lies on both sides of the antimeridian.
   const double turn_deg = west_deg >= 180.0   ? -360.0
                           : east_deg < -180.0 ? 360.0
                                               : 0.0;
@@ -151,6 +156,7 @@ GeosGeometry Build(const WktNode& node) {
 GeosGeometry Repair(const WktNode& node, const GEOSGeometry* invalid) {
   GeosGeometry valid = MakeValidThroughout(invalid);
   const std::string reason = Reason(invalid);
+  // Negated, so that NaN is refused, too.
   if (!(GeosArea(valid.get()) > 0.0)) {
     throw InputError("WKT: the polygon encloses no area (" + reason +
                      "), expected one that does");

@@ -18,8 +18,6 @@ namespace {
 
 constexpr double kDefaultEventRadiusKm = 10.0;
 
-constexpr NamedChoice<ConstraintKind> kConstraintKinds[] = {
-    {"no_go", ConstraintKind::kNoGo}, {"soft", ConstraintKind::kSoft}};
 constexpr NamedChoice<BufferMetric> kBufferMetrics[] = {
     {"euclidean", BufferMetric::kEuclidean},
     {"chebyshev", BufferMetric::kChebyshev}};
@@ -71,7 +69,7 @@ Constraint ReadConstraint(const WindowCalendar& calendar,
   Constraint constraint;
   constraint.iri = entity.iri();
   constraint.kind =
-      Choice(entity, Ex("kind"), kConstraintKinds, ConstraintKind::kNoGo);
+      Choice(entity, Ex("kind"), kConstraintEffects, ConstraintKind::kNoGo);
   constraint.is_land = entity.Text(Ex("gridRef"), "") == kLandRef;
   if (!constraint.is_land) constraint.mask = ReadRasterRef(entity);
   if (!constraint.is_land && !constraint.mask) {

@@ -4,7 +4,9 @@
 #define KG_CORE_MISSION_CHOICE_H_
 
 #include <string>
+#include <vector>
 
+#include "kg_core/base/join_strings.h"
 #include "kg_core/mission/entity.h"
 
 namespace kg_core {
@@ -21,12 +23,13 @@ Value Choice(const FactEntity& entity, const Term& property, const Table& table,
              Value fallback) {
   if (!entity.One(property)) return fallback;
   const std::string name = entity.Text(property);
-  std::string names;
+  std::vector<std::string> names;
   for (const auto& row : table) {
     if (name == row.name) return row.value;
-    names += (names.empty() ? "" : ", ") + std::string(row.name);
+    names.push_back(row.name);
   }
-  entity.Refuse(property, "one of " + names + ", not \"" + name + "\"");
+  entity.Refuse(property,
+                "one of " + JoinStrings(names) + ", not \"" + name + "\"");
 }
 
 }  // namespace kg_core

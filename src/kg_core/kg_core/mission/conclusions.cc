@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "kg_core/base/join_strings.h"
 #include "kg_core/facts/terms.h"
 #include "kg_core/mission/statement_check.h"
 #include "kg_core/mission/validator.h"
@@ -27,11 +28,8 @@ std::string FormatBlamedRules(const GraphView& view,
       if (s.subject == subject || s.object == subject) about.insert(rule);
     }
   }
-  std::string names;
-  for (const std::string& name : about.empty() ? all : about) {
-    names += (names.empty() ? "" : ", ") + name;
-  }
-  return " (concluded by " + names + ")";
+  const std::set<std::string>& names = about.empty() ? all : about;
+  return " (concluded by " + JoinStrings({names.begin(), names.end()}) + ")";
 }
 
 }  // namespace

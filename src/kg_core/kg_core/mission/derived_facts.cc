@@ -7,6 +7,7 @@
 #include <set>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/join_strings.h"
 #include "kg_core/facts/changed_subjects.h"
 #include "kg_core/facts/class_tree.h"
 #include "kg_core/facts/terms.h"
@@ -117,15 +118,15 @@ class JsonExpansion {
   }
 
   Term Find(const std::string& name) const {
-    std::string known;
+    std::vector<std::string> known;
     for (const Term& target : FindInstances(transaction_.view(), kFactsGraph,
-                                            Ex(kind_.target_class))) {
+                                          Ex(kind_.target_class))) {
       if (IsNamed(target, name)) return target;
-      known += (known.empty() ? "" : ", ") + LocalName(target);
+      known.push_back(LocalName(target));
     }
-    throw InputError(std::string("no ex:") + kind_.target_class +
-                     " is named \"" + name +
-                     "\"; known: " + (known.empty() ? "none" : known));
+    throw InputError(
+        std::string("no ex:") + kind_.target_class + " is named \"" + name +
+        "\"; known: " + (known.empty() ? "none" : JoinStrings(known)));
   }
 
   const JsonProperty& kind_;

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/join_strings.h"
+#include "kg_core/raster/field_child.h"
 
 namespace kg_core {
 namespace {
@@ -28,7 +30,7 @@ FileCache::FileCache(std::string mission_folder, std::string data_folder)
 
 std::string FileCache::Resolve(const std::string& file) const {
   const fs::path name(file);
-  std::string tried;
+  std::vector<std::string> tried;
   for (const std::string& folder : {data_folder_, mission_folder_}) {
     if (folder.empty() && name.is_relative()) continue;
     const fs::path path = fs::absolute(fs::path(folder) / name);
@@ -36,11 +38,12 @@ std::string FileCache::Resolve(const std::string& file) const {
     if (fs::is_regular_file(path, error)) {
       return path.lexically_normal().string();
     }
-    tried += (tried.empty() ? "" : ", ") + path.lexically_normal().string();
+    tried.push_back(path.lexically_normal().string());
     if (name.is_absolute()) break;
   }
-  throw InputError("file \"" + file + "\" is not there; looked for " +
-                   (tried.empty() ? "it nowhere: no folder is given" : tried));
+  throw InputError(
+      "file \"" + file + "\" is not there; looked for " +
+      (tried.empty() ? "it nowhere: no folder is given" : JoinStrings(tried)));
 }
 
 std::shared_ptr<const FieldFile> FileCache::Read(

@@ -27,6 +27,9 @@
 namespace kg_core {
 namespace {
 
+// Limit of one sampled field: what rules and shapes can process in seconds.
+constexpr std::size_t kMaxSamples = 10000;
+
 bool HasData(const Raster& raster) {
   const auto is_number = [](float value) { return std::isfinite(value); };
   return std::any_of(raster.begin(), raster.end(), is_number);
@@ -109,18 +112,29 @@ class SourceIngest {
   // What a prior layer or a constraint names by ex:gridRef.
   void StateRaster(const FieldFile& file, const GridRef& ref,
                    const Grid* field_grid) {
-    const std::vector<Raster>& steps = file.series[0].at_time;
-    if (!(ref.time_index < static_cast<int>(steps.size()))) {
-      throw InputError(
-          "variable " + ref.variable + " has " + std::to_string(steps.size()) +
-          " time steps, none with index " + std::to_string(ref.time_index));
-    }
-    if (!HasData(steps[ref.time_index])) {
-      throw InputError("variable " + ref.variable + " has no data in step " +
-                       std::to_string(ref.time_index));
-    }
+    StepOf(file, ref);
     StateFile(file);
     StateGridUnlessSame(file.grid, field_grid);
+    StateActivity();
+  }
+
+  // Cells of a field above a limit, one fact each: what rules make events of.
+  // On the file's own grid, which need not be the mission's.
+  void StateSamples(const FieldFile& file, const GridRef& ref, double above) {
+    const Raster& values = StepOf(file, ref);
+    StateFile(file);
+    std::size_t count = 0;
+    for (int row = 0; row < file.grid.rows(); ++row) {
+      for (int col = 0; col < file.grid.cols(); ++col) {
+        const double value = values[file.grid.Index({row, col})];
+        if (!(value > above)) continue;  // No data (NaN) is not above.
+        if (++count > kMaxSamples) {
+          throw InputError("expected at most " + std::to_string(kMaxSamples) +
+                           " cells above ex:sampleAbove");
+        }
+        StateSample(file.grid, {row, col}, value);
+      }
+    }
     StateActivity();
   }
 
@@ -131,6 +145,30 @@ class SourceIngest {
 
   void Say(const Term& subject, const Term& property, const Term& object) {
     transaction_.Add({subject, property, object, Facts()});
+  }
+
+  // Throws InputError where the file has no such step or no data in it.
+  static const Raster& StepOf(const FieldFile& file, const GridRef& ref) {
+    const std::vector<Raster>& steps = file.series[0].at_time;
+    if (!(ref.time_index < static_cast<int>(steps.size()))) {
+      throw InputError(
+          "variable " + ref.variable + " has " + std::to_string(steps.size()) +
+          " time steps, none with index " + std::to_string(ref.time_index));
+    }
+    const Raster& step = steps[ref.time_index];
+    if (!HasData(step)) {
+      throw InputError("variable " + ref.variable + " has no data in step " +
+                       std::to_string(ref.time_index));
+    }
+    return step;
+  }
+
+  void StateSample(const Grid& grid, Cell cell, double value) {
+    const Term sample = Part("cell/" + std::to_string(cell.row) + "_" +
+                             std::to_string(cell.col));
+    Generate(sample, "CellSample");
+    Say(sample, GeoTerm("asWKT"), WktLiteral(PointWkt(grid.Centre(cell))));
+    Say(sample, Ex("cellValue"), DoubleLiteral(value));
   }
 
   static void RequireData(const FieldFile& file) {
@@ -265,13 +303,9 @@ class MissionIngest {
   std::vector<std::string> Run() {
     // In the table's order: the grid is that of what carries agents.
     for (const SourceQuantity& quantity : SourceQuantities()) ReadAll(quantity);
-    for (const char* type : {"PriorLayer", "Constraint"}) {
-      for (const Term& term :
-           FindInstances(transaction_.view(), kFactsGraph, Ex(type))) {
-        const FactEntity layer(transaction_.view(), term);
-        Try(layer, [&] { ReadRaster(layer); });
-      }
-    }
+    ForAll("PriorLayer", &MissionIngest::ReadRaster);
+    ForAll("Constraint", &MissionIngest::ReadRaster);
+    ForAll("SampledField", &MissionIngest::ReadSamples);
     return std::move(reasons_);
   }
 
@@ -282,6 +316,15 @@ class MissionIngest {
       const FactEntity source(transaction_.view(), term);
       if (source.Text(Ex("provides")) != quantity.name) continue;
       Try(source, [&] { ReadSource(source, quantity); });
+    }
+  }
+
+  void ForAll(const char* type,
+              void (MissionIngest::*read)(const FactEntity&)) {
+    for (const Term& term :
+         FindInstances(transaction_.view(), kFactsGraph, Ex(type))) {
+      const FactEntity layer(transaction_.view(), term);
+      Try(layer, [&] { (this->*read)(layer); });
     }
   }
 
@@ -336,6 +379,16 @@ class MissionIngest {
         Keep(path, cache_.ReadVariable(path, ref->variable));
     SourceIngest(layer, mission_, transaction_)
         .StateRaster(file, *ref, field_grid_);
+  }
+
+  void ReadSamples(const FactEntity& field) {
+    const std::optional<GridRef> ref = ReadGridRef(field);
+    if (!ref) field.Refuse(Ex("gridRef"), "a raster");
+    const std::string path = cache_.Resolve(ref->file);
+    const FieldFile& file =
+        Keep(path, cache_.ReadVariable(path, ref->variable));
+    SourceIngest(field, mission_, transaction_)
+        .StateSamples(file, *ref, field.Number(Ex("sampleAbove")));
   }
 
   FileCache& cache_;

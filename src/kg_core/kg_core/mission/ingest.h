@@ -11,6 +11,8 @@
 //   "temperature" ; ex:kind, ex:resampling, ex:fullScale, ex:frontFullScale .
 //   ex:reefs a ex:PriorLayer ; ex:gridRef "habitat.nc#reef@0" ;
 //       ex:resampling .
+//   ex:hotspots a ex:SampledField ; ex:gridRef "map.nc#score" ;
+//       ex:sampleAbove 0.8 .
 // Facts it states, replacing those of an earlier ingest of the same source:
 //   ex:currents\/file   a ex:SourceFile ; ex:path, ex:sha256 .
 //   ex:currents\/w3     a ex:CurrentField ; ex:forWindow ; ex:gridRefU,
@@ -20,6 +22,7 @@
 //       ex:gridRef ; ex:timeIndex, ex:previousTimeIndex ; prov:wasDerivedFrom ;
 //       what its source says of resampling and scales .
 //   ex:reefs\/file      a ex:SourceFile ; ex:path, ex:sha256 .
+//   ex:hotspots\/cell/4_2  a ex:CellSample ; geo:asWKT ; ex:cellValue .
 //   ex:grid a ex:GridSpec ; ex:rows, ex:cols, geo:asWKT, ex:pixelSizeKm .
 //   ex:sst\/grid, ex:reefs\/grid: likewise, where it is not ex:grid.
 //

@@ -47,14 +47,10 @@ bool Matters(const Statement& statement, const GraphView& view) {
 }  // namespace
 
 bool IngestReads(const Term& property) {
-  static const std::set<Term> kMatters = {Ex("file"),
-                                          Ex("provides"),
-                                          Ex("index"),
-                                          Ex("durationHours"),
-                                          Ex("hasWindow"),
-                                          Ex("horizon"),
-                                          TimeTerm("hasBeginning"),
-                                          TimeTerm("hasEnd")};
+  static const std::set<Term> kMatters = {
+      Ex("file"),    Ex("provides"),           Ex("sampleAbove"),
+      Ex("index"),   Ex("durationHours"),      Ex("hasWindow"),
+      Ex("horizon"), TimeTerm("hasBeginning"), TimeTerm("hasEnd")};
   return kMatters.count(property) != 0;
 }
 

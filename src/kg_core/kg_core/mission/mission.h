@@ -13,6 +13,7 @@
 #include "kg_core/facts/source_file.h"
 #include "kg_core/geo/lon_lat.h"
 #include "kg_core/geo/wkt.h"
+#include "kg_core/mission/constraint_kind.h"
 #include "kg_core/raster/resample.h"
 
 namespace kg_core {
@@ -108,8 +109,6 @@ struct Agent {
   // the inferences (rules/reasons.h) that conclude it.
   std::map<std::string, std::vector<std::string>> must_avoid;
 };
-
-enum class ConstraintKind { kNoGo, kSoft };
 
 // ex:gridRef: a raster in a file. Values of a prior, or a mask (not 0 =
 // inside; no data is outside).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "kg_core/base/join_strings.h"
 #include "kg_core/base/text.h"
 
 namespace kg_core {
@@ -160,13 +161,9 @@ std::size_t Negotiate(const std::string& accept,
     quality = offered;
   }
   if (quality > 0.0) return best;
-  std::string known;
-  for (const std::string& offer : offers) {
-    known += (known.empty() ? "" : ", ") + offer;
-  }
-  throw HttpError(
-      kNotAcceptable,
-      "none of '" + accept + "' is available here; there are " + known);
+  throw HttpError(kNotAcceptable, "none of '" + accept +
+                                      "' is available here; there are " +
+                                      JoinStrings(offers));
 }
 
 }  // namespace kg_core

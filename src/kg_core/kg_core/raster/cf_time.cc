@@ -11,11 +11,11 @@
 namespace kg_core {
 namespace {
 
-struct Unit {
+struct TimeUnit {
   const char* name;
   double seconds;
 };
-constexpr Unit kUnits[] = {
+constexpr TimeUnit kUnits[] = {
     {"days", 86400.0},     {"day", 86400.0}, {"d", 86400.0},
     {"hours", 3600.0},     {"hour", 3600.0}, {"hrs", 3600.0},
     {"hr", 3600.0},        {"h", 3600.0},    {"minutes", 60.0},
@@ -29,19 +29,19 @@ constexpr Unit kUnits[] = {
 constexpr double kUnixEpochJulianDay = 2440588.0;  // Day number at noon.
 constexpr std::size_t kMaxUnitsBytes = 200;
 
-struct Date {
+struct CalendarDate {
   std::int64_t year;
   std::int64_t month;
   std::int64_t day;
 };
 
-bool BeforeReform(const Date& date) {
+bool BeforeReform(const CalendarDate& date) {
   if (date.year != 1582) return date.year < 1582;
   return date.month < 10 || (date.month == 10 && date.day < 15);
 }
 
 // Fliegel and van Flandern, CACM 11 (1968), p. 657; for years after -4800.
-double JulianDay(const Date& date, bool julian) {
+double JulianDay(const CalendarDate& date, bool julian) {
   const std::int64_t a = (14 - date.month) / 12;
   const std::int64_t y = date.year + 4800 - a;
   const std::int64_t m = date.month + 12 * a - 3;
@@ -68,6 +68,7 @@ double ZoneOffset_s(const std::smatch& match) {
 }  // namespace
 
 CfTime ParseCfTime(const std::string& units, const std::string& calendar) {
+  // Groups: 1 unit; 2-4 date; 5-7 time of day, each part optional; 8-10 zone.
   static const std::regex kPattern(
       "\\s*([a-z]+)\\s+since\\s+(\\d{1,4})-(\\d{1,2})-(\\d{1,2})"
       "(?:[t\\s]\\s*(\\d{1,2})(?::(\\d{1,2})(?::(\\d{1,2}(?:\\.\\d*)?))?)?)?"
@@ -82,20 +83,22 @@ CfTime ParseCfTime(const std::string& units, const std::string& calendar) {
   }
   const std::string text = ToLowerAscii(units);
   std::smatch match;
+  // The length first: std::regex recurses once per character.
   if (text.size() > kMaxUnitsBytes ||
       !std::regex_match(text, match, kPattern)) {
     Refuse(units);
   }
   CfTime time{0.0, 0.0};
-  for (const Unit& unit : kUnits) {
+  for (const TimeUnit& unit : kUnits) {
     if (match[1] == unit.name) time.unit_s = unit.seconds;
   }
-  const Date date{std::stol(match[2]), std::stol(match[3]),
-                  std::stol(match[4])};
+  const CalendarDate date{std::stol(match[2]), std::stol(match[3]),
+                          std::stol(match[4])};
   const bool sensible = date.month >= 1 && date.month <= 12 && date.day >= 1 &&
                         date.day <= 31 && Field(match[5]) <= 24.0 &&
                         Field(match[6]) < 60.0 && Field(match[7]) < 61.0;
   if (time.unit_s == 0.0 || !sensible) Refuse(units);
+  // Calendar "standard" is Julian before the reform of 1582.
   const double day = JulianDay(date, !proleptic && BeforeReform(date));
   time.epoch_s = (day - kUnixEpochJulianDay) * 86400.0 +
                  Field(match[5]) * 3600.0 + Field(match[6]) * 60.0 +

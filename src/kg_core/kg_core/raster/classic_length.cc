@@ -34,16 +34,16 @@ std::uint64_t TypeSize(std::uint64_t type) {
   return kSizes[type];
 }
 
-struct Variable {
+struct HeaderVariable {
   bool has_records = false;
   std::uint64_t bytes = 0;  // Of the variable, or of one record of it.
   std::uint64_t type_bytes = 0;
   std::uint64_t begin = 0;
 };
 
-class Header {
+class HeaderParser {
  public:
-  explicit Header(std::string_view bytes) : bytes_(bytes) {
+  explicit HeaderParser(std::string_view bytes) : bytes_(bytes) {
     version_ = bytes_[3];
     at_ = 4;
   }
@@ -52,8 +52,8 @@ class Header {
     const std::uint64_t records = Size();
     ReadDimensions();
     SkipAttributes();
-    std::vector<Variable> variables(Count(kVariableTag));
-    for (Variable& variable : variables) variable = ReadVariable();
+    std::vector<HeaderVariable> variables(Count(kVariableTag));
+    for (HeaderVariable& variable : variables) variable = ReadVariable();
     return End(variables, records);
   }
 
@@ -67,8 +67,8 @@ class Header {
   void SkipName() { Skip(Padded(Size())); }
   void SkipAttributes();
   void ReadDimensions();
-  Variable ReadVariable();
-  std::uint64_t End(const std::vector<Variable>& variables,
+  HeaderVariable ReadVariable();
+  std::uint64_t End(const std::vector<HeaderVariable>& variables,
                     std::uint64_t records) const;
   bool IsStreaming(std::uint64_t records) const {
     return records == (version_ == 5 ? ~std::uint64_t{0} : 0xffffffffu);
@@ -80,14 +80,14 @@ class Header {
   std::vector<std::uint64_t> dimensions_;  // 0: the record dimension.
 };
 
-void Header::Skip(std::uint64_t bytes) {
+void HeaderParser::Skip(std::uint64_t bytes) {
   if (bytes > bytes_.size() - at_) {
     throw InputError("the file ends within its header");
   }
   at_ += static_cast<std::size_t>(bytes);
 }
 
-std::uint64_t Header::Integer(int bytes) {
+std::uint64_t HeaderParser::Integer(int bytes) {
   const std::size_t begin = at_;
   Skip(static_cast<std::uint64_t>(bytes));
   std::uint64_t value = 0;
@@ -99,7 +99,7 @@ std::uint64_t Header::Integer(int bytes) {
 
 // Of a list: its tag and its length, both 0 when it is absent. Each entry takes
 // more than a byte of the header, so a longer list is a lie.
-std::uint64_t Header::Count(std::uint32_t tag) {
+std::uint64_t HeaderParser::Count(std::uint32_t tag) {
   const std::uint64_t found = Integer(4);
   const std::uint64_t count = Size();
   if ((found != tag && (found != 0 || count != 0)) ||
@@ -109,7 +109,7 @@ std::uint64_t Header::Count(std::uint32_t tag) {
   return count;
 }
 
-void Header::SkipAttributes() {
+void HeaderParser::SkipAttributes() {
   for (std::uint64_t n = Count(kAttributeTag); n > 0; --n) {
     SkipName();
     const std::uint64_t type_bytes = TypeSize(Integer(4));
@@ -117,15 +117,15 @@ void Header::SkipAttributes() {
   }
 }
 
-void Header::ReadDimensions() {
+void HeaderParser::ReadDimensions() {
   for (std::uint64_t n = Count(kDimensionTag); n > 0; --n) {
     SkipName();
     dimensions_.push_back(Size());
   }
 }
 
-Variable Header::ReadVariable() {
-  Variable variable;
+HeaderVariable HeaderParser::ReadVariable() {
+  HeaderVariable variable;
   SkipName();
   std::uint64_t values = 1;
   const std::uint64_t rank = Size();
@@ -150,17 +150,19 @@ Variable Header::ReadVariable() {
 }
 
 // A single record variable is not padded between its records.
-std::uint64_t Header::End(const std::vector<Variable>& variables,
-                          std::uint64_t records) const {
+std::uint64_t HeaderParser::End(const std::vector<HeaderVariable>& variables,
+                                std::uint64_t records) const {
+  // One record holds a slice of every record variable, padded to 4 bytes.
   std::uint64_t record_bytes = 0;
   std::uint64_t record_variables = 0;
-  for (const Variable& variable : variables) {
+  for (const HeaderVariable& variable : variables) {
     if (!variable.has_records) continue;
     record_bytes += Padded(variable.bytes);
     ++record_variables;
   }
+  // The file ends where its last variable does, or with the header.
   std::uint64_t end = at_;
-  for (const Variable& variable : variables) {
+  for (const HeaderVariable& variable : variables) {
     std::uint64_t bytes = variable.bytes;
     if (variable.has_records) {
       if (IsStreaming(records)) {
@@ -181,7 +183,7 @@ std::uint64_t Header::End(const std::vector<Variable>& variables,
 std::optional<std::uint64_t> ClassicLength(std::string_view header) {
   if (header.size() < 4 || header.substr(0, 3) != "CDF") return std::nullopt;
   if (header[3] != 1 && header[3] != 2 && header[3] != 5) return std::nullopt;
-  return Header(header).Length();
+  return HeaderParser(header).Length();
 }
 
 void CheckClassicLength(const std::string& path) {

@@ -16,59 +16,61 @@ constexpr std::size_t kMaxAxis = 100000;
 // A gap this many times the widest spacing is no seam of a global grid.
 constexpr double kSeamFactor = 1.5;
 
-enum class Role { kUnknown, kTime, kDepth, kLatitude, kLongitude };
+enum class AxisRole { kUnknown, kTime, kDepth, kLatitude, kLongitude };
 
 bool IsOneOf(const std::string& text, std::initializer_list<const char*> list) {
   return std::find(list.begin(), list.end(), text) != list.end();
 }
 
-Role RoleByAttributes(const NetcdfVariable& variable) {
+AxisRole RoleByAttributes(const NetcdfVariable& variable) {
   const std::string standard = variable.Text("standard_name");
   const std::string units = variable.Text("units");
+  // All spellings that CF allows (4.1, 4.2); plain "degrees" says nothing.
   if (standard == "latitude" ||
       IsOneOf(units, {"degrees_north", "degree_north", "degrees_N", "degree_N",
                       "degreesN", "degreeN"})) {
-    return Role::kLatitude;
+    return AxisRole::kLatitude;
   }
   if (standard == "longitude" ||
       IsOneOf(units, {"degrees_east", "degree_east", "degrees_E", "degree_E",
                       "degreesE", "degreeE"})) {
-    return Role::kLongitude;
+    return AxisRole::kLongitude;
   }
   if (standard == "time" || units.find(" since ") != std::string::npos) {
-    return Role::kTime;
+    return AxisRole::kTime;
   }
   const std::string positive = ToLowerAscii(variable.Text("positive"));
   if (standard == "depth" || variable.Text("axis") == "Z" ||
       positive == "down" || positive == "up") {
-    return Role::kDepth;
+    return AxisRole::kDepth;
   }
-  return Role::kUnknown;
+  return AxisRole::kUnknown;
 }
 
-Role RoleByName(const std::string& any_case) {
+AxisRole RoleByName(const std::string& any_case) {
   const std::string name = ToLowerAscii(any_case);
-  if (IsOneOf(name, {"lat", "latitude", "nav_lat"})) return Role::kLatitude;
-  if (IsOneOf(name, {"lon", "longitude", "nav_lon"})) return Role::kLongitude;
-  if (IsOneOf(name, {"time", "mt", "t", "ocean_time"})) return Role::kTime;
+  if (IsOneOf(name, {"lat", "latitude", "nav_lat"})) return AxisRole::kLatitude;
+  if (IsOneOf(name, {"lon", "longitude", "nav_lon"}))
+    return AxisRole::kLongitude;
+  if (IsOneOf(name, {"time", "mt", "t", "ocean_time"})) return AxisRole::kTime;
   if (IsOneOf(name, {"depth", "lev", "level", "deptht", "z", "layer"})) {
-    return Role::kDepth;
+    return AxisRole::kDepth;
   }
-  return Role::kUnknown;
+  return AxisRole::kUnknown;
 }
 
 // By name only where no attribute says what kind of quantity this is.
-Role RoleOf(const NetcdfVariable& variable) {
-  const Role role = RoleByAttributes(variable);
-  if (role != Role::kUnknown) return role;
-  if (!variable.Text("standard_name").empty()) return Role::kUnknown;
+AxisRole RoleOf(const NetcdfVariable& variable) {
+  const AxisRole role = RoleByAttributes(variable);
+  if (role != AxisRole::kUnknown) return role;
+  if (!variable.Text("standard_name").empty()) return AxisRole::kUnknown;
   return RoleByName(variable.name);
 }
 
-class Reader {
+class AxesReader {
  public:
-  Reader(const NetcdfFile& file, const NetcdfVariable& variable,
-         TimeAxis need_of_time)
+  AxesReader(const NetcdfFile& file, const NetcdfVariable& variable,
+             TimeAxis need_of_time)
       : file_(file), variable_(variable), need_of_time_(need_of_time) {
     axes_.start.assign(variable.dimensions.size(), 0);
   }
@@ -122,10 +124,10 @@ class Reader {
   FieldAxes axes_;
 };
 
-void Reader::RefuseCurvilinear() const {
+void AxesReader::RefuseCurvilinear() const {
   for (const NetcdfVariable& other : file_.variables()) {
-    const Role role = RoleOf(other);
-    if (role != Role::kLatitude && role != Role::kLongitude) continue;
+    const AxisRole role = RoleOf(other);
+    if (role != AxisRole::kLatitude && role != AxisRole::kLongitude) continue;
     if (other.dimensions.size() != 2 || !HasDimension(other.dimensions[0]) ||
         !HasDimension(other.dimensions[1])) {
       continue;
@@ -139,39 +141,42 @@ void Reader::RefuseCurvilinear() const {
 
 // The variable that gives a dimension its values: of the same name, or the only
 // one along it that is a latitude, longitude, depth or time.
-const NetcdfVariable* Reader::CoordinateOf(int position) const {
+const NetcdfVariable* AxesReader::CoordinateOf(int position) const {
   const NetcdfVariable* found = nullptr;
   const int dimension = variable_.dimensions[position];
   for (const NetcdfVariable& other : file_.variables()) {
     if (other.dimensions != std::vector<int>{dimension}) continue;
     if (other.name == Dimension(position).name) return &other;
-    if (found == nullptr && RoleOf(other) != Role::kUnknown) found = &other;
+    if (found == nullptr && RoleOf(other) != AxisRole::kUnknown) found = &other;
   }
   return found;
 }
 
-void Reader::Once(const NetcdfVariable* already, int position) const {
+void AxesReader::Once(const NetcdfVariable* already, int position) const {
   if (already == nullptr) return;
   file_.Refuse(variable_, "dimension " + Dimension(position).name + " and " +
                               already->name + " are of the same kind");
 }
 
-void Reader::Assign(int position) {
+void AxesReader::Assign(int position) {
   const NetcdfVariable* coordinate = CoordinateOf(position);
-  const Role role = coordinate == nullptr ? RoleByName(Dimension(position).name)
-                                          : RoleOf(*coordinate);
-  if (role == Role::kDepth) return AssignDepth(position, coordinate);
-  if (role == Role::kUnknown && Dimension(position).size == 1) return;
-  if (role == Role::kUnknown || coordinate == nullptr) {
+  const AxisRole role = coordinate == nullptr
+                            ? RoleByName(Dimension(position).name)
+                            : RoleOf(*coordinate);
+  // Levels and dimensions of one element are fixed to one index; all others
+  // must be known, or values would be read from the wrong place.
+  if (role == AxisRole::kDepth) return AssignDepth(position, coordinate);
+  if (role == AxisRole::kUnknown && Dimension(position).size == 1) return;
+  if (role == AxisRole::kUnknown || coordinate == nullptr) {
     file_.Refuse(variable_, "dimension " + Dimension(position).name +
                                 " is not understood, expected time, depth, "
                                 "latitude and longitude with their values");
   }
-  if (role == Role::kTime) {
+  if (role == AxisRole::kTime) {
     Once(time_, position);
     time_ = coordinate;
     axes_.time = position;
-  } else if (role == Role::kLatitude) {
+  } else if (role == AxisRole::kLatitude) {
     Once(lat_, position);
     lat_ = coordinate;
     axes_.lat = position;
@@ -182,16 +187,17 @@ void Reader::Assign(int position) {
   }
 }
 
-void Reader::AssignDepth(int position, const NetcdfVariable* coordinate) {
+void AxesReader::AssignDepth(int position, const NetcdfVariable* coordinate) {
   if (coordinate == nullptr) return;
   const std::vector<double> depths = Coordinates(*coordinate);
+  // Positive up or down: the shallowest is the least in magnitude.
   const auto shallowest = std::min_element(
       depths.begin(), depths.end(),
       [](double a, double b) { return std::abs(a) < std::abs(b); });
   axes_.start[position] = static_cast<std::size_t>(shallowest - depths.begin());
 }
 
-std::vector<double> Reader::Coordinates(const NetcdfVariable& axis) const {
+std::vector<double> AxesReader::Coordinates(const NetcdfVariable& axis) const {
   const std::size_t size = file_.dimensions()[axis.dimensions[0]].size;
   if (size == 0 || size > kMaxAxis) {
     file_.Refuse(axis, "expected 1 to " + std::to_string(kMaxAxis) +
@@ -208,8 +214,8 @@ std::vector<double> Reader::Coordinates(const NetcdfVariable& axis) const {
   return values;
 }
 
-bool Reader::Descends(const NetcdfVariable& axis,
-                      const std::vector<double>& values) const {
+bool AxesReader::Descends(const NetcdfVariable& axis,
+                          const std::vector<double>& values) const {
   if (values.size() < 2) {
     file_.Refuse(axis, "expected at least two values, found one");
   }
@@ -225,7 +231,8 @@ bool Reader::Descends(const NetcdfVariable& axis,
   return descends;
 }
 
-std::vector<double> Reader::Latitudes() {
+std::vector<double> AxesReader::Latitudes() {
+  // The canonical grid runs from south to north, whatever the file does.
   std::vector<double> values = Coordinates(*lat_);
   axes_.file_row.resize(values.size());
   std::iota(axes_.file_row.begin(), axes_.file_row.end(), std::size_t{0});
@@ -239,7 +246,8 @@ std::vector<double> Reader::Latitudes() {
   return values;
 }
 
-std::vector<double> Reader::Longitudes() {
+std::vector<double> AxesReader::Longitudes() {
+  // Step 1: ascending from west to east, remembering the file's columns.
   std::vector<double> values = Coordinates(*lon_);
   axes_.file_col.resize(values.size());
   std::iota(axes_.file_col.begin(), axes_.file_col.end(), std::size_t{0});
@@ -247,12 +255,15 @@ std::vector<double> Reader::Longitudes() {
     std::reverse(values.begin(), values.end());
     std::reverse(axes_.file_col.begin(), axes_.file_col.end());
   }
+  // Beyond two turns, or a column twice: no longitudes.
   if (values.front() < -360.0 || values.back() > 720.0 ||
       values.back() - values.front() >= 360.0) {
     file_.Refuse(*lon_, "expected degrees that span less than a turn, found " +
                             std::to_string(values.front()) + " to " +
                             std::to_string(values.back()));
   }
+  // Step 2: into [-180, 180), beginning with the westernmost column. A global
+  // file from 0 to 360 is cut at 180 and its halves change places.
   const std::vector<double> wrapped = Wrapped(values);
   const auto west = std::min_element(wrapped.begin(), wrapped.end());
   const auto turn = west - wrapped.begin();
@@ -265,7 +276,7 @@ std::vector<double> Reader::Longitudes() {
 
 // Each longitude in [-180, 180). Where the file runs across 180 degrees the
 // ends must meet as in a global file.
-std::vector<double> Reader::Wrapped(
+std::vector<double> AxesReader::Wrapped(
     const std::vector<double>& ascending) const {
   std::vector<double> wrapped;
   double widest = 0.0;
@@ -275,8 +286,10 @@ std::vector<double> Reader::Wrapped(
     wrapped.push_back(lon - 360.0 * std::floor((lon + 180.0) / 360.0));
     if (i == 0) continue;
     widest = std::max(widest, lon - ascending[i - 1]);
-    seams += wrapped[i] < wrapped[i - 1];
+    seams += wrapped[i] < wrapped[i - 1];  // Passed 180 degrees.
   }
+  // From the last column around the globe to the first: a normal spacing in a
+  // global file, the rest of the globe in a regional one.
   const double gap = ascending.front() + 360.0 - ascending.back();
   if (seams > 0 && gap > kSeamFactor * widest) {
     file_.Refuse(*lon_,
@@ -290,7 +303,7 @@ std::vector<double> Reader::Wrapped(
 
 // Of the variable's own dimension, or else a scalar; nothing if there is none
 // and none is needed.
-const NetcdfVariable* Reader::TimeVariable() const {
+const NetcdfVariable* AxesReader::TimeVariable() const {
   if (time_ != nullptr) return time_;
   for (const NetcdfVariable& other : file_.variables()) {
     const bool dated = other.Text("units").find(" since ") != std::string::npos;
@@ -302,7 +315,7 @@ const NetcdfVariable* Reader::TimeVariable() const {
                "units like \"hours since 2000-01-01 00:00:00\")");
 }
 
-void Reader::ReadTimes() {
+void AxesReader::ReadTimes() {
   const NetcdfVariable* found = TimeVariable();
   if (found == nullptr) {
     axes_.time_s.push_back(std::nan(""));
@@ -319,6 +332,7 @@ void Reader::ReadTimes() {
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double time_s = cf.epoch_s + values[i] * cf.unit_s;
+    // Some 30,000 years: beyond are fill values. Negated, to catch NaN, too.
     if (!(std::abs(time_s) < 1e12)) {
       file_.Refuse(time, "time " + std::to_string(i) + " is missing");
     }
@@ -336,7 +350,7 @@ void Reader::ReadTimes() {
 
 FieldAxes ReadFieldAxes(const NetcdfFile& file, const NetcdfVariable& variable,
                         TimeAxis time) {
-  return Reader(file, variable, time).Read();
+  return AxesReader(file, variable, time).Read();
 }
 
 }  // namespace kg_core

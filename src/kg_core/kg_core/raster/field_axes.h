@@ -1,4 +1,4 @@
-// Which dimension of an ocean file's variable is which, and the canonical grid
+// Which dimension of a gridded file's variable is which, and the canonical grid
 // and times behind them. CF attributes first, names second.
 // Source: CF-1.8, sections 4 and 5.
 

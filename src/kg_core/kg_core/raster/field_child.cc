@@ -1,5 +1,4 @@
-// ReadFieldFileSafely: the program read_field_file in a process of its own, its
-// answer over a pipe, its end at the deadline at the latest.
+#include "kg_core/raster/field_child.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -17,7 +16,6 @@
 #include <stdexcept>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/raster/field_file.h"
 #include "kg_core/raster/field_protocol.h"
 
 namespace kg_core {
@@ -28,12 +26,12 @@ using Clock = std::chrono::steady_clock;
 constexpr char kProgram[] = "read_field_file";
 constexpr double kMaxDeadline_s = 86400.0;
 
-class Descriptor {
+class FileDescriptor {
  public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() { Close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+  explicit FileDescriptor(int fd) : fd_(fd) {}
+  ~FileDescriptor() { Close(); }
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
   int get() const { return fd_; }
   void Close() {
     if (fd_ >= 0) close(fd_);
@@ -101,9 +99,9 @@ class SpawnSettings {
 };
 
 // A child that is gone, and waited for, when this is.
-class Child {
+class ChildProcess {
  public:
-  Child(const std::vector<std::string>& arguments, int answer) {
+  ChildProcess(const std::vector<std::string>& arguments, int answer) {
     std::vector<char*> argv;
     for (const std::string& argument : arguments) {
       argv.push_back(const_cast<char*>(argument.c_str()));
@@ -116,9 +114,9 @@ class Child {
       throw InputError(arguments[0] + ": cannot be run: " + strerror(error));
     }
   }
-  ~Child() { End(); }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
+  ~ChildProcess() { End(); }
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
 
   // Kills it if it still runs; how it ended, for an error line.
   std::string End() {
@@ -140,9 +138,9 @@ class Child {
   pid_t pid_ = -1;
 };
 
-class Answer {
+class ChildAnswer {
  public:
-  Answer(const std::string& path, int fd, double deadline_s)
+  ChildAnswer(const std::string& path, int fd, double deadline_s)
       : path_(path),
         fd_(fd),
         deadline_s_(deadline_s),
@@ -198,11 +196,11 @@ FieldFile ReadInChild(const std::string& path,
   if (pipe2(ends, O_CLOEXEC) != 0) {
     throw InputError(path + ": no pipe to read it through: " + strerror(errno));
   }
-  const Descriptor from_child(ends[0]);
-  Descriptor to_parent(ends[1]);
-  Child child(arguments, to_parent.get());
+  const FileDescriptor from_child(ends[0]);
+  FileDescriptor to_parent(ends[1]);
+  ChildProcess child(arguments, to_parent.get());
   to_parent.Close();
-  const Answer answer(path, from_child.get(), limit_s);
+  const ChildAnswer answer(path, from_child.get(), limit_s);
   return ReadFieldBytes(path, [&](void* bytes, std::size_t count) {
     if (answer.Get(bytes, count) == count) return;
     throw InputError(path + ": the reading process ended " + child.End() +

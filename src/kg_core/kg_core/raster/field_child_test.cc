@@ -1,6 +1,8 @@
 // Reading in a child process: whatever is wrong with the file, the parent gets
 // one line, in time, and keeps no process and no descriptor.
 
+#include "kg_core/raster/field_child.h"
+
 #include <dirent.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -10,8 +12,8 @@
 #include <cmath>
 #include <random>
 
-#include "kg_core/raster/field_file.h"
 #include "kg_core/raster/field_protocol.h"
+#include "kg_core/raster/read_field_file.h"
 #include "kg_core/raster/testing/field_test_file.h"
 
 namespace kg_core {

@@ -1,11 +1,10 @@
-#include "kg_core/raster/field_file.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <functional>
 #include <stdexcept>
 
+#include "kg_core/raster/read_field_file.h"
 #include "kg_core/raster/testing/field_test_file.h"
 
 namespace kg_core {

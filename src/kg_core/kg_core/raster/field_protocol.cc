@@ -17,7 +17,7 @@ constexpr std::uint32_t kMaxAxis = 100000;
 constexpr std::uint32_t kMaxSeries = 16;
 constexpr std::uint32_t kMaxText = 64 * 1024;
 
-struct Head {
+struct MessageHead {
   std::uint64_t magic = kMagic;
   std::uint32_t kind = kContents;
   std::uint32_t rows = 0;
@@ -37,13 +37,13 @@ void PutDoubles(const std::vector<double>& values, const PutBytes& put) {
   put(values.data(), values.size() * sizeof(double));
 }
 
-class Reader {
+class MessageReader {
  public:
-  Reader(const std::string& path, const GetBytes& get)
+  MessageReader(const std::string& path, const GetBytes& get)
       : path_(path), get_(get) {}
 
   FieldFile Read() {
-    Head head;
+    MessageHead head;
     get_(&head, sizeof(head));
     if (head.magic != kMagic) Refuse();
     if (head.kind == kError) throw InputError(Text());
@@ -65,7 +65,7 @@ class Reader {
                      ": the reading process sent nonsense, expected "
                      "the contents of a NetCDF file");
   }
-  void CheckSizes(const Head& head) const {
+  void CheckSizes(const MessageHead& head) const {
     const bool axes = head.rows >= 2 && head.rows <= kMaxAxis &&
                       head.cols >= 2 && head.cols <= kMaxAxis &&
                       head.times >= 1 && head.times <= kMaxAxis;
@@ -89,7 +89,7 @@ class Reader {
     get_(values.data(), count * sizeof(double));
     return values;
   }
-  Grid ReadGrid(const Head& head) const {
+  Grid ReadGrid(const MessageHead& head) const {
     std::vector<double> lon_deg = Doubles(head.cols);
     std::vector<double> lat_deg = Doubles(head.rows);
     try {
@@ -98,7 +98,7 @@ class Reader {
       Refuse();
     }
   }
-  QuantitySeries Series(const Head& head) const {
+  QuantitySeries Series(const MessageHead& head) const {
     QuantitySeries series;
     std::uint32_t quantity = 0;
     get_(&quantity, sizeof(quantity));
@@ -123,11 +123,12 @@ class Reader {
 }  // namespace
 
 void WriteFieldFile(const FieldFile& file, const PutBytes& put) {
-  Head head;
+  MessageHead head;
   head.rows = static_cast<std::uint32_t>(file.grid.rows());
   head.cols = static_cast<std::uint32_t>(file.grid.cols());
   head.times = static_cast<std::uint32_t>(file.time_s.size());
   head.series = static_cast<std::uint32_t>(file.series.size());
+  // Sizes first: the reader checks them before it allocates anything.
   put(&head, sizeof(head));
   PutText(file.sha256, put);
   PutDoubles(file.grid.lon_deg(), put);
@@ -145,14 +146,14 @@ void WriteFieldFile(const FieldFile& file, const PutBytes& put) {
 }
 
 void WriteFieldError(const std::string& line, const PutBytes& put) {
-  Head head;
+  MessageHead head;
   head.kind = kError;
   put(&head, sizeof(head));
   PutText(line.substr(0, kMaxText), put);
 }
 
 FieldFile ReadFieldBytes(const std::string& path, const GetBytes& get) {
-  return Reader(path, get).Read();
+  return MessageReader(path, get).Read();
 }
 
 }  // namespace kg_core

@@ -1,5 +1,5 @@
-// How a child process hands an ocean file's contents, or its error line, to its
-// parent: a fixed head with all sizes, then the numbers as both hold them.
+// How a child process hands a gridded file's contents, or its error line, to
+// its parent: a fixed head with all sizes, then the numbers as both hold them.
 
 #ifndef KG_CORE_RASTER_FIELD_PROTOCOL_H_
 #define KG_CORE_RASTER_FIELD_PROTOCOL_H_

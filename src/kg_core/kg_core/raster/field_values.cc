@@ -5,165 +5,18 @@
 #include <limits>
 #include <stdexcept>
 
+#include "kg_core/base/join_strings.h"
 #include "kg_core/base/text.h"
+#include "kg_core/raster/field_quantity.h"
 
 namespace kg_core {
 namespace {
 
 constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
 
-struct UnitScale {
-  const char* name;
-  double scale;  // SI = value * scale + offset.
-  double offset;
-};
-
-// How files speak of a quantity, and what values it can have.
-struct Vocabulary {
-  const char* name;
-  std::vector<std::string> standard_names;
-  std::vector<std::string> variable_names;  // Lower case.
-  std::vector<UnitScale> units;  // The first holds where none is named; none:
-                                 // values stay in their own.
-  double least;
-  double most;
-};
-
-// What is not of the sea has other limits.
-struct Limits {
-  const char* standard_name;
-  double least;
-  double most;
-};
-constexpr Limits kElsewhere[] = {{"eastward_wind", -120.0, 120.0},
-                                 {"northward_wind", -120.0, 120.0},
-                                 {"air_temperature", -100.0, 100.0},
-                                 {"surface_temperature", -100.0, 2000.0}};
-
-const std::vector<UnitScale>& SpeedUnits() {
-  static const std::vector<UnitScale> kUnits = {
-      {"m/s", 1, 0},           {"m s-1", 1, 0},
-      {"m s**-1", 1, 0},       {"m s^-1", 1, 0},
-      {"m.s-1", 1, 0},         {"ms-1", 1, 0},
-      {"meter/sec", 1, 0},     {"meter/second", 1, 0},
-      {"meters/second", 1, 0}, {"meter second-1", 1, 0},
-      {"meters/sec", 1, 0},    {"cm/s", 0.01, 0},
-      {"cm s-1", 0.01, 0},
-  };
-  return kUnits;
-}
-
-const std::vector<UnitScale>& TemperatureUnits() {
-  static const std::vector<UnitScale> kUnits = {
-      {"degC", 1, 0},
-      {"degree_C", 1, 0},
-      {"degrees_C", 1, 0},
-      {"degree_Celsius", 1, 0},
-      {"degrees_Celsius", 1, 0},
-      {"degree Celsius", 1, 0},
-      {"degrees Celsius", 1, 0},
-      {"Celsius", 1, 0},
-      {"celsius", 1, 0},
-      {"degrees C", 1, 0},
-      {"deg C", 1, 0},
-      {"C", 1, 0},
-      {"K", 1, -273.15},
-      {"kelvin", 1, -273.15},
-      {"Kelvin", 1, -273.15},
-      {"degrees_K", 1, -273.15},
-      {"degK", 1, -273.15},
-  };
-  return kUnits;
-}
-
-const std::vector<UnitScale>& LengthUnits() {
-  static const std::vector<UnitScale> kUnits = {
-      {"m", 1, 0},      {"meter", 1, 0}, {"meters", 1, 0},   {"metre", 1, 0},
-      {"metres", 1, 0}, {"cm", 0.01, 0}, {"feet", 0.3048, 0}};
-  return kUnits;
-}
-
-const Vocabulary& VocabularyOf(FieldQuantity quantity) {
-  static const Vocabulary kEast = {
-      "eastward velocity",
-      {"eastward_sea_water_velocity", "surface_eastward_sea_water_velocity",
-       "eastward_sea_water_velocity_assuming_no_tide", "eastward_wind"},
-      {"water_u", "u", "uo"},
-      SpeedUnits(),
-      -10.0,
-      10.0};
-  static const Vocabulary kNorth = {
-      "northward velocity",
-      {"northward_sea_water_velocity", "surface_northward_sea_water_velocity",
-       "northward_sea_water_velocity_assuming_no_tide", "northward_wind"},
-      {"water_v", "v", "vo"},
-      SpeedUnits(),
-      -10.0,
-      10.0};
-  static const Vocabulary kTemperature = {
-      "temperature",
-      {"sea_surface_temperature", "sea_water_temperature",
-       "sea_water_potential_temperature", "sea_water_conservative_temperature",
-       "sea_surface_foundation_temperature", "sea_surface_skin_temperature",
-       "sea_surface_subskin_temperature", "surface_temperature",
-       "air_temperature"},
-      {"water_temp", "temperature", "temp", "sst", "thetao", "analysed_sst"},
-      TemperatureUnits(),
-      -5.0,
-      60.0};
-  static const Vocabulary kWaveHeight = {
-      "wave height",
-      {"sea_surface_wave_significant_height",
-       "significant_height_of_wind_and_swell_waves"},
-      {"wave_height", "swh", "hs", "vhm0"},
-      LengthUnits(),
-      0.0,
-      40.0};
-  static const Vocabulary kAny = {"values",
-                                  {},
-                                  {},
-                                  {},
-                                  -std::numeric_limits<float>::max(),
-                                  std::numeric_limits<float>::max()};
-  switch (quantity) {
-    case FieldQuantity::kEastwardVelocity:
-      return kEast;
-    case FieldQuantity::kNorthwardVelocity:
-      return kNorth;
-    case FieldQuantity::kTemperature:
-      return kTemperature;
-    case FieldQuantity::kWaveHeight:
-      return kWaveHeight;
-    case FieldQuantity::kAny:
-      return kAny;
-  }
-  throw std::logic_error("no such quantity");
-}
-
-// Those of the variable's standard_name, else the quantity's.
-Vocabulary WordsFor(FieldQuantity quantity, const NetcdfVariable& variable) {
-  Vocabulary words = VocabularyOf(quantity);
-  if (quantity == FieldQuantity::kAny) return words;
-  const std::string name = variable.Text("standard_name");
-  for (const Limits& limits : kElsewhere) {
-    if (name != limits.standard_name) continue;
-    words.least = limits.least;
-    words.most = limits.most;
-  }
-  return words;
-}
-
-std::string Join(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
-}
-
 // Of several variables with one standard name, the one with a usual name.
 const NetcdfVariable* ByStandardName(const NetcdfFile& file,
-                                     const Vocabulary& words,
+                                     const QuantityWords& words,
                                      const std::string& standard_name) {
   std::vector<const NetcdfVariable*> found;
   for (const NetcdfVariable& variable : file.variables()) {
@@ -179,11 +32,12 @@ const NetcdfVariable* ByStandardName(const NetcdfFile& file,
   }
   file.Refuse("variables " + found[0]->name + " and " + found[1]->name +
               " both have standard_name " + standard_name +
-              ", expected one, or one named " + Join(words.variable_names));
+              ", expected one, or one named " +
+              JoinStrings(words.variable_names));
 }
 
 const NetcdfVariable* FindVariable(const NetcdfFile& file,
-                                   const Vocabulary& words) {
+                                   const QuantityWords& words) {
   for (const std::string& standard_name : words.standard_names) {
     const NetcdfVariable* found = ByStandardName(file, words, standard_name);
     if (found != nullptr) return found;
@@ -198,7 +52,7 @@ const NetcdfVariable* FindVariable(const NetcdfFile& file,
 }
 
 UnitScale ScaleOf(const NetcdfFile& file, const NetcdfVariable& variable,
-                  const Vocabulary& words) {
+                  const QuantityWords& words) {
   if (words.units.empty()) return {"", 1.0, 0.0};
   const std::string units = variable.Text("units");
   if (units.empty()) return words.units.front();
@@ -225,31 +79,31 @@ double Single(const NetcdfFile& file, const NetcdfVariable& variable,
 
 // The library's own fill for values that nobody wrote. Bytes have none, every
 // value of them is usual.
-std::vector<double> DefaultFill(nc_type type) {
+std::vector<double> DefaultFill(int type) {
   switch (type) {
-    case NC_SHORT:
+    case netCDF::NcType::nc_SHORT:
       return {NC_FILL_SHORT};
-    case NC_USHORT:
+    case netCDF::NcType::nc_USHORT:
       return {NC_FILL_USHORT};
-    case NC_INT:
+    case netCDF::NcType::nc_INT:
       return {NC_FILL_INT};
-    case NC_UINT:
+    case netCDF::NcType::nc_UINT:
       return {NC_FILL_UINT};
-    case NC_FLOAT:
-    case NC_DOUBLE:
+    case netCDF::NcType::nc_FLOAT:
+    case netCDF::NcType::nc_DOUBLE:
       return {NC_FILL_DOUBLE};
     default:
       return {};
   }
 }
 
-class Unpacker {
+class ValueUnpacker {
  public:
-  Unpacker(const NetcdfFile& file, const NetcdfVariable& variable,
-           const Vocabulary& words)
-      : is_float_(variable.type == NC_FLOAT),
-        least_(words.least),
-        most_(words.most) {
+  ValueUnpacker(const NetcdfFile& file, const NetcdfVariable& variable,
+                const QuantityWords& words)
+      : is_float_(variable.type == netCDF::NcType::nc_FLOAT),
+        min_(words.min_value),
+        max_(words.max_value) {
     if (ToLowerAscii(variable.Text("_Unsigned")) == "true") {
       file.Refuse(variable, "attribute _Unsigned is not understood");
     }
@@ -272,7 +126,7 @@ class Unpacker {
   float operator()(double raw) {
     if (!std::isfinite(raw) || IsFill(raw)) return kNoData;
     const double value = raw * scale_ + offset_;
-    if (value >= least_ && value <= most_) {
+    if (value >= min_ && value <= max_) {
       ++plausible_;
       return static_cast<float>(value);
     }
@@ -297,8 +151,8 @@ class Unpacker {
   }
 
   bool is_float_;
-  double least_;
-  double most_;
+  double min_;
+  double max_;
   double scale_ = 1.0;
   double offset_ = 0.0;
   std::vector<double> fill_;
@@ -317,7 +171,7 @@ std::vector<double> RawSlice(const NetcdfFile& file, const FieldAxes& axes,
 }
 
 Raster Canonical(const FieldAxes& axes, const std::vector<double>& raw,
-                 Unpacker* unpack) {
+                 ValueUnpacker* unpack) {
   const bool rows_first = axes.lat < axes.lon;
   const std::size_t row_step = rows_first ? axes.file_col.size() : 1;
   const std::size_t col_step = rows_first ? 1 : axes.file_row.size();
@@ -332,16 +186,13 @@ Raster Canonical(const FieldAxes& axes, const std::vector<double>& raw,
 }
 
 void RefuseAbsurd(const NetcdfFile& file, const NetcdfVariable& variable,
-                  const Vocabulary& words, const Unpacker& unpack) {
+                  const QuantityWords& words, const ValueUnpacker& unpack) {
   if (unpack.absurd() <= unpack.plausible()) return;
-  file.Refuse(variable,
-              "most values are impossible for " + std::string(words.name) +
-                  ", expected " + std::to_string(words.least) + " to " +
-                  std::to_string(words.most) + " " + words.units.front().name);
-}
-
-bool IsWindName(const std::string& standard_name) {
-  return standard_name == "eastward_wind" || standard_name == "northward_wind";
+  file.Refuse(variable, "most values are impossible for " +
+                            std::string(words.name) + ", expected " +
+                            std::to_string(words.min_value) + " to " +
+                            std::to_string(words.max_value) + " " +
+                            words.units.front().name);
 }
 
 // One component of water's velocity and one of the wind's are no field.
@@ -358,26 +209,20 @@ void RefuseTwoMedia(const NetcdfFile& file,
 
 }  // namespace
 
-bool IsWind(const QuantitySeries& series) {
-  return IsWindName(series.standard_name);
-}
-
-const char* Name(FieldQuantity quantity) { return VocabularyOf(quantity).name; }
-
 std::vector<const NetcdfVariable*> FindVariables(
     const NetcdfFile& file, const std::vector<FieldQuantity>& quantities) {
   std::vector<const NetcdfVariable*> variables;
-  std::string missing;
+  std::vector<std::string> missing;
   for (const FieldQuantity quantity : quantities) {
-    const Vocabulary& words = VocabularyOf(quantity);
+    const QuantityWords& words = WordsFor(quantity);
     variables.push_back(FindVariable(file, words));
     if (variables.back() != nullptr) continue;
-    missing += std::string(missing.empty() ? "" : "; ") + "no variable for " +
-               words.name + ", tried standard_name " +
-               Join(words.standard_names) + " and name " +
-               Join(words.variable_names);
+    missing.push_back("no variable for " + std::string(words.name) +
+                      ", tried standard_name " +
+                      JoinStrings(words.standard_names) + " and name " +
+                      JoinStrings(words.variable_names));
   }
-  if (!missing.empty()) file.Refuse(missing);
+  if (!missing.empty()) file.Refuse(JoinStrings(missing, "; "));
   RefuseTwoMedia(file, variables);
   return variables;
 }
@@ -385,8 +230,9 @@ std::vector<const NetcdfVariable*> FindVariables(
 QuantitySeries ReadSeries(const NetcdfFile& file, const FieldAxes& axes,
                           const NetcdfVariable& variable,
                           FieldQuantity quantity) {
-  const Vocabulary words = WordsFor(quantity, variable);
-  Unpacker unpack(file, variable, words);
+  const QuantityWords words =
+      WordsFor(quantity, variable.Text("standard_name"));
+  ValueUnpacker unpack(file, variable, words);
   QuantitySeries series{
       quantity, variable.name, variable.Text("standard_name"), {}};
   std::vector<std::size_t> empty_times;

@@ -1,6 +1,6 @@
-// What a quantity is called in ocean files, and its values in SI: packing, fill
-// values and units taken away.
-// Source: CF-1.8, sections 2.5.1, 3.1, 3.3 and 8.1.
+// What a quantity is called in gridded files, and its values in SI: packing,
+// fill values and units taken away. Source: CF-1.8, sections 2.5.1, 3.1, 3.3
+// and 8.1.
 
 #ifndef KG_CORE_RASTER_FIELD_VALUES_H_
 #define KG_CORE_RASTER_FIELD_VALUES_H_
@@ -22,7 +22,7 @@ std::vector<const NetcdfVariable*> FindVariables(
 
 // One raster for each time. Missing: _FillValue and missing_value (compared
 // before unpacking, in the variable's own type), the type's default fill, NaN.
-// Values that cannot be (field_file.h has the limits) are
+// Values that cannot be (field_quantity.h has the limits) are
 // taken as missing; a variable where most are like that, or a time without any
 // value, is refused. Of FieldQuantity::kAny any finite value can be, and none.
 QuantitySeries ReadSeries(const NetcdfFile& file, const FieldAxes& axes,

@@ -35,8 +35,40 @@ std::string Stripped(const std::string& text) {
   return std::string(StripAsciiSpace(text.substr(0, text.find('\0'))));
 }
 
-bool IsNumber(nc_type type) {
-  return type >= NC_BYTE && type <= NC_UINT64 && type != NC_CHAR;
+bool IsNumber(int type) {
+  return type >= netCDF::NcType::nc_BYTE && type <= netCDF::NcType::nc_UINT64 &&
+         type != netCDF::NcType::nc_CHAR;
+}
+
+// The text of an attribute of type string, which holds exactly one.
+std::string StringOf(const netCDF::NcVarAtt& attribute) {
+  char* text = nullptr;
+  attribute.getValues(&text);
+  const std::string copy = text == nullptr ? "" : text;
+  // The C library allocated it, and netcdf-c++ has no call that frees it.
+  nc_free_string(1, &text);
+  return copy;
+}
+
+// Long attributes, and those of types that mean nothing here, are left out.
+void ReadAttribute(const netCDF::NcVarAtt& attribute,
+                   NetcdfVariable* variable) {
+  const std::string name = attribute.getName();
+  const netCDF::NcType type = attribute.getType();
+  const std::size_t length = attribute.getAttLength();
+  if (type.isNull() || length > kMaxAttributeLength) return;
+  const int kind = type.getId();
+  if (kind == netCDF::NcType::nc_CHAR) {
+    std::string text;
+    attribute.getValues(text);
+    variable->texts[name] = Stripped(text);
+  } else if (kind == netCDF::NcType::nc_STRING && length == 1) {
+    variable->texts[name] = Stripped(StringOf(attribute));
+  } else if (IsNumber(kind)) {
+    std::vector<double> values(length);
+    attribute.getValues(values.data());
+    variable->numbers[name] = values;
+  }
 }
 
 }  // namespace
@@ -49,17 +81,14 @@ std::string NetcdfVariable::Text(const std::string& attribute) const {
 NetcdfFile::NetcdfFile(const std::string& path) : path_(path) {
   CheckKind(path);
   CheckClassicLength(path);
-  Check(nc_open(path.c_str(), NC_NOWRITE, &id_));
   try {
+    file_.open(path, netCDF::NcFile::read);
     ReadDimensions();
     ReadVariables();
-  } catch (...) {
-    nc_close(id_);
-    throw;
+  } catch (const netCDF::exceptions::NcException& error) {
+    Refuse(error);
   }
 }
-
-NetcdfFile::~NetcdfFile() { nc_close(id_); }
 
 void NetcdfFile::Refuse(const std::string& what) const {
   std::string line = path_ + ": " + what;
@@ -74,77 +103,48 @@ void NetcdfFile::Refuse(const NetcdfVariable& variable,
   Refuse("variable " + variable.name + ": " + what);
 }
 
-void NetcdfFile::Check(int status) const {
-  if (status != NC_NOERR) {
-    Refuse(std::string("damaged, the NetCDF library says: ") +
-           nc_strerror(status));
-  }
+// The first line of the exception's text is the library's own message; the
+// second names a line of netcdf-c++'s source.
+void NetcdfFile::Refuse(const netCDF::exceptions::NcException& error) const {
+  const std::string text = error.what();
+  Refuse("damaged, the NetCDF library says: " +
+         text.substr(0, text.find('\n')));
 }
 
 void NetcdfFile::ReadDimensions() {
-  int count = 0;
-  Check(nc_inq_ndims(id_, &count));
-  // Root group's dimensions have the identifiers 0, 1, ...
+  const int count = file_.getDimCount();
+  // The root group's dimensions have the identifiers 0, 1, ...; by identifier,
+  // because getDims() sorts them by name.
   for (int i = 0; i < count; ++i) {
-    char name[NC_MAX_NAME + 1] = {};
-    NetcdfDimension dimension;
-    Check(nc_inq_dim(id_, i, name, &dimension.size));
-    dimension.name = name;
-    dimensions_.push_back(dimension);
+    const netCDF::NcDim dimension(file_, i);
+    dimensions_.push_back({dimension.getName(), dimension.getSize()});
   }
 }
 
 void NetcdfFile::ReadVariables() {
-  int count = 0;
-  Check(nc_inq_nvars(id_, &count));
-  for (int i = 0; i < count; ++i) variables_.push_back(ReadVariable(i));
+  const int count = file_.getVarCount();
+  for (int i = 0; i < count; ++i) {
+    variables_.push_back(ReadVariable(netCDF::NcVar(file_, i)));
+  }
 }
 
-NetcdfVariable NetcdfFile::ReadVariable(int id) const {
+NetcdfVariable NetcdfFile::ReadVariable(const netCDF::NcVar& source) const {
   NetcdfVariable variable;
-  variable.id = id;
-  char name[NC_MAX_NAME + 1] = {};
-  int rank = 0;
-  int attributes = 0;
-  Check(nc_inq_varndims(id_, id, &rank));
-  variable.dimensions.resize(static_cast<std::size_t>(rank));
-  Check(nc_inq_var(id_, id, name, &variable.type, &rank,
-                   variable.dimensions.data(), &attributes));
-  variable.name = name;
-  for (const int dimension : variable.dimensions) {
-    if (dimension < 0 || dimension >= static_cast<int>(dimensions_.size())) {
+  variable.id = source.getId();
+  variable.name = source.getName();
+  variable.type = source.getType().getId();
+  for (const netCDF::NcDim& dimension : source.getDims()) {
+    const int id = dimension.getId();
+    if (id < 0 || id >= static_cast<int>(dimensions_.size())) {
       Refuse(variable, "damaged, it has a dimension that the file has not");
     }
+    variable.dimensions.push_back(id);
   }
+  const int attributes = source.getAttCount();
   for (int i = 0; i < attributes; ++i) {
-    Check(nc_inq_attname(id_, id, i, name));
-    ReadAttribute(name, &variable);
+    ReadAttribute(netCDF::NcVarAtt(file_, source, i), &variable);
   }
   return variable;
-}
-
-// Long attributes, and those of types that mean nothing here, are left out.
-void NetcdfFile::ReadAttribute(const std::string& name,
-                               NetcdfVariable* variable) const {
-  nc_type type = NC_NAT;
-  std::size_t length = 0;
-  const char* key = name.c_str();
-  Check(nc_inq_att(id_, variable->id, key, &type, &length));
-  if (length > kMaxAttributeLength) return;
-  if (type == NC_CHAR) {
-    std::string text(length, '\0');
-    Check(nc_get_att_text(id_, variable->id, key, &text[0]));
-    variable->texts[name] = Stripped(text);
-  } else if (type == NC_STRING && length == 1) {
-    char* text = nullptr;
-    Check(nc_get_att_string(id_, variable->id, key, &text));
-    variable->texts[name] = Stripped(text == nullptr ? "" : text);
-    nc_free_string(1, &text);
-  } else if (IsNumber(type)) {
-    std::vector<double> values(length);
-    Check(nc_get_att_double(id_, variable->id, key, values.data()));
-    variable->numbers[name] = values;
-  }
 }
 
 std::vector<double> NetcdfFile::Values(const NetcdfVariable& variable) const {
@@ -159,6 +159,7 @@ std::vector<double> NetcdfFile::Values(
   if (!IsNumber(variable.type)) Refuse(variable, "expected numbers");
   std::size_t size = 1;
   for (const std::size_t n : count) {
+    // n first: the product of two numbers within the limit cannot overflow.
     if (n > kMaxValues || size * n > kMaxValues) {
       Refuse(variable, "expected at most " + std::to_string(kMaxValues) +
                            " values at a time");
@@ -167,8 +168,16 @@ std::vector<double> NetcdfFile::Values(
   }
   std::vector<double> values(size);
   if (size == 0) return values;
-  Check(nc_get_vara_double(id_, variable.id, start.data(), count.data(),
-                           values.data()));
+  try {
+    const netCDF::NcVar source(file_, variable.id);
+    if (count.empty()) {  // A scalar, which has no first index to point to.
+      source.getVar(values.data());
+    } else {
+      source.getVar(start, count, values.data());
+    }
+  } catch (const netCDF::exceptions::NcException& error) {
+    Refuse(error);
+  }
   return values;
 }
 

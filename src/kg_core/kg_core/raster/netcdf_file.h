@@ -1,13 +1,12 @@
 // A NetCDF file's dimensions, variables and attributes as plain values, and its
-// numbers. Root group only.
+// numbers, read with netcdf-c++. Root group only.
 
 #ifndef KG_CORE_RASTER_NETCDF_FILE_H_
 #define KG_CORE_RASTER_NETCDF_FILE_H_
 
-#include <netcdf.h>
-
 #include <cstddef>
 #include <map>
+#include <netcdf>
 #include <string>
 #include <vector>
 
@@ -21,7 +20,7 @@ struct NetcdfDimension {
 struct NetcdfVariable {
   int id = 0;
   std::string name;
-  nc_type type = NC_NAT;
+  int type = 0;  // A netCDF::NcType::ncType, or a type of the file's own.
   std::vector<int> dimensions;
   std::map<std::string, std::string> texts;
   std::map<std::string, std::vector<double>> numbers;
@@ -33,14 +32,13 @@ class NetcdfFile {
  public:
   // Throws InputError for what is no regular NetCDF file, or a truncated one.
   explicit NetcdfFile(const std::string& path);
-  ~NetcdfFile();
   NetcdfFile(const NetcdfFile&) = delete;
   NetcdfFile& operator=(const NetcdfFile&) = delete;
 
   const std::vector<NetcdfDimension>& dimensions() const { return dimensions_; }
   const std::vector<NetcdfVariable>& variables() const { return variables_; }
 
-  // Raw values, not unpacked.
+  // Raw values, not unpacked. Throws InputError.
   std::vector<double> Values(const NetcdfVariable& variable) const;
   std::vector<double> Values(const NetcdfVariable& variable,
                              const std::vector<std::size_t>& start,
@@ -52,14 +50,13 @@ class NetcdfFile {
                            const std::string& what) const;
 
  private:
-  void Check(int status) const;
+  [[noreturn]] void Refuse(const netCDF::exceptions::NcException& error) const;
   void ReadDimensions();
   void ReadVariables();
-  NetcdfVariable ReadVariable(int id) const;
-  void ReadAttribute(const std::string& name, NetcdfVariable* variable) const;
+  NetcdfVariable ReadVariable(const netCDF::NcVar& source) const;
 
   std::string path_;
-  int id_ = -1;
+  netCDF::NcFile file_;
   std::vector<NetcdfDimension> dimensions_;
   std::vector<NetcdfVariable> variables_;
 };

@@ -1,8 +1,10 @@
+#include "kg_core/raster/read_field_file.h"
+
 #include <stdexcept>
 
+#include "kg_core/base/join_strings.h"
 #include "kg_core/base/sha256.h"
 #include "kg_core/raster/field_axes.h"
-#include "kg_core/raster/field_file.h"
 #include "kg_core/raster/field_protocol.h"
 #include "kg_core/raster/field_values.h"
 #include "kg_core/raster/netcdf_file.h"
@@ -30,14 +32,13 @@ void CheckSameAxes(const NetcdfFile& file, const FieldAxes& axes,
 
 const NetcdfVariable& VariableNamed(const NetcdfFile& file,
                                     const std::string& name) {
-  std::string names;
+  std::vector<std::string> names;  // Of what could be a field.
   for (const NetcdfVariable& variable : file.variables()) {
     if (variable.name == name) return variable;
-    if (variable.dimensions.size() < 2) continue;
-    names += (names.empty() ? "" : ", ") + variable.name;
+    if (variable.dimensions.size() >= 2) names.push_back(variable.name);
   }
   file.Refuse("no variable \"" + name + "\", expected one of " +
-              (names.empty() ? "none: it has no fields" : names));
+              (names.empty() ? "none: it has no fields" : JoinStrings(names)));
 }
 
 }  // namespace
@@ -52,6 +53,7 @@ FieldFile ReadFieldFile(const std::string& path,
   read.path = path;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     const FieldAxes axes = ReadFieldAxes(file, *variables[i]);
+    // The first variable sets grid and times; the others must agree.
     if (i == 0) {
       read.grid = axes.grid;
       read.time_s = axes.time_s;

@@ -1,9 +1,9 @@
-// read_field_file FILE DEADLINE_S (QUANTITY... | variable=NAME): reads an ocean
-// file and writes its contents, or the line that says why not, to its standard
-// output in the form of field_protocol.h. A process of its own, because damaged
-// NetCDF-4 files can hang or crash the library; it ends itself, too, soon after
-// its deadline, should its parent be gone. Exits 0 when it has said all it had
-// to.
+// read_field_file FILE DEADLINE_S (QUANTITY... | variable=NAME): reads a
+// gridded file and writes its contents, or the line that says why not, to its
+// standard output in the form of field_protocol.h. A process of its own,
+// because damaged NetCDF-4 files can hang or crash the library; it ends itself,
+// too, soon after its deadline, should its parent be gone. Exits 0 when it has
+// said all it had to.
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/raster/field_file.h"
 #include "kg_core/raster/field_protocol.h"
+#include "kg_core/raster/read_field_file.h"
 
 namespace {
 

@@ -7,7 +7,8 @@
 #include <string>
 
 #include "kg_core/base/temporary_folder.h"
-#include "kg_core/raster/field_file.h"
+#include "kg_core/raster/field_child.h"
+#include "kg_core/raster/read_field_file.h"
 #include "kg_core/raster/testing/field_test_file.h"
 #include "kg_core/raster/testing/test_raster_file.h"
 

@@ -10,7 +10,7 @@ namespace {
 
 // The four centres around a position, their bilinear weights, and the cell the
 // position lies in.
-struct Stencil {
+struct BilinearStencil {
   std::size_t corner[4];
   double weight[4];
   std::size_t cell;
@@ -35,7 +35,7 @@ bool OnGrid(const Grid& grid, GridPoint point) {
          point.col >= -0.5 && point.col <= grid.cols() - 0.5;
 }
 
-Stencil StencilAt(const Grid& grid, GridPoint point) {
+BilinearStencil StencilAt(const Grid& grid, GridPoint point) {
   const AxisWeights row = Weigh(point.row, grid.rows());
   const AxisWeights col = Weigh(point.col, grid.cols());
   const std::size_t cols = static_cast<std::size_t>(grid.cols());
@@ -51,7 +51,7 @@ bool HasData(const FieldSlice& slice, std::size_t cell) {
          !std::isnan(slice.north_mps[cell]);
 }
 
-double Bilinear(const SharedRaster& values, const Stencil& at) {
+double Bilinear(const SharedRaster& values, const BilinearStencil& at) {
   return at.weight[0] * values[at.corner[0]] +
          at.weight[1] * values[at.corner[1]] +
          at.weight[2] * values[at.corner[2]] +
@@ -60,7 +60,7 @@ double Bilinear(const SharedRaster& values, const Stencil& at) {
 
 // With at least one corner missing.
 std::optional<Velocity> FlowAtShore(const FieldSlice& slice,
-                                    const Stencil& at) {
+                                    const BilinearStencil& at) {
   if (!HasData(slice, at.cell)) return std::nullopt;
   Velocity flow;
   for (int i = 0; i < 4; ++i) {
@@ -72,7 +72,8 @@ std::optional<Velocity> FlowAtShore(const FieldSlice& slice,
   return flow;
 }
 
-std::optional<Velocity> Flow(const FieldSlice& slice, const Stencil& at) {
+std::optional<Velocity> Flow(const FieldSlice& slice,
+                             const BilinearStencil& at) {
   const Velocity flow{Bilinear(slice.east_mps, at),
                       Bilinear(slice.north_mps, at)};
   // NaN as soon as one corner misses a component, whatever its weight.
@@ -104,7 +105,8 @@ std::optional<Velocity> VectorField::Sample(GridPoint point,
   if (slices.empty() || std::isnan(time_s) || !OnGrid(grid, point)) {
     return std::nullopt;
   }
-  const Stencil at = StencilAt(grid, point);
+  // Before the first slice and after the last the field stands still.
+  const BilinearStencil at = StencilAt(grid, point);
   if (time_s <= slices.front().time_s) return Flow(slices.front(), at);
   if (time_s >= slices.back().time_s) return Flow(slices.back(), at);
   const std::size_t before = SliceBefore(slices, time_s);
@@ -114,6 +116,7 @@ std::optional<Velocity> VectorField::Sample(GridPoint point,
   if (!begin || time_s == a.time_s) return begin;
   const std::optional<Velocity> end = Flow(b, at);
   if (!end) return std::nullopt;
+  // Linear in time between two slices, both of which must have data here.
   const double share = (time_s - a.time_s) / (b.time_s - a.time_s);
   return Velocity{
       begin->east_mps + share * (end->east_mps - begin->east_mps),

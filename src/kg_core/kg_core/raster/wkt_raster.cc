@@ -1,19 +1,17 @@
-// Rasters of geometries, row by row.
-//
-// A closed cell touches a closed area where an edge of the area touches the
-// cell or the cell's centre lies inside: edges are clipped to each row's band,
-// which leaves a range of longitudes, and every cell that meets it is touched.
-// Inside is even-odd along the parallel through the row's centres; centres
-// within rounding of an edge are left to Geometry::Contains, which is exact.
+#include "kg_core/raster/wkt_raster.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "kg_core/geo/wkt.h"
-
 namespace kg_core {
 namespace {
+
+// A closed cell touches a closed area where an edge of the area touches the
+// cell or the cell's centre lies inside: edges are clipped to each row's band,
+// which leaves a range of longitudes, and every cell that meets it is touched.
+// Inside is even-odd along the parallel through the row's centres; centres
+// within rounding of an edge are left to Geometry::Contains, which is exact.
 
 using Chain = GeometryParts::Chain;
 
@@ -28,13 +26,14 @@ std::vector<double> Edges(const Axis& axis) {
   return edges;
 }
 
-struct Range {
+struct CellRange {
   int first;
   int last;  // Inclusive; below first: none.
 };
 
 // Cells whose closed extent meets [low, high], the safe side of rounding.
-Range CellsMeeting(const std::vector<double>& edges, double low, double high) {
+CellRange CellsMeeting(const std::vector<double>& edges, double low,
+                       double high) {
   const auto begin = edges.begin();
   const auto first =
       std::lower_bound(begin + 1, edges.end(), low - kRounding_deg);
@@ -72,7 +71,7 @@ class TouchedCells {
  private:
   void AddSegment(LonLat a, LonLat b) {
     if (a.lat_deg > b.lat_deg) std::swap(a, b);
-    const Range rows = CellsMeeting(lat_edges_, a.lat_deg, b.lat_deg);
+    const CellRange rows = CellsMeeting(lat_edges_, a.lat_deg, b.lat_deg);
     for (int row = rows.first; row <= rows.last; ++row) AddBand(a, b, row);
   }
 
@@ -84,7 +83,7 @@ class TouchedCells {
         a.lat_deg < south_deg ? LonAt(a, b, south_deg) : a.lon_deg;
     const double to =
         b.lat_deg > north_deg ? LonAt(a, b, north_deg) : b.lon_deg;
-    const Range cols =
+    const CellRange cols =
         CellsMeeting(lon_edges_, std::min(from, to), std::max(from, to));
     for (int col = cols.first; col <= cols.last; ++col) {
       mask_[grid_.Index({row, col})] = 1;
@@ -97,7 +96,7 @@ class TouchedCells {
   Mask mask_;
 };
 
-struct Crossing {
+struct EdgeCrossing {
   double lon_deg;
   int row;
 };
@@ -109,14 +108,14 @@ class CentresInside {
       : area_(area), grid_(grid), mask_(*mask) {}
 
   void Add(const std::vector<Chain>& polygon) {
-    std::vector<Crossing> crossings;
+    std::vector<EdgeCrossing> crossings;
     for (const Chain& ring : polygon) {
       for (std::size_t i = 1; i < ring.size(); ++i) {
         AddEdge(ring[i - 1], ring[i], &crossings);
       }
     }
     std::sort(crossings.begin(), crossings.end(),
-              [](const Crossing& a, const Crossing& b) {
+              [](const EdgeCrossing& a, const EdgeCrossing& b) {
                 return a.row != b.row ? a.row < b.row : a.lon_deg < b.lon_deg;
               });
     for (std::size_t i = 1; i < crossings.size(); i += 2) {
@@ -129,7 +128,7 @@ class CentresInside {
  private:
   // Crossings by the half-open rule, south end in, north end out: an even
   // number in each row. Cells on or next to the edge are doubtful.
-  void AddEdge(LonLat a, LonLat b, std::vector<Crossing>* crossings) {
+  void AddEdge(LonLat a, LonLat b, std::vector<EdgeCrossing>* crossings) {
     if (a.lat_deg > b.lat_deg) std::swap(a, b);
     const std::vector<double>& lat = grid_.lat_deg();
     auto row = std::lower_bound(lat.begin(), lat.end(), a.lat_deg);
@@ -146,7 +145,7 @@ class CentresInside {
     }
   }
 
-  Range CentresBetween(double west_deg, double east_deg) const {
+  CellRange CentresBetween(double west_deg, double east_deg) const {
     const std::vector<double>& lon = grid_.lon_deg();
     const auto first = std::lower_bound(lon.begin(), lon.end(), west_deg);
     const auto end = std::upper_bound(lon.begin(), lon.end(), east_deg);
@@ -155,15 +154,15 @@ class CentresInside {
   }
 
   void Doubt(int row, double west_deg, double east_deg) {
-    const Range cols =
+    const CellRange cols =
         CentresBetween(west_deg - kRounding_deg, east_deg + kRounding_deg);
     for (int col = cols.first; col <= cols.last; ++col) {
       doubtful_.push_back({row, col});
     }
   }
 
-  void Fill(const Crossing& west, const Crossing& east) {
-    const Range cols = CentresBetween(west.lon_deg, east.lon_deg);
+  void Fill(const EdgeCrossing& west, const EdgeCrossing& east) {
+    const CellRange cols = CentresBetween(west.lon_deg, east.lon_deg);
     for (int col = cols.first; col <= cols.last; ++col) {
       mask_[grid_.Index({west.row, col})] = 1;
     }
@@ -180,6 +179,15 @@ class CentresInside {
 };
 
 }  // namespace
+
+const char* Name(const CellCover cover) {
+  return cover == CellCover::kTouched ? "touched" : "centres";
+}
+
+Mask Rasterise(const Geometry& area, const Grid& grid, const CellCover cover) {
+  return cover == CellCover::kTouched ? RasteriseTouched(area, grid)
+                                      : RasteriseCentres(area, grid);
+}
 
 Mask RasteriseCentres(const Geometry& area, const Grid& grid) {
   Mask mask(grid.size(), 0);

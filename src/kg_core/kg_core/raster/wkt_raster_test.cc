@@ -1,5 +1,7 @@
 // Rasters of geometries against GEOS, cell by cell.
 
+#include "kg_core/raster/wkt_raster.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -28,6 +28,7 @@
 #include <sstream>
 
 #include "kg_core/base/temporary_folder.h"
+#include "kg_core/base/testing/bench_report.h"
 #include "kg_core/base/text.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/store.h"
@@ -87,20 +88,6 @@ const char kShapes[] = R"ttl(
     sh:property [ sh:path ex:toWaypoint ; sh:class ex:Waypoint ] .
 )ttl";
 
-double Milliseconds(const std::function<void()>& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(
-             std::chrono::steady_clock::now() - begin)
-      .count();
-}
-
-double Median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values.at(values.size() / 2);
-}
-
-// Again and again for half a second, at least five times.
 double MedianMilliseconds(const std::function<void()>& work) {
   std::vector<double> times;
   double sum = 0.0;

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "kg_core/base/input_error.h"
+#include "kg_core/base/join_strings.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/syntax.h"
 #include "kg_core/sparql/resolve_dataset.h"
@@ -111,12 +112,8 @@ std::string Write(const GraphView& view, const ExportRequest& request) {
     return format.write(ReadPlanTracks(view, PlanGraphOf(view, request)),
                         request.path);
   }
-  std::string known;
-  for (const std::string& name : ExportFormats()) {
-    known += (known.empty() ? "" : ", ") + name;
-  }
   throw InputError("format '" + request.format + "' is not known; expected " +
-                   known);
+                   kg_core::JoinStrings(ExportFormats()));
 }
 
 }  // namespace

@@ -108,12 +108,12 @@ void MarkerPainter::PaintConstraints(const kg_core::Mission& mission,
         windows.empty() ||
         std::find(windows.begin(), windows.end(), window) != windows.end();
     if (!constraint.area || !applies) continue;
-    const bool hard = constraint.kind == kg_core::ConstraintKind::kNoGo;
+    const kg_core::RgbColour& colour =
+        kg_core::EffectOf(constraint.kind).colour;
     for (const std::vector<LonLat>& ring : constraint.area->Rings()) {
       Marker& marker = Add("constraints", Marker::LINE_STRIP);
       marker.scale.x = 4000.0 * size_;
-      marker.color =
-          hard ? Colour(0.9, 0.1, 0.1, 1.0) : Colour(1.0, 0.6, 0.0, 1.0);
+      marker.color = Colour(colour.red, colour.green, colour.blue, 1.0);
       for (const LonLat& corner : ring) {
         marker.points.push_back(ToPoint(map_, corner, 300.0));
       }

@@ -16,7 +16,7 @@
 
 #include "kg_compiler/traversal/traversal.h"
 #include "kg_core/geo/geodesy.h"
-#include "kg_core/raster/field_file.h"
+#include "kg_core/raster/read_field_file.h"
 
 namespace kg_compiler {
 

@@ -1,18 +1,19 @@
-// Lines of `make bench`: one for each target, with what was wanted and what was
-// measured.
+// Lines of `make bench`: one for each target, with the goal and the measured
+// value.
 
-#ifndef KG_COMPILER_BENCH_REPORT_H_
-#define KG_COMPILER_BENCH_REPORT_H_
+#ifndef KG_CORE_BASE_TESTING_BENCH_REPORT_H_
+#define KG_CORE_BASE_TESTING_BENCH_REPORT_H_
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace kg_compiler {
+#include "kg_core/base/stopwatch.h"
+
+namespace kg_core {
 
 struct BenchTarget {
   int number = 0;    // Of the table in docs/performance.md.
@@ -43,10 +44,14 @@ inline double Median(std::vector<double> values) {
 
 template <typename Work>
 double Seconds(const Work& work) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-      .count();
+  return watch.Elapsed_s();
+}
+
+template <typename Work>
+double Milliseconds(const Work& work) {
+  return 1000.0 * Seconds(work);
 }
 
 // Median of the ratios seconds(b) / seconds(a), a and b timed in turn, so that
@@ -66,6 +71,6 @@ double PairedRatio(int rounds, const A& a, const B& b) {
                        a, b);
 }
 
-}  // namespace kg_compiler
+}  // namespace kg_core
 
-#endif  // KG_COMPILER_BENCH_REPORT_H_
+#endif  // KG_CORE_BASE_TESTING_BENCH_REPORT_H_

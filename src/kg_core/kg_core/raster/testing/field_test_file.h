@@ -1,22 +1,23 @@
-// For tests: writes small ocean files of every shape, and finds the real ones.
+// For tests: writes small gridded files of every shape, and finds the real
+// ones.
 
 #ifndef KG_CORE_RASTER_TESTING_FIELD_TEST_FILE_H_
 #define KG_CORE_RASTER_TESTING_FIELD_TEST_FILE_H_
 
 #include <gtest/gtest.h>
-#include <netcdf.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <netcdf>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "kg_core/base/input_error.h"
-#include "kg_core/raster/field_file.h"
+#include "kg_core/raster/read_field_file.h"
 
 namespace kg_core {
 
@@ -64,29 +65,22 @@ inline double TestSpeed(double lon, double lat, double hours, double depth) {
 class TestFileWriter {
  public:
   TestFileWriter(const std::string& path, const TestFile& spec) : spec_(spec) {
-    Check(nc_create(path.c_str(), NC_CLOBBER | spec.format, &nc_));
+    nc_.create(path, NC_CLOBBER | spec.format);
     DefineAxes();
-    const int east = DefineSpeed(spec.east_name, spec.east_standard);
+    const netCDF::NcVar east = DefineSpeed(spec.east_name, spec.east_standard);
     for (const auto& number : spec.east_numbers) {
-      Check(nc_put_att_double(nc_, east, number.first.c_str(), NC_DOUBLE, 1,
-                              &number.second));
+      east.putAtt(number.first, netCDF::ncDouble, number.second);
     }
-    const int north =
-        spec.north ? DefineSpeed("water_v", spec.north_standard) : -1;
-    Check(nc_enddef(nc_));
+    netCDF::NcVar north;
+    if (spec.north) north = DefineSpeed("water_v", spec.north_standard);
+    nc_.enddef();
     PutAxes();
     PutSpeed(east, 1.0);
     if (spec.north) PutSpeed(north, -1.0);
-    Check(nc_close(nc_));
+    nc_.close();
   }
 
  private:
-  static void Check(int status) {
-    ASSERT_EQ(status, NC_NOERR) << nc_strerror(status);
-  }
-  void Text(int variable, const char* name, const std::string& text) {
-    Check(nc_put_att_text(nc_, variable, name, text.size(), text.c_str()));
-  }
   const std::vector<double>& Axis(char axis) const {
     return axis == 't'   ? spec_.time
            : axis == 'z' ? spec_.depth
@@ -100,59 +94,53 @@ class TestFileWriter {
                                             {'x', spec_.lon_name}};
     for (const char axis : spec_.order) {
       const bool unlimited = axis == 't' && spec_.records;
-      Check(nc_def_dim(nc_, names.at(axis).c_str(),
-                       unlimited ? NC_UNLIMITED : Axis(axis).size(),
-                       &dims_[axis]));
+      dims_[axis] = nc_.addDim(names.at(axis),
+                               unlimited ? NC_UNLIMITED : Axis(axis).size());
     }
     for (const char axis : {'t', 'z', 'y', 'x'}) {
       const bool scalar = dims_.count(axis) == 0;
       if (scalar && axis != 't') continue;
-      std::vector<int> on{scalar ? 0 : dims_[axis]};
+      std::vector<netCDF::NcDim> on;
+      if (!scalar) on = {dims_[axis]};
       if (spec_.curvilinear && (axis == 'y' || axis == 'x')) {
         on = {dims_['y'], dims_['x']};
       }
       const bool renamed = spec_.curvilinear && axis != 't' && axis != 'z';
-      Check(nc_def_var(nc_, (names.at(axis) + (renamed ? "2" : "")).c_str(),
-                       NC_DOUBLE, scalar ? 0 : static_cast<int>(on.size()),
-                       on.data(), &vars_[axis]));
+      vars_[axis] = nc_.addVar(names.at(axis) + (renamed ? "2" : ""),
+                               netCDF::ncDouble, on);
     }
-    Text(vars_['t'], "units", spec_.time_units);
-    if (!spec_.calendar.empty()) Text(vars_['t'], "calendar", spec_.calendar);
+    vars_['t'].putAtt("units", spec_.time_units);
+    if (!spec_.calendar.empty()) vars_['t'].putAtt("calendar", spec_.calendar);
     if (!spec_.coordinate_attributes) return;
-    Text(vars_['y'], "units", "degrees_north");
-    Text(vars_['x'], "units", "degrees_east");
-    if (dims_.count('z') > 0) Text(vars_['z'], "positive", "down");
+    vars_['y'].putAtt("units", "degrees_north");
+    vars_['x'].putAtt("units", "degrees_east");
+    if (dims_.count('z') > 0) vars_['z'].putAtt("positive", "down");
   }
-  int DefineSpeed(const std::string& name, const std::string& standard) {
-    std::vector<int> on;
+  netCDF::NcVar DefineSpeed(const std::string& name,
+                            const std::string& standard) {
+    std::vector<netCDF::NcDim> on;
     for (const char axis : spec_.order) on.push_back(dims_[axis]);
-    int variable = -1;
-    Check(nc_def_var(nc_, name.c_str(), spec_.packed ? NC_SHORT : NC_FLOAT,
-                     static_cast<int>(on.size()), on.data(), &variable));
-    if (!standard.empty()) Text(variable, "standard_name", standard);
-    if (!spec_.speed_units.empty()) Text(variable, "units", spec_.speed_units);
-    const float scale = 0.001f;
-    if (spec_.packed) {
-      Check(
-          nc_put_att_float(nc_, variable, "scale_factor", NC_FLOAT, 1, &scale));
+    const netCDF::NcType type(spec_.packed ? NC_SHORT : NC_FLOAT);
+    const netCDF::NcVar variable = nc_.addVar(name, type, on);
+    if (!standard.empty()) variable.putAtt("standard_name", standard);
+    if (!spec_.speed_units.empty()) {
+      variable.putAtt("units", spec_.speed_units);
     }
+    if (spec_.packed) variable.putAtt("scale_factor", netCDF::ncFloat, 0.001f);
     DefineFill(variable);
     return variable;
   }
-  void DefineFill(int variable) {
+  void DefineFill(const netCDF::NcVar& variable) {
     const double fill = RawFill();
-    const short packed = static_cast<short>(fill);
     if (spec_.fill == Fill::kAttribute && spec_.packed) {
-      Check(
-          nc_put_att_short(nc_, variable, "_FillValue", NC_SHORT, 1, &packed));
+      variable.putAtt("_FillValue", netCDF::ncShort, static_cast<short>(fill));
     } else if (spec_.fill == Fill::kAttribute) {
-      Check(nc_put_att_double(nc_, variable, "_FillValue", NC_FLOAT, 1, &fill));
-    } else if (spec_.fill == Fill::kFloatAttribute ||
-               spec_.fill == Fill::kMissingValue) {
+      variable.putAtt("_FillValue", netCDF::ncFloat, fill);
+    } else if (spec_.fill == Fill::kFloatAttribute) {
       // The library insists on the own type for _FillValue, not for this one.
-      Check(nc_put_att_double(
-          nc_, variable, "missing_value",
-          spec_.fill == Fill::kMissingValue ? NC_DOUBLE : NC_FLOAT, 1, &fill));
+      variable.putAtt("missing_value", netCDF::ncFloat, fill);
+    } else if (spec_.fill == Fill::kMissingValue) {
+      variable.putAtt("missing_value", netCDF::ncDouble, fill);
     }
   }
   double RawFill() const {
@@ -168,11 +156,16 @@ class TestFileWriter {
       std::vector<double> values = Axis(axis);
       const bool spread = spec_.curvilinear && (axis == 'y' || axis == 'x');
       if (spread) values.resize(spec_.lat.size() * spec_.lon.size(), 0.0);
-      const std::vector<std::size_t> start(2, 0);
+      // With start and count: an unlimited time has no length until it is
+      // written, and a scalar no index at all.
       std::vector<std::size_t> count{values.size()};
       if (spread) count = {spec_.lat.size(), spec_.lon.size()};
-      Check(nc_put_vara_double(nc_, vars_[axis], start.data(), count.data(),
-                               values.data()));
+      const std::vector<std::size_t> start(count.size(), 0);
+      if (vars_[axis].getDimCount() == 0) {
+        vars_[axis].putVar(values.data());
+      } else {
+        vars_[axis].putVar(start, count, values.data());
+      }
     }
   }
   double Raw(double sign, const std::map<char, double>& at, bool first) const {
@@ -185,7 +178,7 @@ class TestFileWriter {
     value *= spec_.speed_factor;
     return spec_.packed ? std::round(value * 1000) : value;
   }
-  void PutSpeed(int variable, double sign) {
+  void PutSpeed(const netCDF::NcVar& variable, double sign) {
     std::vector<std::size_t> start(spec_.order.size(), 0);
     std::vector<std::size_t> count(spec_.order.size(), 1);
     std::size_t total = 1;
@@ -205,15 +198,14 @@ class TestFileWriter {
         first = first && start[d] == wanted;
       }
       const double raw = Raw(sign, at, first);
-      Check(
-          nc_put_vara_double(nc_, variable, start.data(), count.data(), &raw));
+      variable.putVar(start, count, &raw);
     }
   }
 
   const TestFile& spec_;
-  int nc_ = -1;
-  std::map<char, int> dims_;
-  std::map<char, int> vars_;
+  netCDF::NcFile nc_;
+  std::map<char, netCDF::NcDim> dims_;
+  std::map<char, netCDF::NcVar> vars_;
 };
 
 // A file in a folder of its own; both gone afterwards.

@@ -3,10 +3,8 @@
 #ifndef KG_CORE_RASTER_TESTING_TEST_RASTER_FILE_H_
 #define KG_CORE_RASTER_TESTING_TEST_RASTER_FILE_H_
 
-#include <netcdf.h>
-
 #include <cmath>
-#include <stdexcept>
+#include <netcdf>
 #include <string>
 #include <vector>
 
@@ -31,52 +29,46 @@ struct TestRasterFile {
 class TestRasterFileWriter {
  public:
   TestRasterFileWriter(const std::string& path, const TestRasterFile& file) {
-    Check(nc_create(path.c_str(), NC_CLOBBER, &nc_));
-    const int time =
+    nc_.create(path, NC_CLOBBER);
+    const netCDF::NcVar time =
         Axis("time", "hours since 2026-06-01 00:00:00", file.hours);
-    const int lat = Axis("lat", "degrees_north", file.grid.lat_deg());
-    const int lon = Axis("lon", "degrees_east", file.grid.lon_deg());
-    std::vector<int> ids;
-    for (const TestVariable& v : file.variables) ids.push_back(Define(v));
-    Check(nc_enddef(nc_));
-    if (time >= 0) Put(time, file.hours);
-    Put(lat, file.grid.lat_deg());
-    Put(lon, file.grid.lon_deg());
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      Put(ids[i], Values(file.variables[i]));
+    const netCDF::NcVar lat = Axis("lat", "degrees_north", file.grid.lat_deg());
+    const netCDF::NcVar lon = Axis("lon", "degrees_east", file.grid.lon_deg());
+    std::vector<netCDF::NcVar> fields;
+    for (const TestVariable& v : file.variables) fields.push_back(Define(v));
+    nc_.enddef();
+    if (!time.isNull()) time.putVar(file.hours.data());
+    lat.putVar(file.grid.lat_deg().data());
+    lon.putVar(file.grid.lon_deg().data());
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      fields[i].putVar(Values(file.variables[i]).data());
     }
-    Check(nc_close(nc_));
+    nc_.close();
   }
 
  private:
   static constexpr float kFill = 1e30f;
 
-  static void Check(int status) {
-    if (status != NC_NOERR) throw std::runtime_error(nc_strerror(status));
+  // None, and no dimension, without values.
+  netCDF::NcVar Axis(const std::string& name, const std::string& units,
+                     const std::vector<double>& values) {
+    if (values.empty()) return {};
+    dims_.push_back(nc_.addDim(name, values.size()));
+    const netCDF::NcVar axis = nc_.addVar(name, netCDF::ncDouble, dims_.back());
+    axis.putAtt("units", units);
+    return axis;
   }
-  void Text(int id, const char* name, const std::string& text) {
-    Check(nc_put_att_text(nc_, id, name, text.size(), text.c_str()));
-  }
-  int Axis(const char* name, const std::string& units,
-           const std::vector<double>& values) {
-    dims_.push_back(-1);
-    if (values.empty()) return -1;
-    int id = 0;
-    Check(nc_def_dim(nc_, name, values.size(), &dims_.back()));
-    Check(nc_def_var(nc_, name, NC_DOUBLE, 1, &dims_.back(), &id));
-    Text(id, "units", units);
-    return id;
-  }
-  int Define(const TestVariable& variable) {
-    int id = 0;
-    const int first = variable.has_time ? 0 : 1;
-    Check(nc_def_var(nc_, variable.name.c_str(), NC_FLOAT, 3 - first,
-                     dims_.data() + first, &id));
-    Check(nc_put_att_float(nc_, id, "_FillValue", NC_FLOAT, 1, &kFill));
-    if (variable.standard_name.empty()) return id;
-    Text(id, "standard_name", variable.standard_name);
-    Text(id, "units", variable.units);
-    return id;
+  netCDF::NcVar Define(const TestVariable& variable) {
+    // Latitude and longitude are the last two; time stands before them.
+    const auto first = variable.has_time ? dims_.begin() : dims_.end() - 2;
+    const netCDF::NcVar field =
+        nc_.addVar(variable.name, netCDF::ncFloat,
+                   std::vector<netCDF::NcDim>(first, dims_.end()));
+    field.putAtt("_FillValue", netCDF::ncFloat, kFill);
+    if (variable.standard_name.empty()) return field;
+    field.putAtt("standard_name", variable.standard_name);
+    field.putAtt("units", variable.units);
+    return field;
   }
   static std::vector<double> Values(const TestVariable& variable) {
     std::vector<double> values;
@@ -86,12 +78,9 @@ class TestRasterFileWriter {
     }
     return values;
   }
-  void Put(int id, const std::vector<double>& values) {
-    Check(nc_put_var_double(nc_, id, values.data()));
-  }
 
-  int nc_ = 0;
-  std::vector<int> dims_;  // Time (-1: none), latitude, longitude.
+  netCDF::NcFile nc_;
+  std::vector<netCDF::NcDim> dims_;
 };
 
 }  // namespace kg_core
