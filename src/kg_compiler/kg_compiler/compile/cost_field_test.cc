@@ -15,10 +15,10 @@
 #include "kg_compiler/explain/explain_seam.h"
 #include "kg_core/base/temporary_folder.h"
 #include "kg_core/base/units.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/vocabulary.h"
+#include "kg_core/mission/stage_vocabulary.h"
 #include "kg_core/raster/testing/test_raster_file.h"
 
 namespace kg_compiler {

@@ -14,11 +14,11 @@
 #include "kg_compiler/compile/mission_compiler.h"
 #include "kg_core/base/join_strings.h"
 #include "kg_core/base/temporary_folder.h"
+#include "kg_core/facts/terms.h"
 #include "kg_core/geo/geodesy.h"
 #include "kg_core/mission/ingest.h"
 #include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/terms.h"
-#include "kg_core/mission/vocabulary.h"
+#include "kg_core/mission/stage_vocabulary.h"
 #include "kg_core/raster/testing/test_raster_file.h"
 
 namespace kg_compiler {

@@ -257,11 +257,12 @@ RasterStore::FromFiles RasterStore::ReadFiles(const kg_core::Mission& mission,
   for (const kg_core::Constraint& constraint : mission.constraints) {
     if (!constraint.mask || !kg_core::InScope(constraint.windows, field.window))
       continue;
-    read.masks[constraint.iri] = keep(
-        constraint.iri, *constraint.mask, &masks_,
-        [](const kg_core::Raster& values) {
-          return std::make_shared<const kg_core::Mask>(kg_core::MaskOf(values));
-        });
+    read.masks[constraint.iri] =
+        keep(constraint.iri, *constraint.mask, &masks_,
+             [](const kg_core::Raster& values) {
+               return std::make_shared<const kg_core::Mask>(
+                   kg_core::MakeMask(values));
+             });
   }
   return read;
 }

@@ -13,7 +13,7 @@ namespace kg_compiler {
 namespace {
 
 constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
-constexpr double kPercentile = 0.98;
+constexpr double kTopPercentile = 0.98;
 
 template <typename Visit>
 void ForEachOpen(const BlendedField& field, const Visit& visit) {
@@ -48,7 +48,7 @@ float Percentile(const BlendedField& field) {
     ++all;
   });
   std::size_t rank = static_cast<std::size_t>(
-      std::ceil(kPercentile * static_cast<double>(all)));
+      std::ceil(kTopPercentile * static_cast<double>(all)));
   const std::uint32_t upper = Select(counts, &rank);
   std::fill(counts.begin(), counts.end(), 0);
   ForEachOpen(field, [&](std::uint32_t bits) {

@@ -103,8 +103,8 @@ Mask Cut(const CellBox& from, const Mask& inside, const CellBox& to) {
 }
 
 // A box and its mask, not buffered yet.
-MaskPatch Bare(const WindowRasters& rasters,
-               const ActiveConstraint& constraint) {
+MaskPatch BarePatch(const WindowRasters& rasters,
+                    const ActiveConstraint& constraint) {
   const kg_core::Constraint& fact = *constraint.fact;
   const CellBox whole = WholeGrid(rasters.grid);
   if (fact.is_land) return {"", whole, rasters.land};
@@ -142,7 +142,7 @@ std::string ConstraintKey(const kg_core::Mission& mission,
 MaskPatch ConstraintPatch(const WindowRasters& rasters,
                           const ActiveConstraint& constraint, std::string key) {
   const kg_core::Constraint& fact = *constraint.fact;
-  MaskPatch bare = Bare(rasters, constraint);
+  MaskPatch bare = BarePatch(rasters, constraint);
   const CellBox tight = Tight(bare.box, bare.inside);
   if (tight.empty()) return {std::move(key), {}, {}};
   if (!(fact.buffer_cells > 0.0)) {

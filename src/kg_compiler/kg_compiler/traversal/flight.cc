@@ -11,8 +11,8 @@
 namespace kg_compiler {
 namespace {
 
-constexpr double kHoldStep_s = 600.0;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kHoldCheck_s = 600.0;
+constexpr double kNotFlown = std::numeric_limits<double>::infinity();
 
 double Speed(const kg_core::Velocity& c) {
   return std::hypot(c.east_mps, c.north_mps);
@@ -39,10 +39,10 @@ std::optional<double> Hold_m(const LegFlyer& flyer, const MotionModel& motion,
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
     const double span_s = knots[k + 1] - knots[k];
     const int steps =
-        std::max(1, static_cast<int>(std::ceil(span_s / kHoldStep_s)));
+        std::max(1, static_cast<int>(std::ceil(span_s / kHoldCheck_s)));
     // Trapezoids of the speed that staying takes: the field's, or more where
     // the agent pays for staying aloft.
-    double before_mps = kInfinity;
+    double before_mps = kNotFlown;
     for (int i = 0; i <= steps; ++i) {
       const auto c = flyer.Current(at, knots[k] + span_s * i / steps);
       if (!c || !(Speed(*c) <= motion.max_mps)) return std::nullopt;
@@ -56,8 +56,8 @@ std::optional<double> Hold_m(const LegFlyer& flyer, const MotionModel& motion,
 
 // Where on [0, 1] from c to d, |c| > limit >= |d|, the speed falls to the
 // limit.
-double Crossing(const kg_core::Velocity& c, const kg_core::Velocity& d,
-                double limit_mps) {
+double CrossingShare(const kg_core::Velocity& c, const kg_core::Velocity& d,
+                     double limit_mps) {
   const Eigen::Vector2d from(c.east_mps, c.north_mps);
   const Eigen::Vector2d change =
       Eigen::Vector2d(d.east_mps, d.north_mps) - from;
@@ -160,7 +160,7 @@ double HoldableFrom_s(const VoyageRequest& voyage, kg_core::LonLat place) {
   const VoyageDeparture& departure = voyage.departure;
   const LegFlyer flyer(voyage);
   const std::optional<kg_core::GridPoint> at = flyer.grid().Locate(place);
-  if (!at) return kInfinity;
+  if (!at) return kNotFlown;
   const std::vector<double> knots =
       Knots(*voyage.world.field, departure.time_s, 0.0,
             departure.deadline_s - departure.time_s);
@@ -169,10 +169,10 @@ double HoldableFrom_s(const VoyageRequest& voyage, kg_core::LonLat place) {
   std::optional<kg_core::Velocity> later;
   for (std::size_t k = knots.size(); k-- > 0;) {
     const auto c = flyer.Current(*at, knots[k]);
-    if (!c) return kInfinity;
+    if (!c) return kNotFlown;
     if (!(Speed(*c) <= motion.max_mps)) {
-      if (!later) return kInfinity;
-      const double share = Crossing(*c, *later, motion.max_mps);
+      if (!later) return kNotFlown;
+      const double share = CrossingShare(*c, *later, motion.max_mps);
       return departure.time_s + knots[k] + share * (knots[k + 1] - knots[k]);
     }
     later = c;

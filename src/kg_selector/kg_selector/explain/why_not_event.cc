@@ -5,7 +5,7 @@
 
 #include "kg_core/base/input_error.h"
 #include "kg_core/base/units.h"
-#include "kg_core/mission/literals.h"
+#include "kg_core/facts/literals.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_selector/explain/explain_via.h"
 #include "kg_selector/explain/why_not.h"
