@@ -46,7 +46,7 @@ MAY_INCLUDE = {
 OPTIONAL = ("kg_rviz_plugins",)
 WITH_ROS = ("kg_ros", "kg_rviz_plugins")
 GENERAL = "kg_planner"
-PLAIN_VALUES = "kg_base/base/"
+PLAIN_VALUES = "kg_base/common/"
 
 ROS = re.compile(
     r"^(ros|tf2?\w*|\w+_msgs|nodelet|dynamic_reconfigure|diagnostic_updater|"

@@ -154,7 +154,7 @@ class ThePlanner(PlantedFaults):
         self.setUp()
         self.assert_none("kg_planner/kg_planner/low/a_test.cc",
                          '#include "gtest/gtest.h"\n#include <vector>\n'
-                         '#include "kg_base/base/units.h"\n')
+                         '#include "kg_base/common/units.h"\n')
 
     def test_has_no_word_of_a_domain(self):
         for text in ("// ... of a glider.", "double ocean_depth = 0;",

@@ -2,7 +2,7 @@
 #     seeds_of_<fuzzer> FOLDER
 
 seeds_of_turtle() {
-  cp config/missions/*/mission.ttl src/kg_core/ontology/*.ttl "$1"
+  cp config/missions/*/mission.ttl src/kg_mission/ontology/*.ttl "$1"
   printf 'ex:a ex:b ( 1 2.5 3e0 true "x"@en [ ex:c "y"^^ex:d ] ) .' >"$1/lists"
   printf '@prefix a: <http://a/> . a:b a:c """long \\u00e9 "text" """ .' \
     >"$1/long"

@@ -8,7 +8,7 @@ import unittest
 import rdflib
 from rdflib import OWL, RDF, RDFS, SH
 
-PACKAGE = pathlib.Path(__file__).resolve().parent.parent / "src" / "kg_core"
+PACKAGE = pathlib.Path(__file__).resolve().parent.parent / "src" / "kg_mission"
 ONTOLOGY = PACKAGE / "ontology"
 EX = rdflib.Namespace("http://example.org/mission/")
 TIME = rdflib.Namespace("http://www.w3.org/2006/time#")

@@ -34,12 +34,12 @@ class TestResults(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
         self.results = self.root / "build/test_results"
-        self.put("src/kg_core/kg_core/raster/axis_test.cc", "")
+        self.put("src/kg_base/kg_base/raster/axis_test.cc", "")
         self.put("src/mission/test/mission.test",
                  '<launch><test test-name="mission" pkg="mission" '
                  'type="mission_test.py"/></launch>')
         self.put("src/mission/test/mission_test.py", "  def test_plans(self): 1")
-        self.result("kg_core/gtest-kg_core_axis_test.xml", GTEST)
+        self.result("kg_base/gtest-kg_base_axis_test.xml", GTEST)
         self.result("mission/rosunit-mission.xml", ROSUNIT)
         self.result("mission/rostest-test_mission.xml", ROSTEST)
 
@@ -57,14 +57,14 @@ class TestResults(unittest.TestCase):
     def test_counts_a_case_once_whoever_reports_it(self):
         count = self.count()
         self.assertEqual(2, len(count.passed))
-        self.assertEqual(["kg_core/gtest-kg_core_axis_test.xml: Axis.Refuses"],
+        self.assertEqual(["kg_base/gtest-kg_base_axis_test.xml: Axis.Refuses"],
                          list(count.failed))
         self.assertEqual(["disabled", "no data folder"],
                          list(count.skipped.values()))
 
     def test_fails_for_a_test_that_wrote_nothing(self):
-        (self.results / "kg_core/gtest-kg_core_axis_test.xml").unlink()
-        self.assertEqual(["kg_core/gtest-kg_core_axis_test.xml"],
+        (self.results / "kg_base/gtest-kg_base_axis_test.xml").unlink()
+        self.assertEqual(["kg_base/gtest-kg_base_axis_test.xml"],
                          list(self.count().failed))
 
     def test_fails_for_a_ros_test_that_wrote_nothing(self):
@@ -73,9 +73,9 @@ class TestResults(unittest.TestCase):
 
     def test_fails_for_a_result_that_is_cut_off(self):
         for text in ("", GTEST[:100]):
-            self.result("kg_core/gtest-kg_core_axis_test.xml", text)
+            self.result("kg_base/gtest-kg_base_axis_test.xml", text)
             failed = self.count().failed
-            self.assertEqual(["kg_core/gtest-kg_core_axis_test.xml"],
+            self.assertEqual(["kg_base/gtest-kg_base_axis_test.xml"],
                              list(failed))
 
     def test_fails_for_a_result_without_a_case(self):
@@ -117,7 +117,7 @@ class TestResults(unittest.TestCase):
         self.assertTrue(bad)
         self.assertEqual("2 passed, 1 failed", lines[-1])
         self.assertIn("Axis.Refuses: axis_test.cc:7 | expected 1", lines[-2])
-        self.result("kg_core/gtest-kg_core_axis_test.xml",
+        self.result("kg_base/gtest-kg_base_axis_test.xml",
                     GTEST.replace("<failure", "<system-err"))
         self.assertEqual((False, "3 passed, 0 failed"),
                          (self.report()[0], self.report()[1][-1]))

@@ -12,21 +12,21 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/temporary_folder.h"
+#include "kg_base/raster/field_child.h"
+#include "kg_base/raster/testing/test_raster_file.h"
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/temporary_folder.h"
 #include "kg_core/facts/terms.h"
-#include "kg_core/mission/ingest.h"
-#include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/stage_vocabulary.h"
-#include "kg_core/raster/field_child.h"
-#include "kg_core/raster/testing/test_raster_file.h"
+#include "kg_mission/mission/ingest.h"
+#include "kg_mission/mission/mission_reader.h"
+#include "kg_mission/mission/stage_vocabulary.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::Grid;
-using kg_core::Raster;
+using kg_base::Grid;
+using kg_base::Raster;
 
 // Two days off Tampico. `plain` and `paper` weigh the prior, `fixed` does not.
 constexpr char kFacts[] = R"ttl(
@@ -73,11 +73,11 @@ ex:c0 a ex:AgentState ; ex:forAgent ex:charlie ; ex:forWindow ex:w0 ;
 )ttl";
 
 // Bilinear in place, so that bilinear resampling gives it back.
-double Slant(kg_core::LonLat p) {
+double Slant(kg_base::LonLat p) {
   return 0.5 * (p.lon_deg + 97.0) + 0.25 * (p.lat_deg - 22.0);
 }
 // On the open sea of either ocean: of the habitat's cells, two by two.
-bool IsFarm(const Grid& habitat, kg_core::Cell cell) {
+bool IsFarm(const Grid& habitat, kg_base::Cell cell) {
   const int row = cell.row / 2 - habitat.rows() / 4;
   const int col = cell.col / 2 - 3 * habitat.cols() / 8;
   return row >= 0 && row < 4 && col >= 0 && col < 2;
@@ -121,7 +121,7 @@ class CompileFromFiles : public testing::Test {
             land ? NAN : 25.0f + std::sin(0.3f * row + 0.5f * col + day));
       }
     }
-    kg_core::TestRasterFileWriter(
+    kg_base::TestRasterFileWriter(
         folder_ / "ocean.nc",
         {grid,
          hours,
@@ -142,9 +142,9 @@ class CompileFromFiles : public testing::Test {
     ocean.currents = std::filesystem::absolute(ocean.currents).string();
     ocean.sst = std::filesystem::absolute(ocean.sst).string();
     ocean.grid =
-        kg_core::ReadFieldFileSafely(
-            ocean.currents, {kg_core::FieldQuantity::kEastwardVelocity,
-                             kg_core::FieldQuantity::kNorthwardVelocity})
+        kg_base::ReadFieldFileSafely(
+            ocean.currents, {kg_base::FieldQuantity::kEastwardVelocity,
+                             kg_base::FieldQuantity::kNorthwardVelocity})
             .grid;
     return ocean;
   }
@@ -169,7 +169,7 @@ class CompileFromFiles : public testing::Test {
         farm.push_back(IsFarm(habitat_, {row, col}) ? 1.0f : 0.0f);
       }
     }
-    kg_core::TestRasterFileWriter(
+    kg_base::TestRasterFileWriter(
         folder_ / "habitat.nc",
         {habitat_,
          {},
@@ -181,13 +181,13 @@ class CompileFromFiles : public testing::Test {
     facts_ = Replaced(Replaced(kFacts, "CURRENTS", ocean.currents), "SST",
                       ocean.sst);
     kg_core::Transaction transaction = store_->Begin();
-    kg_core::StageVocabulary("../kg_core/ontology", transaction);
+    kg_mission::StageVocabulary("../kg_mission/ontology", transaction);
     transaction.Commit(kg_core::WorldChange::kYes);
   }
 
   std::vector<std::string> Update(const kg_core::FactUpdate& update) {
     kg_core::Transaction transaction = store_->Begin();
-    const kg_core::StagedUpdate staged =
+    const kg_mission::StagedUpdate staged =
         StageUpdateWithFiles(update, *files_, transaction);
     if (staged.judgement.reasons.empty()) {
       transaction.Commit(kg_core::WorldChange::kYes);
@@ -203,7 +203,7 @@ class CompileFromFiles : public testing::Test {
   }
 
   std::shared_ptr<const Compilation> Compile() {
-    mission_ = ReadMission(*store_->Read());
+    mission_ = kg_mission::ReadMission(*store_->Read());
     return compiler_->Compile(mission_, ++version_, 0);
   }
 
@@ -224,12 +224,12 @@ class CompileFromFiles : public testing::Test {
   }
 
   // The cell of the habitat's file that a place lies in is a farm's.
-  bool InFarm(const Grid& grid, kg_core::Cell cell) const {
+  bool InFarm(const Grid& grid, kg_base::Cell cell) const {
     if (!grid.Contains(cell)) return false;
     const auto own = habitat_.CellAt(grid.Centre(cell));
     return own && IsFarm(habitat_, *own);
   }
-  bool NearFarm(const Grid& grid, kg_core::Cell cell) const {
+  bool NearFarm(const Grid& grid, kg_base::Cell cell) const {
     for (int row = -1; row <= 1; ++row) {
       for (int col = -1; col <= 1; ++col) {
         if (InFarm(grid, {cell.row + row, cell.col + col})) return true;
@@ -243,15 +243,15 @@ class CompileFromFiles : public testing::Test {
 
   static constexpr double kHoursTo2020 = -24.0 * 2038 + 12.0;  // 2020-11-01.
 
-  kg_core::TemporaryFolder folder_;
+  kg_base::TemporaryFolder folder_;
   Grid habitat_;
   std::string facts_;
   std::unique_ptr<kg_core::Store> store_ = std::make_unique<kg_core::Store>("");
-  std::unique_ptr<kg_core::FileCache> files_ =
-      std::make_unique<kg_core::FileCache>(folder_ / "", "");
+  std::unique_ptr<kg_mission::FileCache> files_ =
+      std::make_unique<kg_mission::FileCache>(folder_ / "", "");
   std::unique_ptr<MissionCompiler> compiler_ =
       std::make_unique<MissionCompiler>(files_.get());
-  kg_core::Mission mission_;
+  kg_mission::Mission mission_;
   std::uint64_t version_ = 0;
 };
 
@@ -288,7 +288,7 @@ void CompileFromFiles::CheckTensors(const Ocean& ocean) {
     const Raster soft = fixed.Get(Layer::kAttenuation);
     int closed = 0, outside = 0;
     for (std::size_t i = 0; i < tensor.grid.size(); ++i) {
-      const kg_core::Cell cell{static_cast<int>(i) / tensor.grid.cols(),
+      const kg_base::Cell cell{static_cast<int>(i) / tensor.grid.cols(),
                                static_cast<int>(i) % tensor.grid.cols()};
       if (std::isnan(feasible[i])) continue;  // Land.
       const bool near = NearFarm(tensor.grid, cell);
@@ -297,7 +297,7 @@ void CompileFromFiles::CheckTensors(const Ocean& ocean) {
         EXPECT_EQ(fused[i], 0.0f);
       }
       closed += near;
-      const kg_core::LonLat place = tensor.grid.Centre(cell);
+      const kg_base::LonLat place = tensor.grid.Centre(cell);
       const bool covered = place.lat_deg <= habitat_.north_deg();
       outside += !covered;
       const auto at = habitat_.Locate(place);
@@ -405,7 +405,7 @@ TEST_F(CompileFromFiles, AFixedScaleThatNobodyStatedIsOneLine) {
   try {
     Compile();
     ADD_FAILURE() << "compiled";
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     EXPECT_EQ(std::string(error.what()),
               "<http://example.org/mission/sst/w0> ex:frontFullScale: expected "
               "a number above 0, because policy ex:fixed has ex:layerScale "

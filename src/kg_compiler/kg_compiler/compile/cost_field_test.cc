@@ -10,16 +10,16 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/common/temporary_folder.h"
+#include "kg_base/common/units.h"
+#include "kg_base/raster/testing/test_raster_file.h"
 #include "kg_compiler/compile/mission_compiler.h"
 #include "kg_compiler/control_plane/nav_graph.h"
 #include "kg_compiler/explain/explain_seam.h"
-#include "kg_core/base/temporary_folder.h"
-#include "kg_core/base/units.h"
 #include "kg_core/facts/terms.h"
-#include "kg_core/mission/ingest.h"
-#include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/stage_vocabulary.h"
-#include "kg_core/raster/testing/test_raster_file.h"
+#include "kg_mission/mission/ingest.h"
+#include "kg_mission/mission/mission_reader.h"
+#include "kg_mission/mission/stage_vocabulary.h"
 
 namespace kg_compiler {
 namespace {
@@ -49,11 +49,11 @@ constexpr char kWaves[] =
 constexpr char kPrice[] = "ex:policy ex:lambda_waveHeight 0.5 .";
 
 // Linear, so that bilinear resampling gives it back.
-double Waves(kg_core::LonLat at) {
+double Waves(kg_base::LonLat at) {
   return 2.0 + 0.8 * (at.lon_deg + 97.0) + 0.5 * (at.lat_deg - 22.0);
 }
 
-kg_core::Grid GridOf(double west, double south, double step, int rows,
+kg_base::Grid GridOf(double west, double south, double step, int rows,
                      int cols) {
   std::vector<double> lon_deg, lat_deg;
   for (int i = 0; i < cols; ++i) lon_deg.push_back(west + step * i);
@@ -65,14 +65,14 @@ class CostFieldTest : public testing::Test {
  protected:
   CostFieldTest() {
     const std::vector<double> hours = {12, 36, 60, 84};
-    const kg_core::Grid grid = GridOf(-97.5, 21.5, 0.05, 22, 22);
-    const kg_core::Raster still(grid.size(), 0.0f);
-    kg_core::Raster warmth(grid.size());
+    const kg_base::Grid grid = GridOf(-97.5, 21.5, 0.05, 22, 22);
+    const kg_base::Raster still(grid.size(), 0.0f);
+    kg_base::Raster warmth(grid.size());
     for (std::size_t i = 0; i < warmth.size(); ++i) {
       warmth[i] = 20.0f + std::sin(0.37f * static_cast<float>(i));
     }
-    using Steps = std::vector<kg_core::Raster>;
-    kg_core::TestRasterFileWriter(
+    using Steps = std::vector<kg_base::Raster>;
+    kg_base::TestRasterFileWriter(
         folder_ / "sea.nc",
         {grid,
          hours,
@@ -80,21 +80,21 @@ class CostFieldTest : public testing::Test {
           {"v", "northward_sea_water_velocity", "m/s", Steps(4, still)},
           {"t", "sea_surface_temperature", "degC", Steps(4, warmth)}}});
     // On a coarser grid that covers the sea's.
-    const kg_core::Grid coarse = GridOf(-98, 21, 0.25, 9, 9);
-    kg_core::Raster heights;
+    const kg_base::Grid coarse = GridOf(-98, 21, 0.25, 9, 9);
+    kg_base::Raster heights;
     for (int row = 0; row < coarse.rows(); ++row) {
       for (int col = 0; col < coarse.cols(); ++col) {
         heights.push_back(
             static_cast<float>(100.0 * Waves(coarse.Centre({row, col}))));
       }
     }
-    kg_core::TestRasterFileWriter(
+    kg_base::TestRasterFileWriter(
         folder_ / "waves.nc", {coarse,
                                hours,
                                {{"swh", "sea_surface_wave_significant_height",
                                  "cm", Steps(4, heights)}}});
     kg_core::Transaction transaction = store_.Begin();
-    kg_core::StageVocabulary("../kg_core/ontology", transaction);
+    kg_mission::StageVocabulary("../kg_mission/ontology", transaction);
     transaction.Commit(kg_core::WorldChange::kYes);
     EXPECT_EQ(Add(kFacts), "");
   }
@@ -103,7 +103,7 @@ class CostFieldTest : public testing::Test {
     kg_core::FactUpdate update;
     update.turtle = turtle;
     kg_core::Transaction transaction = store_.Begin();
-    const kg_core::StagedUpdate staged =
+    const kg_mission::StagedUpdate staged =
         StageUpdateWithFiles(update, files_, transaction);
     std::string lines;
     for (const std::string& line : staged.judgement.reasons) {
@@ -114,8 +114,8 @@ class CostFieldTest : public testing::Test {
   }
 
   NavGraphs Graphs() {
-    compilation_ =
-        compiler_.Compile(ReadMission(*store_.Read()), ++version_, 0);
+    compilation_ = compiler_.Compile(kg_mission::ReadMission(*store_.Read()),
+                                     ++version_, 0);
     std::vector<WindowWorld> worlds;
     for (std::size_t i = 0; i < compilation_->fields.size(); ++i) {
       worlds.push_back(
@@ -124,9 +124,9 @@ class CostFieldTest : public testing::Test {
     return CompileNavGraphs(compilation_->rules[0], worlds, nullptr);
   }
 
-  kg_core::TemporaryFolder folder_;
+  kg_base::TemporaryFolder folder_;
   kg_core::Store store_{""};
-  kg_core::FileCache files_{folder_ / "", ""};
+  kg_mission::FileCache files_{folder_ / "", ""};
   MissionCompiler compiler_{&files_};
   std::shared_ptr<const Compilation> compilation_;
   std::uint64_t version_ = 0;
@@ -160,7 +160,7 @@ TEST_F(CostFieldTest, CostsItsIntegralAlongTheFlightTimesItsPrice) {
       EXPECT_NEAR(edge.exposures[0], exposure, 1e-4 * exposure);
       EXPECT_EQ(edge.seam_cost,
                 before[t].edges[e].seam_cost +
-                    0.5 / kg_core::kSecondsPerHour * edge.exposures[0]);
+                    0.5 / kg_base::kSecondsPerHour * edge.exposures[0]);
       dearer += edge.seam_cost > before[t].edges[e].seam_cost;
     }
   }
@@ -200,7 +200,7 @@ TEST_F(CostFieldTest, IsExplainedWithItsPriceItsLayerAndItsFile) {
   const NavGraphs graphs = Graphs();
   const auto view = store_.Read();
   const CitedFacts facts(*view);
-  const kg_core::Agent& agent = compilation_->mission.agents[0];
+  const kg_mission::Agent& agent = compilation_->mission.agents[0];
   const SeamContext context =
       FindSeamContext(*compilation_, agent, compilation_->rules[0], 1);
   // Some edges stay where they are and meet nothing under way.

@@ -12,7 +12,7 @@ namespace {
 
 // All that is not constraints, by the one list of what is read: the hash.
 std::string HashOfTheRest(const TensorInputs& origin) {
-  kg_core::Mission bare;
+  kg_mission::Mission bare;
   bare.windows = origin.mission->windows;
   bare.priors = origin.mission->priors;
   bare.events = origin.mission->events;
@@ -22,8 +22,8 @@ std::string HashOfTheRest(const TensorInputs& origin) {
 }
 
 bool Same(const ActiveConstraint& a, const ActiveConstraint& b) {
-  const kg_core::Constraint& x = *a.fact;
-  const kg_core::Constraint& y = *b.fact;
+  const kg_mission::Constraint& x = *a.fact;
+  const kg_mission::Constraint& y = *b.fact;
   if (a.forbids() != b.forbids() || a.effect->cover != b.effect->cover ||
       (!a.forbids() && a.attenuation != b.attenuation) ||
       x.is_land != y.is_land || x.buffer_cells != y.buffer_cells ||
@@ -72,10 +72,10 @@ std::pair<int, int> CellsOf(const std::vector<double>& centres, double low,
           static_cast<int>(last - centres.begin()) + 1};
 }
 
-std::optional<CellBox> BoxOf(const kg_core::Constraint& constraint,
-                             const kg_core::Grid& grid) {
+std::optional<CellBox> BoxOf(const kg_mission::Constraint& constraint,
+                             const kg_base::Grid& grid) {
   if (!constraint.area) return std::nullopt;
-  const kg_core::Geometry& area = *constraint.area;
+  const kg_base::Geometry& area = *constraint.area;
   const auto [row, row_end] =
       CellsOf(grid.lat_deg(), area.south_deg(), area.north_deg());
   const auto [col, col_end] =

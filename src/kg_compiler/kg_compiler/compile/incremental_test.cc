@@ -9,11 +9,11 @@
 #include <map>
 #include <set>
 
+#include "kg_base/common/input_error.h"
 #include "kg_compiler/compile/same_compilation.h"
 #include "kg_compiler/control_plane/nav_graph.h"
 #include "kg_compiler/control_plane/seam_cache.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/base/input_error.h"
 
 namespace kg_compiler {
 namespace {
@@ -45,36 +45,37 @@ class LivingMission {
   static std::size_t kinds() { return kChanges.size(); }
 
   RasterReaders Readers() const {
-    return {[](const kg_core::Mission& all, const kg_core::WorkFieldRef& ref) {
+    return {[](const kg_mission::Mission& all,
+               const kg_mission::WorkFieldRef& ref) {
               std::mt19937 rng(ref.first_time_index + Seed(all));
               return RandomFlow(rng, EvenGrid(-91, 24, 0.04, kSize, kSize),
                                 0.08, 43200, 4 * 86400);
             },
-            [](const kg_core::Mission& all, const kg_core::ValueLayer& layer,
-               const kg_core::Grid& grid) {
+            [](const kg_mission::Mission& all,
+               const kg_mission::ValueLayer& layer, const kg_base::Grid& grid) {
               std::mt19937 rng(layer.time_index + 77 + Seed(all));
               return RandomRaster(rng, grid.size(), 0, 1);
             }};
   }
 
-  kg_core::Mission mission;
+  kg_mission::Mission mission;
   int first_window = 0;
 
  private:
   using Changes = std::map<std::string, std::function<void(LivingMission*)>>;
   static const Changes kChanges;
 
-  static unsigned Seed(const kg_core::Mission& all) {
+  static unsigned Seed(const kg_mission::Mission& all) {
     return static_cast<unsigned>(std::stoul(all.files.at("ex:file").sha256) *
                                  1000);
   }
   double Any(double low, double high) { return Uniform(rng_, low, high); }
   bool Toss() { return rng_() % 2 == 0; }
   int Pick(std::size_t count) { return static_cast<int>(rng_() % count); }
-  kg_core::Agent& AnyAgent() {
+  kg_mission::Agent& AnyAgent() {
     return mission.agents[Pick(mission.agents.size())];
   }
-  kg_core::Policy& AnyPolicy() { return AnyAgent().policy; }
+  kg_mission::Policy& AnyPolicy() { return AnyAgent().policy; }
   std::vector<int> AnyWindows() {
     std::vector<int> windows;
     for (int t = 0; t < kWindows; ++t) {
@@ -86,9 +87,9 @@ class LivingMission {
     if (Toss()) return {};
     return {AnyAgent().iri};
   }
-  kg_core::LonLat AnyPlace() { return {Any(-90.9, -90.1), Any(24.1, 24.9)}; }
-  kg_core::Geometry AnyArea() {
-    const kg_core::LonLat at = AnyPlace();
+  kg_base::LonLat AnyPlace() { return {Any(-90.9, -90.1), Any(24.1, 24.9)}; }
+  kg_base::Geometry AnyArea() {
+    const kg_base::LonLat at = AnyPlace();
     const double size = Any(0.02, 0.15);
     return Box(at.lon_deg, at.lat_deg, at.lon_deg + size, at.lat_deg + size);
   }
@@ -103,7 +104,7 @@ class LivingMission {
     mission.value_layers.back().front_full_scale = 0.5;
   }
   void AddAgent(const std::string& id) {
-    kg_core::Agent agent = TestAgent(id);
+    kg_mission::Agent agent = TestAgent(id);
     agent.policy.iri = "ex:policy_of_" + id;
     agent.policy.lambda_time_per_s = 1e-5;
     agent.policy.lambda_risk = 0.1;
@@ -116,10 +117,10 @@ class LivingMission {
     mission.agents.push_back(agent);
   }
   void AddConstraint() {
-    kg_core::Constraint one =
+    kg_mission::Constraint one =
         AreaConstraint("ex:c" + std::to_string(next_++),
-                       Pick(3) ? kg_core::ConstraintKind::kSoft
-                               : kg_core::ConstraintKind::kNoGo,
+                       Pick(3) ? kg_mission::ConstraintKind::kSoft
+                               : kg_mission::ConstraintKind::kNoGo,
                        AnyArea());
     one.attenuation = Any(0.1, 0.9);
     one.buffer_cells = Toss() ? 0.0 : Any(0.0, 2.5);
@@ -128,7 +129,7 @@ class LivingMission {
     mission.constraints.push_back(one);
   }
   void AddPrior() {
-    kg_core::PriorLayer prior;
+    kg_mission::PriorLayer prior;
     prior.iri = "ex:prior" + std::to_string(mission.priors.size());
     prior.area = AnyArea();
     prior.edge_m = Toss() ? 0.0 : Any(1000.0, 9000.0);
@@ -192,18 +193,18 @@ const LivingMission::Changes LivingMission::kChanges = {
     {"constraint's metric",
      [](auto* m) {
        m->ChangeOne(&m->mission.constraints, [m](auto* one) {
-         one->buffer_metric = static_cast<kg_core::BufferMetric>(m->Pick(2));
+         one->buffer_metric = static_cast<kg_mission::BufferMetric>(m->Pick(2));
        });
      }},
     {"constraint's kind",
      [](auto* m) {
        m->ChangeOne(&m->mission.constraints, [m](auto* one) {
-         one->kind = static_cast<kg_core::ConstraintKind>(m->Pick(2));
+         one->kind = static_cast<kg_mission::ConstraintKind>(m->Pick(2));
        });
      }},
     {"constraint escalated",
      [](auto* m) {
-       kg_core::Agent& agent = m->AnyAgent();
+       kg_mission::Agent& agent = m->AnyAgent();
        m->ChangeOne(&m->mission.constraints, [&](auto* one) {
          if (agent.must_avoid.erase(one->iri) == 0) {
            agent.must_avoid[one->iri] = {agent.iri};
@@ -212,7 +213,7 @@ const LivingMission::Changes LivingMission::kChanges = {
      }},
     {"soft override",
      [](auto* m) {
-       kg_core::Policy& policy = m->AnyPolicy();
+       kg_mission::Policy& policy = m->AnyPolicy();
        m->ChangeOne(&m->mission.constraints, [&](auto* one) {
          policy.soft_overrides[one->iri] = m->Any(0.0, 1.0);
          policy.weight_iris[one->iri] = "ex:override";
@@ -236,22 +237,22 @@ const LivingMission::Changes LivingMission::kChanges = {
     {"normalisation",
      [](auto* m) {
        m->AnyPolicy().normalisation =
-           static_cast<kg_core::Normalisation>(m->Pick(3));
+           static_cast<kg_mission::Normalisation>(m->Pick(3));
      }},
     {"confidence mode",
      [](auto* m) {
        m->AnyPolicy().confidence_mode =
-           static_cast<kg_core::ConfidenceMode>(m->Pick(3));
+           static_cast<kg_mission::ConfidenceMode>(m->Pick(3));
      }},
     {"front operator",
      [](auto* m) {
        m->AnyPolicy().front_operator =
-           static_cast<kg_core::FrontOperator>(m->Pick(2));
+           static_cast<kg_mission::FrontOperator>(m->Pick(2));
      }},
     {"layer scale",
      [](auto* m) {
        m->AnyPolicy().layer_scale =
-           static_cast<kg_core::LayerScale>(m->Pick(3));
+           static_cast<kg_mission::LayerScale>(m->Pick(3));
      }},
     {"full scale",
      [](auto* m) {
@@ -261,7 +262,7 @@ const LivingMission::Changes LivingMission::kChanges = {
     {"soft overlap",
      [](auto* m) {
        m->AnyPolicy().soft_overlap =
-           static_cast<kg_core::SoftOverlap>(m->Pick(2));
+           static_cast<kg_mission::SoftOverlap>(m->Pick(2));
      }},
     {"paper literal",
      [](auto* m) { m->AnyPolicy().paper_literal = m->Pick(4) == 0; }},
@@ -304,7 +305,7 @@ const LivingMission::Changes LivingMission::kChanges = {
      [](auto* m) { m->AnyAgent().start_heading_rad = m->Any(0, 6); }},
     {"capabilities",
      [](auto* m) {
-       kg_core::Capabilities& one = m->AnyAgent().capabilities;
+       kg_mission::Capabilities& one = m->AnyAgent().capabilities;
        one.cruise_mps = m->Any(0.08, 0.2);
        one.boost_gain = m->Any(0.5, 1.0);
        one.energy_per_m_j = m->Any(1, 3);
@@ -323,20 +324,20 @@ const LivingMission::Changes LivingMission::kChanges = {
      }},
     {"coordination",
      [](auto* m) {
-       kg_core::CoordinationFacts& team = m->mission.coordination;
+       kg_mission::CoordinationFacts& team = m->mission.coordination;
        team.waypoints_per_window = 2 + m->Pick(5);
        team.waypoint_spacing_m = m->Any(5e3, 1e4);
        team.separation_m = m->Any(0, 5e3);
      }},
     {"choice of the team",
      [](auto* m) {
-       kg_core::CoordinationFacts& team = m->mission.coordination;
+       kg_mission::CoordinationFacts& team = m->mission.coordination;
        team.mode = m->Toss() ? "priced" : "greedy";
        team.gap_goal = m->Any(0, 1);
      }},
     {"choice of paths",
      [](auto* m) {
-       kg_core::Policy& policy = m->AnyAgent().policy;
+       kg_mission::Policy& policy = m->AnyAgent().policy;
        policy.diverse_paths = m->Toss();
        policy.churn_weight = m->Any(0, 2);
        policy.hazard_budget_s =
@@ -389,7 +390,7 @@ Planned Plan(const Compilation& compilation, std::size_t agent,
     return {CompileNavGraphs(compilation.rules[agent],
                              WorldsOf(compilation, agent), cache),
             ""};
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     return {{}, error.what()};
   }
 }
@@ -410,7 +411,7 @@ void ExpectDirtyAsTold(const Compilation& last, const Compilation& next) {
     ASSERT_NE(last.tensors.end(), old);
     for (const Layer layer :
          {Layer::kPolicy, Layer::kAttenuation, Layer::kFeasibility}) {
-      const kg_core::Raster was = (*old)->Get(layer), is = tensor->Get(layer);
+      const kg_base::Raster was = (*old)->Get(layer), is = tensor->Get(layer);
       for (std::size_t i = 0; i < is.size(); ++i) {
         const int row = static_cast<int>(i) / kSize;
         const int col = static_cast<int>(i) % kSize;
@@ -435,7 +436,7 @@ Compiled CompileOf(MissionCompiler* compiler, const LivingMission& living,
                    int step) {
   try {
     return {compiler->Compile(living.mission, step, living.first_window), ""};
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     return {nullptr, error.what()};
   }
 }

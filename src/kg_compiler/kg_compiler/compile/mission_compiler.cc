@@ -6,16 +6,16 @@
 #include <unordered_map>
 #include <utility>
 
+#include "kg_base/common/parallel.h"
+#include "kg_base/common/sha256.h"
+#include "kg_base/common/stopwatch.h"
 #include "kg_compiler/compile/dirty_box.h"
-#include "kg_core/base/parallel.h"
-#include "kg_core/base/sha256.h"
-#include "kg_core/base/stopwatch.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::Agent;
-using kg_core::TimeWindow;
+using kg_mission::Agent;
+using kg_mission::TimeWindow;
 
 // Adds the time since it was made, or since the last time, to a stage.
 class StageClock {
@@ -26,7 +26,7 @@ class StageClock {
 
  private:
   std::map<std::string, double>* stages_;
-  kg_core::Stopwatch watch_;
+  kg_base::Stopwatch watch_;
 };
 
 bool Same(const CoordinationRules& a, const CoordinationRules& b) {
@@ -34,9 +34,9 @@ bool Same(const CoordinationRules& a, const CoordinationRules& b) {
          a.event_windows == b.event_windows;
 }
 
-CoordinationRules Coordinate(const kg_core::Mission& mission) {
+CoordinationRules Coordinate(const kg_mission::Mission& mission) {
   CoordinationRules rules{mission.coordination, {}, {}};
-  for (const kg_core::Event& event : mission.events) {
+  for (const kg_mission::Event& event : mission.events) {
     rules.event_capacity[event.iri] = event.capacity;
     rules.event_windows[event.iri] = {event.windows.begin(),
                                       event.windows.end()};
@@ -124,7 +124,7 @@ struct CompilerStores {
 // One compilation on the way.
 class CompilationRun {
  public:
-  CompilationRun(const kg_core::Mission& mission, const Compilation* last,
+  CompilationRun(const kg_mission::Mission& mission, const Compilation* last,
                  CompilerStores stores, int first_window)
       : last_(last),
         known_(last),
@@ -179,7 +179,8 @@ class CompilationRun {
   void MeasureHorizons() {
     std::map<std::string, ValueNormaliser> measured;
     for (const Agent& agent : now_->mission.agents) {
-      if (agent.policy.confidence_mode == kg_core::ConfidenceMode::kHorizon) {
+      if (agent.policy.confidence_mode ==
+          kg_mission::ConfidenceMode::kHorizon) {
         now_->horizons[agent.iri] = Horizon(agent, &measured);
       }
     }
@@ -194,7 +195,7 @@ class CompilationRun {
   HorizonScale Horizon(const Agent& agent,
                        std::map<std::string, ValueNormaliser>* measured) const {
     std::vector<std::shared_ptr<const WindowRasters>> all;
-    kg_core::Hasher hash;
+    kg_base::Hasher hash;
     std::set<std::string> sources;
     for (const TimeWindow& window : now_->mission.windows) {
       const auto field = stores_.rasters->Field(now_->mission, window.index);
@@ -221,7 +222,7 @@ class CompilationRun {
   }
 
   void HashTensors() {
-    kg_core::ForEachInParallel(wanted_.size(), [&](std::size_t i) {
+    kg_base::ForEachInParallel(wanted_.size(), [&](std::size_t i) {
       WantedTensor& tensor = wanted_[i];
       tensor.request =
           PrepareTensor({&now_->mission, tensor.agent, tensor.window,
@@ -239,7 +240,7 @@ class CompilationRun {
       if (!made->second) missing.push_back(&tensor);
     }
     std::vector<KnownArtifacts::Tensor> compiled(missing.size());
-    kg_core::ForEachInParallel(missing.size(), [&](std::size_t i) {
+    kg_base::ForEachInParallel(missing.size(), [&](std::size_t i) {
       compiled[i] = std::make_shared<const MissionTensor>(Make(*missing[i]));
     });
     for (std::size_t i = 0; i < missing.size(); ++i) {
@@ -257,7 +258,7 @@ class CompilationRun {
 
   void NameTensors() {
     now_->tensors.resize(wanted_.size());
-    kg_core::ForEachInParallel(wanted_.size(), [&](std::size_t i) {
+    kg_base::ForEachInParallel(wanted_.size(), [&](std::size_t i) {
       now_->tensors[i] = Named(wanted_[i]);
     });
     for (std::size_t i = 0; i < wanted_.size(); ++i) NoteTensor(wanted_[i]);
@@ -274,7 +275,8 @@ class CompilationRun {
              one->agent_iri == agent && one->window == window &&
              one->derived_from == sources;
     };
-    const KnownArtifacts::Tensor& made = made_.find(tensor.request.hash)->second;
+    const KnownArtifacts::Tensor& made =
+        made_.find(tensor.request.hash)->second;
     if (is_it(made)) return made;
     const KnownArtifacts::Tensor own = known_.TensorAt(agent, window);
     if (is_it(own)) return own;
@@ -287,7 +289,8 @@ class CompilationRun {
 
   void NoteTensor(const WantedTensor& tensor) {
     const std::string& agent = tensor.agent->iri;
-    const KnownArtifacts::Tensor last = known_.TensorAt(agent, tensor.window->index);
+    const KnownArtifacts::Tensor last =
+        known_.TensorAt(agent, tensor.window->index);
     if (last && last->hash == tensor.request.hash) return;
     std::optional<CellBox> box;
     if (last) {
@@ -360,14 +363,14 @@ bool operator==(const DirtyArtifact& a, const DirtyArtifact& b) {
          std::tie(b.kind, b.agent, b.window);
 }
 
-MissionCompiler::MissionCompiler(kg_core::FileCache* files)
+MissionCompiler::MissionCompiler(kg_mission::FileCache* files)
     : rasters_(ReadersOf(files)) {}
 
 MissionCompiler::MissionCompiler(RasterReaders readers)
     : rasters_(std::move(readers)) {}
 
 std::shared_ptr<const Compilation> MissionCompiler::Compile(
-    const kg_core::Mission& mission, std::uint64_t world_version,
+    const kg_mission::Mission& mission, std::uint64_t world_version,
     int first_window) {
   CompilationRun run(mission, last_.get(),
                      {&rasters_, &horizons_, cache_.get()}, first_window);

@@ -24,13 +24,13 @@
 #include "kg_compiler/data_plane/data_plane.h"
 #include "kg_compiler/data_plane/data_plane_cache.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
-#include "kg_core/mission/ingest.h"
-#include "kg_core/mission/mission.h"
+#include "kg_mission/mission/ingest.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_compiler {
 
 struct CoordinationRules {
-  kg_core::CoordinationFacts facts;
+  kg_mission::CoordinationFacts facts;
   std::map<std::string, int> event_capacity;  // By event IRI.
   // The windows in which an event rewards; none = it is over.
   std::map<std::string, std::set<int>> event_windows;
@@ -57,7 +57,7 @@ struct TensorCounts {
 
 struct Compilation {
   std::uint64_t world_version = 0;
-  kg_core::Mission mission;
+  kg_mission::Mission mission;
   int first_window = 0;
   std::vector<std::shared_ptr<const WorkField>> fields;       // By window.
   std::vector<std::shared_ptr<const MissionTensor>> tensors;  // Agent, window.
@@ -77,13 +77,13 @@ struct Compilation {
 // may be used by another thread.
 class MissionCompiler {
  public:
-  explicit MissionCompiler(kg_core::FileCache* files);
+  explicit MissionCompiler(kg_mission::FileCache* files);
   explicit MissionCompiler(RasterReaders readers);
 
   // Compiles windows >= first_window of `mission`. Throws InputError; then the
   // last compilation stays what it was. An artifact is dirty if its hash is not
   // the one it had in the last compilation, for the same agent and window.
-  std::shared_ptr<const Compilation> Compile(const kg_core::Mission& mission,
+  std::shared_ptr<const Compilation> Compile(const kg_mission::Mission& mission,
                                              std::uint64_t world_version,
                                              int first_window);
 

@@ -4,16 +4,16 @@
 
 #include <algorithm>
 
+#include "kg_base/common/input_error.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/base/input_error.h"
 
 namespace kg_compiler {
 namespace {
 
 constexpr int kWindows = 5;
 
-kg_core::Mission TestMission() {
-  kg_core::Mission mission;
+kg_mission::Mission TestMission() {
+  kg_mission::Mission mission;
   mission.iri = "ex:mission";
   mission.files["ex:file"] = {"ex:file", "/file.nc", "sha"};
   for (int t = 0; t < kWindows; ++t) {
@@ -25,7 +25,7 @@ kg_core::Mission TestMission() {
   }
   mission.agents = {TestAgent("alpha"), TestAgent("bravo"),
                     TestAgent("charlie")};
-  for (kg_core::Agent& agent : mission.agents) {
+  for (kg_mission::Agent& agent : mission.agents) {
     agent.policy.iri = "ex:policy_of_" + agent.id;
     agent.policy.beta_poi = 0.5;
     agent.start = {-90.5, 24.5};
@@ -41,21 +41,21 @@ kg_core::Mission TestMission() {
 struct Files {
   RasterReaders Readers() {
     return {
-        [this](const kg_core::Mission& mission,
-               const kg_core::WorkFieldRef& ref) {
+        [this](const kg_mission::Mission& mission,
+               const kg_mission::WorkFieldRef& ref) {
           ++fields;
           std::mt19937 rng(ref.first_time_index + Seed(mission));
           return RandomFlow(rng, EvenGrid(-91, 24, 0.04, 24, 24), 0.3, 21600,
                             86400);
         },
-        [this](const kg_core::Mission& mission,
-               const kg_core::ValueLayer& layer, const kg_core::Grid& grid) {
+        [this](const kg_mission::Mission& mission,
+               const kg_mission::ValueLayer& layer, const kg_base::Grid& grid) {
           ++values;
           std::mt19937 rng(layer.time_index + Seed(mission));
           return RandomRaster(rng, grid.size(), 0, 1);
         }};
   }
-  static unsigned Seed(const kg_core::Mission& mission) {
+  static unsigned Seed(const kg_mission::Mission& mission) {
     return mission.files.at("ex:file").sha256 == "sha" ? 0 : 1000;
   }
   int fields = 0;
@@ -128,7 +128,7 @@ TEST(MissionCompiler, NamesAgentWindowAndHashesInItsRules) {
 TEST(MissionCompiler, RemakesOneAgentsTensorsAndRulesForItsPolicy) {
   Files files;
   MissionCompiler compiler(files.Readers());
-  kg_core::Mission mission = TestMission();
+  kg_mission::Mission mission = TestMission();
   compiler.Compile(mission, 1, 0);
   mission.agents[1].policy.alpha_base = 0.9;
   mission.agents[1].policy.lambda_risk = 2.0;
@@ -142,9 +142,10 @@ TEST(MissionCompiler, RemakesOneAgentsTensorsAndRulesForItsPolicy) {
 TEST(MissionCompiler, RemakesTheWindowsOfAConstraintOnly) {
   Files files;
   MissionCompiler compiler(files.Readers());
-  kg_core::Mission mission = TestMission();
+  kg_mission::Mission mission = TestMission();
   compiler.Compile(mission, 1, 0);
-  mission.constraints = {AreaConstraint("ex:no", kg_core::ConstraintKind::kNoGo,
+  mission.constraints = {AreaConstraint("ex:no",
+                                        kg_mission::ConstraintKind::kNoGo,
                                         Box(-90.8, 24.2, -90.6, 24.4))};
   mission.constraints[0].windows = {3};
   mission.constraints[0].agents = {"ex:alpha", "ex:charlie"};
@@ -158,7 +159,7 @@ TEST(MissionCompiler, RemakesTheWindowsOfAConstraintOnly) {
 TEST(MissionCompiler, RemakesTheWindowsOfAnEventAndItsCapacityForTheTeam) {
   Files files;
   MissionCompiler compiler(files.Readers());
-  kg_core::Mission mission = TestMission();
+  kg_mission::Mission mission = TestMission();
   mission.agents[1].policy.beta_poi = 0.0;  // Visits it, but sees no bump.
   compiler.Compile(mission, 1, 0);
   mission.events[0].value = 3.0;
@@ -179,7 +180,7 @@ TEST(MissionCompiler, RemakesTheWindowsOfAnEventAndItsCapacityForTheTeam) {
 
 // The selector is told; there is nothing to compile.
 TEST(MissionCompiler, ATeamChosenOtherwiseIsANewPlanOfTheSameArtifacts) {
-  void (*const changes[])(kg_core::CoordinationFacts*) = {
+  void (*const changes[])(kg_mission::CoordinationFacts*) = {
       [](auto* team) { team->mode = "priced"; },
       [](auto* team) { team->gap_goal = 0.5; },
       [](auto* team) { team->auction_epsilon = 0.5; },
@@ -188,7 +189,7 @@ TEST(MissionCompiler, ATeamChosenOtherwiseIsANewPlanOfTheSameArtifacts) {
       [](auto* team) { team->fairness_weight = 0.5; }};
   Files files;
   MissionCompiler compiler(files.Readers());
-  kg_core::Mission mission = TestMission();
+  kg_mission::Mission mission = TestMission();
   std::uint64_t version = 0;
   compiler.Compile(mission, ++version, 0);
   for (const auto change : changes) {
@@ -201,14 +202,14 @@ TEST(MissionCompiler, ATeamChosenOtherwiseIsANewPlanOfTheSameArtifacts) {
 }
 
 TEST(MissionCompiler, WhichPathsAPolicyWantsConcernsItsAgentsOnly) {
-  void (*const changes[])(kg_core::Policy*) = {
+  void (*const changes[])(kg_mission::Policy*) = {
       [](auto* policy) { policy->hazard_budget_s = 3600.0; },
       [](auto* policy) { policy->diverse_paths = true; },
       [](auto* policy) { policy->minimum_difference = 2; },
       [](auto* policy) { policy->churn_weight = 0.5; }};
   Files files;
   MissionCompiler compiler(files.Readers());
-  kg_core::Mission mission = TestMission();
+  kg_mission::Mission mission = TestMission();
   std::uint64_t version = 0;
   compiler.Compile(mission, ++version, 0);
   for (const auto change : changes) {
@@ -222,7 +223,7 @@ TEST(MissionCompiler, WhichPathsAPolicyWantsConcernsItsAgentsOnly) {
 TEST(MissionCompiler, RemakesWhatANewFileChanges) {
   Files files;
   MissionCompiler compiler(files.Readers());
-  kg_core::Mission mission = TestMission();
+  kg_mission::Mission mission = TestMission();
   compiler.Compile(mission, 1, 0);
   mission.files["ex:file"].sha256 = "other";
   const auto next = compiler.Compile(mission, 2, 0);
@@ -232,7 +233,7 @@ TEST(MissionCompiler, RemakesWhatANewFileChanges) {
 
 TEST(MissionCompiler, SharesATensorAmongAgentsThatWouldHaveTheSame) {
   Files files;
-  kg_core::Mission mission = TestMission();
+  kg_mission::Mission mission = TestMission();
   mission.agents[1].policy.alpha_base = mission.agents[0].policy.alpha_base;
   MissionCompiler compiler(files.Readers());
   const auto all = compiler.Compile(mission, 1, 0);
@@ -251,11 +252,11 @@ TEST(MissionCompiler, IncrementallyGivesWhatCompilingAnewGives) {
   std::mt19937 rng(51);
   Files files;
   MissionCompiler compiler(files.Readers());
-  kg_core::Mission mission = TestMission();
+  kg_mission::Mission mission = TestMission();
   auto last = compiler.Compile(mission, 1, 0);
   int first_window = 0;
   for (int step = 2; step < 40; ++step) {
-    kg_core::Agent& agent = mission.agents[rng() % 3];
+    kg_mission::Agent& agent = mission.agents[rng() % 3];
     switch (rng() % 9) {
       case 0:
         agent.policy = mission.agents[rng() % 3].policy;
@@ -267,8 +268,8 @@ TEST(MissionCompiler, IncrementallyGivesWhatCompilingAnewGives) {
         const double x = Uniform(rng, -91, -90.2), y = Uniform(rng, 24, 24.8);
         mission.constraints.push_back(
             AreaConstraint("ex:c" + std::to_string(step),
-                           rng() % 2 ? kg_core::ConstraintKind::kSoft
-                                     : kg_core::ConstraintKind::kNoGo,
+                           rng() % 2 ? kg_mission::ConstraintKind::kSoft
+                                     : kg_mission::ConstraintKind::kNoGo,
                            Box(x, y, x + 0.1, y + 0.1)));
         mission.constraints.back().attenuation = 0.5;
         mission.constraints.back().windows = {static_cast<int>(rng() % 5)};
@@ -288,7 +289,7 @@ TEST(MissionCompiler, IncrementallyGivesWhatCompilingAnewGives) {
         break;
       case 7:
         agent.policy.confidence_mode =
-            static_cast<kg_core::ConfidenceMode>(rng() % 3);
+            static_cast<kg_mission::ConfidenceMode>(rng() % 3);
         break;
       case 8:
         first_window = static_cast<int>(rng() % 3);
@@ -314,10 +315,10 @@ TEST(MissionCompiler, IncrementallyGivesWhatCompilingAnewGives) {
 }
 
 std::string ErrorOf(MissionCompiler* compiler,
-                    const kg_core::Mission& mission) {
+                    const kg_mission::Mission& mission) {
   try {
     compiler->Compile(mission, 9, 0);
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     return error.what();
   }
   return "";
@@ -326,9 +327,9 @@ std::string ErrorOf(MissionCompiler* compiler,
 TEST(MissionCompiler, RefusesMissingOrDoubleLayersByNameAndGoesOnAsBefore) {
   Files files;
   MissionCompiler compiler(files.Readers());
-  const kg_core::Mission good = TestMission();
+  const kg_mission::Mission good = TestMission();
   compiler.Compile(good, 1, 0);
-  kg_core::Mission bad = good;
+  kg_mission::Mission bad = good;
   bad.work_fields.erase(bad.work_fields.begin() + 3);
   EXPECT_EQ("ex:w3: no ex:WorkField ex:forWindow it", ErrorOf(&compiler, bad));
   bad = good;
@@ -346,8 +347,8 @@ TEST(MissionCompiler, RefusesMissingOrDoubleLayersByNameAndGoesOnAsBefore) {
 
 TEST(MissionCompiler, TakesTheNewestOfSeveralValueLayersOfAKind) {
   Files files;
-  kg_core::Mission mission = TestMission();
-  kg_core::ValueLayer newer = mission.value_layers[0];
+  kg_mission::Mission mission = TestMission();
+  kg_mission::ValueLayer newer = mission.value_layers[0];
   newer.iri = "ex:newer";
   newer.time_index = 77;
   mission.value_layers.push_back(newer);

@@ -11,23 +11,23 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/common/join_strings.h"
+#include "kg_base/common/temporary_folder.h"
+#include "kg_base/geo/geodesy.h"
+#include "kg_base/raster/testing/test_raster_file.h"
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_core/base/join_strings.h"
-#include "kg_core/base/temporary_folder.h"
 #include "kg_core/facts/terms.h"
-#include "kg_core/geo/geodesy.h"
-#include "kg_core/mission/ingest.h"
-#include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/stage_vocabulary.h"
-#include "kg_core/raster/testing/test_raster_file.h"
+#include "kg_mission/mission/ingest.h"
+#include "kg_mission/mission/mission_reader.h"
+#include "kg_mission/mission/stage_vocabulary.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::Cell;
-using kg_core::Grid;
-using kg_core::LonLat;
-using kg_core::Raster;
+using kg_base::Cell;
+using kg_base::Grid;
+using kg_base::LonLat;
+using kg_base::Raster;
 
 constexpr double kRadius_m = 9000.0;
 constexpr double kConfidence[] = {1.0, 0.5};
@@ -94,7 +94,7 @@ class PoiCriterionTest : public testing::Test {
  protected:
   PoiCriterionTest() {
     const std::vector<Raster> flow(4, Raster(grid_.size(), 0.1f));
-    kg_core::TestRasterFileWriter(
+    kg_base::TestRasterFileWriter(
         folder_ / "flow.nc",
         {grid_,
          {12, 36, 60, 84},
@@ -107,11 +107,11 @@ class PoiCriterionTest : public testing::Test {
       }
     }
     density_[0] = std::nanf("");
-    kg_core::TestRasterFileWriter(
+    kg_base::TestRasterFileWriter(
         folder_ / "plankton.nc",
         {field_, {}, {{"density", "", "", {density_}, false}}});
     kg_core::Transaction transaction = store_.Begin();
-    kg_core::StageVocabulary("../kg_core/ontology", transaction);
+    kg_mission::StageVocabulary("../kg_mission/ontology", transaction);
     transaction.Commit(kg_core::WorldChange::kYes);
   }
 
@@ -123,12 +123,12 @@ class PoiCriterionTest : public testing::Test {
   }
   std::string Apply(const kg_core::FactUpdate& update) {
     kg_core::Transaction transaction = store_.Begin();
-    const kg_core::StagedUpdate staged =
+    const kg_mission::StagedUpdate staged =
         StageUpdateWithFiles(update, files_, transaction);
     if (staged.judgement.reasons.empty()) {
       transaction.Commit(kg_core::WorldChange::kYes);
     }
-    return kg_core::JoinStrings(staged.judgement.reasons, "\n");
+    return kg_base::JoinStrings(staged.judgement.reasons, "\n");
   }
 
   struct Bump {
@@ -156,7 +156,7 @@ class PoiCriterionTest : public testing::Test {
       for (int col = 0; col < grid_.cols(); ++col) {
         for (const Bump& bump : bumps) {
           const double d_m =
-              kg_core::Distance_m(grid_.Centre({row, col}), bump.at);
+              kg_base::Distance_m(grid_.Centre({row, col}), bump.at);
           sums[grid_.Index({row, col})] +=
               bump.value * std::exp(-d_m * d_m / (2 * kRadius_m * kRadius_m));
         }
@@ -170,7 +170,7 @@ class PoiCriterionTest : public testing::Test {
   }
 
   void ExpectTensors(const std::vector<Bump>& bumps) {
-    const kg_core::Mission mission = ReadMission(*store_.Read());
+    const kg_mission::Mission mission = kg_mission::ReadMission(*store_.Read());
     EXPECT_EQ(mission.events.size(), bumps.size());
     const auto compilation = compiler_.Compile(mission, ++version_, 0);
     ASSERT_EQ(compilation->tensors.size(), 2u);
@@ -191,9 +191,9 @@ class PoiCriterionTest : public testing::Test {
   // Where the data lie is not the mission's grid.
   const Grid field_ = EvenGrid(-93.97, 26.04, 0.08, 8, 12);
   Raster density_;
-  kg_core::TemporaryFolder folder_;
+  kg_base::TemporaryFolder folder_;
   kg_core::Store store_{""};
-  kg_core::FileCache files_{folder_ / "", ""};
+  kg_mission::FileCache files_{folder_ / "", ""};
   MissionCompiler compiler_{&files_};
   std::uint64_t version_ = 0;
 };
@@ -232,7 +232,7 @@ TEST_F(PoiCriterionTest, FollowsTheRuleAndTheData) {
 TEST_F(PoiCriterionTest, ATensorCitesItsEvents) {
   ASSERT_EQ(Add(std::string(kFacts) + kRule), "");
   const auto compilation =
-      compiler_.Compile(ReadMission(*store_.Read()), ++version_, 0);
+      compiler_.Compile(kg_mission::ReadMission(*store_.Read()), ++version_, 0);
   const auto& sources = compilation->tensors.front()->derived_from;
   const auto is_event = [](const std::string& iri) {
     return iri.find("plankton/cell/") != std::string::npos;

@@ -4,13 +4,13 @@
 #include <limits>
 #include <utility>
 
-#include "kg_compiler/as_sent.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/sha256.h"
+#include "kg_compiler/compile/as_sent.h"
 #include "kg_compiler/data_plane/frontness.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/sha256.h"
-#include "kg_core/mission/layer_files.h"
-#include "kg_core/mission/scope.h"
 #include "kg_core/rdf/term.h"
+#include "kg_mission/mission/layer_files.h"
+#include "kg_mission/mission/scope.h"
 
 namespace kg_compiler {
 namespace {
@@ -21,42 +21,42 @@ std::string Turtle(const std::string& iri) {
   return kg_core::ToTurtle(kg_core::Iri(iri));
 }
 
-const std::string& Sha256Of(const kg_core::Mission& mission,
+const std::string& Sha256Of(const kg_mission::Mission& mission,
                             const std::string& file_iri,
                             const std::string& reader_iri) {
   const auto found = mission.files.find(file_iri);
   if (found == mission.files.end()) {
-    throw kg_core::InputError(reader_iri + " prov:wasDerivedFrom " + file_iri +
+    throw kg_base::InputError(reader_iri + " prov:wasDerivedFrom " + file_iri +
                               ": not an ex:SourceFile of the mission");
   }
   return found->second.sha256;
 }
 
-std::string WindowName(const kg_core::Mission& mission, int window) {
-  for (const kg_core::TimeWindow& candidate : mission.windows) {
+std::string WindowName(const kg_mission::Mission& mission, int window) {
+  for (const kg_mission::TimeWindow& candidate : mission.windows) {
     if (candidate.index == window) return candidate.iri;
   }
   return "window " + std::to_string(window);
 }
 
-const kg_core::WorkFieldRef& FindField(const kg_core::Mission& mission,
-                                       int window) {
-  for (const kg_core::WorkFieldRef& field : mission.work_fields) {
+const kg_mission::WorkFieldRef& FindField(const kg_mission::Mission& mission,
+                                          int window) {
+  for (const kg_mission::WorkFieldRef& field : mission.work_fields) {
     if (field.window == window) return field;
   }
-  throw kg_core::InputError(WindowName(mission, window) +
+  throw kg_base::InputError(WindowName(mission, window) +
                             ": no ex:WorkField ex:forWindow it");
 }
 
-std::string FieldKey(const kg_core::Mission& mission,
-                     const kg_core::WorkFieldRef& ref) {
-  kg_core::Hasher key;
+std::string FieldKey(const kg_mission::Mission& mission,
+                     const kg_mission::WorkFieldRef& ref) {
+  kg_base::Hasher key;
   key.Add(ref.iri);
   key.Add(Sha256Of(mission, ref.file_iri, ref.iri));
   key.Add(static_cast<double>(ref.window));
   key.Add(static_cast<double>(ref.first_time_index));
   key.Add(static_cast<double>(ref.last_time_index));
-  for (const kg_core::CostFieldRef& cost : mission.cost_fields) {
+  for (const kg_mission::CostFieldRef& cost : mission.cost_fields) {
     if (cost.window != ref.window) continue;
     key.Add(cost.iri);
     key.Add(cost.quantity);
@@ -69,17 +69,18 @@ std::string FieldKey(const kg_core::Mission& mission,
 }
 
 // Below 0: a is older. 0: of one time, or nobody can tell.
-double Compare(const kg_core::ValueLayer& a, const kg_core::ValueLayer& b) {
+double Compare(const kg_mission::ValueLayer& a,
+               const kg_mission::ValueLayer& b) {
   if (a.time_s && b.time_s) return *a.time_s - *b.time_s;
   return a.file_iri == b.file_iri ? a.time_index - b.time_index : 0;
 }
 
-const kg_core::ValueLayer& FindValue(const kg_core::Mission& mission,
-                                     const kg_core::Policy& policy,
-                                     int window) {
-  const kg_core::ValueLayer* newest = nullptr;
+const kg_mission::ValueLayer& FindValue(const kg_mission::Mission& mission,
+                                        const kg_mission::Policy& policy,
+                                        int window) {
+  const kg_mission::ValueLayer* newest = nullptr;
   bool two = false;
-  for (const kg_core::ValueLayer& layer : mission.value_layers) {
+  for (const kg_mission::ValueLayer& layer : mission.value_layers) {
     if (layer.window != window || layer.kind != policy.value_kind) continue;
     // Of layers of one time, none is the newest.
     const double newer_by = newest ? Compare(layer, *newest) : 1.0;
@@ -91,15 +92,15 @@ const kg_core::ValueLayer& FindValue(const kg_core::Mission& mission,
   const std::string where = WindowName(mission, window) + ": policy " +
                             policy.iri + " reads ex:kind \"" +
                             policy.value_kind + "\", ";
-  if (!newest) throw kg_core::InputError(where + "no ex:ValueLayer has it");
+  if (!newest) throw kg_base::InputError(where + "no ex:ValueLayer has it");
   if (two) {
-    throw kg_core::InputError(where + "two ex:ValueLayers of one time have it");
+    throw kg_base::InputError(where + "two ex:ValueLayers of one time have it");
   }
   return *newest;
 }
 
 std::string LandHash(const WindowRasters& rasters) {
-  kg_core::Hasher hash;
+  kg_base::Hasher hash;
   hash.Add(rasters.grid.Hash());
   hash.Add(std::string_view(reinterpret_cast<const char*>(rasters.land.data()),
                             rasters.land.size()));
@@ -107,23 +108,23 @@ std::string LandHash(const WindowRasters& rasters) {
 }
 
 std::string ContentHash(const WindowRasters& rasters) {
-  kg_core::Hasher hash;
+  kg_base::Hasher hash;
   hash.Add(rasters.land_hash);
   hash.Add(rasters.value);
   return hash.Hex();
 }
 
-bool ReadsValue(const kg_core::Policy& policy) {
+bool ReadsValue(const kg_mission::Policy& policy) {
   return policy.alpha_base != 0.0 || policy.gamma_front != 0.0;
 }
 
 // One line for a policy that divides by what the layer does not have.
-void CheckScales(const kg_core::Policy& policy,
-                 const kg_core::ValueLayer& layer) {
-  if (policy.layer_scale != kg_core::LayerScale::kFixed) return;
+void CheckScales(const kg_mission::Policy& policy,
+                 const kg_mission::ValueLayer& layer) {
+  if (policy.layer_scale != kg_mission::LayerScale::kFixed) return;
   if (policy.paper_literal) return;
   const auto need = [&](const char* name) {
-    throw kg_core::InputError(Turtle(layer.iri) + " " + name +
+    throw kg_base::InputError(Turtle(layer.iri) + " " + name +
                               ": expected a number above 0, because policy " +
                               Turtle(policy.iri) +
                               " has ex:layerScale \"fixed\"");
@@ -134,15 +135,16 @@ void CheckScales(const kg_core::Policy& policy,
   }
 }
 
-bool IsWeighed(const kg_core::Policy& policy,
-               const kg_core::PriorLayer& prior) {
+bool IsWeighed(const kg_mission::Policy& policy,
+               const kg_mission::PriorLayer& prior) {
   const auto beta = policy.beta.find(prior.iri);
   return beta != policy.beta.end() && beta->second != 0.0;
 }
 
-std::string KeyOf(const kg_core::Mission& mission, const std::string& iri,
-                  const kg_core::RasterRef& ref, const std::string& grid_hash) {
-  kg_core::Hasher key;
+std::string KeyOf(const kg_mission::Mission& mission, const std::string& iri,
+                  const kg_mission::RasterRef& ref,
+                  const std::string& grid_hash) {
+  kg_base::Hasher key;
   key.Add(Sha256Of(mission, ref.file_iri, iri));
   key.Add(ref.variable);
   key.Add(static_cast<double>(ref.time_index));
@@ -151,12 +153,12 @@ std::string KeyOf(const kg_core::Mission& mission, const std::string& iri,
   return key.Hex();
 }
 
-kg_core::Raster ReadValue(kg_core::FileCache* files,
-                          const kg_core::Mission& mission,
-                          const kg_core::ValueLayer& layer,
-                          const kg_core::Grid& grid) {
-  kg_core::GriddedRaster own = LoadValueLayer(*files, mission, layer);
-  if (layer.kind == kg_core::kFrontnessKind) {
+kg_base::Raster ReadValue(kg_mission::FileCache* files,
+                          const kg_mission::Mission& mission,
+                          const kg_mission::ValueLayer& layer,
+                          const kg_base::Grid& grid) {
+  kg_mission::GriddedRaster own = LoadValueLayer(*files, mission, layer);
+  if (layer.kind == kg_mission::kFrontnessKind) {
     own.values = GradientPerKm(own.grid, own.values);
   }
   return OnGrid(layer.iri, own, grid, layer.resampling);
@@ -175,29 +177,30 @@ void EraseUnused(Map* kept) {
 
 }  // namespace
 
-RasterReaders ReadersOf(kg_core::FileCache* files) {
-  return {[files](const kg_core::Mission& mission,
-                  const kg_core::WorkFieldRef& field) {
-            return kg_core::LoadWorkField(*files, mission, field);
-          },
-          [files](const kg_core::Mission& mission,
-                  const kg_core::ValueLayer& layer, const kg_core::Grid& grid) {
-            return ReadValue(files, mission, layer, grid);
-          },
-          [files](const kg_core::Mission& mission, const std::string& iri,
-                  const kg_core::RasterRef& ref,
-                  const kg_core::Grid& grid) -> kg_core::Raster {
-            return OnGrid(iri, LoadRaster(*files, mission, ref), grid,
-                          ref.resampling);
-          }};
+RasterReaders ReadersOf(kg_mission::FileCache* files) {
+  return {
+      [files](const kg_mission::Mission& mission,
+              const kg_mission::WorkFieldRef& field) {
+        return kg_mission::LoadWorkField(*files, mission, field);
+      },
+      [files](const kg_mission::Mission& mission,
+              const kg_mission::ValueLayer& layer, const kg_base::Grid& grid) {
+        return ReadValue(files, mission, layer, grid);
+      },
+      [files](const kg_mission::Mission& mission, const std::string& iri,
+              const kg_mission::RasterRef& ref,
+              const kg_base::Grid& grid) -> kg_base::Raster {
+        return OnGrid(iri, LoadRaster(*files, mission, ref), grid,
+                      ref.resampling);
+      }};
 }
 
 RasterStore::RasterStore(RasterReaders readers)
     : readers_(std::move(readers)) {}
 
 std::shared_ptr<const WorkField> RasterStore::Field(
-    const kg_core::Mission& mission, int window) {
-  const kg_core::WorkFieldRef& ref = FindField(mission, window);
+    const kg_mission::Mission& mission, int window) {
+  const kg_mission::WorkFieldRef& ref = FindField(mission, window);
   Kept<WorkField>& kept = fields_[FieldKey(mission, ref)];
   kept.used = true;
   if (!kept.value) {
@@ -214,29 +217,30 @@ std::shared_ptr<const WorkField> RasterStore::Field(
 }
 
 // Against any other window of the mission that is there already.
-void RasterStore::CheckGrid(const kg_core::Mission& mission,
+void RasterStore::CheckGrid(const kg_mission::Mission& mission,
                             const WorkField& field) const {
-  for (const kg_core::WorkFieldRef& ref : mission.work_fields) {
+  for (const kg_mission::WorkFieldRef& ref : mission.work_fields) {
     const auto other = fields_.find(FieldKey(mission, ref));
     if (other == fields_.end() || !other->second.value) continue;
-    const kg_core::Grid& grid = other->second.value->field.grid;
+    const kg_base::Grid& grid = other->second.value->field.grid;
     if (grid == field.field.grid) return;
-    throw kg_core::InputError(Turtle(field.iri) + ": expected the grid of " +
+    throw kg_base::InputError(Turtle(field.iri) + ": expected the grid of " +
                               Turtle(ref.iri) + " (" + grid.Text() +
                               "), because one grid is the mission's, not " +
                               field.field.grid.Text());
   }
 }
 
-RasterStore::FromFiles RasterStore::ReadFiles(const kg_core::Mission& mission,
-                                              const kg_core::Policy& policy,
-                                              const WorkField& field) {
+RasterStore::FromFiles RasterStore::ReadFiles(
+    const kg_mission::Mission& mission, const kg_mission::Policy& policy,
+    const WorkField& field) {
   FromFiles read;
   std::string grid_hash;  // Made if there is anything to read.
-  const kg_core::Grid& grid = field.field.grid;
+  const kg_base::Grid& grid = field.field.grid;
   // The place for it in `kept`, filled by `make` where it is new.
-  const auto keep = [&](const std::string& iri, const kg_core::RasterRef& ref,
-                        auto* kept, const auto& make) {
+  const auto keep = [&](const std::string& iri,
+                        const kg_mission::RasterRef& ref, auto* kept,
+                        const auto& make) {
     if (grid_hash.empty()) grid_hash = grid.Hash();
     const std::string key = KeyOf(mission, iri, ref, grid_hash);
     auto& place = (*kept)[key];
@@ -246,35 +250,36 @@ RasterStore::FromFiles RasterStore::ReadFiles(const kg_core::Mission& mission,
     read.key += iri + " " + key + "\n";
     return place.value;
   };
-  for (const kg_core::PriorLayer& prior : mission.priors) {
+  for (const kg_mission::PriorLayer& prior : mission.priors) {
     if (!prior.raster || !IsWeighed(policy, prior)) continue;
-    if (!kg_core::InScope(prior.windows, field.window)) continue;
+    if (!kg_mission::InScope(prior.windows, field.window)) continue;
     read.priors[prior.iri] =
-        keep(prior.iri, *prior.raster, &priors_, [](kg_core::Raster values) {
-          return std::make_shared<const kg_core::Raster>(std::move(values));
+        keep(prior.iri, *prior.raster, &priors_, [](kg_base::Raster values) {
+          return std::make_shared<const kg_base::Raster>(std::move(values));
         });
   }
-  for (const kg_core::Constraint& constraint : mission.constraints) {
-    if (!constraint.mask || !kg_core::InScope(constraint.windows, field.window))
+  for (const kg_mission::Constraint& constraint : mission.constraints) {
+    if (!constraint.mask ||
+        !kg_mission::InScope(constraint.windows, field.window))
       continue;
     read.masks[constraint.iri] =
         keep(constraint.iri, *constraint.mask, &masks_,
-             [](const kg_core::Raster& values) {
-               return std::make_shared<const kg_core::Mask>(
-                   kg_core::MakeMask(values));
+             [](const kg_base::Raster& values) {
+               return std::make_shared<const kg_base::Mask>(
+                   kg_mission::MakeMask(values));
              });
   }
   return read;
 }
 
 std::shared_ptr<const WindowRasters> RasterStore::Rasters(
-    const kg_core::Mission& mission, const kg_core::Policy& policy,
+    const kg_mission::Mission& mission, const kg_mission::Policy& policy,
     const WorkField& field) {
-  const kg_core::ValueLayer* layer =
+  const kg_mission::ValueLayer* layer =
       ReadsValue(policy) ? &FindValue(mission, policy, field.window) : nullptr;
   if (layer) CheckScales(policy, *layer);
   FromFiles files = ReadFiles(mission, policy, field);
-  kg_core::Hasher key;
+  kg_base::Hasher key;
   key.Add(field.iri);
   key.Add(field.hash);
   key.Add(files.key);

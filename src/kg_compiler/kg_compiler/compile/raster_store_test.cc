@@ -5,19 +5,19 @@
 #include <algorithm>
 #include <set>
 
+#include "kg_base/common/input_error.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/base/input_error.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::LayerScale;
-using kg_core::Mission;
-using kg_core::Policy;
-using kg_core::Raster;
+using kg_base::Raster;
+using kg_mission::LayerScale;
+using kg_mission::Mission;
+using kg_mission::Policy;
 
 constexpr int kWindows = 4;
-const kg_core::Grid kGrid = EvenGrid(-91, 24, 0.04, 6, 5);
+const kg_base::Grid kGrid = EvenGrid(-91, 24, 0.04, 6, 5);
 
 Mission TestMission() {
   Mission mission;
@@ -31,14 +31,14 @@ Mission TestMission() {
         {"ex:value" + name, t, "delta_sst", "ex:file", t + 1, t});
   }
   for (const char* name : {"reefs", "kelp"}) {
-    kg_core::PriorLayer prior;
+    kg_mission::PriorLayer prior;
     prior.iri = std::string("ex:") + name;
-    prior.raster = kg_core::RasterRef{"ex:habitat", name, 0};
+    prior.raster = kg_mission::RasterRef{"ex:habitat", name, 0};
     mission.priors.push_back(prior);
   }
-  kg_core::Constraint farm;
+  kg_mission::Constraint farm;
   farm.iri = "ex:farm";
-  farm.mask = kg_core::RasterRef{"ex:habitat", "farm", 0};
+  farm.mask = kg_mission::RasterRef{"ex:habitat", "farm", 0};
   farm.windows = {1, 2};
   mission.constraints = {farm};
   return mission;
@@ -54,27 +54,28 @@ Policy Weighing(const std::vector<std::string>& priors) {
 // Counts what is read, by name.
 struct Files {
   RasterReaders Readers() {
-    return {[this](const Mission&, const kg_core::WorkFieldRef& ref) {
-              read.insert(ref.iri);
-              return UniformFlow(
-                  grid_of.count(ref.iri) ? grid_of[ref.iri] : kGrid, 0.1, 0.2);
-            },
-            [this](const Mission&, const kg_core::ValueLayer& layer,
-                   const kg_core::Grid& grid) {
-              read.insert(layer.iri);
-              return Raster(grid.size(), static_cast<float>(layer.time_index));
-            },
-            [this](const Mission&, const std::string& iri,
-                   const kg_core::RasterRef& ref, const kg_core::Grid& grid) {
-              read.insert(iri);
-              Raster values(grid.size(), static_cast<float>(ref.time_index));
-              values[0] = 3.0f;
-              values[1] = kNoValue;
-              return values;
-            }};
+    return {
+        [this](const Mission&, const kg_mission::WorkFieldRef& ref) {
+          read.insert(ref.iri);
+          return UniformFlow(grid_of.count(ref.iri) ? grid_of[ref.iri] : kGrid,
+                             0.1, 0.2);
+        },
+        [this](const Mission&, const kg_mission::ValueLayer& layer,
+               const kg_base::Grid& grid) {
+          read.insert(layer.iri);
+          return Raster(grid.size(), static_cast<float>(layer.time_index));
+        },
+        [this](const Mission&, const std::string& iri,
+               const kg_mission::RasterRef& ref, const kg_base::Grid& grid) {
+          read.insert(iri);
+          Raster values(grid.size(), static_cast<float>(ref.time_index));
+          values[0] = 3.0f;
+          values[1] = kNoValue;
+          return values;
+        }};
   }
   static constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
-  std::map<std::string, kg_core::Grid> grid_of;
+  std::map<std::string, kg_base::Grid> grid_of;
   std::multiset<std::string> read;
 };
 
@@ -89,7 +90,7 @@ template <typename Function>
 std::string Refusal(const Function& function) {
   try {
     function();
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     return error.what();
   }
   return "";
@@ -129,7 +130,7 @@ TEST(RasterStore, PriorsAreAsTheyAreAndMasksInsideOrNot) {
   const Raster& reefs = *rasters->prior_rasters.at("ex:reefs");
   EXPECT_EQ(reefs[0], 3.0f);
   EXPECT_TRUE(std::isnan(reefs[1]));
-  const kg_core::Mask& farm = *rasters->constraint_masks.at("ex:farm");
+  const kg_base::Mask& farm = *rasters->constraint_masks.at("ex:farm");
   EXPECT_EQ(farm[0], 1);
   EXPECT_EQ(farm[1], 0);
   EXPECT_EQ(farm[2], 0);
@@ -167,7 +168,7 @@ TEST(RasterStore, ARasterThatChangesIsReadAnewAndNothingElse) {
   EXPECT_EQ(files.read.count("ex:reefs"), 1u);
   EXPECT_EQ(files.read.count("ex:kelp"), 0u);
   change([](Mission* m) {
-    m->priors[0].raster->resampling = kg_core::Resampling::kNearest;
+    m->priors[0].raster->resampling = kg_base::Resampling::kNearest;
   });
   EXPECT_EQ(files.read.count("ex:reefs"), 1u);
   change([](Mission* m) { m->files["ex:habitat"].sha256 = "new"; });

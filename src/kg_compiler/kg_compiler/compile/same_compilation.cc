@@ -6,12 +6,12 @@
 #include <tuple>
 #include <utility>
 
-#include "kg_core/base/parallel.h"
+#include "kg_base/common/parallel.h"
 
 namespace kg_compiler {
 namespace {
 
-bool SameBits(const kg_core::Raster& a, const kg_core::Raster& b) {
+bool SameBits(const kg_base::Raster& a, const kg_base::Raster& b) {
   return a.size() == b.size() &&
          std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
@@ -32,8 +32,8 @@ bool Same(const MissionTensor& a, const MissionTensor& b) {
 }
 
 bool Same(const WorkField& a, const WorkField& b) {
-  const auto same_slice = [](const kg_core::FieldSlice& x,
-                             const kg_core::FieldSlice& y) {
+  const auto same_slice = [](const kg_base::FieldSlice& x,
+                             const kg_base::FieldSlice& y) {
     return x.time_s == y.time_s && SameBits(x.east_mps, y.east_mps) &&
            SameBits(x.north_mps, y.north_mps);
   };
@@ -75,7 +75,7 @@ void CompareAll(const Pairs<T>& pairs, Difference* found) {
   std::vector<typename Pairs<T>::const_iterator> all;
   for (auto at = pairs.begin(); at != pairs.end(); ++at) all.push_back(at);
   std::vector<unsigned char> same(all.size());
-  kg_core::ForEachInParallel(all.size(), [&](std::size_t i) {
+  kg_base::ForEachInParallel(all.size(), [&](std::size_t i) {
     const auto [a, b] = all[i]->second;
     same[i] = a && b && Same(*a, *b);
   });

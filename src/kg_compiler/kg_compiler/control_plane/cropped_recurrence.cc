@@ -5,8 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "kg_base/geo/geodesy.h"
 #include "kg_compiler/control_plane/window_surface.h"
-#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
@@ -22,13 +22,13 @@ CellBox BoxOf(const std::vector<int>& cells, int cols) {
   return box;
 }
 
-double North_m(const kg_core::Grid& grid, int from, int to) {
+double North_m(const kg_base::Grid& grid, int from, int to) {
   const double a = grid.lat_deg()[from], b = grid.lat_deg()[to];
-  return (b - a) / kg_core::LocalScale(0.5 * (a + b)).lat_deg;
+  return (b - a) / kg_base::LocalScale(0.5 * (a + b)).lat_deg;
 }
 
 // The box with all that lies within `radius_m` of it, and a cell more.
-CellBox GrowBy_m(CellBox box, const kg_core::Grid& grid, double radius_m) {
+CellBox GrowBy_m(CellBox box, const kg_base::Grid& grid, double radius_m) {
   const int south = box.row, north = box.row_end - 1;
   while (box.row > 0 && North_m(grid, box.row, south) <= radius_m) --box.row;
   while (box.row_end < grid.rows() &&
@@ -37,7 +37,7 @@ CellBox GrowBy_m(CellBox box, const kg_core::Grid& grid, double radius_m) {
   }
   double lon_deg = 0.0;  // As far east or west as the radius goes at any row.
   for (int row = box.row; row < box.row_end; ++row) {
-    const double scale = kg_core::LocalScale(grid.lat_deg()[row]).lon_deg;
+    const double scale = kg_base::LocalScale(grid.lat_deg()[row]).lon_deg;
     lon_deg = std::max(lon_deg, radius_m * scale);
   }
   const std::vector<double>& lon = grid.lon_deg();
@@ -63,13 +63,13 @@ std::vector<T> Cut(const std::vector<T>& whole, int cols, const CellBox& box) {
 }
 
 // The picks of the part, named as cells of the whole.
-std::vector<RecurrencePick> PicksOf(const kg_core::Grid& grid,
+std::vector<RecurrencePick> PicksOf(const kg_base::Grid& grid,
                                     const PickMemo& memo) {
   const auto axis = [](const std::vector<double>& whole, int begin, int end) {
     return std::vector<double>(whole.begin() + begin, whole.begin() + end);
   };
   const CellBox& box = memo.box;
-  const kg_core::Grid part(axis(grid.lon_deg(), box.col, box.col_end),
+  const kg_base::Grid part(axis(grid.lon_deg(), box.col, box.col_end),
                            axis(grid.lat_deg(), box.row, box.row_end));
   std::vector<RecurrencePick> picks =
       ProximalRecurrence(part, memo.utility, memo.allowed, memo.options);
@@ -96,7 +96,7 @@ bool SameInputs(const PickMemo& a, const PickMemo& b) {
 }
 
 // Grids have two rows and two columns at least.
-CellBox SeenFrom(const CellBox& cells, const kg_core::Grid& grid,
+CellBox SeenFrom(const CellBox& cells, const kg_base::Grid& grid,
                  double radius_m) {
   if (!(radius_m < kMaxRadius_m)) return {0, grid.rows(), 0, grid.cols()};
   CellBox box = GrowBy_m(cells, grid, radius_m);
@@ -108,7 +108,7 @@ CellBox SeenFrom(const CellBox& cells, const kg_core::Grid& grid,
 }  // namespace
 
 const std::vector<RecurrencePick>& RecurrenceWithin(
-    const kg_core::Grid& grid, const kg_core::Raster& utility,
+    const kg_base::Grid& grid, const kg_base::Raster& utility,
     const std::vector<int>& allowed, const RecurrenceOptions& options,
     PickMemo* memo) {
   if (utility.size() != grid.size()) {
@@ -119,7 +119,7 @@ const std::vector<RecurrencePick>& RecurrenceWithin(
   if (!allowed.empty()) {
     now.box = SeenFrom(BoxOf(allowed, grid.cols()), grid, options.radius_m);
     now.utility = Cut(utility, grid.cols(), now.box);
-    kg_core::Mask mask(grid.size(), 0);
+    kg_base::Mask mask(grid.size(), 0);
     for (const int cell : allowed) mask[cell] = 1;
     now.allowed = Cut(mask, grid.cols(), now.box);
   }

@@ -15,8 +15,8 @@ namespace kg_compiler {
 // What the last picks were made from.
 struct PickMemo {
   CellBox box;
-  kg_core::Raster utility;
-  kg_core::Mask allowed;
+  kg_base::Raster utility;
+  kg_base::Mask allowed;
   RecurrenceOptions options;
   std::vector<RecurrencePick> picks;
 };
@@ -24,7 +24,7 @@ struct PickMemo {
 // `allowed`: cells' indices, ascending. Picks of `memo` are taken over if they
 // were made from the same cells of the same grid; else it is made anew.
 const std::vector<RecurrencePick>& RecurrenceWithin(
-    const kg_core::Grid& grid, const kg_core::Raster& utility,
+    const kg_base::Grid& grid, const kg_base::Raster& utility,
     const std::vector<int>& allowed, const RecurrenceOptions& options,
     PickMemo* memo);
 

@@ -18,11 +18,11 @@ void ExpectSamePicks(const std::vector<RecurrencePick>& whole,
 }
 
 // A blob of allowed cells anywhere, often at the grid's edge.
-kg_core::Mask Blob(std::mt19937& rng, const kg_core::Grid& grid) {
+kg_base::Mask Blob(std::mt19937& rng, const kg_base::Grid& grid) {
   const double row = Uniform(rng, 0, grid.rows());
   const double col = Uniform(rng, 0, grid.cols());
   const double size = Uniform(rng, 0, 12);
-  kg_core::Mask mask(grid.size(), 0);
+  kg_base::Mask mask(grid.size(), 0);
   for (int r = 0; r < grid.rows(); ++r) {
     for (int c = 0; c < grid.cols(); ++c) {
       const double away = std::hypot(r - row, c - col);
@@ -33,9 +33,9 @@ kg_core::Mask Blob(std::mt19937& rng, const kg_core::Grid& grid) {
 }
 
 // Few values and flat, so that many discs tie.
-kg_core::Raster Utility(std::mt19937& rng, std::size_t size) {
+kg_base::Raster Utility(std::mt19937& rng, std::size_t size) {
   const bool flat = rng() % 2;
-  kg_core::Raster utility(size);
+  kg_base::Raster utility(size);
   for (float& u : utility) {
     u = flat ? 0.25f * (rng() % 3) : static_cast<float>(Uniform(rng, 0, 1));
   }
@@ -43,7 +43,7 @@ kg_core::Raster Utility(std::mt19937& rng, std::size_t size) {
   return utility;
 }
 
-std::vector<int> CellsOf(const kg_core::Mask& mask) {
+std::vector<int> CellsOf(const kg_base::Mask& mask) {
   std::vector<int> cells;
   for (std::size_t i = 0; i < mask.size(); ++i) {
     if (mask[i]) cells.push_back(static_cast<int>(i));
@@ -56,11 +56,11 @@ TEST(RecurrenceWithin, PicksWhatTheWholeGridPicksToTheBit) {
   int picks = 0;
   PickMemo memo;  // Goes from one case to the next, as between compiles.
   for (int i = 0; i < 120; ++i) {
-    kg_core::Grid grid = i % 2 ? UnevenGrid(rng, 45, 60)
+    kg_base::Grid grid = i % 2 ? UnevenGrid(rng, 45, 60)
                                : EvenGrid(-92, i % 4 ? 23 : -25, 0.04, 45, 60);
     if (i % 5 == 0) memo = {};
-    const kg_core::Raster utility = Utility(rng, grid.size());
-    const kg_core::Mask allowed = Blob(rng, grid);
+    const kg_base::Raster utility = Utility(rng, grid.size());
+    const kg_base::Mask allowed = Blob(rng, grid);
     RecurrenceOptions options;
     options.radius_m = Uniform(rng, 0, 30e3);
     options.spacing_m = Uniform(rng, 0, 40e3);
@@ -75,8 +75,8 @@ TEST(RecurrenceWithin, PicksWhatTheWholeGridPicksToTheBit) {
 
 TEST(RecurrenceWithin, TakesItsPicksOverOnlyWhileNothingSeenChanges) {
   std::mt19937 rng(4);
-  const kg_core::Grid grid = EvenGrid(-92, 23, 0.04, 45, 60);
-  kg_core::Raster utility = RandomRaster(rng, grid.size(), 0, 1);
+  const kg_base::Grid grid = EvenGrid(-92, 23, 0.04, 45, 60);
+  kg_base::Raster utility = RandomRaster(rng, grid.size(), 0, 1);
   utility[5] = 2.0f;
   std::vector<int> allowed = {static_cast<int>(grid.Index({20, 30}))};
   const RecurrenceOptions options{9000.0, 9000.0, 5};

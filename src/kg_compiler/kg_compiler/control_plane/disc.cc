@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "kg_core/base/units.h"
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/common/units.h"
+#include "kg_base/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
@@ -23,7 +23,7 @@ double MeridianArc_m(double lat_deg) {
   constexpr double kFlattening = 1.0 / 298.257223563;
   constexpr double n = kFlattening / (2.0 - kFlattening);
   constexpr double n2 = n * n;
-  const double lat = kg_core::DegToRad(lat_deg);
+  const double lat = kg_base::DegToRad(lat_deg);
   return kEquator_m / (1.0 + n) *
          ((1.0 + n2 / 4.0 + n2 * n2 / 64.0) * lat -
           1.5 * n * (1.0 - n2 / 8.0) * std::sin(2.0 * lat) +
@@ -32,7 +32,7 @@ double MeridianArc_m(double lat_deg) {
           315.0 / 512.0 * n2 * n2 * std::sin(8.0 * lat));
 }
 
-Discs::Discs(const kg_core::Grid& grid, double radius_m, Span rows)
+Discs::Discs(const kg_base::Grid& grid, double radius_m, Span rows)
     : grid_(grid), radius_m_(radius_m), known_(rows) {
   if (!(radius_m >= 0.0)) throw std::logic_error("a radius must be >= 0");
   const std::vector<double>& lat = grid.lat_deg();
@@ -47,7 +47,7 @@ Discs::Discs(const kg_core::Grid& grid, double radius_m, Span rows)
   }
   for (int row = known_.first; row < known_.last; ++row) {
     north_m_.push_back(MeridianArc_m(lat[row]));
-    m_per_lon_deg_.push_back(1.0 / kg_core::LocalScale(lat[row]).lon_deg);
+    m_per_lon_deg_.push_back(1.0 / kg_base::LocalScale(lat[row]).lon_deg);
   }
 }
 
@@ -79,7 +79,7 @@ double Discs::WidestReach_deg() const {
          *std::min_element(m_per_lon_deg_.begin(), m_per_lon_deg_.end());
 }
 
-Span Discs::Columns(kg_core::Cell centre, int other) const {
+Span Discs::Columns(kg_base::Cell centre, int other) const {
   const std::vector<double>& lon = grid_.lon_deg();
   const Chord chord = ChordOf(centre.row, other);
   const double reach_deg = Reach_deg(centre.row, other);
@@ -120,7 +120,7 @@ void Discs::Columns(int row, Span centres, int other,
   }
 }
 
-EvenColumns::EvenColumns(const kg_core::Grid& grid) : cols_(grid.cols()) {
+EvenColumns::EvenColumns(const kg_base::Grid& grid) : cols_(grid.cols()) {
   const std::vector<double>& lon = grid.lon_deg();
   step_deg_ = (lon.back() - lon.front()) / (cols_ - 1);
   double off_deg = 0.0;

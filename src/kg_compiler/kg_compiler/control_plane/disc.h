@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "kg_core/raster/grid.h"
+#include "kg_base/raster/grid.h"
 
 namespace kg_compiler {
 
@@ -36,7 +36,7 @@ double MeridianArc_m(double lat_deg);
 class Discs {
  public:
   // Throws std::logic_error if the radius is not >= 0.
-  Discs(const kg_core::Grid& grid, double radius_m, Span rows);
+  Discs(const kg_base::Grid& grid, double radius_m, Span rows);
 
   double radius_m() const { return radius_m_; }
   // All rows of the discs around the cells of the rows given.
@@ -44,7 +44,7 @@ class Discs {
   // The rows of a disc around a cell of `row`, one of those given.
   Span Rows(int row) const;
   // The columns that the disc around a cell has in row `other`, one of Rows().
-  Span Columns(kg_core::Cell centre, int other) const;
+  Span Columns(kg_base::Cell centre, int other) const;
   // The same around every cell of `centres` in `row`, from west to east.
   void Columns(int row, Span centres, int other, std::vector<Span>* out) const;
   // How far east and west a disc around a cell of `row` goes in row `other`
@@ -64,7 +64,7 @@ class Discs {
   };
   Chord ChordOf(int row, int other) const;
 
-  const kg_core::Grid& grid_;
+  const kg_base::Grid& grid_;
   double radius_m_;
   Span known_;
   std::vector<double> north_m_;        // Of rows known_.
@@ -75,7 +75,7 @@ class Discs {
 // same number of cells around every column.
 class EvenColumns {
  public:
-  explicit EvenColumns(const kg_core::Grid& grid);
+  explicit EvenColumns(const kg_base::Grid& grid);
 
   // How many columns lie within the reach on either side (but for the grid's
   // edges); nothing if that is not sure to be the same for all columns.

@@ -11,7 +11,7 @@ constexpr int kBits = 31;  // Sums of 2^32 cells fit in 63 bits.
 constexpr int kUneven = -1;
 
 // The columns within a gap of some columns, one more either side to be sure.
-Span Widened(const kg_core::Grid& grid, Span cols, double gap_deg) {
+Span Widened(const kg_base::Grid& grid, Span cols, double gap_deg) {
   const std::vector<double>& lon = grid.lon_deg();
   const auto west = std::lower_bound(lon.begin(), lon.begin() + cols.first,
                                      lon[cols.first] - gap_deg);
@@ -73,7 +73,7 @@ const auto round_to_units = RoundToUnits;
 
 }  // namespace
 
-DiscSums::DiscSums(const kg_core::Grid& grid, const kg_core::Raster& values,
+DiscSums::DiscSums(const kg_base::Grid& grid, const kg_base::Raster& values,
                    double radius_m, Span rows, Span cols)
     : grid_(grid),
       discs_(grid, radius_m, rows),
@@ -209,7 +209,7 @@ void DiscSums::AddUneven(int row, Span cols, int other, std::int64_t* sums) {
   }
 }
 
-std::vector<int> DiscSums::Footprint(kg_core::Cell centre) const {
+std::vector<int> DiscSums::Footprint(kg_base::Cell centre) const {
   std::vector<int> footprint;
   std::vector<std::int32_t> units(cols_.size());
   const Span disc = disc_rows_[centre.row - centre_rows_.first];

@@ -16,8 +16,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "kg_base/raster/grid.h"
 #include "kg_compiler/control_plane/disc.h"
-#include "kg_core/raster/grid.h"
 
 namespace kg_compiler {
 
@@ -35,7 +35,7 @@ class DiscSums {
   // `cols`, neither empty. Values that are not > 0 count 0, and others are
   // rounded to multiples of unit(). Reads the box, what discs around it see and
   // a column more. Holds references to the grid and the values.
-  DiscSums(const kg_core::Grid& grid, const kg_core::Raster& values,
+  DiscSums(const kg_base::Grid& grid, const kg_base::Raster& values,
            double radius_m, Span rows, Span cols);
 
   // A power of two: 2^-31 of one that is above the largest value.
@@ -55,7 +55,7 @@ class DiscSums {
   // strip, into `sums`: room for a multiple of kGroup.
   void Sum(int row, Span cols, std::int64_t* sums);
   // The cells of a disc that are worth anything, ascending.
-  std::vector<int> Footprint(kg_core::Cell centre) const;
+  std::vector<int> Footprint(kg_base::Cell centre) const;
 
  private:
   float Largest() const;
@@ -66,11 +66,11 @@ class DiscSums {
   const std::int64_t* Prefix(int row);
   void AddUneven(int row, Span cols, int other, std::int64_t* sums);
 
-  const kg_core::Grid& grid_;
+  const kg_base::Grid& grid_;
   Discs discs_;
   Span centre_rows_, centre_cols_;
   Span cols_;  // Columns that are read.
-  const kg_core::Raster& values_;
+  const kg_base::Raster& values_;
   double unit_ = 1.0;
   double per_unit_ = 1.0;
   std::vector<std::vector<Span>> cleared_;  // By row of rows().

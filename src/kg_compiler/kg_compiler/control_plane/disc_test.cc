@@ -5,32 +5,32 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "kg_base/geo/geodesy.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
 
 TEST(MeridianArc, IsTheGeodesicAlongAMeridian) {
   for (double lat = -90.0; lat <= 90.0; lat += 7.5) {
-    const double wanted_m = kg_core::Distance_m({10.0, 0.0}, {10.0, lat});
+    const double wanted_m = kg_base::Distance_m({10.0, 0.0}, {10.0, lat});
     EXPECT_NEAR(std::copysign(wanted_m, lat), MeridianArc_m(lat), 1e-6) << lat;
   }
 }
 
 // The definition, cell by cell.
-bool Sees(const kg_core::Grid& grid, kg_core::Cell a, kg_core::Cell b,
+bool Sees(const kg_base::Grid& grid, kg_base::Cell a, kg_base::Cell b,
           double radius_m) {
   const double north_m = MeridianArc_m(grid.lat_deg()[b.row]) -
                          MeridianArc_m(grid.lat_deg()[a.row]);
   const double east_m =
       std::abs(grid.lon_deg()[b.col] - grid.lon_deg()[a.col]) *
-      (1.0 / kg_core::LocalScale(grid.lat_deg()[b.row]).lon_deg);
+      (1.0 / kg_base::LocalScale(grid.lat_deg()[b.row]).lon_deg);
   return east_m * east_m <= radius_m * radius_m - north_m * north_m;
 }
 
-void ExpectDisc(const kg_core::Grid& grid, const Discs& discs,
-                kg_core::Cell centre) {
+void ExpectDisc(const kg_base::Grid& grid, const Discs& discs,
+                kg_base::Cell centre) {
   const Span rows = discs.Rows(centre.row);
   std::vector<Span> by_column;
   for (int row = 0; row < grid.rows(); ++row) {
@@ -51,7 +51,7 @@ void ExpectDisc(const kg_core::Grid& grid, const Discs& discs,
 TEST(Discs, HoldTheCellsWithinTheirRadius) {
   std::mt19937 rng(41);
   for (int round = 0; round < 200; ++round) {
-    const kg_core::Grid grid = UnevenGrid(rng, 17, 19);
+    const kg_base::Grid grid = UnevenGrid(rng, 17, 19);
     const int first = static_cast<int>(rng() % 17);
     const Span rows{first, first + 1 + static_cast<int>(rng() % (17 - first))};
     const Discs discs(grid, Uniform(rng, 0, 40e3), rows);
@@ -61,7 +61,7 @@ TEST(Discs, HoldTheCellsWithinTheirRadius) {
 }
 
 TEST(Discs, ReachOverTheWholeGridAndNoFarther) {
-  const kg_core::Grid grid = EvenGrid(-90, 25, 0.04, 5, 7);
+  const kg_base::Grid grid = EvenGrid(-90, 25, 0.04, 5, 7);
   const Discs all(grid, 1e7, {2, 3});
   EXPECT_EQ(5, all.Rows(2).size());
   EXPECT_EQ(7, all.Columns({2, 3}, 0).size());
@@ -71,7 +71,7 @@ TEST(Discs, ReachOverTheWholeGridAndNoFarther) {
 }
 
 TEST(Discs, RefuseARadiusThatIsNone) {
-  const kg_core::Grid grid = EvenGrid(-90, 25, 0.04, 5, 7);
+  const kg_base::Grid grid = EvenGrid(-90, 25, 0.04, 5, 7);
   EXPECT_THROW(Discs(grid, -1.0, {0, 5}), std::logic_error);
   EXPECT_THROW(Discs(grid, kGap, {0, 5}), std::logic_error);
 }
@@ -83,7 +83,7 @@ TEST(EvenColumns, KnowTheHalfWidthOrSayNothing) {
     std::vector<double> lon = EvenAxis(-98, 0.04, 50);
     const double noise = round % 3 == 0 ? 0.0 : Uniform(rng, 0, 4e-3);
     for (double& x : lon) x += Uniform(rng, -noise, noise);
-    const kg_core::Grid grid(lon, EvenAxis(0, 0.1, 2));
+    const kg_base::Grid grid(lon, EvenAxis(0, 0.1, 2));
     const double reach_deg = Uniform(rng, 0, 2.5);
     const std::optional<int> width = EvenColumns(grid).HalfWidth(reach_deg);
     if (!width) continue;

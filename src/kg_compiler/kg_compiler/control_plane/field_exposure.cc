@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kg_core/mission/source_quantities.h"
+#include "kg_mission/mission/source_quantities.h"
 
 namespace kg_compiler {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 constexpr double kStep_cells = 0.25;
 constexpr double kStep_s = 1800.0;
 
-double LegExposure(const kg_core::Grid& grid, const kg_core::ScalarField& field,
+double LegExposure(const kg_base::Grid& grid, const kg_base::ScalarField& field,
                    const TimedPoint& from, const TimedPoint& to) {
   const auto a = grid.Locate(from.position), b = grid.Locate(to.position);
   const double whole_s = to.time_s - from.time_s;
@@ -22,7 +22,7 @@ double LegExposure(const kg_core::Grid& grid, const kg_core::ScalarField& field,
   double sum = 0.0;
   for (int i = 0; i < steps; ++i) {
     const double share = (i + 0.5) / steps;
-    const kg_core::GridPoint at{a->row + share * (b->row - a->row),
+    const kg_base::GridPoint at{a->row + share * (b->row - a->row),
                                 a->col + share * (b->col - a->col)};
     sum += field.Sample(grid, at, from.time_s + share * whole_s);
   }
@@ -30,7 +30,7 @@ double LegExposure(const kg_core::Grid& grid, const kg_core::ScalarField& field,
 }
 
 // Until the arrival: what follows in a track is rest at its end.
-double Exposure(const kg_core::Grid& grid, const kg_core::ScalarField& field,
+double Exposure(const kg_base::Grid& grid, const kg_base::ScalarField& field,
                 const FlownPath& flight) {
   const std::vector<TimedPoint>& track = flight.track;
   double sum = 0.0;
@@ -44,13 +44,14 @@ double Exposure(const kg_core::Grid& grid, const kg_core::ScalarField& field,
 
 }  // namespace
 
-std::vector<double> FieldExposures(const kg_core::VectorField& field,
+std::vector<double> FieldExposures(const kg_base::VectorField& field,
                                    const FlownPath& flight) {
   std::vector<double> exposures;
   if (field.scalars.empty()) return exposures;
-  for (const kg_core::SourceQuantity& quantity : kg_core::CostQuantities()) {
+  for (const kg_mission::SourceQuantity& quantity :
+       kg_mission::CostQuantities()) {
     exposures.push_back(0.0);
-    for (const kg_core::ScalarField& scalar : field.scalars) {
+    for (const kg_base::ScalarField& scalar : field.scalars) {
       if (scalar.quantity != quantity.name) continue;
       exposures.back() += Exposure(field.grid, scalar, flight);
     }

@@ -12,14 +12,14 @@
 
 #include <vector>
 
+#include "kg_base/raster/vector_field.h"
 #include "kg_compiler/traversal/voyage.h"
-#include "kg_core/raster/vector_field.h"
 
 namespace kg_compiler {
 
 // One for each of kg_core's CostQuantities(), in their order; 0 for those that
 // `field` does not have. Empty if it has none.
-std::vector<double> FieldExposures(const kg_core::VectorField& field,
+std::vector<double> FieldExposures(const kg_base::VectorField& field,
                                    const FlownPath& flight);
 
 }  // namespace kg_compiler

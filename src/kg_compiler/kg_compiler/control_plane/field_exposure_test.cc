@@ -7,25 +7,25 @@
 
 #include "kg_compiler/control_plane/seam_cost.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/mission/source_quantities.h"
+#include "kg_mission/mission/source_quantities.h"
 
 namespace kg_compiler {
 namespace {
 
 // Linear in longitude, latitude and time: f = 1 + 2 x + 3 y + 4 t / day, with x
 // and y from the south-western centre [deg].
-double Linear(kg_core::LonLat at, double time_s) {
+double Linear(kg_base::LonLat at, double time_s) {
   return 1.0 + 2.0 * (at.lon_deg + 91.0) + 3.0 * (at.lat_deg - 24.0) +
          4.0 * time_s / 86400.0;
 }
 
-kg_core::VectorField FieldWithWaves() {
-  kg_core::VectorField field =
+kg_base::VectorField FieldWithWaves() {
+  kg_base::VectorField field =
       UniformFlow(EvenGrid(-91, 24, 0.1, 20, 30), 0, 0);
-  kg_core::ScalarField waves;
+  kg_base::ScalarField waves;
   waves.quantity = "wave_height";
   for (const double time_s : {0.0, 43200.0, 86400.0}) {
-    kg_core::Raster values(field.grid.size());
+    kg_base::Raster values(field.grid.size());
     for (int row = 0; row < field.grid.rows(); ++row) {
       for (int col = 0; col < field.grid.cols(); ++col) {
         values[field.grid.Index({row, col})] =
@@ -60,18 +60,18 @@ TEST(FieldExposures, AreTheClosedFormOfALinearField) {
   }
   const std::vector<double> exposures =
       FieldExposures(FieldWithWaves(), flight);
-  ASSERT_EQ(exposures.size(), kg_core::CostQuantities().size());
+  ASSERT_EQ(exposures.size(), kg_mission::CostQuantities().size());
   EXPECT_NEAR(exposures[0], expected, 1e-5 * expected);
 }
 
 TEST(FieldExposures, AreEmptyWithoutAFieldThatCosts) {
-  kg_core::VectorField field = FieldWithWaves();
+  kg_base::VectorField field = FieldWithWaves();
   field.scalars.clear();
   EXPECT_TRUE(FieldExposures(field, TwoLegs()).empty());
 }
 
 TEST(FieldExposures, CountWhatIsNotKnownAsNothing) {
-  kg_core::VectorField field = FieldWithWaves();
+  kg_base::VectorField field = FieldWithWaves();
   for (auto& slice : field.scalars[0].slices) {
     for (float& value : slice.values) {
       value = std::numeric_limits<float>::quiet_NaN();

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 
 namespace kg_compiler {
 
@@ -20,7 +20,7 @@ MovementMode MovementModeOf(const std::string& name) {
   for (const MovementMode mode : {MovementMode::kHops, MovementMode::kEdges}) {
     if (name == Name(mode)) return mode;
   }
-  throw kg_core::InputError("movement mode '" + name +
+  throw kg_base::InputError("movement mode '" + name +
                             "': expected 'hops' or 'edges'");
 }
 

@@ -3,10 +3,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kg_base/common/input_error.h"
+#include "kg_base/geo/wkt.h"
 #include "kg_compiler/control_plane/seam_cache.h"
 #include "kg_compiler/control_plane/window_graph.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/geo/wkt.h"
 
 namespace kg_compiler {
 namespace {
@@ -67,7 +67,7 @@ class GraphBuilds {
     BuiltWindow built =
         BuildWindowGraph(inputs, LastSeams(window), &now_.counts);
     if (built.graph.waypoints.empty()) {
-      throw kg_core::InputError(
+      throw kg_base::InputError(
           Where(rules_, *inputs.window) +
           "there is nowhere the agent can be when the window ends: no open "
           "cell within reach where it can hold station");
@@ -89,11 +89,11 @@ NavGraphs CompileNavGraphs(const SeamRules& rules,
                            const std::vector<WindowWorld>& worlds,
                            SeamCache* cache) {
   CheckWorlds(rules, worlds);
-  std::vector<kg_core::LonLat> sources = {rules.start};
+  std::vector<kg_base::LonLat> sources = {rules.start};
   if (!worlds.empty() && !IsOpenAt(*worlds[0].tensor, rules.start)) {
-    throw kg_core::InputError(
+    throw kg_base::InputError(
         Where(rules, rules.windows[0]) + "starts at " +
-        kg_core::PointWkt(rules.start) +
+        kg_base::PointWkt(rules.start) +
         ", which is on land, in a no_go area or off the grid");
   }
   // A window's waypoints are where the next one's flights set out from.

@@ -7,15 +7,15 @@
 #include <set>
 #include <stdexcept>
 
+#include "kg_base/common/input_error.h"
+#include "kg_base/geo/geodesy.h"
 #include "kg_compiler/control_plane/seam_cache.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::LonLat;
+using kg_base::LonLat;
 
 // A mission of a few windows on a small sea of random flow.
 struct TestSea {
@@ -28,14 +28,14 @@ struct TestSea {
     for (int t = 0; t < windows; ++t) {
       mission.windows.push_back(TestWindow(t, std::exp(-0.12 * t)));
     }
-    kg_core::Agent& agent = mission.agents[0];
+    kg_mission::Agent& agent = mission.agents[0];
     agent.start = {-89.9, 25.1};
     agent.policy.lambda_time_per_s = 1e-5;
     agent.policy.lambda_risk = 0.1;
     agent.policy.lambda_uncertainty = 0.5;
     value = RandomRaster(rng, grid.size(), 0, 1);
     for (int t = 0; t < windows; ++t) {
-      kg_core::VectorField field =
+      kg_base::VectorField field =
           RandomFlow(rng, grid, flow_mps, 10800, 86400);
       for (auto& slice : field.slices) slice.time_s += t * 86400;
       fields.push_back(std::move(field));
@@ -56,10 +56,10 @@ struct TestSea {
     graphs = CompileNavGraphs(rules, worlds, cache);
   }
   std::mt19937 rng;
-  kg_core::Grid grid;
-  kg_core::Mission mission;
-  kg_core::Raster value;
-  std::vector<kg_core::VectorField> fields;
+  kg_base::Grid grid;
+  kg_mission::Mission mission;
+  kg_base::Raster value;
+  std::vector<kg_base::VectorField> fields;
   std::vector<MissionTensor> tensors;
   std::vector<WindowWorld> worlds;
   SeamRules rules;
@@ -69,7 +69,7 @@ struct TestSea {
 std::string ErrorOf(TestSea* sea) {
   try {
     sea->Compile();
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     return error.what();
   }
   return "";
@@ -85,7 +85,7 @@ TEST(NavGraph, HoldsOnlyWaypointsAndEdgesThatCanBeFlownAgain) {
       const WindowRules& window = sea.rules.windows[t];
       ASSERT_FALSE(graph.waypoints.empty());
       EXPECT_LE(graph.waypoints.size(), 12u);
-      const kg_core::Mask open(sea.grid.size(), 1);
+      const kg_base::Mask open(sea.grid.size(), 1);
       std::set<int> arrived;
       for (const TraverseEdge& edge : graph.edges) {
         arrived.insert(edge.to);
@@ -294,8 +294,9 @@ TEST(NavGraph, IsTheSameFromACacheAfterAnyAreas) {
       auto& areas = sea.mission.constraints;
       if (areas.size() > 2) areas.erase(areas.begin());
       areas.push_back(AreaConstraint("ex:c" + std::to_string(step),
-                                     step % 3 ? kg_core::ConstraintKind::kSoft
-                                              : kg_core::ConstraintKind::kNoGo,
+                                     step % 3
+                                         ? kg_mission::ConstraintKind::kSoft
+                                         : kg_mission::ConstraintKind::kNoGo,
                                      Box(x, y, x + 0.15, y + 0.15)));
       areas.back().attenuation = 0.4;
       areas.back().windows = {step % 3, (step + 1) % 3};
@@ -318,7 +319,7 @@ TEST(NavGraph, IsTheSameFromACacheAfterAnyAreas) {
 TEST(NavGraph, RefusesAStartInAForbiddenPlaceByName) {
   TestSea sea(10);
   sea.mission.constraints = {AreaConstraint(
-      "ex:no", kg_core::ConstraintKind::kNoGo, Box(-90, 25, -89.8, 25.2))};
+      "ex:no", kg_mission::ConstraintKind::kNoGo, Box(-90, 25, -89.8, 25.2))};
   EXPECT_NE(std::string::npos, ErrorOf(&sea).find("agent alpha (ex:alpha), "
                                                   "window 0"));
   sea.mission.constraints.clear();
@@ -387,9 +388,9 @@ TEST(NavGraph, HasEdgesWithinAWindowInTheModeEdgesOnly) {
 
 // Of a place in still water, base travel 40 km.
 double IsolationAmong(const std::vector<LonLat>& waypoints) {
-  const kg_core::Grid grid = EvenGrid(-92, 23, 0.05, 40, 40);
-  const kg_core::VectorField field = UniformFlow(grid, 0, 0);
-  kg_core::Mission mission;
+  const kg_base::Grid grid = EvenGrid(-92, 23, 0.05, 40, 40);
+  const kg_base::VectorField field = UniformFlow(grid, 0, 0);
+  kg_mission::Mission mission;
   mission.windows = {TestWindow(0, 1.0)};
   mission.agents = {TestAgent("alpha")};
   mission.agents[0].policy.isolation_weight = 0.2;
@@ -397,7 +398,7 @@ double IsolationAmong(const std::vector<LonLat>& waypoints) {
   const SeamRules rules = CompileSeamRules(mission, mission.agents[0], 0);
   const MissionTensor tensor = CompileTensor(
       mission, mission.agents[0], mission.windows[0],
-      TestRasters(grid, kg_core::Raster(grid.size(), 1), field.NoData()));
+      TestRasters(grid, kg_base::Raster(grid.size(), 1), field.NoData()));
   return WindowTraversal(rules, rules.windows[0], {&tensor, &field})
       .Isolation({-91, 24}, waypoints);
 }
@@ -440,21 +441,21 @@ TEST(NavGraph, ChargesIsolationByThePolicysWeightAndTheTimeUnderWay) {
 
 // Flights of equal length beside a forbidden area, nearer and nearer.
 TEST(NavGraph, FindsMoreRiskTheNearerAForbiddenArea) {
-  const kg_core::Grid grid = EvenGrid(-92, 23, 0.04, 50, 50);
-  const kg_core::VectorField field = UniformFlow(grid, 0, 0);
-  kg_core::Mission mission;
+  const kg_base::Grid grid = EvenGrid(-92, 23, 0.04, 50, 50);
+  const kg_base::VectorField field = UniformFlow(grid, 0, 0);
+  kg_mission::Mission mission;
   mission.windows = {TestWindow(0, 1.0)};
   mission.agents = {TestAgent("alpha")};
-  kg_core::Policy& policy = mission.agents[0].policy;
+  kg_mission::Policy& policy = mission.agents[0].policy;
   policy.lambda_risk = 1.0;
   policy.lambda_time_per_s = 1e-3;  // Else it would go round.
   policy.hazard_range_m = 8e3;
-  mission.constraints = {AreaConstraint("ex:no", kg_core::ConstraintKind::kNoGo,
-                                        Box(-92, 23, -91.8, 24.9))};
+  mission.constraints = {AreaConstraint(
+      "ex:no", kg_mission::ConstraintKind::kNoGo, Box(-92, 23, -91.8, 24.9))};
   const SeamRules rules = CompileSeamRules(mission, mission.agents[0], 0);
   const MissionTensor tensor = CompileTensor(
       mission, mission.agents[0], mission.windows[0],
-      TestRasters(grid, kg_core::Raster(grid.size(), 1), field.NoData()));
+      TestRasters(grid, kg_base::Raster(grid.size(), 1), field.NoData()));
   const WindowTraversal sea(rules, rules.windows[0], {&tensor, &field});
   double last_s = 0.0;
   for (double lon = -91.38; lon > -91.75; lon -= 0.04) {
@@ -473,12 +474,12 @@ TEST(NavGraph, FindsMoreRiskTheNearerAForbiddenArea) {
 }
 
 TEST(NavGraph, FollowsALoopCurrentOnTheWholeGulf) {
-  kg_core::Mission mission;
+  kg_mission::Mission mission;
   mission.windows = {TestWindow(0, 1.0)};
   mission.agents = {TestAgent("alpha")};
   mission.agents[0].start = {-88.0, 25.5};
   mission.agents[0].capabilities.cruise_mps = 0.3;
-  const kg_core::VectorField field = GulfLikeFlow(1, 0, 86400, 43200);
+  const kg_base::VectorField field = GulfLikeFlow(1, 0, 86400, 43200);
   std::mt19937 rng(1);
   const MissionTensor tensor = CompileTensor(
       mission, mission.agents[0], mission.windows[0],
@@ -487,7 +488,7 @@ TEST(NavGraph, FollowsALoopCurrentOnTheWholeGulf) {
   const auto graphs = CompileNavGraphs(
       CompileSeamRules(mission, mission.agents[0], 0), {{&tensor, &field}}, {});
   EXPECT_GE(graphs[0].waypoints.size(), 3u);
-  const kg_core::Mask land = field.NoData();
+  const kg_base::Mask land = field.NoData();
   for (const TraverseEdge& edge : graphs[0].edges) {
     for (const TimedPoint& p : edge.flight.track) {
       EXPECT_FALSE(land[field.grid.Index(*field.grid.CellAt(p.position))]);

@@ -16,7 +16,7 @@ constexpr int kStrip = DiscSums::kStrip;
 constexpr int kGroup = DiscSums::kGroup;
 
 // From the first to the last allowed column of `cols` in a row.
-Span AllowedIn(const kg_core::Mask& allowed, const kg_core::Grid& grid, int row,
+Span AllowedIn(const kg_base::Mask& allowed, const kg_base::Grid& grid, int row,
                Span cols) {
   const unsigned char* begin = allowed.data() + grid.Index({row, cols.first});
   const void* first = std::memchr(begin, 1, cols.size());
@@ -34,7 +34,7 @@ struct Box {
 };
 
 // The least box that holds all allowed cells.
-Box AllowedBox(const kg_core::Grid& grid, const kg_core::Mask& allowed) {
+Box AllowedBox(const kg_base::Grid& grid, const kg_base::Mask& allowed) {
   Box box{{}, {grid.cols(), 0}};
   for (int row = 0; row < grid.rows(); ++row) {
     const Span cols = AllowedIn(allowed, grid, row, {0, grid.cols()});
@@ -49,8 +49,8 @@ Box AllowedBox(const kg_core::Grid& grid, const kg_core::Mask& allowed) {
 
 class Recurrence {
  public:
-  Recurrence(const kg_core::Grid& grid, const kg_core::Raster& utility,
-             const kg_core::Mask& allowed, const Box& box,
+  Recurrence(const kg_base::Grid& grid, const kg_base::Raster& utility,
+             const kg_base::Mask& allowed, const Box& box,
              const RecurrenceOptions& options)
       : box_(box),
         sums_(grid, utility, options.radius_m, box.rows, box.cols),
@@ -79,13 +79,13 @@ class Recurrence {
     if (*best == 0) return std::nullopt;
     const int row =
         box_.rows.first + static_cast<int>(best - row_best_.begin());
-    const kg_core::Cell cell{row, ColumnOf(row, *best)};
+    const kg_base::Cell cell{row, ColumnOf(row, *best)};
     return RecurrencePick{cell, static_cast<double>(*best) * sums_.unit(),
                           sums_.Footprint(cell)};
   }
 
   // Blanks the disc around a pick and forbids it to later picks.
-  void Blank(kg_core::Cell pick) {
+  void Blank(kg_base::Cell pick) {
     const Span rows = blanks_.Rows(pick.row);
     Span widest{pick.col, pick.col + 1};
     for (int row = rows.first; row < rows.last; ++row) {
@@ -192,7 +192,7 @@ class Recurrence {
   Discs blanks_;
   int strips_;
   int groups_;
-  kg_core::Mask allowed_;                 // Of the box.
+  kg_base::Mask allowed_;                 // Of the box.
   std::vector<Span> extents_;             // Allowed at first, by row and strip.
   std::vector<std::int64_t> group_best_;  // The largest R by row and group.
   std::vector<std::int64_t> row_best_;
@@ -201,8 +201,8 @@ class Recurrence {
 }  // namespace
 
 std::vector<RecurrencePick> ProximalRecurrence(
-    const kg_core::Grid& grid, const kg_core::Raster& utility,
-    const kg_core::Mask& allowed, const RecurrenceOptions& options) {
+    const kg_base::Grid& grid, const kg_base::Raster& utility,
+    const kg_base::Mask& allowed, const RecurrenceOptions& options) {
   if (utility.size() != grid.size() || allowed.size() != grid.size()) {
     throw std::logic_error("utility and allowed are not of the grid's size");
   }
@@ -219,8 +219,8 @@ std::vector<RecurrencePick> ProximalRecurrence(
   return picks;
 }
 
-RecurrencePick DiscSum(const kg_core::Grid& grid,
-                       const kg_core::Raster& utility, kg_core::Cell cell,
+RecurrencePick DiscSum(const kg_base::Grid& grid,
+                       const kg_base::Raster& utility, kg_base::Cell cell,
                        double radius_m) {
   const Discs discs(grid, radius_m, {cell.row, cell.row + 1});
   RecurrencePick pick{cell, 0.0, {}};

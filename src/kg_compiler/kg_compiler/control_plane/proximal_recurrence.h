@@ -16,7 +16,7 @@
 
 #include <vector>
 
-#include "kg_core/raster/grid.h"
+#include "kg_base/raster/grid.h"
 
 namespace kg_compiler {
 
@@ -27,7 +27,7 @@ struct RecurrenceOptions {
 };
 
 struct RecurrencePick {
-  kg_core::Cell cell;
+  kg_base::Cell cell;
   double score = 0.0;  // R when it was picked: sum of U over the disc (A12).
   // The cells that the score sums, ascending: those of the disc that are worth
   // anything and that no earlier pick had blanked.
@@ -40,12 +40,12 @@ struct RecurrencePick {
 // the allowed cells and what discs around them see. Throws std::logic_error if
 // sizes do not agree or a radius is not >= 0.
 std::vector<RecurrencePick> ProximalRecurrence(
-    const kg_core::Grid& grid, const kg_core::Raster& utility,
-    const kg_core::Mask& allowed, const RecurrenceOptions& options);
+    const kg_base::Grid& grid, const kg_base::Raster& utility,
+    const kg_base::Mask& allowed, const RecurrenceOptions& options);
 
 // R at one cell with nothing blanked: the sum of U over the disc around it.
-RecurrencePick DiscSum(const kg_core::Grid& grid,
-                       const kg_core::Raster& utility, kg_core::Cell cell,
+RecurrencePick DiscSum(const kg_base::Grid& grid,
+                       const kg_base::Raster& utility, kg_base::Cell cell,
                        double radius_m);
 
 }  // namespace kg_compiler

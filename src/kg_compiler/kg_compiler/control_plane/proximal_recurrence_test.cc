@@ -4,20 +4,20 @@
 
 #include <stdexcept>
 
+#include "kg_base/geo/geodesy.h"
 #include "kg_compiler/control_plane/disc.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
 
 // For every cell, the cells within reach of it.
-std::vector<std::vector<int>> AllDiscs(const kg_core::Grid& grid,
+std::vector<std::vector<int>> AllDiscs(const kg_base::Grid& grid,
                                        double reach_m) {
   std::vector<double> north_m, m_per_deg;  // By row.
   for (const double lat_deg : grid.lat_deg()) {
     north_m.push_back(MeridianArc_m(lat_deg));
-    m_per_deg.push_back(1.0 / kg_core::LocalScale(lat_deg).lon_deg);
+    m_per_deg.push_back(1.0 / kg_base::LocalScale(lat_deg).lon_deg);
   }
   const int size = static_cast<int>(grid.size());
   std::vector<std::vector<int>> discs(size);
@@ -37,9 +37,9 @@ std::vector<std::vector<int>> AllDiscs(const kg_core::Grid& grid,
 }
 
 // Every disc summed anew, cell by cell, for every pick.
-std::vector<RecurrencePick> Naive(const kg_core::Grid& grid,
-                                  kg_core::Raster utility,
-                                  kg_core::Mask allowed,
+std::vector<RecurrencePick> Naive(const kg_base::Grid& grid,
+                                  kg_base::Raster utility,
+                                  kg_base::Mask allowed,
                                   const RecurrenceOptions& options) {
   std::vector<RecurrencePick> picks;
   const int size = static_cast<int>(grid.size());
@@ -80,15 +80,15 @@ void ExpectSamePicks(const std::vector<RecurrencePick>& wanted,
 TEST(ProximalRecurrence, PicksWhatTheNaiveLoopPicks) {
   std::mt19937 rng(21);
   for (int round = 0; round < 15; ++round) {
-    const kg_core::Grid grid = UnevenGrid(rng, 21, 26);
-    kg_core::Raster utility = RandomRaster(rng, grid.size(), 0, 1);
-    const kg_core::Mask land = RandomMask(rng, grid.size(), 0.2);
+    const kg_base::Grid grid = UnevenGrid(rng, 21, 26);
+    kg_base::Raster utility = RandomRaster(rng, grid.size(), 0, 1);
+    const kg_base::Mask land = RandomMask(rng, grid.size(), 0.2);
     for (std::size_t i = 0; i < land.size(); ++i) {
       if (land[i]) utility[i] = 0.0f;
     }
     const RecurrenceOptions options = {Uniform(rng, 0, 30e3),
                                        Uniform(rng, 0, 30e3), 12};
-    const kg_core::Mask allowed = RandomMask(rng, grid.size(), 0.7);
+    const kg_base::Mask allowed = RandomMask(rng, grid.size(), 0.7);
     ExpectSamePicks(Naive(grid, utility, allowed, options),
                     ProximalRecurrence(grid, utility, allowed, options));
   }
@@ -102,13 +102,13 @@ TEST(ProximalRecurrence, PicksWhatTheNaiveLoopPicksOnWideGrids) {
     std::vector<double> lon = EvenAxis(-98, 0.04, 150), lat(1, 40.0);
     for (double& x : lon) x += Uniform(rng, -2e-6, 2e-6);
     while (lat.size() < 8) lat.push_back(lat.back() + Uniform(rng, .02, .05));
-    const kg_core::Grid grid(lon, lat);
-    kg_core::Raster utility = RandomRaster(rng, grid.size(), 0, 1);
-    const kg_core::Mask worthless = RandomMask(rng, grid.size(), 0.1 * round);
+    const kg_base::Grid grid(lon, lat);
+    kg_base::Raster utility = RandomRaster(rng, grid.size(), 0, 1);
+    const kg_base::Mask worthless = RandomMask(rng, grid.size(), 0.1 * round);
     for (std::size_t i = 0; i < utility.size(); ++i) {
       if (worthless[i]) utility[i] = 0.0f;
     }
-    kg_core::Mask allowed = RandomMask(rng, grid.size(), 0.8);
+    kg_base::Mask allowed = RandomMask(rng, grid.size(), 0.8);
     for (int row = 0; row < 4; ++row) {  // Nothing in a corner.
       std::fill_n(&allowed[grid.Index({row, 0})], 10 * round, 0);
     }
@@ -122,10 +122,10 @@ TEST(ProximalRecurrence, PicksWhatTheNaiveLoopPicksOnWideGrids) {
 // Few cells here and there, as within the reach of several places.
 TEST(ProximalRecurrence, PicksWhatTheNaiveLoopPicksAmongScatteredCells) {
   std::mt19937 rng(25);
-  const kg_core::Grid grid = EvenGrid(-98, 25, 0.04, 7, 200);
+  const kg_base::Grid grid = EvenGrid(-98, 25, 0.04, 7, 200);
   for (int round = 0; round < 12; ++round) {
-    const kg_core::Raster utility = RandomRaster(rng, grid.size(), 0, 1);
-    kg_core::Mask allowed(grid.size(), 0);
+    const kg_base::Raster utility = RandomRaster(rng, grid.size(), 0, 1);
+    kg_base::Mask allowed(grid.size(), 0);
     for (int patch = 0; patch < 4; ++patch) {
       const int row = static_cast<int>(rng() % 5);
       const int col = static_cast<int>(rng() % 190);
@@ -142,9 +142,9 @@ TEST(ProximalRecurrence, PicksWhatTheNaiveLoopPicksAmongScatteredCells) {
 
 TEST(ProximalRecurrence, ReadsNothingBeyondTheDiscsOfAllowedCells) {
   std::mt19937 rng(24);
-  const kg_core::Grid grid = EvenGrid(-90, 25, 0.04, 30, 40);
-  kg_core::Raster utility = RandomRaster(rng, grid.size(), 0, 1);
-  kg_core::Mask allowed(grid.size(), 0);
+  const kg_base::Grid grid = EvenGrid(-90, 25, 0.04, 30, 40);
+  kg_base::Raster utility = RandomRaster(rng, grid.size(), 0, 1);
+  kg_base::Mask allowed(grid.size(), 0);
   for (int row = 12; row < 16; ++row) {
     for (int col = 15; col < 21; ++col) allowed[grid.Index({row, col})] = 1;
   }
@@ -163,60 +163,60 @@ TEST(ProximalRecurrence, ReadsNothingBeyondTheDiscsOfAllowedCells) {
 }
 
 TEST(ProximalRecurrence, ScoresAreExactSums) {
-  const kg_core::Grid grid = EvenGrid(-90, 25, 0.04, 9, 300);
-  kg_core::Raster utility(grid.size(), 0.0f);
+  const kg_base::Grid grid = EvenGrid(-90, 25, 0.04, 9, 300);
+  kg_base::Raster utility(grid.size(), 0.0f);
   utility[grid.Index({4, 10})] = 1.0f;
   utility[grid.Index({4, 11})] = 0x1p-30f;   // Counts to the last bit.
   utility[grid.Index({4, 290})] = 0x1p-29f;  // In the last strip.
   const auto picks = ProximalRecurrence(
-      grid, utility, kg_core::Mask(grid.size(), 1), {5000, 5000, 9});
+      grid, utility, kg_base::Mask(grid.size(), 1), {5000, 5000, 9});
   ASSERT_EQ(2u, picks.size());
   EXPECT_EQ(1.0 + 0x1p-30, picks[0].score);
   EXPECT_EQ(0x1p-29, picks[1].score);
-  EXPECT_TRUE((kg_core::Cell{3, 290}) == picks[1].cell);
+  EXPECT_TRUE((kg_base::Cell{3, 290}) == picks[1].cell);
 }
 
 TEST(ProximalRecurrence, BreaksTiesByRowThenColumn) {
   std::mt19937 rng(22);
-  const kg_core::Grid grid = EvenGrid(-90, 25, 0.04, 15, 17);
+  const kg_base::Grid grid = EvenGrid(-90, 25, 0.04, 15, 17);
   for (int round = 0; round < 10; ++round) {
-    kg_core::Raster utility(grid.size());
+    kg_base::Raster utility(grid.size());
     for (float& u : utility) u = static_cast<float>(rng() % 3) * 0.25f;
-    const kg_core::Mask allowed(grid.size(), 1);
+    const kg_base::Mask allowed(grid.size(), 1);
     const RecurrenceOptions options = {6000, 9000, 20};
     ExpectSamePicks(Naive(grid, utility, allowed, options),
                     ProximalRecurrence(grid, utility, allowed, options));
   }
-  const kg_core::Raster flat(grid.size(), 0.1f);
+  const kg_base::Raster flat(grid.size(), 0.1f);
   const auto picks =
-      ProximalRecurrence(grid, flat, kg_core::Mask(grid.size(), 1), {0, 0, 3});
+      ProximalRecurrence(grid, flat, kg_base::Mask(grid.size(), 1), {0, 0, 3});
   ASSERT_EQ(3u, picks.size());
   for (int i = 0; i < 3; ++i)
-    EXPECT_TRUE((kg_core::Cell{0, i}) == picks[i].cell);
+    EXPECT_TRUE((kg_base::Cell{0, i}) == picks[i].cell);
 }
 
 TEST(ProximalRecurrence, PicksNothingWithoutValueOrLeave) {
-  const kg_core::Grid grid = EvenGrid(0, 0, 0.04, 5, 5);
-  const kg_core::Raster none(25, 0.0f), some(25, 1.0f);
-  const kg_core::Mask all(25, 1), nowhere(25, 0);
+  const kg_base::Grid grid = EvenGrid(0, 0, 0.04, 5, 5);
+  const kg_base::Raster none(25, 0.0f), some(25, 1.0f);
+  const kg_base::Mask all(25, 1), nowhere(25, 0);
   EXPECT_TRUE(ProximalRecurrence(grid, none, all, {1e4, 1e4, 5}).empty());
   EXPECT_TRUE(ProximalRecurrence(grid, some, nowhere, {1e4, 1e4, 5}).empty());
   EXPECT_TRUE(ProximalRecurrence(grid, some, all, {1e4, 1e4, 0}).empty());
 }
 
 TEST(ProximalRecurrence, RefusesRastersOfAnotherSize) {
-  const kg_core::Grid grid = EvenGrid(0, 0, 0.04, 5, 5);
+  const kg_base::Grid grid = EvenGrid(0, 0, 0.04, 5, 5);
   EXPECT_THROW(
-      ProximalRecurrence(grid, kg_core::Raster(24), kg_core::Mask(25), {}),
+      ProximalRecurrence(grid, kg_base::Raster(24), kg_base::Mask(25), {}),
       std::logic_error);
-  EXPECT_THROW(ProximalRecurrence(grid, kg_core::Raster(25, 1.0f),
-                                  kg_core::Mask(25, 1), {-1.0, 1.0, 1}),
+  EXPECT_THROW(ProximalRecurrence(grid, kg_base::Raster(25, 1.0f),
+                                  kg_base::Mask(25, 1), {-1.0, 1.0, 1}),
                std::logic_error);
 }
 
 TEST(DiscSum, CountsTheCellsOfTheDisc) {
-  const kg_core::Grid grid = EvenGrid(0, -0.2, 0.04, 11, 11);  // 4.45 km cells.
-  const kg_core::Raster ones(121, 1.0f);
+  const kg_base::Grid grid = EvenGrid(0, -0.2, 0.04, 11, 11);  // 4.45 km cells.
+  const kg_base::Raster ones(121, 1.0f);
   EXPECT_DOUBLE_EQ(1.0, DiscSum(grid, ones, {5, 5}, 0).score);
   EXPECT_DOUBLE_EQ(5.0, DiscSum(grid, ones, {5, 5}, 5000).score);
   EXPECT_DOUBLE_EQ(9.0, DiscSum(grid, ones, {5, 5}, 6500).score);

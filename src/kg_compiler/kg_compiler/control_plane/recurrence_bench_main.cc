@@ -5,34 +5,34 @@
 #include <cstring>
 #include <random>
 
+#include "kg_base/common/testing/bench_report.h"
 #include "kg_compiler/control_plane/disc.h"
 #include "kg_compiler/control_plane/proximal_recurrence.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/base/testing/bench_report.h"
 #include "opencv2/imgproc.hpp"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::Median;
-using kg_core::Report;
-using kg_core::Seconds;
+using kg_base::Median;
+using kg_base::Report;
+using kg_base::Seconds;
 
 constexpr int kPicks = 20;
 constexpr double kCell_m = 100.0;
 
 // Square cells at the equator, so that a disc of r cells is one kernel.
-kg_core::Grid SquareCells(int rows, int cols) {
+kg_base::Grid SquareCells(int rows, int cols) {
   const double lat_step = kCell_m / MeridianArc_m(1.0);
-  const double lon_step = kCell_m / kg_core::DegToRad(1.0) / 6378137.0;
+  const double lon_step = kCell_m / kg_base::DegToRad(1.0) / 6378137.0;
   return {EvenAxis(-0.5 * cols * lon_step, lon_step, cols),
           EvenAxis(-0.5 * rows * lat_step, lat_step, rows)};
 }
 
 // Hills and noise, a fifth of it worth nothing.
-kg_core::Raster Utility(const kg_core::Grid& grid) {
+kg_base::Raster Utility(const kg_base::Grid& grid) {
   std::mt19937 rng(4);
-  kg_core::Raster utility = RandomRaster(rng, grid.size(), 0.0, 0.3);
+  kg_base::Raster utility = RandomRaster(rng, grid.size(), 0.0, 0.3);
   for (int hill = 0; hill < 40; ++hill) {
     const double row = Uniform(rng, 0, grid.rows());
     const double col = Uniform(rng, 0, grid.cols());
@@ -54,11 +54,11 @@ kg_core::Raster Utility(const kg_core::Grid& grid) {
 
 // Calls `of` with the cells of a grid within a radius [cells] of a cell.
 template <typename Of>
-void ForDisc(const kg_core::Grid& grid, kg_core::Cell at, int radius,
+void ForDisc(const kg_base::Grid& grid, kg_base::Cell at, int radius,
              const Of& of) {
   for (int r = -radius; r <= radius; ++r) {
     for (int c = -radius; c <= radius; ++c) {
-      const kg_core::Cell cell{at.row + r, at.col + c};
+      const kg_base::Cell cell{at.row + r, at.col + c};
       if (r * r + c * c <= radius * radius && grid.Contains(cell)) {
         of(grid.Index(cell));
       }
@@ -77,12 +77,12 @@ cv::Mat Kernel(int radius) {
   return kernel;
 }
 
-using Cells = std::vector<kg_core::Cell>;
+using Cells = std::vector<kg_base::Cell>;
 
-Cells OpenCvPicks(const kg_core::Grid& grid, kg_core::Raster utility,
+Cells OpenCvPicks(const kg_base::Grid& grid, kg_base::Raster utility,
                   int radius) {
   const cv::Mat left(grid.rows(), grid.cols(), CV_32F, utility.data());
-  kg_core::Mask allowed(grid.size(), 1);
+  kg_base::Mask allowed(grid.size(), 1);
   const cv::Mat mask(grid.rows(), grid.cols(), CV_8U, allowed.data());
   const cv::Mat kernel = Kernel(radius);
   Cells picks;
@@ -100,13 +100,13 @@ Cells OpenCvPicks(const kg_core::Grid& grid, kg_core::Raster utility,
 }
 
 // Every disc summed anew for every pick, in doubles.
-Cells PlainPicks(const kg_core::Grid& grid, kg_core::Raster utility,
+Cells PlainPicks(const kg_base::Grid& grid, kg_base::Raster utility,
                  int radius) {
-  kg_core::Mask allowed(grid.size(), 1);
+  kg_base::Mask allowed(grid.size(), 1);
   Cells picks;
   while (static_cast<int>(picks.size()) < kPicks) {
     double most = 0.0;
-    kg_core::Cell best;
+    kg_base::Cell best;
     for (int r = 0; r < grid.rows(); ++r) {
       for (int c = 0; c < grid.cols(); ++c) {
         if (!allowed[grid.Index({r, c})]) continue;
@@ -165,9 +165,9 @@ class Case {
   }
   // Only a box of cells allowed, as within an agent's reach.
   void RunBox(int radius, int side) const {
-    kg_core::Mask allowed(grid_.size(), 0);
+    kg_base::Mask allowed(grid_.size(), 0);
     for (int r = 0; r < side; ++r) {
-      const kg_core::Cell west{grid_.rows() / 2 + r, grid_.cols() / 2};
+      const kg_base::Cell west{grid_.rows() / 2 + r, grid_.cols() / 2};
       std::fill_n(&allowed[grid_.Index(west)], side, 1);
     }
     std::vector<double> our_s;
@@ -188,12 +188,12 @@ class Case {
     return {radius_m, radius_m, kPicks};
   }
   std::vector<RecurrencePick> Picks(int radius) const {
-    return ProximalRecurrence(grid_, utility_, kg_core::Mask(grid_.size(), 1),
+    return ProximalRecurrence(grid_, utility_, kg_base::Mask(grid_.size(), 1),
                               Options(radius));
   }
 
-  kg_core::Grid grid_;
-  kg_core::Raster utility_;
+  kg_base::Grid grid_;
+  kg_base::Raster utility_;
 };
 
 void ReportTarget(const char* size, double ratio) {

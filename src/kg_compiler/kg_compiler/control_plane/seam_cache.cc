@@ -1,6 +1,6 @@
 #include "kg_compiler/control_plane/seam_cache.h"
 
-#include "kg_core/base/stopwatch.h"
+#include "kg_base/common/stopwatch.h"
 
 namespace kg_compiler {
 namespace {
@@ -8,7 +8,7 @@ namespace {
 constexpr int kMaxIdle = 3;  // Constraints come and go, and waypoints with
                              // them.
 
-KeptSeams::Place PlaceOf(kg_core::LonLat position) {
+KeptSeams::Place PlaceOf(kg_base::LonLat position) {
   return {position.lon_deg, position.lat_deg};
 }
 
@@ -28,7 +28,7 @@ class ElapsedTimer {
 
  private:
   double* sum_s_;
-  kg_core::Stopwatch watch_;
+  kg_base::Stopwatch watch_;
 };
 
 template <typename Map>
@@ -74,13 +74,13 @@ void SeamFlyer::TakeOver(const KeptSeams& last, bool same_tensor) {
 }
 
 std::shared_ptr<const KeptSeams::Arrivals> SeamFlyer::Arrive(
-    kg_core::LonLat source) const {
+    kg_base::LonLat source) const {
   auto arrivals = std::make_shared<KeptSeams::Arrivals>();
   arrivals->reach = traversal_.ReachFrom(source);
-  const kg_core::Grid& grid = traversal_.grid();
+  const kg_base::Grid& grid = traversal_.grid();
   // Landings: cells reached no earlier than from when station can be held.
   for (const ReachedCell& cell : arrivals->reach.cells) {
-    const kg_core::LonLat centre =
+    const kg_base::LonLat centre =
         grid.Centre({cell.index / grid.cols(), cell.index % grid.cols()});
     if (traversal_.begin_s() + cell.arrival_s >=
         traversal_.HoldableFrom_s(centre)) {
@@ -90,7 +90,7 @@ std::shared_ptr<const KeptSeams::Arrivals> SeamFlyer::Arrive(
   // What was read is at least the source's own cell, also where nothing is
   // reached.
   arrivals->read = arrivals->reach.read;
-  if (const std::optional<kg_core::Cell> cell = grid.CellAt(source)) {
+  if (const std::optional<kg_base::Cell> cell = grid.CellAt(source)) {
     arrivals->read = Join(arrivals->read,
                           {cell->row, cell->row + 1, cell->col, cell->col + 1});
   }
@@ -98,7 +98,7 @@ std::shared_ptr<const KeptSeams::Arrivals> SeamFlyer::Arrive(
   return arrivals;
 }
 
-KeptSeams::Source& SeamFlyer::SourceAt(kg_core::LonLat place) {
+KeptSeams::Source& SeamFlyer::SourceAt(kg_base::LonLat place) {
   KeptSeams::Source& source = now_->sources[PlaceOf(place)];
   if (source.arrivals == nullptr) {
     const ElapsedTimer spent(&counts_->seams_s);
@@ -111,12 +111,12 @@ KeptSeams::Source& SeamFlyer::SourceAt(kg_core::LonLat place) {
   return source;
 }
 
-const std::vector<int>& SeamFlyer::Landings(kg_core::LonLat source) {
+const std::vector<int>& SeamFlyer::Landings(kg_base::LonLat source) {
   return SourceAt(source).arrivals->landings;
 }
 
-std::shared_ptr<const FlownPath> SeamFlyer::Fly(kg_core::LonLat source,
-                                                kg_core::LonLat to) {
+std::shared_ptr<const FlownPath> SeamFlyer::Fly(kg_base::LonLat source,
+                                                kg_base::LonLat to) {
   KeptSeams::Source& from = SourceAt(source);
   const auto [flown, is_new] = from.flights.try_emplace(PlaceOf(to));
   if (is_new) {

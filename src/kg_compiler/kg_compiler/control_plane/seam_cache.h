@@ -69,10 +69,10 @@ class SeamFlyer {
 
   // Cells that one can be at coming from a place, holding station there from
   // arrival until the window ends; ascending.
-  const std::vector<int>& Landings(kg_core::LonLat source);
+  const std::vector<int>& Landings(kg_base::LonLat source);
   // Null = it cannot be flown.
-  std::shared_ptr<const FlownPath> Fly(kg_core::LonLat source,
-                                       kg_core::LonLat to);
+  std::shared_ptr<const FlownPath> Fly(kg_base::LonLat source,
+                                       kg_base::LonLat to);
   PickMemo* picks() { return &now_->picks; }
 
   // All of it, for the next time; what was not asked for three times is let go.
@@ -81,9 +81,9 @@ class SeamFlyer {
 
  private:
   void TakeOver(const KeptSeams& last, bool same_tensor);
-  KeptSeams::Source& SourceAt(kg_core::LonLat place);
+  KeptSeams::Source& SourceAt(kg_base::LonLat place);
   std::shared_ptr<const KeptSeams::Arrivals> Arrive(
-      kg_core::LonLat source) const;
+      kg_base::LonLat source) const;
 
   const WindowTraversal& traversal_;
   SeamCounts* counts_;

@@ -1,6 +1,6 @@
 #include "kg_compiler/control_plane/seam_cost.h"
 
-#include "kg_core/mission/source_quantities.h"
+#include "kg_mission/mission/source_quantities.h"
 
 namespace kg_compiler {
 namespace {
@@ -46,7 +46,7 @@ std::vector<SeamTerm> FixedTerms() {
 
 // A term for each field that costs: the i-th of the quantities.
 SeamTerm FieldTerm(std::size_t i) {
-  const kg_core::SourceQuantity& quantity = kg_core::CostQuantities()[i];
+  const kg_mission::SourceQuantity& quantity = kg_mission::CostQuantities()[i];
   SeamTerm term;
   term.name = quantity.name;
   term.symbol = quantity.weight_property + " * X";
@@ -68,7 +68,7 @@ SeamTerm FieldTerm(std::size_t i) {
 const std::vector<SeamTerm>& SeamTerms() {
   static const std::vector<SeamTerm> kTerms = [] {
     std::vector<SeamTerm> terms = FixedTerms();
-    for (std::size_t i = 0; i < kg_core::CostQuantities().size(); ++i) {
+    for (std::size_t i = 0; i < kg_mission::CostQuantities().size(); ++i) {
       terms.push_back(FieldTerm(i));
     }
     return terms;

@@ -5,11 +5,11 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/sha256.h"
+#include "kg_base/common/units.h"
 #include "kg_compiler/control_plane/seam_cost.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/sha256.h"
-#include "kg_core/base/units.h"
-#include "kg_core/mission/source_quantities.h"
+#include "kg_mission/mission/source_quantities.h"
 
 namespace kg_compiler {
 namespace {
@@ -30,29 +30,29 @@ class FactReading {
   std::set<std::string> iris_;
 };
 
-MotionModel Motion(const kg_core::Capabilities& capabilities,
-                   kg_core::Mobility mobility) {
+MotionModel Motion(const kg_mission::Capabilities& capabilities,
+                   kg_mission::Mobility mobility) {
   MotionModel motion;
   motion.cruise_mps = capabilities.cruise_mps;
   motion.max_mps = capabilities.max_mps;
   motion.boost_gain = capabilities.boost_gain;
   motion.energy_per_m_j = capabilities.energy_per_m_j;
   motion.hotel_load_w = capabilities.hotel_load_w;
-  if (mobility == kg_core::Mobility::kHover) {
+  if (mobility == kg_mission::Mobility::kHover) {
     motion.rest_mps = capabilities.cruise_mps;
   }
   return motion;
 }
 
-SeamWeights Weights(const kg_core::Policy& policy) {
+SeamWeights Weights(const kg_mission::Policy& policy) {
   SeamWeights weights;
   weights.time_per_s = policy.lambda_time_per_s;
   weights.energy_per_j = policy.lambda_energy_per_j;
-  weights.risk_per_s = policy.lambda_risk / kg_core::kSecondsPerHour;
+  weights.risk_per_s = policy.lambda_risk / kg_base::kSecondsPerHour;
   weights.uncertainty = policy.lambda_uncertainty;
   weights.isolation = policy.isolation_weight;
   if (policy.lambda_fields.empty()) return weights;
-  for (const kg_core::SourceQuantity& field : kg_core::CostQuantities()) {
+  for (const kg_mission::SourceQuantity& field : kg_mission::CostQuantities()) {
     const auto lambda = policy.lambda_fields.find(field.name);
     weights.field_per_s.push_back(
         lambda == policy.lambda_fields.end() ? 0.0 : lambda->second);
@@ -61,7 +61,7 @@ SeamWeights Weights(const kg_core::Policy& policy) {
 }
 
 // Which paths are offered, beside their terms.
-void TakePathRules(const kg_core::Policy& policy, SeamRules* rules) {
+void TakePathRules(const kg_mission::Policy& policy, SeamRules* rules) {
   rules->hazard_range_m = policy.hazard_range_m;
   rules->hazard_budget_s =
       policy.hazard_budget_s.value_or(std::numeric_limits<double>::infinity());
@@ -70,14 +70,14 @@ void TakePathRules(const kg_core::Policy& policy, SeamRules* rules) {
   rules->churn_weight = policy.churn_weight;
 }
 
-bool IsActive(const kg_core::Event& event, int window) {
+bool IsActive(const kg_mission::Event& event, int window) {
   return std::find(event.windows.begin(), event.windows.end(), window) !=
          event.windows.end();
 }
 
-WindowRules CompileWindow(const kg_core::Mission& mission,
-                          const kg_core::Capabilities& capabilities,
-                          const kg_core::TimeWindow& window) {
+WindowRules CompileWindow(const kg_mission::Mission& mission,
+                          const kg_mission::Capabilities& capabilities,
+                          const kg_mission::TimeWindow& window) {
   WindowRules rules;
   rules.window = window.index;
   rules.iri = window.iri;
@@ -86,7 +86,7 @@ WindowRules CompileWindow(const kg_core::Mission& mission,
   rules.confidence = window.confidence;
   rules.base_travel_m = capabilities.base_travel_m.value_or(
       capabilities.cruise_mps * window.duration_s());
-  for (const kg_core::Event& event : mission.events) {
+  for (const kg_mission::Event& event : mission.events) {
     if (!IsActive(event, window.index)) continue;
     rules.events.push_back({event.iri, event.position,
                             event.value * window.confidence, event.radius_m});
@@ -94,11 +94,11 @@ WindowRules CompileWindow(const kg_core::Mission& mission,
   return rules;
 }
 
-void HashNumbers(std::initializer_list<double> values, kg_core::Hasher* hash) {
+void HashNumbers(std::initializer_list<double> values, kg_base::Hasher* hash) {
   for (const double value : values) hash->Add(value);
 }
 
-void HashWindow(const WindowRules& window, kg_core::Hasher* hash) {
+void HashWindow(const WindowRules& window, kg_base::Hasher* hash) {
   hash->Add(window.iri);
   HashNumbers({static_cast<double>(window.window), window.begin_s, window.end_s,
                window.confidence, window.base_travel_m,
@@ -162,16 +162,16 @@ bool SameButForWindows(const SeamRules& a, const SeamRules& b) {
                     });
 }
 
-SeamRules CompileSeamRules(const kg_core::Mission& mission,
-                           const kg_core::Agent& agent, int first_window) {
+SeamRules CompileSeamRules(const kg_mission::Mission& mission,
+                           const kg_mission::Agent& agent, int first_window) {
   FactReading read;
-  const kg_core::CoordinationFacts& team = read(mission).coordination;
-  const kg_core::Capabilities& capabilities = read(agent.capabilities);
+  const kg_mission::CoordinationFacts& team = read(mission).coordination;
+  const kg_mission::Capabilities& capabilities = read(agent.capabilities);
   SeamRules rules;
   rules.agent_iri = read(agent).iri;
   rules.agent_id = agent.id;
   rules.motion = Motion(capabilities, agent.mobility);
-  const kg_core::Policy& policy = read(agent.policy);
+  const kg_mission::Policy& policy = read(agent.policy);
   rules.weights = Weights(policy);
   TakePathRules(policy, &rules);
   rules.movement_mode = MovementModeOf(team.movement_mode);
@@ -186,7 +186,7 @@ SeamRules CompileSeamRules(const kg_core::Mission& mission,
   rules.start = agent.start;
   rules.start_heading_rad = agent.start_heading_rad;
   rules.start_iri = agent.start_iri;
-  for (const kg_core::TimeWindow& window : mission.windows) {
+  for (const kg_mission::TimeWindow& window : mission.windows) {
     if (window.index < first_window) continue;
     rules.windows.push_back(CompileWindow(mission, capabilities, window));
   }
@@ -194,13 +194,13 @@ SeamRules CompileSeamRules(const kg_core::Mission& mission,
   return rules;
 }
 
-void HashCommitted(const WindowRules& window, kg_core::Hasher* hash) {
+void HashCommitted(const WindowRules& window, kg_base::Hasher* hash) {
   if (!window.committed) return;
   hash->Add("committed");
   HashNumbers({window.committed->lon_deg, window.committed->lat_deg}, hash);
 }
 
-void HashWeights(const SeamWeights& weights, kg_core::Hasher* hash) {
+void HashWeights(const SeamWeights& weights, kg_base::Hasher* hash) {
   for (const SeamTerm& term : SeamTerms()) {
     const double weight = term.weight(weights);
     if (term.is_optional && weight == 0.0) continue;
@@ -211,7 +211,7 @@ void HashWeights(const SeamWeights& weights, kg_core::Hasher* hash) {
   }
 }
 
-void HashMotion(const MotionModel& motion, kg_core::Hasher* hash) {
+void HashMotion(const MotionModel& motion, kg_base::Hasher* hash) {
   HashNumbers({motion.cruise_mps, motion.max_mps, motion.boost_gain,
                motion.energy_per_m_j, motion.hotel_load_w},
               hash);
@@ -221,7 +221,7 @@ void HashMotion(const MotionModel& motion, kg_core::Hasher* hash) {
 }
 
 std::string SeamRulesHash(const SeamRules& rules) {
-  kg_core::Hasher hash;
+  kg_base::Hasher hash;
   hash.Add(rules.agent_iri);
   hash.Add(rules.agent_id);
   HashMotion(rules.motion, &hash);

@@ -11,19 +11,19 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/common/sha256.h"
+#include "kg_base/geo/lon_lat.h"
 #include "kg_compiler/control_plane/movement_mode.h"
 #include "kg_compiler/control_plane/seam_weights.h"
 #include "kg_compiler/traversal/motion.h"
-#include "kg_core/base/sha256.h"
-#include "kg_core/geo/lon_lat.h"
-#include "kg_core/mission/mission.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_compiler {
 
 // A discrete point of interest, for one window.
 struct EventRule {
   std::string iri;
-  kg_core::LonLat position;
+  kg_base::LonLat position;
   double reward = 0.0;    // Of one visit in this window (value times w_t).
   double radius_m = 0.0;  // A waypoint within it visits the event.
 };
@@ -39,7 +39,7 @@ struct WindowRules {
   std::string tensor_hash;  // The inputs these rules go with.
   std::string field_hash;
   // Where the plan in force says that this window ends, if the policy minds.
-  std::optional<kg_core::LonLat> committed = std::nullopt;
+  std::optional<kg_base::LonLat> committed = std::nullopt;
 };
 
 struct SeamRules {
@@ -62,7 +62,7 @@ struct SeamRules {
   double churn_weight = 0.0;
   double hazard_range_m = 10e3;  // Hazard falls to 1/e at this distance.
   MovementMode movement_mode = MovementMode::kHops;
-  kg_core::LonLat start;             // Where the agent is at the first begin_s.
+  kg_base::LonLat start;             // Where the agent is at the first begin_s.
   double start_heading_rad = 0.0;    // Clockwise from north.
   std::string start_iri;             // The ex:AgentState that says so.
   std::vector<WindowRules> windows;  // Those still to be planned, ascending.
@@ -77,8 +77,8 @@ bool operator==(const WindowRules& a, const WindowRules& b);
 bool SameButForWindows(const SeamRules& a, const SeamRules& b);
 
 // Rules for `agent` from the windows with index >= first_window.
-SeamRules CompileSeamRules(const kg_core::Mission& mission,
-                           const kg_core::Agent& agent, int first_window);
+SeamRules CompileSeamRules(const kg_mission::Mission& mission,
+                           const kg_mission::Agent& agent, int first_window);
 
 // Of all that the rules say: not of the rasters they go with, nor of the world
 // version.
@@ -86,14 +86,14 @@ std::string SeamRulesHash(const SeamRules& rules);
 
 // Adds how the agent moves; what most do not have (rest_mps), only if it is
 // there.
-void HashMotion(const MotionModel& motion, kg_core::Hasher* hash);
+void HashMotion(const MotionModel& motion, kg_base::Hasher* hash);
 // Adds what the seam cost terms weigh, in the order of the table and nothing
 // for what is optional and absent: so that without it a hash is what it was.
-void HashWeights(const SeamWeights& weights, kg_core::Hasher* hash);
+void HashWeights(const SeamWeights& weights, kg_base::Hasher* hash);
 
 // Adds where the window is to end, if the plan in force says so: nothing else,
 // so that without it a hash is what it was.
-void HashCommitted(const WindowRules& window, kg_core::Hasher* hash);
+void HashCommitted(const WindowRules& window, kg_base::Hasher* hash);
 
 // The IRIs of the facts they were compiled from, sorted: agent, policy,
 // capabilities, mission, start, windows and the windows' events. Follows

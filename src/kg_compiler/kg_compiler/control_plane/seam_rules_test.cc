@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kg_base/common/input_error.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/base/input_error.h"
 
 namespace kg_compiler {
 namespace {
 
-kg_core::Mission TestMission() {
-  kg_core::Mission mission;
+kg_mission::Mission TestMission() {
+  kg_mission::Mission mission;
   mission.windows = {TestWindow(0, 1.0), TestWindow(1, 0.8),
                      TestWindow(2, 0.6)};
   mission.agents = {TestAgent("alpha")};
@@ -23,7 +23,7 @@ kg_core::Mission TestMission() {
 }
 
 TEST(SeamRules, SpeakSiPerSecondAndJoule) {
-  kg_core::Mission mission = TestMission();
+  kg_mission::Mission mission = TestMission();
   mission.agents[0].policy.lambda_risk = 3.6;           // Per hour.
   mission.agents[0].policy.lambda_time_per_s = 0.001;   // SI in the facts.
   mission.agents[0].policy.lambda_energy_per_j = 1e-6;  // Likewise.
@@ -39,7 +39,7 @@ TEST(SeamRules, SpeakSiPerSecondAndJoule) {
 }
 
 TEST(SeamRules, TakeHazardIsolationAndModeFromTheFacts) {
-  kg_core::Mission mission = TestMission();
+  kg_mission::Mission mission = TestMission();
   mission.agents[0].policy.hazard_range_m = 1234.0;
   mission.agents[0].policy.isolation_weight = 0.25;
   mission.coordination.movement_mode = "edges";
@@ -53,18 +53,18 @@ TEST(SeamRules, TakeHazardIsolationAndModeFromTheFacts) {
   EXPECT_FALSE(SameButForWindows(rules, other));
   mission.coordination.movement_mode = "leaps";
   EXPECT_THROW(CompileSeamRules(mission, mission.agents[0], 0),
-               kg_core::InputError);
+               kg_base::InputError);
 }
 
 TEST(SeamRules, FollowTheMobilityAndTheEnergyThatIsLeft) {
-  kg_core::Mission mission = TestMission();
-  kg_core::Agent& agent = mission.agents[0];
+  kg_mission::Mission mission = TestMission();
+  kg_mission::Agent& agent = mission.agents[0];
   const SeamRules glider = CompileSeamRules(mission, agent, 0);
   EXPECT_EQ(glider.motion.rest_mps, 0.0);
-  agent.mobility = kg_core::Mobility::kFixedWing;
+  agent.mobility = kg_mission::Mobility::kFixedWing;
   EXPECT_EQ(SeamRulesHash(CompileSeamRules(mission, agent, 0)),
             SeamRulesHash(glider));
-  agent.mobility = kg_core::Mobility::kHover;
+  agent.mobility = kg_mission::Mobility::kHover;
   const SeamRules hover = CompileSeamRules(mission, agent, 0);
   EXPECT_EQ(hover.motion.rest_mps, agent.capabilities.cruise_mps);
   EXPECT_NE(SeamRulesHash(hover), SeamRulesHash(glider));
@@ -76,8 +76,8 @@ TEST(SeamRules, FollowTheMobilityAndTheEnergyThatIsLeft) {
 }
 
 TEST(SeamRules, TakeFieldPricesInTheOrderOfTheQuantities) {
-  kg_core::Mission mission = TestMission();
-  kg_core::Agent& agent = mission.agents[0];
+  kg_mission::Mission mission = TestMission();
+  kg_mission::Agent& agent = mission.agents[0];
   const SeamRules free = CompileSeamRules(mission, agent, 0);
   EXPECT_TRUE(free.weights.field_per_s.empty());
   agent.policy.lambda_fields["wave_height"] = 0.0;
@@ -90,8 +90,8 @@ TEST(SeamRules, TakeFieldPricesInTheOrderOfTheQuantities) {
 }
 
 TEST(SeamRules, TakeWhichPathsAreWantedFromThePolicy) {
-  kg_core::Mission mission = TestMission();
-  kg_core::Policy& policy = mission.agents[0].policy;
+  kg_mission::Mission mission = TestMission();
+  kg_mission::Policy& policy = mission.agents[0].policy;
   const SeamRules plain = CompileSeamRules(mission, mission.agents[0], 0);
   EXPECT_TRUE(std::isinf(plain.hazard_budget_s));
   EXPECT_FALSE(plain.diverse);
@@ -109,10 +109,10 @@ TEST(SeamRules, TakeWhichPathsAreWantedFromThePolicy) {
 }
 
 TEST(SeamRules, ACommitmentIsPartOfAWindowAndOfTheHash) {
-  const kg_core::Mission mission = TestMission();
+  const kg_mission::Mission mission = TestMission();
   const SeamRules free = CompileSeamRules(mission, mission.agents[0], 0);
   SeamRules bound = free;
-  bound.windows[1].committed = kg_core::LonLat{-90.0, 25.0};
+  bound.windows[1].committed = kg_base::LonLat{-90.0, 25.0};
   EXPECT_FALSE(free.windows[1] == bound.windows[1]);
   EXPECT_NE(SeamRulesHash(free), SeamRulesHash(bound));
   SeamRules elsewhere = bound;
@@ -121,8 +121,8 @@ TEST(SeamRules, ACommitmentIsPartOfAWindowAndOfTheHash) {
 }
 
 TEST(SeamRules, TravelAWindowAtCruiseSpeedUnlessAFactSaysOtherwise) {
-  kg_core::Mission mission = TestMission();
-  kg_core::Agent& agent = mission.agents[0];
+  kg_mission::Mission mission = TestMission();
+  kg_mission::Agent& agent = mission.agents[0];
   EXPECT_DOUBLE_EQ(
       0.5 * 86400,
       CompileSeamRules(mission, agent, 0).windows[0].base_travel_m);
@@ -132,7 +132,7 @@ TEST(SeamRules, TravelAWindowAtCruiseSpeedUnlessAFactSaysOtherwise) {
 }
 
 TEST(SeamRules, KeepAnEventToItsWindowsAndWeighItByConfidenceOnce) {
-  const kg_core::Mission mission = TestMission();
+  const kg_mission::Mission mission = TestMission();
   const SeamRules rules = CompileSeamRules(mission, mission.agents[0], 0);
   EXPECT_TRUE(rules.windows[0].events.empty());
   ASSERT_EQ(1u, rules.windows[1].events.size());
@@ -141,81 +141,82 @@ TEST(SeamRules, KeepAnEventToItsWindowsAndWeighItByConfidenceOnce) {
 }
 
 TEST(SeamRules, LeaveOutWindowsThatHavePassed) {
-  const kg_core::Mission mission = TestMission();
+  const kg_mission::Mission mission = TestMission();
   const SeamRules rules = CompileSeamRules(mission, mission.agents[0], 2);
   ASSERT_EQ(1u, rules.windows.size());
   EXPECT_EQ(2, rules.windows[0].window);
 }
 
 TEST(SeamRules, AllowAtMostTwentyWaypointsAWindow) {
-  const kg_core::Mission mission = TestMission();
+  const kg_mission::Mission mission = TestMission();
   EXPECT_EQ(20, CompileSeamRules(mission, mission.agents[0], 0).max_waypoints);
 }
 
 // One change of a fact; does it reach the rules?
 struct Change {
   const char* what;
-  void (*apply)(kg_core::Mission*);
+  void (*apply)(kg_mission::Mission*);
   const char* source;  // Whose fact; empty: rules must stay what they are.
 };
 
 const Change kChanges[] = {
     {"cruise speed",
-     [](kg_core::Mission* m) { m->agents[0].capabilities.cruise_mps *= 2; },
+     [](kg_mission::Mission* m) { m->agents[0].capabilities.cruise_mps *= 2; },
      "ex:alpha_capabilities"},
     {"energy budget",
-     [](kg_core::Mission* m) {
+     [](kg_mission::Mission* m) {
        m->agents[0].capabilities.energy_budget_j *= 2;
      },
      "ex:alpha_capabilities"},
     {"price of risk",
-     [](kg_core::Mission* m) { m->agents[0].policy.lambda_risk += 1; },
+     [](kg_mission::Mission* m) { m->agents[0].policy.lambda_risk += 1; },
      "ex:fast"},
     {"budget of risk",
-     [](kg_core::Mission* m) { m->agents[0].policy.hazard_budget_s = 60.0; },
+     [](kg_mission::Mission* m) { m->agents[0].policy.hazard_budget_s = 60.0; },
      "ex:fast"},
     {"diverse paths",
-     [](kg_core::Mission* m) { m->agents[0].policy.diverse_paths = true; },
+     [](kg_mission::Mission* m) { m->agents[0].policy.diverse_paths = true; },
      "ex:fast"},
     {"least difference",
-     [](kg_core::Mission* m) { m->agents[0].policy.minimum_difference = 3; },
+     [](kg_mission::Mission* m) { m->agents[0].policy.minimum_difference = 3; },
      "ex:fast"},
     {"price of churn",
-     [](kg_core::Mission* m) { m->agents[0].policy.churn_weight = 0.5; },
+     [](kg_mission::Mission* m) { m->agents[0].policy.churn_weight = 0.5; },
      "ex:fast"},
-    {"team mode", [](kg_core::Mission* m) { m->coordination.mode = "exact"; },
-     ""},
-    {"start", [](kg_core::Mission* m) { m->agents[0].start.lon_deg += 0.1; },
+    {"team mode",
+     [](kg_mission::Mission* m) { m->coordination.mode = "exact"; }, ""},
+    {"start", [](kg_mission::Mission* m) { m->agents[0].start.lon_deg += 0.1; },
      "ex:alpha_start"},
     {"spacing",
-     [](kg_core::Mission* m) { m->coordination.waypoint_spacing_m *= 2; },
+     [](kg_mission::Mission* m) { m->coordination.waypoint_spacing_m *= 2; },
      "ex:mission"},
-    {"K", [](kg_core::Mission* m) { ++m->coordination.candidates_per_agent; },
+    {"K",
+     [](kg_mission::Mission* m) { ++m->coordination.candidates_per_agent; },
      "ex:mission"},
-    {"confidence", [](kg_core::Mission* m) { m->windows[1].confidence = 0.7; },
-     "ex:w1"},
-    {"end of a window", [](kg_core::Mission* m) { m->windows[2].end_s -= 60; },
-     "ex:w2"},
-    {"event's value", [](kg_core::Mission* m) { m->events[0].value += 1; },
+    {"confidence",
+     [](kg_mission::Mission* m) { m->windows[1].confidence = 0.7; }, "ex:w1"},
+    {"end of a window",
+     [](kg_mission::Mission* m) { m->windows[2].end_s -= 60; }, "ex:w2"},
+    {"event's value", [](kg_mission::Mission* m) { m->events[0].value += 1; },
      "ex:e"},
     {"value of an event elsewhere",
-     [](kg_core::Mission* m) { m->events[1].value += 1; }, ""},
+     [](kg_mission::Mission* m) { m->events[1].value += 1; }, ""},
     {"weight of the value layer",
-     [](kg_core::Mission* m) { m->agents[0].policy.alpha_base += 1; }, ""},
+     [](kg_mission::Mission* m) { m->agents[0].policy.alpha_base += 1; }, ""},
     {"another agent's speed",
-     [](kg_core::Mission* m) { m->agents[1].capabilities.cruise_mps *= 2; },
+     [](kg_mission::Mission* m) { m->agents[1].capabilities.cruise_mps *= 2; },
      ""},
 };
 
 TEST(SeamRules, AHashChangesWithTheFactsThatAreCitedAndWithNoOthers) {
-  kg_core::Mission mission = TestMission();
+  kg_mission::Mission mission = TestMission();
   mission.iri = "ex:mission";
   mission.agents.push_back(TestAgent("bravo"));
   mission.events.push_back({"ex:none", {-90, 25}, 5.0, 1, 9000.0, {}});
   for (int i = 0; i < 3; ++i) {
     mission.windows[i].iri = "ex:w" + std::to_string(i);
   }
-  kg_core::Agent& alpha = mission.agents[0];
+  kg_mission::Agent& alpha = mission.agents[0];
   alpha.iri = "ex:alpha";
   alpha.policy.iri = "ex:fast";
   alpha.capabilities.iri = "ex:alpha_capabilities";
@@ -227,7 +228,7 @@ TEST(SeamRules, AHashChangesWithTheFactsThatAreCitedAndWithNoOthers) {
                 "ex:alpha", "ex:alpha_capabilities", "ex:alpha_start", "ex:e",
                 "ex:fast", "ex:mission", "ex:w0", "ex:w1", "ex:w2"}));
   for (const Change& change : kChanges) {
-    kg_core::Mission other = mission;
+    kg_mission::Mission other = mission;
     change.apply(&other);
     const SeamRules after = CompileSeamRules(other, other.agents[0], 0);
     const bool cited = change.source[0] != '\0';

@@ -16,9 +16,9 @@ std::vector<int> StopsOf(const TraverseEdge& edge) {
   return stops;
 }
 
-std::vector<kg_core::LonLat> PositionsOf(
+std::vector<kg_base::LonLat> PositionsOf(
     const std::vector<Waypoint>& waypoints) {
-  std::vector<kg_core::LonLat> positions;
+  std::vector<kg_base::LonLat> positions;
   for (const Waypoint& waypoint : waypoints) {
     positions.push_back(waypoint.position);
   }

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/geo/lon_lat.h"
+#include "kg_base/raster/vector_field.h"
 #include "kg_compiler/control_plane/movement_mode.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
 #include "kg_compiler/traversal/voyage.h"
-#include "kg_core/geo/lon_lat.h"
-#include "kg_core/raster/vector_field.h"
 
 namespace kg_compiler {
 
@@ -19,7 +19,7 @@ inline constexpr int kInnerNeighbours = 4;
 
 struct Waypoint {
   int id = 0;  // Index within its window's graph.
-  kg_core::LonLat position;
+  kg_base::LonLat position;
   double score = 0.0;  // PR response: sum of FUSED over the footprint (A12).
   double value = 0.0;  // FUSED at the waypoint, in [0, 1].
   std::vector<std::string> events;  // IRIs of the events a visit here counts.
@@ -66,11 +66,11 @@ std::vector<int> StopsOf(const TraverseEdge& edge);
 // One window's rasters as published.
 struct WindowWorld {
   const MissionTensor* tensor = nullptr;
-  const kg_core::VectorField* field = nullptr;
+  const kg_base::VectorField* field = nullptr;
 };
 
 // The waypoints' places, in their order.
-std::vector<kg_core::LonLat> PositionsOf(
+std::vector<kg_base::LonLat> PositionsOf(
     const std::vector<Waypoint>& waypoints);
 
 }  // namespace kg_compiler

@@ -4,11 +4,11 @@
 #include <tuple>
 #include <utility>
 
+#include "kg_base/common/sha256.h"
+#include "kg_base/geo/geodesy.h"
 #include "kg_compiler/control_plane/cropped_recurrence.h"
 #include "kg_compiler/control_plane/proximal_recurrence.h"
 #include "kg_compiler/control_plane/window_traversal.h"
-#include "kg_core/base/sha256.h"
-#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
@@ -19,7 +19,7 @@ constexpr int kPicksPerWaypoint = 2;  // Some picks cannot be flown to.
 // A waypoint to be, with the flights to it.
 struct WaypointDraft {
   Waypoint waypoint;
-  kg_core::Cell cell;
+  kg_base::Cell cell;
   // By the source they come from.
   std::vector<std::pair<int, std::shared_ptr<const FlownPath>>> flights;
 };
@@ -45,8 +45,8 @@ class GraphBuilder {
 
  private:
   // Keeps the place if it can be flown to from anywhere.
-  bool Add(kg_core::LonLat position) {
-    const std::optional<kg_core::Cell> cell = grid_.CellAt(position);
+  bool Add(kg_base::LonLat position) {
+    const std::optional<kg_base::Cell> cell = grid_.CellAt(position);
     if (!cell || !traversal_.IsOpen(*cell)) return false;
     WaypointDraft draft;
     draft.cell = *cell;
@@ -60,19 +60,19 @@ class GraphBuilder {
     return true;
   }
 
-  bool Taken(kg_core::LonLat position) const {
+  bool Taken(kg_base::LonLat position) const {
     return std::any_of(drafts_.begin(), drafts_.end(),
                        [&](const WaypointDraft& draft) {
                          return draft.waypoint.position == position;
                        });
   }
-  bool TakenCell(kg_core::Cell cell) const {
+  bool TakenCell(kg_base::Cell cell) const {
     return std::any_of(
         drafts_.begin(), drafts_.end(),
         [&](const WaypointDraft& draft) { return draft.cell == cell; });
   }
   // Is it the place that the plan in force ends at, which comes first?
-  bool IsCommitted(kg_core::Cell cell) const {
+  bool IsCommitted(kg_base::Cell cell) const {
     return in_.window->committed && !drafts_.empty() &&
            drafts_.front().waypoint.position == *in_.window->committed &&
            drafts_.front().cell == cell &&
@@ -101,7 +101,7 @@ class GraphBuilder {
   // Cells reached from some source early enough to hold station from then on.
   std::vector<int> Allowed() {
     std::vector<int> allowed;
-    for (const kg_core::LonLat& source : in_.sources) {
+    for (const kg_base::LonLat& source : in_.sources) {
       const std::vector<int>& landings = seams_.Landings(source);
       allowed.insert(allowed.end(), landings.begin(), landings.end());
     }
@@ -130,7 +130,7 @@ class GraphBuilder {
   }
 
   void AddStays() {
-    for (const kg_core::LonLat& source : in_.sources) {
+    for (const kg_base::LonLat& source : in_.sources) {
       if (Full()) return;
       if (!Taken(source)) Add(source);
     }
@@ -147,7 +147,7 @@ class GraphBuilder {
     }
     for (const EventRule& event : in_.window->events) {
       const double away_m =
-          kg_core::Distance_m(event.position, waypoint.position);
+          kg_base::Distance_m(event.position, waypoint.position);
       if (!(away_m <= event.radius_m)) continue;
       waypoint.events.push_back(event.iri);
       waypoint.event_reward += event.reward;
@@ -192,9 +192,9 @@ class GraphBuilder {
   }
 
   std::vector<double> Isolation(const std::vector<Waypoint>& waypoints) const {
-    const std::vector<kg_core::LonLat> places = PositionsOf(waypoints);
+    const std::vector<kg_base::LonLat> places = PositionsOf(waypoints);
     std::vector<double> isolation;
-    for (const kg_core::LonLat& place : places) {
+    for (const kg_base::LonLat& place : places) {
       isolation.push_back(traversal_.Isolation(place, places));
     }
     return isolation;
@@ -207,7 +207,7 @@ class GraphBuilder {
     for (const Waypoint& waypoint : waypoints) {
       if (waypoint.id == from) continue;
       others.emplace_back(
-          kg_core::Distance_m(waypoints[from].position, waypoint.position),
+          kg_base::Distance_m(waypoints[from].position, waypoint.position),
           waypoint.id);
     }
     std::sort(others.begin(), others.end());
@@ -240,14 +240,14 @@ class GraphBuilder {
   }
 
   const WindowInputs& in_;
-  const kg_core::Grid& grid_;
-  const kg_core::Raster fused_;
+  const kg_base::Grid& grid_;
+  const kg_base::Raster fused_;
   WindowTraversal traversal_;
   SeamFlyer seams_;
   std::vector<WaypointDraft> drafts_;
 };
 
-void HashRules(const SeamRules& rules, kg_core::Hasher* hash) {
+void HashRules(const SeamRules& rules, kg_base::Hasher* hash) {
   hash->Add(rules.agent_iri);
   HashMotion(rules.motion, hash);
   HashWeights(rules.weights, hash);
@@ -259,7 +259,7 @@ void HashRules(const SeamRules& rules, kg_core::Hasher* hash) {
   hash->Add(Name(rules.movement_mode));
 }
 
-void HashGraphWindow(const WindowRules& window, kg_core::Hasher* hash) {
+void HashGraphWindow(const WindowRules& window, kg_base::Hasher* hash) {
   for (const double value :
        {static_cast<double>(window.window), window.begin_s, window.end_s,
         window.confidence, window.base_travel_m,
@@ -279,13 +279,13 @@ void HashGraphWindow(const WindowRules& window, kg_core::Hasher* hash) {
 }  // namespace
 
 std::string WindowGraphHash(const WindowInputs& inputs) {
-  kg_core::Hasher hash;
+  kg_base::Hasher hash;
   HashRules(*inputs.rules, &hash);
   HashGraphWindow(*inputs.window, &hash);
   hash.Add(inputs.world.tensor->hash);
   hash.Add(inputs.window->field_hash.empty() ? inputs.world.field->Hash()
                                              : inputs.window->field_hash);
-  for (const kg_core::LonLat& source : inputs.sources) {
+  for (const kg_base::LonLat& source : inputs.sources) {
     hash.Add(source.lon_deg);
     hash.Add(source.lat_deg);
   }
@@ -297,8 +297,8 @@ BuiltWindow BuildWindowGraph(const WindowInputs& inputs, const KeptSeams* last,
   return GraphBuilder(inputs, last, counts).Build();
 }
 
-bool IsOpenAt(const MissionTensor& tensor, kg_core::LonLat position) {
-  const std::optional<kg_core::Cell> cell = tensor.grid.CellAt(position);
+bool IsOpenAt(const MissionTensor& tensor, kg_base::LonLat position) {
+  const std::optional<kg_base::Cell> cell = tensor.grid.CellAt(position);
   if (!cell) return false;
   return tensor.At(Layer::kFeasibility, tensor.grid.Index(*cell)) == 1.0f;
 }

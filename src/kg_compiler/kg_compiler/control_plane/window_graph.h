@@ -18,7 +18,7 @@ struct WindowInputs {
   const SeamRules* rules = nullptr;
   const WindowRules* window = nullptr;
   WindowWorld world;
-  std::vector<kg_core::LonLat> sources;
+  std::vector<kg_base::LonLat> sources;
 };
 
 // Of all that BuildWindowGraph reads.
@@ -36,7 +36,7 @@ BuiltWindow BuildWindowGraph(const WindowInputs& inputs, const KeptSeams* last,
                              SeamCounts* counts);
 
 // May one be here in this window? False on land, in a no_go area, off the grid.
-bool IsOpenAt(const MissionTensor& tensor, kg_core::LonLat position);
+bool IsOpenAt(const MissionTensor& tensor, kg_base::LonLat position);
 
 }  // namespace kg_compiler
 

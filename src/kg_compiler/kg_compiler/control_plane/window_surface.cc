@@ -36,7 +36,7 @@ bool Same(const std::vector<T>& patch, const CellBox& patch_box,
 }  // namespace
 
 WindowSurface SurfaceOf(const MissionTensor& tensor) {
-  const kg_core::Raster feasibility = tensor.Get(Layer::kFeasibility);
+  const kg_base::Raster feasibility = tensor.Get(Layer::kFeasibility);
   WindowSurface surface;
   surface.cols = tensor.grid.cols();
   surface.open.resize(feasibility.size());

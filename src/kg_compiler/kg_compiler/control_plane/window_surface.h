@@ -4,16 +4,16 @@
 #ifndef KG_COMPILER_CONTROL_PLANE_WINDOW_SURFACE_H_
 #define KG_COMPILER_CONTROL_PLANE_WINDOW_SURFACE_H_
 
+#include "kg_base/raster/grid.h"
 #include "kg_compiler/data_plane/cell_box.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
-#include "kg_core/raster/grid.h"
 
 namespace kg_compiler {
 
 struct WindowSurface {
   int cols = 0;
-  kg_core::Mask open;           // 1 = may be entered.
-  kg_core::Raster attenuation;  // M_soft.
+  kg_base::Mask open;           // 1 = may be entered.
+  kg_base::Raster attenuation;  // M_soft.
 };
 WindowSurface SurfaceOf(const MissionTensor& tensor);
 
@@ -29,8 +29,8 @@ class SurfacePatch {
 
  private:
   CellBox box_;
-  kg_core::Mask open_;
-  kg_core::Raster attenuation_;
+  kg_base::Mask open_;
+  kg_base::Raster attenuation_;
 };
 
 }  // namespace kg_compiler

@@ -5,10 +5,10 @@
 #include <map>
 #include <utility>
 
+#include "kg_base/common/sha256.h"
+#include "kg_base/geo/geodesy.h"
 #include "kg_compiler/control_plane/field_exposure.h"
 #include "kg_compiler/control_plane/seam_cost.h"
-#include "kg_core/base/sha256.h"
-#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
@@ -18,7 +18,7 @@ struct CellsFor {
   int rows = 0;
   int cols = 0;
 };
-CellsFor CellsWithin(const kg_core::Grid& grid, double metres) {
+CellsFor CellsWithin(const kg_base::Grid& grid, double metres) {
   double row_m = std::numeric_limits<double>::infinity(), col_m = row_m;
   const std::vector<double>& lon = grid.lon_deg();
   const std::vector<double>& lat = grid.lat_deg();
@@ -29,7 +29,7 @@ CellsFor CellsWithin(const kg_core::Grid& grid, double metres) {
     least_lon_deg = std::min(least_lon_deg, lon[c] - lon[c - 1]);
   }
   for (std::size_t r = 0; r < lat.size(); ++r) {
-    const kg_core::DegreesPerMetre scale = kg_core::LocalScale(lat[r]);
+    const kg_base::DegreesPerMetre scale = kg_base::LocalScale(lat[r]);
     col_m = std::min(col_m, least_lon_deg / scale.lon_deg);
     if (r > 0) {
       row_m = std::min(row_m, 0.99 * (lat[r] - lat[r - 1]) / scale.lat_deg);
@@ -44,8 +44,8 @@ CellsFor CellsWithin(const kg_core::Grid& grid, double metres) {
 }
 
 // The turning points of a flight.
-std::vector<kg_core::LonLat> TrackOf(const FlownPath& flight) {
-  std::vector<kg_core::LonLat> track;
+std::vector<kg_base::LonLat> TrackOf(const FlownPath& flight) {
+  std::vector<kg_base::LonLat> track;
   for (const TimedPoint& point : flight.track) {
     if (track.empty() || track.back() != point.position) {
       track.push_back(point.position);
@@ -60,7 +60,7 @@ class RouteFlyer {
   explicit RouteFlyer(const WindowTraversal& traversal)
       : traversal_(traversal) {}
 
-  std::optional<FlownPath> Fly(kg_core::LonLat from, kg_core::LonLat to) {
+  std::optional<FlownPath> Fly(kg_base::LonLat from, kg_base::LonLat to) {
     const std::pair<double, double> key(from.lon_deg, from.lat_deg);
     auto reach = reaches_.find(key);
     if (reach == reaches_.end()) {
@@ -72,10 +72,10 @@ class RouteFlyer {
   std::optional<TraverseEdge> FlyBy(const WaypointRoute& way,
                                     double isolation) {
     std::vector<FlownPath> flights;
-    kg_core::LonLat at = way.from;
-    std::vector<kg_core::LonLat> stops = way.via;
+    kg_base::LonLat at = way.from;
+    std::vector<kg_base::LonLat> stops = way.via;
     stops.push_back(way.to);
-    for (const kg_core::LonLat stop : stops) {
+    for (const kg_base::LonLat stop : stops) {
       std::optional<FlownPath> flight = Fly(at, stop);
       if (!flight) return std::nullopt;
       flights.push_back(std::move(*flight));
@@ -106,11 +106,11 @@ WindowTraversal::WindowTraversal(const SeamRules& rules,
       hazard_(grid_, surface_.open, surface_.attenuation, rules.hazard_range_m),
       field_(*world.field) {}
 
-bool WindowTraversal::IsOpen(kg_core::Cell cell) const {
+bool WindowTraversal::IsOpen(kg_base::Cell cell) const {
   return surface_.open[grid_.Index(cell)];
 }
 
-VoyageRequest WindowTraversal::VoyageFrom(kg_core::LonLat source) const {
+VoyageRequest WindowTraversal::VoyageFrom(kg_base::LonLat source) const {
   const SeamWeights& weights = rules_.weights;
   return {{&field_, &surface_.open, &hazard_},
           rules_.motion,
@@ -118,22 +118,22 @@ VoyageRequest WindowTraversal::VoyageFrom(kg_core::LonLat source) const {
           {weights.time_per_s, weights.energy_per_j, weights.risk_per_s}};
 }
 
-double WindowTraversal::HoldableFrom_s(kg_core::LonLat place) const {
+double WindowTraversal::HoldableFrom_s(kg_base::LonLat place) const {
   return kg_compiler::HoldableFrom_s(VoyageFrom(place), place);
 }
 
-ReachMap WindowTraversal::ReachFrom(kg_core::LonLat source) const {
+ReachMap WindowTraversal::ReachFrom(kg_base::LonLat source) const {
   return ComputeReach(VoyageFrom(source));
 }
 
-std::optional<FlownPath> WindowTraversal::Fly(kg_core::LonLat source,
+std::optional<FlownPath> WindowTraversal::Fly(kg_base::LonLat source,
                                               const ReachMap& reach,
-                                              kg_core::LonLat to) const {
+                                              kg_base::LonLat to) const {
   return Traverse(VoyageFrom(source), reach, to);
 }
 
 std::optional<TraverseEdge> WindowTraversal::FlyWalk(
-    kg_core::LonLat source, const std::vector<const FlownPath*>& legs,
+    kg_base::LonLat source, const std::vector<const FlownPath*>& legs,
     double isolation) const {
   std::vector<TrackStretch> stretches;
   bool slow = false;
@@ -154,14 +154,14 @@ std::optional<TraverseEdge> WindowTraversal::FlyWalk(
   return Price(std::move(*flight), isolation);
 }
 
-double WindowTraversal::HazardAt(kg_core::LonLat place) const {
-  const std::optional<kg_core::Cell> cell = grid_.CellAt(place);
+double WindowTraversal::HazardAt(kg_base::LonLat place) const {
+  const std::optional<kg_base::Cell> cell = grid_.CellAt(place);
   return cell ? hazard_.At(*cell) : 0.0;
 }
 
 std::string WindowTraversal::Terms() const {
   const SeamWeights& weights = rules_.weights;
-  kg_core::Hasher hash;
+  kg_base::Hasher hash;
   HashMotion(rules_.motion, &hash);
   for (const double value :
        {weights.time_per_s, weights.energy_per_j, weights.risk_per_s,
@@ -182,13 +182,13 @@ CellBox WindowTraversal::HazardBox(const CellBox& read) const {
 }
 
 double WindowTraversal::Isolation(
-    kg_core::LonLat place,
-    const std::vector<kg_core::LonLat>& waypoints) const {
+    kg_base::LonLat place,
+    const std::vector<kg_base::LonLat>& waypoints) const {
   const double near_m = 0.5 * window_.base_travel_m;
   int others = 0;
-  for (const kg_core::LonLat& waypoint : waypoints) {
+  for (const kg_base::LonLat& waypoint : waypoints) {
     others +=
-        waypoint != place && kg_core::Distance_m(place, waypoint) <= near_m;
+        waypoint != place && kg_base::Distance_m(place, waypoint) <= near_m;
   }
   return rules_.weights.isolation / (1.0 + others);
 }
@@ -204,7 +204,7 @@ TraverseEdge WindowTraversal::Price(FlownPath flight, double isolation) const {
 
 std::vector<std::optional<TraverseEdge>> PriceWays(
     const WindowTraversal& traversal, const std::vector<WaypointRoute>& ways,
-    const std::vector<kg_core::LonLat>& waypoints) {
+    const std::vector<kg_base::LonLat>& waypoints) {
   RouteFlyer flyer(traversal);
   std::vector<std::optional<TraverseEdge>> prices;
   for (const WaypointRoute& way : ways) {

@@ -24,27 +24,27 @@ class WindowTraversal {
   WindowTraversal(const WindowTraversal&) = delete;
   WindowTraversal& operator=(const WindowTraversal&) = delete;
 
-  bool IsOpen(kg_core::Cell cell) const;
-  const kg_core::Grid& grid() const { return grid_; }
+  bool IsOpen(kg_base::Cell cell) const;
+  const kg_base::Grid& grid() const { return grid_; }
   const WindowSurface& surface() const { return surface_; }
   double begin_s() const { return window_.begin_s; }
 
   // See traversal.h; departures are at the window's begin.
-  double HoldableFrom_s(kg_core::LonLat place) const;
-  ReachMap ReachFrom(kg_core::LonLat source) const;
+  double HoldableFrom_s(kg_base::LonLat place) const;
+  ReachMap ReachFrom(kg_base::LonLat source) const;
   // Nothing if it cannot be flown. `reach` is that of `source`.
-  std::optional<FlownPath> Fly(kg_core::LonLat source, const ReachMap& reach,
-                               kg_core::LonLat to) const;
+  std::optional<FlownPath> Fly(kg_base::LonLat source, const ReachMap& reach,
+                               kg_base::LonLat to) const;
 
   // A walk from `source`: along the tracks of these flights, one after the
   // other, each from when the one before has arrived; at their own speeds, or
   // all at cruise speed if they cannot be flown so. Its isolation is that of
   // its end. Stops, from and to not set.
-  std::optional<TraverseEdge> FlyWalk(kg_core::LonLat source,
+  std::optional<TraverseEdge> FlyWalk(kg_base::LonLat source,
                                       const std::vector<const FlownPath*>& legs,
                                       double isolation) const;
   // 0 off the grid.
-  double HazardAt(kg_core::LonLat place) const;
+  double HazardAt(kg_base::LonLat place) const;
 
   // Hash of all but places and surface that reaches and flights depend on.
   std::string Terms() const;
@@ -54,34 +54,34 @@ class WindowTraversal {
 
   // I of a place, for a second under way: the hazard of having few of the
   // `waypoints` to go to instead (nav_graph.h). The place itself is not one.
-  double Isolation(kg_core::LonLat place,
-                   const std::vector<kg_core::LonLat>& waypoints) const;
+  double Isolation(kg_base::LonLat place,
+                   const std::vector<kg_base::LonLat>& waypoints) const;
   // The edge of a flight, from and to not set.
   TraverseEdge Price(FlownPath flight, double isolation) const;
 
  private:
-  VoyageRequest VoyageFrom(kg_core::LonLat source) const;
+  VoyageRequest VoyageFrom(kg_base::LonLat source) const;
 
   const SeamRules& rules_;
   const WindowRules& window_;
-  const kg_core::Grid& grid_;
+  const kg_base::Grid& grid_;
   WindowSurface surface_;
   HazardMap hazard_;
-  const kg_core::VectorField& field_;
+  const kg_base::VectorField& field_;
 };
 
 // A way between two places in one window, by way of others or not.
 struct WaypointRoute {
-  kg_core::LonLat from;
-  kg_core::LonLat to;
-  std::vector<kg_core::LonLat> via = {};
+  kg_base::LonLat from;
+  kg_base::LonLat to;
+  std::vector<kg_base::LonLat> via = {};
 };
 
 // What each of `ways` costs, as it would be priced in a graph of these
 // waypoints; nothing where it cannot be flown. `via` of the edges is not set.
 std::vector<std::optional<TraverseEdge>> PriceWays(
     const WindowTraversal& traversal, const std::vector<WaypointRoute>& ways,
-    const std::vector<kg_core::LonLat>& waypoints);
+    const std::vector<kg_base::LonLat>& waypoints);
 
 }  // namespace kg_compiler
 

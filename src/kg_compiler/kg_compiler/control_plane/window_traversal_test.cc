@@ -8,9 +8,9 @@ namespace kg_compiler {
 namespace {
 
 // An open sea with a soft patch and a closed corner.
-MissionTensor RandomTensor(std::mt19937& rng, const kg_core::Grid& grid) {
-  kg_core::Raster open(grid.size(), 1.f);
-  kg_core::Raster attenuation(grid.size(), 1.f);
+MissionTensor RandomTensor(std::mt19937& rng, const kg_base::Grid& grid) {
+  kg_base::Raster open(grid.size(), 1.f);
+  kg_base::Raster attenuation(grid.size(), 1.f);
   for (std::size_t i = 0; i < grid.size() / 8; ++i) open[i] = 0.f;
   for (std::size_t i = 0; i < grid.size(); i += 7) attenuation[i] = 0.5f;
   MissionTensor tensor;
@@ -45,11 +45,11 @@ SeamRules TwoWindows() {
 
 TEST(PriceWaysTest, AsksWhatTheGraphsAsk) {
   std::mt19937 rng(7);
-  const kg_core::Grid grid = EvenGrid(-92.0, 23.0, 0.05, 40, 40);
+  const kg_base::Grid grid = EvenGrid(-92.0, 23.0, 0.05, 40, 40);
   int edges = 0;
   for (int i = 0; i < 5; ++i) {
     const MissionTensor tensor = RandomTensor(rng, grid);
-    const kg_core::VectorField field =
+    const kg_base::VectorField field =
         RandomFlow(rng, grid, 0.3, 21600.0, 172800.0);
     const SeamRules rules = TwoWindows();
     const std::vector<WindowWorld> worlds(2, {&tensor, &field});
@@ -78,9 +78,9 @@ TEST(PriceWaysTest, AsksWhatTheGraphsAsk) {
 
 TEST(PriceWaysTest, AWayToAClosedPlaceOrOffTheGridHasNoPrice) {
   std::mt19937 rng(7);
-  const kg_core::Grid grid = EvenGrid(-92.0, 23.0, 0.05, 40, 40);
+  const kg_base::Grid grid = EvenGrid(-92.0, 23.0, 0.05, 40, 40);
   const MissionTensor tensor = RandomTensor(rng, grid);
-  const kg_core::VectorField field = UniformFlow(grid, 0.0, 0.0);
+  const kg_base::VectorField field = UniformFlow(grid, 0.0, 0.0);
   const SeamRules rules = TwoWindows();
   const WindowTraversal sea(rules, rules.windows[0], {&tensor, &field});
   const auto prices = PriceWays(sea,
@@ -98,7 +98,7 @@ TEST(PriceWaysTest, AWayToAClosedPlaceOrOffTheGridHasNoPrice) {
 // The same sea, the same places: what a policy pays for decides how one goes.
 TEST(WindowSeaTest, TimeBuysSpeedAndEnergySavesIt) {
   std::mt19937 rng(8);
-  const kg_core::Grid grid = EvenGrid(-92.0, 23.0, 0.05, 40, 40);
+  const kg_base::Grid grid = EvenGrid(-92.0, 23.0, 0.05, 40, 40);
   SeamRules hasty = TwoWindows();
   hasty.weights = {1e-5, 0.0, 0.0, 0.0, 0.0};
   SeamRules thrifty = hasty;
@@ -106,7 +106,7 @@ TEST(WindowSeaTest, TimeBuysSpeedAndEnergySavesIt) {
   int flown = 0;
   for (int i = 0; i < 4; ++i) {
     const MissionTensor tensor = RandomTensor(rng, grid);
-    const kg_core::VectorField field =
+    const kg_base::VectorField field =
         RandomFlow(rng, grid, 0.3, 21600.0, 172800.0);
     const WindowWorld world{&tensor, &field};
     const WindowTraversal by_time(hasty, hasty.windows[0], world);
@@ -114,7 +114,7 @@ TEST(WindowSeaTest, TimeBuysSpeedAndEnergySavesIt) {
     const ReachMap fast = by_time.ReachFrom(hasty.start);
     const ReachMap cheap = by_energy.ReachFrom(hasty.start);
     for (int k = 0; k < 10; ++k) {
-      const kg_core::LonLat to{Uniform(rng, -91.15, -90.85),
+      const kg_base::LonLat to{Uniform(rng, -91.15, -90.85),
                                Uniform(rng, 23.85, 24.15)};
       const auto a = by_time.Fly(hasty.start, fast, to);
       const auto b = by_energy.Fly(hasty.start, cheap, to);

@@ -25,7 +25,7 @@ std::optional<double> WorkMap::Share(std::size_t cell) const {
 
 WorkMap ComputeWork(const SeamRules& rules, const WindowRules& window,
                     const WindowWorld& world,
-                    const std::vector<kg_core::LonLat>& places) {
+                    const std::vector<kg_base::LonLat>& places) {
   WorkMap work;
   work.budget_s = std::min(window.end_s - window.begin_s,
                            window.base_travel_m / rules.motion.cruise_mps);
@@ -35,7 +35,7 @@ WorkMap ComputeWork(const SeamRules& rules, const WindowRules& window,
   work.time_s.assign(work.access.size(), kNotReached);
   if (!(work.budget_s > 0.0)) return work;
   const WindowTraversal traversal(rules, window, world);
-  for (const kg_core::LonLat& place : places) {
+  for (const kg_base::LonLat& place : places) {
     for (const ReachedCell& cell : traversal.ReachFrom(place).cells) {
       float& time_s = work.time_s[cell.index];
       const float arrival_s = static_cast<float>(cell.arrival_s);
@@ -52,8 +52,8 @@ WorkMap ComputeWork(const SeamRules& rules, const WindowRules& window,
   return work;
 }
 
-kg_core::Raster FusedView(const MissionTensor& tensor, const WorkMap& work) {
-  kg_core::Raster view = tensor.Get(Layer::kFused);
+kg_base::Raster FusedView(const MissionTensor& tensor, const WorkMap& work) {
+  kg_base::Raster view = tensor.Get(Layer::kFused);
   for (std::size_t i = 0; i < view.size(); ++i) {
     const std::optional<double> share = work.Share(i);
     view[i] = share ? static_cast<float>(view[i] * (1.0 - *share)) : 0.0f;

@@ -17,10 +17,10 @@
 #include <optional>
 #include <vector>
 
+#include "kg_base/geo/lon_lat.h"
+#include "kg_base/raster/grid.h"
 #include "kg_compiler/control_plane/seam_rules.h"
 #include "kg_compiler/control_plane/waypoint_graph.h"
-#include "kg_core/geo/lon_lat.h"
-#include "kg_core/raster/grid.h"
 
 namespace kg_compiler {
 
@@ -34,7 +34,7 @@ enum class CellAccess : unsigned char {
 struct WorkMap {
   double budget_s = 0.0;
   std::vector<CellAccess> access;  // By cell.
-  kg_core::Raster time_s;          // t; NaN where not reached.
+  kg_base::Raster time_s;          // t; NaN where not reached.
 
   // WORK of a cell; nothing where it is not reached.
   std::optional<double> Share(std::size_t cell) const;
@@ -44,10 +44,10 @@ struct WorkMap {
 // the window begins. Places on land, forbidden or off the grid reach nothing.
 WorkMap ComputeWork(const SeamRules& rules, const WindowRules& window,
                     const WindowWorld& world,
-                    const std::vector<kg_core::LonLat>& places);
+                    const std::vector<kg_base::LonLat>& places);
 
 // `tensor` is the one of the work's world.
-kg_core::Raster FusedView(const MissionTensor& tensor, const WorkMap& work);
+kg_base::Raster FusedView(const MissionTensor& tensor, const WorkMap& work);
 
 }  // namespace kg_compiler
 

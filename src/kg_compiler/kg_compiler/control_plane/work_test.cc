@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "kg_base/geo/geodesy.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
@@ -24,26 +24,26 @@ struct UniformSea {
     window.end_s = kDay_s;
     window.base_travel_m = kSpeed_mps * kDay_s;
   }
-  void Close(kg_core::Cell cell, float why) {
+  void Close(kg_base::Cell cell, float why) {
     feasibility[grid.Index(cell)] = why;
   }
   MissionTensor Tensor() const {
     MissionTensor tensor;
     tensor.grid = grid;
     tensor.content =
-        HoldLayers({{Layer::kFused, kg_core::Raster(grid.size(), 0.5f)},
+        HoldLayers({{Layer::kFused, kg_base::Raster(grid.size(), 0.5f)},
                     {Layer::kFeasibility, feasibility},
-                    {Layer::kAttenuation, kg_core::Raster(grid.size(), 1.0f)}});
+                    {Layer::kAttenuation, kg_base::Raster(grid.size(), 1.0f)}});
     return tensor;
   }
-  WorkMap From(std::vector<kg_core::LonLat> places) const {
+  WorkMap From(std::vector<kg_base::LonLat> places) const {
     const MissionTensor tensor = Tensor();
     return ComputeWork(rules, window, {&tensor, &field}, places);
   }
   // Time from the middle: |d - c t| = V t. Nothing if it cannot be reached.
-  std::optional<double> Exact_s(kg_core::Cell cell, double east_mps) const {
-    const kg_core::LonLat to = grid.Centre(cell);
-    const kg_core::DegreesPerMetre scale = kg_core::LocalScale(0.0);
+  std::optional<double> Exact_s(kg_base::Cell cell, double east_mps) const {
+    const kg_base::LonLat to = grid.Centre(cell);
+    const kg_base::DegreesPerMetre scale = kg_base::LocalScale(0.0);
     const double x = (to.lon_deg + 90.0) / scale.lon_deg;
     const double y = to.lat_deg / scale.lat_deg;
     const double a = kSpeed_mps * kSpeed_mps - east_mps * east_mps;
@@ -55,14 +55,14 @@ struct UniformSea {
     return t;
   }
 
-  kg_core::Grid grid;
-  kg_core::VectorField field;
-  kg_core::Raster feasibility;
+  kg_base::Grid grid;
+  kg_base::VectorField field;
+  kg_base::Raster feasibility;
   SeamRules rules;
   WindowRules window;
 };
 
-constexpr kg_core::LonLat kMiddle = {-90.0, 0.0};
+constexpr kg_base::LonLat kMiddle = {-90.0, 0.0};
 
 TEST(Work, IsTheClosedFormInAUniformCurrent) {
   const UniformSea sea(0.2, 0.0);
@@ -111,7 +111,7 @@ TEST(Work, NothingUpstreamIsReachedWhereTheCurrentIsStronger) {
 
 TEST(Work, IsAnotherFromAnotherPoseAndTheLeastOfSeveral) {
   const UniformSea sea(0.1, 0.05);
-  const kg_core::LonLat east = {-89.8, 0.1};
+  const kg_base::LonLat east = {-89.8, 0.1};
   const WorkMap one = sea.From({kMiddle});
   const WorkMap other = sea.From({east});
   const WorkMap both = sea.From({kMiddle, east});
@@ -161,7 +161,7 @@ TEST(FusedView, IsTheValueLessWhatTheWayTakes) {
   UniformSea sea(0.1, 0.0);
   sea.Close({42, 42}, 0.0f);
   const WorkMap work = sea.From({kMiddle});
-  const kg_core::Raster view = FusedView(sea.Tensor(), work);
+  const kg_base::Raster view = FusedView(sea.Tensor(), work);
   for (std::size_t i = 0; i < view.size(); ++i) {
     const float wanted = work.access[i] == CellAccess::kReached
                              ? 0.5f * (1.0f - work.time_s[i] / 86400.0f)

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/mission.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_compiler {
 
 struct ActiveConstraint {
-  const kg_core::Constraint* fact = nullptr;
+  const kg_mission::Constraint* fact = nullptr;
   // That of its kind, or where the agent must avoid it the one it has then.
-  const kg_core::ConstraintEffect* effect = nullptr;
+  const kg_mission::ConstraintEffect* effect = nullptr;
   double attenuation = 1.0;  // Of a factor, the policy's override applied.
   // Where it is said that the agent must avoid it (A11).
   std::vector<std::string> avoided_by;
@@ -24,7 +24,7 @@ struct ActiveConstraint {
 };
 
 struct ActivePrior {
-  const kg_core::PriorLayer* fact = nullptr;
+  const kg_mission::PriorLayer* fact = nullptr;
   double beta = 0.0;
   std::string weight_iri{};  // The ex:PriorWeight that says beta.
 };
@@ -34,14 +34,14 @@ struct ActiveFacts {
   bool names_agent = false;  // Some fact applies because it names the agent.
   std::vector<ActiveConstraint> constraints;
   std::vector<ActivePrior> priors;
-  std::vector<const kg_core::Event*> events;  // With beta_poi only.
+  std::vector<const kg_mission::Event*> events;  // With beta_poi only.
 };
 
 // Points into `mission`, which must outlive it. A soft zone forbids where the
 // agent must avoid it: rules conclude that, or an operator says so.
-ActiveFacts FindActiveFacts(const kg_core::Mission& mission,
-                            const kg_core::Agent& agent,
-                            const kg_core::TimeWindow& window);
+ActiveFacts FindActiveFacts(const kg_mission::Mission& mission,
+                            const kg_mission::Agent& agent,
+                            const kg_mission::TimeWindow& window);
 
 }  // namespace kg_compiler
 

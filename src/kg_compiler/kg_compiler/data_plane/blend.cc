@@ -4,19 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "kg_base/common/input_error.h"
+#include "kg_base/raster/wkt_raster.h"
 #include "kg_compiler/data_plane/bump.h"
 #include "kg_compiler/data_plane/distance_transform.h"
 #include "kg_compiler/data_plane/frontness.h"
 #include "kg_compiler/data_plane/masks.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/raster/wkt_raster.h"
 
 namespace kg_compiler {
 namespace {
 
 constexpr double kPercentile = 0.98;
 
-void AddRaster(const kg_core::Raster& values, double weight,
+void AddRaster(const kg_base::Raster& values, double weight,
                std::vector<double>* sum) {
   for (std::size_t i = 0; i < sum->size(); ++i) {
     if (std::isfinite(values[i])) (*sum)[i] += weight * values[i];
@@ -25,14 +25,14 @@ void AddRaster(const kg_core::Raster& values, double weight,
 
 void AddPrior(const WindowRasters& rasters, const ActivePrior& prior,
               std::vector<double>* sum) {
-  const kg_core::Grid& grid = rasters.grid;
+  const kg_base::Grid& grid = rasters.grid;
   if (prior.fact->raster) {
     AddRaster(*rasters.prior_rasters.at(prior.fact->iri), prior.beta, sum);
     return;
   }
   if (!prior.fact->area) return;
-  const kg_core::Mask inside =
-      kg_core::RasteriseCentres(*prior.fact->area, grid);
+  const kg_base::Mask inside =
+      kg_base::RasteriseCentres(*prior.fact->area, grid);
   // Without an edge the prior is 1 inside and 0 outside; with one it falls off
   // as a Gaussian of the distance to the area (0 inside, so 1 there).
   const double edge_m = prior.fact->edge_m;
@@ -48,15 +48,15 @@ void AddPrior(const WindowRasters& rasters, const ActivePrior& prior,
   }
 }
 
-void AddBump(const kg_core::Grid& grid, const kg_core::Event& event,
+void AddBump(const kg_base::Grid& grid, const kg_mission::Event& event,
              double beta_poi, std::vector<double>* sum) {
-  ForEachBumpCell(grid, event, [&](kg_core::Cell cell, double bump) {
+  ForEachBumpCell(grid, event, [&](kg_base::Cell cell, double bump) {
     (*sum)[grid.Index(cell)] += beta_poi * event.value * bump;
   });
 }
 
-double MaxPositiveOpen(const kg_core::Raster& values,
-                       const kg_core::Mask& open) {
+double MaxPositiveOpen(const kg_base::Raster& values,
+                       const kg_base::Mask& open) {
   double max_value = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (open[i] && std::isfinite(values[i])) {
@@ -67,7 +67,7 @@ double MaxPositiveOpen(const kg_core::Raster& values,
 }
 
 // Adds weight * max(0, x) / divisor.
-void AddLayer(const kg_core::Raster& values, double weight, double divisor,
+void AddLayer(const kg_base::Raster& values, double weight, double divisor,
               std::vector<double>* sum) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i]) && values[i] > 0.0f) {
@@ -87,7 +87,7 @@ double NearestRank(std::vector<double> values) {
 }  // namespace
 
 std::vector<BlendTerm> BlendTerms(const ActiveFacts& active,
-                                  const kg_core::Policy& policy) {
+                                  const kg_mission::Policy& policy) {
   using Kind = BlendTerm::Kind;
   std::vector<BlendTerm> terms;
   if (policy.alpha_base != 0.0) {
@@ -99,36 +99,36 @@ std::vector<BlendTerm> BlendTerms(const ActiveFacts& active,
   for (const ActivePrior& prior : active.priors) {
     terms.push_back({Kind::kPrior, prior.beta, prior.fact, nullptr});
   }
-  for (const kg_core::Event* event : active.events) {
+  for (const kg_mission::Event* event : active.events) {
     if (!(event->radius_m > 0.0)) continue;
     terms.push_back({Kind::kEvent, policy.beta_poi, nullptr, event});
   }
   return terms;
 }
 
-double LayerDivisor(const kg_core::Policy& policy,
+double LayerDivisor(const kg_mission::Policy& policy,
                     const std::optional<double>& stated, double max_value) {
   switch (policy.layer_scale) {
-    case kg_core::LayerScale::kWindow:
+    case kg_mission::LayerScale::kWindow:
       return max_value > 0.0 ? max_value
                              : std::numeric_limits<double>::infinity();
-    case kg_core::LayerScale::kFixed:
+    case kg_mission::LayerScale::kFixed:
       if (stated && *stated > 0.0) return *stated;
-      throw kg_core::InputError(
+      throw kg_base::InputError(
           policy.iri + " ex:layerScale \"fixed\": the value layer of kind \"" +
           policy.value_kind +
           "\" has no ex:fullScale (of itself) or ex:frontFullScale (of its "
           "gradient)");
-    case kg_core::LayerScale::kNone:
+    case kg_mission::LayerScale::kNone:
       return 1.0;
   }
   return 1.0;
 }
 
-void AddTerm(const WindowRasters& rasters, const kg_core::Policy& policy,
-             const kg_core::Mask& open, const BlendTerm& term,
+void AddTerm(const WindowRasters& rasters, const kg_mission::Policy& policy,
+             const kg_base::Mask& open, const BlendTerm& term,
              std::vector<double>* sum) {
-  const auto add_layer = [&](const kg_core::Raster& values,
+  const auto add_layer = [&](const kg_base::Raster& values,
                              const std::optional<double>& stated) {
     if (policy.paper_literal) {
       AddRaster(values, term.weight, sum);
@@ -155,7 +155,8 @@ void AddTerm(const WindowRasters& rasters, const kg_core::Policy& policy,
   }
 }
 
-LayerBlend BlendLayers(const ActiveFacts& active, const kg_core::Policy& policy,
+LayerBlend BlendLayers(const ActiveFacts& active,
+                       const kg_mission::Policy& policy,
                        const WindowRasters& rasters) {
   LayerBlend blend;
   blend.open = OpenCells(rasters, active.constraints);
@@ -192,8 +193,8 @@ double ValueNormaliser::Apply(double x) const {
 }
 
 ValueNormaliser FitNormaliser(const std::vector<double>& values,
-                              const kg_core::Mask& counted,
-                              kg_core::Normalisation kind) {
+                              const kg_base::Mask& counted,
+                              kg_mission::Normalisation kind) {
   std::vector<double> inside;
   inside.reserve(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -206,13 +207,13 @@ ValueNormaliser FitNormaliser(const std::vector<double>& values,
   // maximum takes its place.
   const ValueNormaliser by_max{0.0, *max_value};
   switch (kind) {
-    case kg_core::Normalisation::kMax:
+    case kg_mission::Normalisation::kMax:
       return by_max;
-    case kg_core::Normalisation::kMinMax:
+    case kg_mission::Normalisation::kMinMax:
       return *max_value > *min_value
                  ? ValueNormaliser{*min_value, *max_value - *min_value}
                  : by_max;
-    case kg_core::Normalisation::kPercentile: {
+    case kg_mission::Normalisation::kPercentile: {
       const double range = NearestRank(inside);
       return range > 0.0 ? ValueNormaliser{0.0, range} : by_max;
     }

@@ -10,10 +10,10 @@
 #include <optional>
 #include <vector>
 
+#include "kg_base/raster/grid.h"
 #include "kg_compiler/data_plane/active_facts.h"
 #include "kg_compiler/data_plane/window_rasters.h"
-#include "kg_core/mission/mission.h"
-#include "kg_core/raster/grid.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_compiler {
 
@@ -31,37 +31,38 @@ struct BlendTerm {
   enum class Kind { kBase, kFront, kPrior, kEvent };
   Kind kind = Kind::kBase;
   double weight = 0.0;  // alpha, gamma, beta_k, beta_poi.
-  const kg_core::PriorLayer* prior = nullptr;  // kPrior.
-  const kg_core::Event* event = nullptr;       // kEvent.
+  const kg_mission::PriorLayer* prior = nullptr;  // kPrior.
+  const kg_mission::Event* event = nullptr;       // kEvent.
 };
 
 // Those of any weight, in the order in which they are summed.
 std::vector<BlendTerm> BlendTerms(const ActiveFacts& active,
-                                  const kg_core::Policy& policy);
+                                  const kg_mission::Policy& policy);
 
 // What a layer is divided by. `max_value` is its largest open value, `stated`
 // its ex:fullScale or ex:frontFullScale: throws kg_core::InputError if that is
 // wanted and not there. Infinite where the layer is 0 everywhere.
-double LayerDivisor(const kg_core::Policy& policy,
+double LayerDivisor(const kg_mission::Policy& policy,
                     const std::optional<double>& stated, double max_value);
 
 // Adds a term to `sum`, cell by cell.
-void AddTerm(const WindowRasters& rasters, const kg_core::Policy& policy,
-             const kg_core::Mask& open, const BlendTerm& term,
+void AddTerm(const WindowRasters& rasters, const kg_mission::Policy& policy,
+             const kg_base::Mask& open, const BlendTerm& term,
              std::vector<double>* sum);
 
 // What N is applied to, and what it is made of.
 struct LayerBlend {
-  kg_core::Mask open;               // M_hard.
+  kg_base::Mask open;               // M_hard.
   std::vector<double> attenuation;  // M_soft.
   std::vector<double> priors;       // sum beta P, events included.
   // max(0, V) M_soft; paper_literal: V M_soft M_hard.
   std::vector<double> masked;
   // The cells that N is fitted on and U may be other than 0 on: open ones;
   // paper_literal: all water.
-  kg_core::Mask counted;
+  kg_base::Mask counted;
 };
-LayerBlend BlendLayers(const ActiveFacts& active, const kg_core::Policy& policy,
+LayerBlend BlendLayers(const ActiveFacts& active,
+                       const kg_mission::Policy& policy,
                        const WindowRasters& rasters);
 
 // N(x) = (x - low) / range, held in [0, 1]; 0 everywhere if range is 0.
@@ -75,8 +76,8 @@ struct ValueNormaliser {
 // the two extremes; a constant field as kMax. kPercentile: low 0, range the
 // 98th percentile (nearest rank), or the maximum where that is 0.
 ValueNormaliser FitNormaliser(const std::vector<double>& values,
-                              const kg_core::Mask& counted,
-                              kg_core::Normalisation kind);
+                              const kg_base::Mask& counted,
+                              kg_mission::Normalisation kind);
 
 // The one that covers both (A1, `horizon`): lowest low to highest top.
 ValueNormaliser Merge(const ValueNormaliser& a, const ValueNormaliser& b);

@@ -44,7 +44,7 @@ auto FindPatch(const std::vector<T>& items, const std::string& key)
 
 class RecipeWriter {
  public:
-  RecipeWriter(const kg_core::Mission& mission, const WindowRasters& rasters,
+  RecipeWriter(const kg_mission::Mission& mission, const WindowRasters& rasters,
                const BlendRecipe* known, DataPlaneCache* cache)
       : mission_(mission), rasters_(rasters), known_(known), cache_(cache) {}
 
@@ -74,7 +74,7 @@ class RecipeWriter {
   }
 
  private:
-  const kg_core::Mission& mission_;
+  const kg_mission::Mission& mission_;
   const WindowRasters& rasters_;
   const BlendRecipe* known_;
   DataPlaneCache* cache_;
@@ -82,8 +82,8 @@ class RecipeWriter {
 
 }  // namespace
 
-BlendRecipe WriteRecipe(const kg_core::Mission& mission,
-                        const kg_core::Policy& policy,
+BlendRecipe WriteRecipe(const kg_mission::Mission& mission,
+                        const kg_mission::Policy& policy,
                         const ActiveFacts& active, const WindowRasters& rasters,
                         const BlendRecipe* known, DataPlaneCache* cache) {
   const bool is_same_sea = known && known->land_hash == rasters.land_hash;
@@ -107,7 +107,7 @@ BlendRecipe WriteRecipe(const kg_core::Mission& mission,
                        [&] { return PriorPatch(rasters, *prior.fact, key); }),
          static_cast<float>(prior.beta)});
   }
-  for (const kg_core::Event* event : active.events) {
+  for (const kg_mission::Event* event : active.events) {
     if (!(event->radius_m > 0.0)) continue;
     const std::string key = BumpKey(*event);
     recipe.priors.push_back(

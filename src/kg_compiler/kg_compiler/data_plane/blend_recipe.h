@@ -37,14 +37,14 @@ struct BlendRecipe {
   std::vector<HardZone> hard;
   std::vector<SoftZone> soft;
   std::vector<WeightedPatch> priors;  // And events.
-  kg_core::SoftOverlap overlap = kg_core::SoftOverlap::kProduct;
+  kg_mission::SoftOverlap overlap = kg_mission::SoftOverlap::kProduct;
   LayerTable::Weights weights;  // Set last: by M_hard and the layers' scales.
 };
 
 // All but the weights. Takes patches from `known`, if it is of the same grid
 // and land, from the cache, or makes them.
-BlendRecipe WriteRecipe(const kg_core::Mission& mission,
-                        const kg_core::Policy& policy,
+BlendRecipe WriteRecipe(const kg_mission::Mission& mission,
+                        const kg_mission::Policy& policy,
                         const ActiveFacts& active, const WindowRasters& rasters,
                         const BlendRecipe* known, DataPlaneCache* cache);
 

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kStreamFrom_bytes = std::size_t{16} << 20;
 
 struct RowSegment {
-  kg_core::Cell first;
+  kg_base::Cell first;
   int n = 0;
 };
 
@@ -22,7 +22,7 @@ struct ColumnOverlap {
   bool empty() const { return begin >= end; }
 };
 
-ColumnOverlap Meet(const CellBox& box, kg_core::Cell first, int n) {
+ColumnOverlap Meet(const CellBox& box, kg_base::Cell first, int n) {
   if (!box.HasRow(first.row)) return {};
   const int begin = std::max(box.col - first.col, 0);
   const int end = std::min(box.col_end - first.col, n);
@@ -116,7 +116,7 @@ ValueExtremes BlendedField::All() const {
   return all;
 }
 
-void PriorsOfRow(const BlendRecipe& recipe, kg_core::Cell first, int n,
+void PriorsOfRow(const BlendRecipe& recipe, kg_base::Cell first, int n,
                  float* p) {
   std::fill(p, p + n, 0.0f);
   for (const WeightedPatch& prior : recipe.priors) {
@@ -127,7 +127,7 @@ void PriorsOfRow(const BlendRecipe& recipe, kg_core::Cell first, int n,
   }
 }
 
-bool SoftnessOfRow(const BlendRecipe& recipe, kg_core::Cell first, int n,
+bool SoftnessOfRow(const BlendRecipe& recipe, kg_base::Cell first, int n,
                    float* s) {
   bool any = false;
   for (const SoftZone& zone : recipe.soft) {
@@ -136,14 +136,14 @@ bool SoftnessOfRow(const BlendRecipe& recipe, kg_core::Cell first, int n,
     if (!any) std::fill(s, s + n, 1.0f);
     any = true;
     const unsigned char* inside = zone.patch->Row(first.row) + part.from;
-    const bool product = recipe.overlap == kg_core::SoftOverlap::kProduct;
+    const bool product = recipe.overlap == kg_mission::SoftOverlap::kProduct;
     (product ? Attenuate : AttenuateToLeast)(
         inside, zone.factor, part.end - part.begin, s + part.begin);
   }
   return any;
 }
 
-void CloseCells(const kg_core::Mask& land, const BlendRecipe& recipe,
+void CloseCells(const kg_base::Mask& land, const BlendRecipe& recipe,
                 const CellBox& box, RowBands<unsigned char>* state) {
   for (int r = box.row; r < box.row_end; ++r) {
     const unsigned char* dry =

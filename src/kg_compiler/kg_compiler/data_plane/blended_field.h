@@ -33,7 +33,7 @@ struct BlendedField {
 };
 
 // M_hard by the recipe's hard zones.
-void CloseCells(const kg_core::Mask& land, const BlendRecipe& recipe,
+void CloseCells(const kg_base::Mask& land, const BlendRecipe& recipe,
                 const CellBox& box, RowBands<unsigned char>* state);
 
 // V' and the extremes of rows [row, row_end) of a field whose recipe and state
@@ -47,10 +47,10 @@ void ComputeBox(const WindowRasters& rasters, const CellBox& box,
 void MeasureTiles(const CellBox& box, BlendedField* field);
 
 // sum beta P at columns [col, col + n) of a row, and M_soft.
-void PriorsOfRow(const BlendRecipe& recipe, kg_core::Cell first, int n,
+void PriorsOfRow(const BlendRecipe& recipe, kg_base::Cell first, int n,
                  float* p);
 // False if no zone is there: then s is not written.
-bool SoftnessOfRow(const BlendRecipe& recipe, kg_core::Cell first, int n,
+bool SoftnessOfRow(const BlendRecipe& recipe, kg_base::Cell first, int n,
                    float* s);
 
 }  // namespace kg_compiler

@@ -9,21 +9,21 @@
 #include <functional>
 #include <future>
 
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/sha256.h"
 #include "kg_compiler/data_plane/blend_recipe.h"
 #include "kg_compiler/data_plane/compiled_tensor.h"
 #include "kg_compiler/data_plane/data_plane.h"
 #include "kg_compiler/data_plane/masks.h"
 #include "kg_compiler/data_plane/patches.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/sha256.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::Agent;
-using kg_core::ConstraintKind;
-using kg_core::Mission;
+using kg_mission::Agent;
+using kg_mission::ConstraintKind;
+using kg_mission::Mission;
 
 constexpr Layer kLayers[] = {Layer::kReward,      Layer::kUncertainty,
                              Layer::kPolicy,      Layer::kAttenuation,
@@ -44,12 +44,12 @@ class World {
   }
 
   void NewRasters() {
-    kg_core::Mask land(grid_.size(), 0);
+    kg_base::Mask land(grid_.size(), 0);
     for (int r = 0; r < grid_.rows(); ++r) {
       const int shore = grid_.cols() / 6 + static_cast<int>(rng_() % 4);
       for (int c = 0; c < shore; ++c) land[grid_.Index({r, c})] = 1;
     }
-    kg_core::Raster value = RandomRaster(rng_, grid_.size(), -0.5, 3.0);
+    kg_base::Raster value = RandomRaster(rng_, grid_.size(), -0.5, 3.0);
     for (std::size_t i = 0; i < value.size(); ++i) {
       if (land[i] || rng_() % 500 == 0) value[i] = kGap;
     }
@@ -57,30 +57,31 @@ class World {
     rasters = TestRasters(grid_, value, land);
     rasters.full_scale = 2.5;
     rasters.front_full_scale = 0.7;
-    kg_core::Hasher hash;
+    kg_base::Hasher hash;
     hash.Add(grid_.Hash());
     for (const auto cell : land) hash.Add(static_cast<double>(cell));
     rasters.land_hash = hash.Hex();
     hash.Add(value);
     rasters.content_hash = hash.Hex();
-    auto prior = std::make_shared<kg_core::Raster>(
+    auto prior = std::make_shared<kg_base::Raster>(
         RandomRaster(rng_, grid_.size(), -1.0, 1.0));
     (*prior)[7] = kGap;
     rasters.prior_rasters["ex:reef"] = prior;
     rasters.constraint_masks["ex:mask"] =
-        std::make_shared<kg_core::Mask>(RandomMask(rng_, grid_.size(), 0.002));
+        std::make_shared<kg_base::Mask>(RandomMask(rng_, grid_.size(), 0.002));
   }
 
   void RandomPolicy() {
-    kg_core::Policy& policy = mission.agents[0].policy;
+    kg_mission::Policy& policy = mission.agents[0].policy;
     policy.alpha_base = Chance(5) ? 0.0 : Uniform(rng_, 0.2, 1.5);
     policy.gamma_front = Chance(3) ? 0.0 : Uniform(rng_, 0.1, 1.5);
     policy.beta_poi = Uniform(rng_, 0.0, 0.5);
-    policy.normalisation = static_cast<kg_core::Normalisation>(rng_() % 3);
-    policy.confidence_mode = static_cast<kg_core::ConfidenceMode>(rng_() % 2);
-    policy.front_operator = static_cast<kg_core::FrontOperator>(rng_() % 2);
-    policy.layer_scale = static_cast<kg_core::LayerScale>(rng_() % 3);
-    policy.soft_overlap = static_cast<kg_core::SoftOverlap>(rng_() % 2);
+    policy.normalisation = static_cast<kg_mission::Normalisation>(rng_() % 3);
+    policy.confidence_mode =
+        static_cast<kg_mission::ConfidenceMode>(rng_() % 2);
+    policy.front_operator = static_cast<kg_mission::FrontOperator>(rng_() % 2);
+    policy.layer_scale = static_cast<kg_mission::LayerScale>(rng_() % 3);
+    policy.soft_overlap = static_cast<kg_mission::SoftOverlap>(rng_() % 2);
     policy.paper_literal = Chance(8);
   }
 
@@ -89,18 +90,18 @@ class World {
     mission.constraints.push_back(AreaConstraint(
         iri, Chance(2) ? ConstraintKind::kNoGo : ConstraintKind::kSoft,
         AnyBox()));
-    kg_core::Constraint& added = mission.constraints.back();
+    kg_mission::Constraint& added = mission.constraints.back();
     if (Chance(8)) {
       added.area.reset();
       added.is_land = true;
     } else if (Chance(8)) {
       added.iri = "ex:mask";
       added.area.reset();
-      added.mask = kg_core::RasterRef{"ex:masks", "m", 0};
+      added.mask = kg_mission::RasterRef{"ex:masks", "m", 0};
     }
     added.attenuation = Uniform(rng_, 0, 1);
     added.buffer_cells = Chance(2) ? 0.0 : Uniform(rng_, 0, 4);
-    added.buffer_metric = static_cast<kg_core::BufferMetric>(rng_() % 2);
+    added.buffer_metric = static_cast<kg_mission::BufferMetric>(rng_() % 2);
   }
   void AddPrior() {
     const std::string iri = "ex:p" + std::to_string(rng_());
@@ -113,13 +114,13 @@ class World {
     if (Chance(4)) {
       mission.priors.back().iri = "ex:reef";
       mission.priors.back().area.reset();
-      mission.priors.back().raster = kg_core::RasterRef{"ex:reefs", "p", 0};
+      mission.priors.back().raster = kg_mission::RasterRef{"ex:reefs", "p", 0};
     }
     mission.agents[0].policy.beta[mission.priors.back().iri] =
         Uniform(rng_, -0.5, 1);
   }
   void AddEvent() {
-    kg_core::Event event;
+    kg_mission::Event event;
     event.iri = "ex:e" + std::to_string(rng_());
     event.position = AnyPlace();
     event.value = Uniform(rng_, 0, 2);
@@ -141,12 +142,12 @@ class World {
         cache};
   }
   bool Chance(unsigned of) { return rng_() % of == 0; }
-  kg_core::LonLat AnyPlace() {
+  kg_base::LonLat AnyPlace() {
     return {Uniform(rng_, grid_.west_deg(), grid_.east_deg()),
             Uniform(rng_, grid_.south_deg(), grid_.north_deg())};
   }
-  kg_core::Geometry AnyBox() {
-    const kg_core::LonLat corner = AnyPlace();
+  kg_base::Geometry AnyBox() {
+    const kg_base::LonLat corner = AnyPlace();
     return Box(corner.lon_deg, corner.lat_deg,
                corner.lon_deg + Uniform(rng_, 0.01, 1.0),
                corner.lat_deg + Uniform(rng_, 0.01, 0.5));
@@ -196,11 +197,11 @@ class World {
   }
 
   std::mt19937 rng_;
-  kg_core::Grid grid_;
+  kg_base::Grid grid_;
 };
 
 // NaN equals NaN: land, in feasibility.
-bool SameBits(const kg_core::Raster& a, const kg_core::Raster& b) {
+bool SameBits(const kg_base::Raster& a, const kg_base::Raster& b) {
   return a.size() == b.size() &&
          std::equal(a.begin(), a.end(), b.begin(), [](float x, float y) {
            return x == y ? std::signbit(x) == std::signbit(y)
@@ -242,13 +243,13 @@ TEST(BoxUpdate, GivesTheBitsOfTheWholePassAfterAnySequenceOfChanges) {
 TEST(BoxUpdate, ComputesTheBoxesOnlyAndLeavesTheTensorBeforeAsItWas) {
   World world(3, 200, 400);
   world.mission.constraints.clear();
-  kg_core::Policy& policy = world.mission.agents[0].policy;
-  policy = kg_core::Policy();
+  kg_mission::Policy& policy = world.mission.agents[0].policy;
+  policy = kg_mission::Policy();
   policy.gamma_front = 0.5;
   const MissionTensor first = CompileTensor(world.Inputs(), nullptr);
   EXPECT_EQ(world.rasters.grid.size(), first.cells_computed);
-  const kg_core::Raster before = first.Get(Layer::kFused);
-  const kg_core::Grid& grid = world.rasters.grid;
+  const kg_base::Raster before = first.Get(Layer::kFused);
+  const kg_base::Grid& grid = world.rasters.grid;
   const auto at = [&](int row, int col) { return grid.Centre({row, col}); };
   world.mission.constraints = {
       AreaConstraint("ex:a", ConstraintKind::kSoft,
@@ -269,13 +270,13 @@ TEST(BoxUpdate, ComputesTheBoxesOnlyAndLeavesTheTensorBeforeAsItWas) {
 TEST(BoxUpdate, DoesAllAgainWhereALayersScaleChanges) {
   World world(4);
   world.mission.constraints.clear();
-  kg_core::Policy& policy = world.mission.agents[0].policy;
-  policy = kg_core::Policy();
-  const kg_core::Grid& grid = world.rasters.grid;
+  kg_mission::Policy& policy = world.mission.agents[0].policy;
+  policy = kg_mission::Policy();
+  const kg_base::Grid& grid = world.rasters.grid;
   const int peak = grid.cols() - 20;
   world.rasters.value[grid.Index({20, peak})] = 50.0f;
   const MissionTensor first = CompileTensor(world.Inputs(), nullptr);
-  const kg_core::LonLat at = grid.Centre({20, peak});
+  const kg_base::LonLat at = grid.Centre({20, peak});
   world.mission.constraints = {
       AreaConstraint("ex:a", ConstraintKind::kNoGo,
                      Box(at.lon_deg - 1e-3, at.lat_deg - 1e-3,
@@ -286,12 +287,12 @@ TEST(BoxUpdate, DoesAllAgainWhereALayersScaleChanges) {
 }
 
 // The reference in double precision, with every option.
-kg_core::Raster FusedByReference(const TensorInputs& in) {
+kg_base::Raster FusedByReference(const TensorInputs& in) {
   const ActiveFacts active =
       FindActiveFacts(*in.mission, *in.agent, *in.window);
   const TensorBlend made =
       BlendTensor(*in.agent, *in.window, *in.rasters, active, nullptr);
-  kg_core::Raster fused(in.rasters->grid.size(), 0.0f);
+  kg_base::Raster fused(in.rasters->grid.size(), 0.0f);
   for (std::size_t i = 0; i < fused.size(); ++i) {
     if (!made.blend.counted[i]) continue;
     fused[i] =
@@ -304,8 +305,8 @@ TEST(FusedPass, AgreesWithTheDoublePrecisionReferenceForEveryOption) {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     World world(seed, 40, 290);
     const MissionTensor tensor = CompileTensor(world.Inputs(), nullptr);
-    const kg_core::Raster fused = tensor.Get(Layer::kFused);
-    const kg_core::Raster wanted = FusedByReference(world.Inputs());
+    const kg_base::Raster fused = tensor.Get(Layer::kFused);
+    const kg_base::Raster wanted = FusedByReference(world.Inputs());
     for (std::size_t i = 0; i < fused.size(); ++i) {
       ASSERT_NEAR(wanted[i], fused[i], 1e-6) << seed << " cell " << i;
     }
@@ -317,7 +318,7 @@ TEST(FusedPass, AtIsTheWholeLayersBitInEveryCell) {
     World world(seed, 20, 280);
     const MissionTensor tensor = CompileTensor(world.Inputs(), nullptr);
     for (const Layer layer : kLayers) {
-      kg_core::Raster one_by_one;
+      kg_base::Raster one_by_one;
       for (std::size_t i = 0; i < world.rasters.grid.size(); ++i) {
         one_by_one.push_back(tensor.At(layer, i));
       }
@@ -329,13 +330,13 @@ TEST(FusedPass, AtIsTheWholeLayersBitInEveryCell) {
 TEST(FusedPass, GoesTheSlowWayWhereFloatsWouldOverflow) {
   for (const float huge : {1e38f, 3e37f, 1e-38f}) {
     World world(9, 20, 30);
-    kg_core::Policy& policy = world.mission.agents[0].policy;
-    policy = kg_core::Policy();
+    kg_mission::Policy& policy = world.mission.agents[0].policy;
+    policy = kg_mission::Policy();
     policy.gamma_front = 0.7;
     for (float& x : world.rasters.value) x *= huge;
-    const kg_core::Raster fused =
+    const kg_base::Raster fused =
         CompileTensor(world.Inputs(), nullptr).Get(Layer::kFused);
-    const kg_core::Raster wanted = FusedByReference(world.Inputs());
+    const kg_base::Raster wanted = FusedByReference(world.Inputs());
     for (std::size_t i = 0; i < fused.size(); ++i) {
       ASSERT_NEAR(wanted[i], fused[i], 1e-6) << huge;
     }
@@ -345,18 +346,18 @@ TEST(FusedPass, GoesTheSlowWayWhereFloatsWouldOverflow) {
 
 TEST(FusedPass, SaysWhichScaleIsMissingWhereItIsFixed) {
   World world(2);
-  kg_core::Policy& policy = world.mission.agents[0].policy;
-  policy = kg_core::Policy();
-  policy.layer_scale = kg_core::LayerScale::kFixed;
+  kg_mission::Policy& policy = world.mission.agents[0].policy;
+  policy = kg_mission::Policy();
+  policy.layer_scale = kg_mission::LayerScale::kFixed;
   world.rasters.full_scale.reset();
-  EXPECT_THROW(CompileTensor(world.Inputs(), nullptr), kg_core::InputError);
+  EXPECT_THROW(CompileTensor(world.Inputs(), nullptr), kg_base::InputError);
   policy.alpha_base = 0.0;
   EXPECT_NO_THROW(CompileTensor(world.Inputs(), nullptr));
 }
 
 // By hand: V = B + P, soft 0.5 in the west, hard in the middle; w = 0.5.
 TEST(PaperLiteral, MasksAndWeighsBeforeItNormalisesOverAllWater) {
-  const kg_core::Grid grid = EvenGrid(0, 0, 1, 2, 3);
+  const kg_base::Grid grid = EvenGrid(0, 0, 1, 2, 3);
   World world(1);
   Mission& mission = world.mission;
   mission.windows = {TestWindow(0, 0.5)};
@@ -371,9 +372,9 @@ TEST(PaperLiteral, MasksAndWeighsBeforeItNormalisesOverAllWater) {
   world.rasters =
       TestRasters(grid, {-4, 100, 2, 8, 6, kGap}, {0, 0, 0, 0, 0, 1});
   // w V M: -1 0 1, 2 3 land; the forbidden cell is lifted, as A4 says.
-  const kg_core::Raster wanted = {0.f, 0.25f, 0.5f, 0.75f, 1.f, 0.f};
+  const kg_base::Raster wanted = {0.f, 0.25f, 0.5f, 0.75f, 1.f, 0.f};
   const MissionTensor tensor = CompileTensor(world.Inputs(), nullptr);
-  const kg_core::Raster fused = tensor.Get(Layer::kFused);
+  const kg_base::Raster fused = tensor.Get(Layer::kFused);
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(wanted[i], fused[i], 1e-6) << i;
   EXPECT_EQ(0.0f, tensor.At(Layer::kFeasibility, 1));
 }
@@ -386,7 +387,7 @@ TEST(Patches, AreTheWholeGridsMasks) {
         world.mission, world.mission.agents[0], world.mission.windows[0]);
     for (const ActiveConstraint& constraint : active.constraints) {
       const MaskPatch patch = ConstraintPatch(world.rasters, constraint, "");
-      kg_core::Mask whole(world.rasters.grid.size(), 0);
+      kg_base::Mask whole(world.rasters.grid.size(), 0);
       for (int r = patch.box.row; r < patch.box.row_end; ++r) {
         std::copy(patch.Row(r), patch.Row(r) + patch.box.cols(),
                   &whole[world.rasters.grid.Index({r, patch.box.col})]);
@@ -398,13 +399,14 @@ TEST(Patches, AreTheWholeGridsMasks) {
 
 TEST(Patches, OfASmallAreaAreSmall) {
   World world(1, 200, 300);
-  const kg_core::LonLat at = world.rasters.grid.Centre({100, 150});
-  kg_core::Constraint zone = AreaConstraint(
+  const kg_base::LonLat at = world.rasters.grid.Centre({100, 150});
+  kg_mission::Constraint zone = AreaConstraint(
       "ex:z", ConstraintKind::kNoGo,
       Box(at.lon_deg, at.lat_deg, at.lon_deg + 0.1, at.lat_deg + 0.1));
   zone.buffer_cells = 2;
   const MaskPatch patch = ConstraintPatch(
-      world.rasters, {&zone, &kg_core::EffectOf(zone.kind), 1.0, {}, ""}, "");
+      world.rasters, {&zone, &kg_mission::EffectOf(zone.kind), 1.0, {}, ""},
+      "");
   EXPECT_FALSE(patch.box.empty());
   EXPECT_LT(patch.box.size(), 15u * 15u);
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
@@ -29,18 +29,19 @@ struct BumpRow {
   double lon_deg_per_m;
 };
 
-IndexSpan BumpRows(const kg_core::Grid& grid, const kg_core::Event& event) {
+IndexSpan BumpRows(const kg_base::Grid& grid, const kg_mission::Event& event) {
   const double lat_deg = event.position.lat_deg;
   const double reach_deg =
-      kBumpReach_sigmas * event.radius_m * kg_core::LocalScale(lat_deg).lat_deg;
+      kBumpReach_sigmas * event.radius_m * kg_base::LocalScale(lat_deg).lat_deg;
   return SpanBetween(grid.lat_deg(), lat_deg - reach_deg, lat_deg + reach_deg);
 }
 
-BumpRow RowOf(const kg_core::Grid& grid, const kg_core::Event& event, int row) {
-  const kg_core::LonLat at = event.position;
+BumpRow RowOf(const kg_base::Grid& grid, const kg_mission::Event& event,
+              int row) {
+  const kg_base::LonLat at = event.position;
   const double lat_deg = grid.lat_deg()[row];
-  const kg_core::DegreesPerMetre scale =
-      kg_core::LocalScale(0.5 * (lat_deg + at.lat_deg));
+  const kg_base::DegreesPerMetre scale =
+      kg_base::LocalScale(0.5 * (lat_deg + at.lat_deg));
   const double reach_deg = kBumpReach_sigmas * event.radius_m * scale.lon_deg;
   return {SpanBetween(grid.lon_deg(), at.lon_deg - reach_deg,
                       at.lon_deg + reach_deg),
@@ -54,12 +55,12 @@ double Gaussian(double distance_m, double sigma_m) {
   return std::exp(-0.5 * z * z);
 }
 
-CellBox BoxWithin(const kg_core::Grid& grid, const CellBox& box,
+CellBox BoxWithin(const kg_base::Grid& grid, const CellBox& box,
                   double reach_m) {
   const double south_deg = grid.lat_deg()[box.row];
   const double north_deg = grid.lat_deg()[box.row_end - 1];
-  const kg_core::DegreesPerMetre south = kg_core::LocalScale(south_deg);
-  const kg_core::DegreesPerMetre north = kg_core::LocalScale(north_deg);
+  const kg_base::DegreesPerMetre south = kg_base::LocalScale(south_deg);
+  const kg_base::DegreesPerMetre north = kg_base::LocalScale(north_deg);
   const double lat_deg = reach_m * std::max(south.lat_deg, north.lat_deg);
   const double lon_deg = reach_m * std::max(south.lon_deg, north.lon_deg);
   const IndexSpan rows =
@@ -70,7 +71,7 @@ CellBox BoxWithin(const kg_core::Grid& grid, const CellBox& box,
   return Grown({rows.first, rows.end, cols.first, cols.end}, 1, grid);
 }
 
-CellBox BumpBox(const kg_core::Grid& grid, const kg_core::Event& event) {
+CellBox BumpBox(const kg_base::Grid& grid, const kg_mission::Event& event) {
   const IndexSpan rows = BumpRows(grid, event);
   CellBox box{rows.first, rows.end, grid.cols(), 0};
   for (int r = rows.first; r < rows.end; ++r) {
@@ -82,8 +83,8 @@ CellBox BumpBox(const kg_core::Grid& grid, const kg_core::Event& event) {
   return box.empty() ? CellBox{} : box;
 }
 
-void ForEachBumpCell(const kg_core::Grid& grid, const kg_core::Event& event,
-                     const std::function<void(kg_core::Cell, double)>& add) {
+void ForEachBumpCell(const kg_base::Grid& grid, const kg_mission::Event& event,
+                     const std::function<void(kg_base::Cell, double)>& add) {
   const IndexSpan rows = BumpRows(grid, event);
   for (int r = rows.first; r < rows.end; ++r) {
     const BumpRow row = RowOf(grid, event, r);

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "kg_compiler/data_plane/cell_box.h"
-#include "kg_core/mission/mission.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_compiler {
 
@@ -16,15 +16,15 @@ inline constexpr double kBumpReach_sigmas = 7.0;  // exp(-24.5) = 2e-11 beyond.
 double Gaussian(double distance_m, double sigma_m);
 
 // The box and all cells within `reach_m` of it; at least two rows and columns.
-CellBox BoxWithin(const kg_core::Grid& grid, const CellBox& box,
+CellBox BoxWithin(const kg_base::Grid& grid, const CellBox& box,
                   double reach_m);
 
 // Calls add(cell, bump) for the cells of an event's bump, all in BumpBox().
 // Distances by the scale at the middle latitude: within 1e-6 of the geodesic at
 // a bump's width.
-CellBox BumpBox(const kg_core::Grid& grid, const kg_core::Event& event);
-void ForEachBumpCell(const kg_core::Grid& grid, const kg_core::Event& event,
-                     const std::function<void(kg_core::Cell, double)>& add);
+CellBox BumpBox(const kg_base::Grid& grid, const kg_mission::Event& event);
+void ForEachBumpCell(const kg_base::Grid& grid, const kg_mission::Event& event,
+                     const std::function<void(kg_base::Cell, double)>& add);
 
 }  // namespace kg_compiler
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "kg_core/raster/grid.h"
+#include "kg_base/raster/grid.h"
 
 namespace kg_compiler {
 
@@ -26,7 +26,7 @@ struct CellBox {
   bool HasRow(int r) const { return r >= row && r < row_end; }
 };
 
-inline CellBox WholeGrid(const kg_core::Grid& grid) {
+inline CellBox WholeGrid(const kg_base::Grid& grid) {
   return {0, grid.rows(), 0, grid.cols()};
 }
 
@@ -46,12 +46,12 @@ inline CellBox Join(const CellBox& a, const CellBox& b) {
 // So many rows and columns more on every side, as far as the grid goes. A box
 // of no rows grows, too: it is a line between cells.
 inline CellBox Grown(const CellBox& box, int rows, int cols,
-                     const kg_core::Grid& grid) {
+                     const kg_base::Grid& grid) {
   return Common(
       {box.row - rows, box.row_end + rows, box.col - cols, box.col_end + cols},
       WholeGrid(grid));
 }
-inline CellBox Grown(const CellBox& box, int cells, const kg_core::Grid& grid) {
+inline CellBox Grown(const CellBox& box, int cells, const kg_base::Grid& grid) {
   return Grown(box, cells, cells, grid);
 }
 

@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "kg_base/common/parallel.h"
 #include "kg_compiler/data_plane/blend.h"
-#include "kg_core/base/parallel.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::Policy;
+using kg_mission::Policy;
 
 // Within it products and sums of squares neither overflow nor lose digits.
 constexpr float kSmallest = 1e-30f;
@@ -107,14 +107,14 @@ class BlendCompiler {
   // What B and F are divided by; infinite where the layer is to be 0.
   double ValueScale() const {
     const double max_value =
-        policy_.layer_scale == kg_core::LayerScale::kWindow
+        policy_.layer_scale == kg_mission::LayerScale::kWindow
             ? field_->table->MaxOpenValue(rasters_.value, field_->state)
             : 0.0;
     return LayerDivisor(policy_, rasters_.full_scale, max_value);
   }
   double FrontScale() const {
     const double max_value =
-        policy_.layer_scale == kg_core::LayerScale::kWindow
+        policy_.layer_scale == kg_mission::LayerScale::kWindow
             ? field_->table->MaxOpenFront(rasters_.value,
                                           policy_.front_operator, field_->state)
             : 0.0;
@@ -219,7 +219,7 @@ class BlendCompiler {
       work(row, std::min(row + kBandRows, field_->tiling.rows));
     };
     if (rasters_.grid.size() >= kThreadsFrom_cells) {
-      kg_core::ForEachInParallel(bands, one);
+      kg_base::ForEachInParallel(bands, one);
       return;
     }
     for (int band = 0; band < bands; ++band) one(band);

@@ -62,7 +62,7 @@ float Percentile(const BlendedField& field) {
 
 }  // namespace
 
-RowScale FitScale(const BlendedField& field, const kg_core::Policy& policy,
+RowScale FitScale(const BlendedField& field, const kg_mission::Policy& policy,
                   float before, const HorizonScale* horizon) {
   RowScale n;
   n.scale = before;
@@ -78,12 +78,12 @@ RowScale FitScale(const BlendedField& field, const kg_core::Policy& policy,
       max_value;  // N divides by the maximum, unless a policy says otherwise.
   const bool is_minmax =
       field.is_literal ||
-      policy.normalisation == kg_core::Normalisation::kMinMax;
+      policy.normalisation == kg_mission::Normalisation::kMinMax;
   if (is_minmax && max_value > min_value) {
     n.low = min_value;
     n.range = max_value - min_value;
   } else if (!is_minmax &&
-             policy.normalisation == kg_core::Normalisation::kPercentile) {
+             policy.normalisation == kg_mission::Normalisation::kPercentile) {
     const float range = before * Percentile(field);
     if (range > 0.0f) n.range = range;
   }
@@ -109,7 +109,7 @@ void CompiledTensor::Fuse(const float* y, const unsigned char* state, int n,
   for (int c = 0; c < n; ++c) u[c] = state[c] == kLand ? 0.0f : u[c];
 }
 
-void CompiledTensor::GetRow(Layer layer, kg_core::Cell first, int n,
+void CompiledTensor::GetRow(Layer layer, kg_base::Cell first, int n,
                             float* values) const {
   const float* y = field_->masked.Row(first.row) + first.col;
   const unsigned char* state = field_->state.Row(first.row) + first.col;
@@ -151,9 +151,9 @@ float CompiledTensor::At(Layer layer, std::size_t cell) const {
   return value;
 }
 
-kg_core::Raster CompiledTensor::Get(Layer layer) const {
+kg_base::Raster CompiledTensor::Get(Layer layer) const {
   const TileLayout& tiling = field_->tiling;
-  kg_core::Raster values;
+  kg_base::Raster values;
   values.reserve(static_cast<std::size_t>(tiling.rows) * tiling.cols);
   std::array<float, kTileCols> part;
   for (int r = 0; r < tiling.rows; ++r) {

@@ -9,13 +9,13 @@
 #include "kg_compiler/data_plane/blended_field.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
 #include "kg_compiler/data_plane/tensor_inputs.h"
-#include "kg_core/mission/mission.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_compiler {
 
 // N of a blend whose values are multiplied by `before` first: low and range in
 // the field's unit. `horizon` in its place, if given.
-RowScale FitScale(const BlendedField& field, const kg_core::Policy& policy,
+RowScale FitScale(const BlendedField& field, const kg_mission::Policy& policy,
                   float before, const HorizonScale* horizon);
 
 class CompiledTensor : public TensorContent {
@@ -25,10 +25,10 @@ class CompiledTensor : public TensorContent {
 
   bool Has(Layer) const override { return true; }
   float At(Layer layer, std::size_t cell) const override;
-  kg_core::Raster Get(Layer layer) const override;
+  kg_base::Raster Get(Layer layer) const override;
 
   // A row's columns [first.col, first.col + n), n <= kTileCols.
-  void GetRow(Layer layer, kg_core::Cell first, int n, float* values) const;
+  void GetRow(Layer layer, kg_base::Cell first, int n, float* values) const;
 
   const std::shared_ptr<const BlendedField>& field() const { return field_; }
 

@@ -4,19 +4,19 @@
 #include <set>
 #include <stdexcept>
 
+#include "kg_base/common/sha256.h"
 #include "kg_compiler/data_plane/active_facts.h"
 #include "kg_compiler/data_plane/blend.h"
 #include "kg_compiler/data_plane/compile_blend.h"
 #include "kg_compiler/data_plane/compiled_tensor.h"
-#include "kg_core/base/sha256.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::Agent;
-using kg_core::ConfidenceMode;
-using kg_core::Mission;
-using kg_core::TimeWindow;
+using kg_mission::Agent;
+using kg_mission::ConfidenceMode;
+using kg_mission::Mission;
+using kg_mission::TimeWindow;
 
 void CheckArguments(const Agent& agent, const WindowRasters& rasters,
                     const HorizonScale* horizon) {
@@ -34,14 +34,14 @@ void Scale(double factor, std::vector<double>* values) {
   for (double& value : *values) value *= factor;
 }
 
-bool IsPost(const kg_core::Policy& policy) {
+bool IsPost(const kg_mission::Policy& policy) {
   return policy.confidence_mode == ConfidenceMode::kPost &&
          !policy.paper_literal;
 }
 
 // What stands for a raster that is read from a file.
-void HashRaster(const Mission& mission, const kg_core::RasterRef& ref,
-                kg_core::Hasher* hash) {
+void HashRaster(const Mission& mission, const kg_mission::RasterRef& ref,
+                kg_base::Hasher* hash) {
   const auto file = mission.files.find(ref.file_iri);
   hash->Add("raster");
   hash->Add(file == mission.files.end() ? ref.file_iri : file->second.sha256);
@@ -51,17 +51,17 @@ void HashRaster(const Mission& mission, const kg_core::RasterRef& ref,
 }
 
 void HashConstraints(const Mission& mission, const ActiveFacts& active,
-                     kg_core::Hasher* hash) {
+                     kg_base::Hasher* hash) {
   hash->Add(static_cast<double>(active.constraints.size()));
   for (const ActiveConstraint& constraint : active.constraints) {
-    const kg_core::Constraint& fact = *constraint.fact;
+    const kg_mission::Constraint& fact = *constraint.fact;
     hash->Add(constraint.forbids() ? 1.0 : 0.0);
     if (!constraint.forbids()) hash->Add(constraint.attenuation);
     // Only where the cover is not the usual one of what forbids or attenuates.
     const bool is_touched =
-        constraint.effect->cover == kg_core::CellCover::kTouched;
+        constraint.effect->cover == kg_base::CellCover::kTouched;
     if (is_touched != constraint.forbids()) {
-      hash->Add(kg_core::Name(constraint.effect->cover));
+      hash->Add(kg_base::Name(constraint.effect->cover));
     }
     if (fact.mask) {
       HashRaster(mission, *fact.mask, hash);
@@ -70,13 +70,13 @@ void HashConstraints(const Mission& mission, const ActiveFacts& active,
     }
     hash->Add(fact.buffer_cells);
     const bool is_square =
-        fact.buffer_metric == kg_core::BufferMetric::kChebyshev;
+        fact.buffer_metric == kg_mission::BufferMetric::kChebyshev;
     if (fact.buffer_cells > 0.0 && is_square) hash->Add("chebyshev");
   }
 }
 
 void HashPriors(const Mission& mission, const ActiveFacts& active,
-                double beta_poi, kg_core::Hasher* hash) {
+                double beta_poi, kg_base::Hasher* hash) {
   hash->Add(static_cast<double>(active.priors.size()));
   for (const ActivePrior& prior : active.priors) {
     hash->Add(prior.beta);
@@ -90,7 +90,7 @@ void HashPriors(const Mission& mission, const ActiveFacts& active,
   hash->Add(static_cast<double>(active.events.size()));
   // A weight that nothing is multiplied with does not count.
   if (!active.events.empty()) hash->Add(beta_poi);
-  for (const kg_core::Event* event : active.events) {
+  for (const kg_mission::Event* event : active.events) {
     hash->Add(event->position.lon_deg);
     hash->Add(event->position.lat_deg);
     hash->Add(event->value);
@@ -99,8 +99,8 @@ void HashPriors(const Mission& mission, const ActiveFacts& active,
 }
 
 // Each where it makes a difference.
-void HashOptions(const kg_core::Policy& policy, const ActiveFacts& active,
-                 const WindowRasters& rasters, kg_core::Hasher* hash) {
+void HashOptions(const kg_mission::Policy& policy, const ActiveFacts& active,
+                 const WindowRasters& rasters, kg_base::Hasher* hash) {
   if (policy.paper_literal) {
     hash->Add("literal");
   } else {
@@ -112,7 +112,7 @@ void HashOptions(const kg_core::Policy& policy, const ActiveFacts& active,
   }
   if (active.reads_value && !policy.paper_literal) {
     hash->Add(static_cast<double>(policy.layer_scale));
-    if (policy.layer_scale == kg_core::LayerScale::kFixed) {
+    if (policy.layer_scale == kg_mission::LayerScale::kFixed) {
       if (policy.alpha_base != 0.0) hash->Add(rasters.full_scale.value_or(0));
       if (policy.gamma_front != 0.0) {
         hash->Add(rasters.front_full_scale.value_or(0));
@@ -130,9 +130,9 @@ void HashOptions(const kg_core::Policy& policy, const ActiveFacts& active,
 
 // Of everything that CompileTensor reads, and nothing else.
 std::string HashOf(const TensorInputs& in, const ActiveFacts& active) {
-  const kg_core::Policy& policy = in.agent->policy;
+  const kg_mission::Policy& policy = in.agent->policy;
   const WindowRasters& rasters = *in.rasters;
-  kg_core::Hasher hash;
+  kg_base::Hasher hash;
   hash.Add(active.reads_value ? rasters.content_hash : rasters.land_hash);
   hash.Add(in.window->confidence);
   hash.Add(policy.alpha_base);
@@ -165,7 +165,8 @@ std::vector<std::string> SourcesOf(const TensorInputs& in,
     sources.insert({prior.fact->iri, prior.weight_iri});
     if (prior.fact->raster) sources.insert(prior.fact->raster->file_iri);
   }
-  for (const kg_core::Event* event : active.events) sources.insert(event->iri);
+  for (const kg_mission::Event* event : active.events)
+    sources.insert(event->iri);
   sources.erase("");  // Of rasters and overrides that there are not.
   return {sources.begin(), sources.end()};
 }
@@ -208,15 +209,15 @@ HorizonScale MeasureHorizon(const Mission& mission, const Agent& agent,
 TensorBlend BlendTensor(const Agent& agent, const TimeWindow& window,
                         const WindowRasters& rasters, const ActiveFacts& active,
                         const HorizonScale* horizon) {
-  const kg_core::Policy& policy = agent.policy;
+  const kg_mission::Policy& policy = agent.policy;
   TensorBlend made;
   made.blend = BlendLayers(active, policy, rasters);
   const bool post = IsPost(policy);
   (post ? made.after : made.before) = window.confidence;
   if (!post) Scale(window.confidence, &made.blend.masked);
-  const kg_core::Normalisation kind = policy.paper_literal
-                                          ? kg_core::Normalisation::kMinMax
-                                          : policy.normalisation;
+  const kg_mission::Normalisation kind =
+      policy.paper_literal ? kg_mission::Normalisation::kMinMax
+                           : policy.normalisation;
   made.n = horizon ? ValueNormaliser{horizon->low, horizon->range}
                    : FitNormaliser(made.blend.masked, made.blend.counted, kind);
   return made;

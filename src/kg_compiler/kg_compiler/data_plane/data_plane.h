@@ -31,23 +31,23 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/raster/grid.h"
 #include "kg_compiler/data_plane/active_facts.h"
 #include "kg_compiler/data_plane/blend.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
 #include "kg_compiler/data_plane/tensor_inputs.h"
 #include "kg_compiler/data_plane/window_rasters.h"
-#include "kg_core/mission/mission.h"
-#include "kg_core/raster/grid.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_compiler {
 
 // `rasters` of every window of the mission, by index.
 HorizonScale MeasureHorizon(
-    const kg_core::Mission& mission, const kg_core::Agent& agent,
+    const kg_mission::Mission& mission, const kg_mission::Agent& agent,
     const std::vector<std::shared_ptr<const WindowRasters>>& rasters,
     DataPlaneCache* cache);
-HorizonScale MeasureHorizon(const kg_core::Mission& mission,
-                            const kg_core::Agent& agent,
+HorizonScale MeasureHorizon(const kg_mission::Mission& mission,
+                            const kg_mission::Agent& agent,
                             const std::vector<WindowRasters>& rasters);
 
 // The reference: a tensor on its way in double precision, what N is applied to,
@@ -60,8 +60,8 @@ struct TensorBlend {
   double before = 1.0;
   double after = 1.0;
 };
-TensorBlend BlendTensor(const kg_core::Agent& agent,
-                        const kg_core::TimeWindow& window,
+TensorBlend BlendTensor(const kg_mission::Agent& agent,
+                        const kg_mission::TimeWindow& window,
                         const WindowRasters& rasters, const ActiveFacts& active,
                         const HorizonScale* horizon);
 
@@ -86,17 +86,17 @@ MissionTensor CompileTensor(const TensorInputs& inputs,
                             const MissionTensor* previous);
 
 // From nothing.
-MissionTensor CompileTensor(const kg_core::Mission& mission,
-                            const kg_core::Agent& agent,
-                            const kg_core::TimeWindow& window,
+MissionTensor CompileTensor(const kg_mission::Mission& mission,
+                            const kg_mission::Agent& agent,
+                            const kg_mission::TimeWindow& window,
                             const WindowRasters& rasters,
                             const HorizonScale* horizon = nullptr);
 
 // The hash CompileTensor would give, without the work: of everything it would
 // read, and nothing else. Equal hash = equal layers, whoever's they are.
-std::string TensorHash(const kg_core::Mission& mission,
-                       const kg_core::Agent& agent,
-                       const kg_core::TimeWindow& window,
+std::string TensorHash(const kg_mission::Mission& mission,
+                       const kg_mission::Agent& agent,
+                       const kg_mission::TimeWindow& window,
                        const WindowRasters& rasters,
                        const HorizonScale* horizon = nullptr);
 
@@ -106,9 +106,9 @@ std::string TensorHash(const kg_core::Mission& mission,
 // in force, with the policy's ex:SoftOverride or ex:PriorWeight of it, and for
 // each that the agent must avoid what says so (an inference, or the agent); the
 // agent itself only if one of them is in force for naming it.
-std::vector<std::string> TensorSources(const kg_core::Mission& mission,
-                                       const kg_core::Agent& agent,
-                                       const kg_core::TimeWindow& window,
+std::vector<std::string> TensorSources(const kg_mission::Mission& mission,
+                                       const kg_mission::Agent& agent,
+                                       const kg_mission::TimeWindow& window,
                                        const WindowRasters& rasters);
 
 }  // namespace kg_compiler

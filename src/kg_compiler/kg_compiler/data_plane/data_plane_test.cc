@@ -7,16 +7,16 @@
 #include <map>
 #include <stdexcept>
 
+#include "kg_base/geo/geodesy.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::Agent;
-using kg_core::Constraint;
-using kg_core::ConstraintKind;
-using kg_core::Mission;
+using kg_mission::Agent;
+using kg_mission::Constraint;
+using kg_mission::ConstraintKind;
+using kg_mission::Mission;
 
 // Eq. 1 once more: double precision, a loop over cells, everything from its
 // definition (GEOS predicates on cell boxes, geodesics, all-pairs distances).
@@ -31,7 +31,7 @@ class Reference {
         inside_[c.iri].push_back(Inside(c, j, hard));
       }
     }
-    for (const kg_core::PriorLayer& prior : mission_.priors) {
+    for (const kg_mission::PriorLayer& prior : mission_.priors) {
       for (int j = 0; j < Size(); ++j) {
         inside_[prior.iri].push_back(prior.area->Contains(Centre(j)));
       }
@@ -65,15 +65,15 @@ class Reference {
     return product;
   }
   double Value(int i) const {
-    const kg_core::Policy& p = agent_.policy;
+    const kg_mission::Policy& p = agent_.policy;
     double v = p.alpha_base * Positive(in_.value[i]) / most_value_;
     v += p.gamma_front * Positive(Front(i)) / most_front_;
-    for (const kg_core::PriorLayer& prior : mission_.priors) {
+    for (const kg_mission::PriorLayer& prior : mission_.priors) {
       if (p.beta.count(prior.iri)) v += p.beta.at(prior.iri) * Prior(prior, i);
     }
-    for (const kg_core::Event& e : mission_.events) {
+    for (const kg_mission::Event& e : mission_.events) {
       if (!std::count(e.windows.begin(), e.windows.end(), window_)) continue;
-      const double z = kg_core::Distance_m(e.position, Centre(i)) / e.radius_m;
+      const double z = kg_base::Distance_m(e.position, Centre(i)) / e.radius_m;
       v += p.beta_poi * e.value * std::exp(-z * z / 2);
     }
     return std::max(0.0, v) * Soft(i);
@@ -95,7 +95,7 @@ class Reference {
  private:
   int Size() const { return static_cast<int>(in_.grid.size()); }
   int Cols() const { return in_.grid.cols(); }
-  kg_core::LonLat Centre(int i) const {
+  kg_base::LonLat Centre(int i) const {
     return in_.grid.Centre({i / Cols(), i % Cols()});
   }
   double Cells(int i, int j) const {
@@ -114,8 +114,8 @@ class Reference {
     if (c.is_land) return in_.land[i];
     if (!touched) return c.area->Contains(Centre(i));
     const double row = i / Cols(), col = i % Cols();
-    const kg_core::LonLat sw = in_.grid.Position({row - 0.5, col - 0.5});
-    const kg_core::LonLat ne = in_.grid.Position({row + 0.5, col + 0.5});
+    const kg_base::LonLat sw = in_.grid.Position({row - 0.5, col - 0.5});
+    const kg_base::LonLat ne = in_.grid.Position({row + 0.5, col + 0.5});
     return c.area->Intersects(
         Box(sw.lon_deg, sw.lat_deg, ne.lon_deg, ne.lat_deg));
   }
@@ -126,7 +126,7 @@ class Reference {
     }
     return most > 0 ? most : 1.0;
   }
-  double Prior(const kg_core::PriorLayer& prior, int i) const {
+  double Prior(const kg_mission::PriorLayer& prior, int i) const {
     const std::vector<bool>& inside = inside_.at(prior.iri);
     if (inside[i]) return 1.0;
     double least = 1e30;
@@ -139,10 +139,10 @@ class Reference {
   }
   // By the east-west scale of j's row, as distance_transform.h says.
   double Distance(int j, int i) const {
-    const kg_core::LonLat a = Centre(j), b = Centre(i);
+    const kg_base::LonLat a = Centre(j), b = Centre(i);
     return std::hypot(
-        (b.lon_deg - a.lon_deg) / kg_core::LocalScale(a.lat_deg).lon_deg,
-        kg_core::Distance_m(a, {a.lon_deg, b.lat_deg}));
+        (b.lon_deg - a.lon_deg) / kg_base::LocalScale(a.lat_deg).lon_deg,
+        kg_base::Distance_m(a, {a.lon_deg, b.lat_deg}));
   }
   double At(int r, int c) const {
     const bool on = r >= 0 && c >= 0 && r < in_.grid.rows() && c < Cols();
@@ -161,12 +161,12 @@ class Reference {
       if (std::isnan(at(lo))) lo = 0;
       if (std::isnan(at(hi))) hi = 0;
       if (lo == hi || std::isnan(at(lo)) || std::isnan(at(hi))) continue;
-      const kg_core::LonLat a = in_.grid.Centre(
-          east ? kg_core::Cell{r0, c0 + lo} : kg_core::Cell{r0 + lo, c0});
-      const kg_core::LonLat b = in_.grid.Centre(
-          east ? kg_core::Cell{r0, c0 + hi} : kg_core::Cell{r0 + hi, c0});
+      const kg_base::LonLat a = in_.grid.Centre(
+          east ? kg_base::Cell{r0, c0 + lo} : kg_base::Cell{r0 + lo, c0});
+      const kg_base::LonLat b = in_.grid.Centre(
+          east ? kg_base::Cell{r0, c0 + hi} : kg_base::Cell{r0 + hi, c0});
       const double weight = k == 0 ? 2 : 1;
-      sum += weight * (at(hi) - at(lo)) / (kg_core::Distance_m(a, b) / 1000);
+      sum += weight * (at(hi) - at(lo)) / (kg_base::Distance_m(a, b) / 1000);
       weights += weight;
     }
     return weights > 0 ? sum / weights : 0.0;
@@ -187,7 +187,7 @@ class Reference {
   double most_front_ = 1.0;
 };
 
-Mission RandomMission(std::mt19937& rng, const kg_core::Grid& grid) {
+Mission RandomMission(std::mt19937& rng, const kg_base::Grid& grid) {
   Mission mission;
   for (int t = 0; t < 3; ++t) {
     mission.windows.push_back(TestWindow(t, std::exp(-0.12 * t)));
@@ -232,9 +232,9 @@ Mission RandomMission(std::mt19937& rng, const kg_core::Grid& grid) {
   return mission;
 }
 
-WindowRasters RandomRasters(std::mt19937& rng, const kg_core::Grid& grid) {
-  const kg_core::Mask land = RandomMask(rng, grid.size(), 0.05);
-  kg_core::Raster value = RandomRaster(rng, grid.size(), -0.5, 3.0);
+WindowRasters RandomRasters(std::mt19937& rng, const kg_base::Grid& grid) {
+  const kg_base::Mask land = RandomMask(rng, grid.size(), 0.05);
+  kg_base::Raster value = RandomRaster(rng, grid.size(), -0.5, 3.0);
   for (std::size_t i = 0; i < value.size(); ++i) {
     if (land[i] || Uniform(rng, 0, 1) < 0.05) value[i] = kGap;
   }
@@ -244,7 +244,7 @@ WindowRasters RandomRasters(std::mt19937& rng, const kg_core::Grid& grid) {
 TEST(DataPlane, AgreesWithTheStraightforwardImplementation) {
   std::mt19937 rng(1);
   for (int round = 0; round < 12; ++round) {
-    const kg_core::Grid grid = UnevenGrid(rng, 14, 18);
+    const kg_base::Grid grid = UnevenGrid(rng, 14, 18);
     Mission mission = RandomMission(rng, grid);
     if (round % 4 == 3) {
       mission.agents[0].must_avoid = {{"ex:c1", {"ex:i1"}},
@@ -253,7 +253,7 @@ TEST(DataPlane, AgreesWithTheStraightforwardImplementation) {
     const WindowRasters rasters = RandomRasters(rng, grid);
     const int t = round % 3;
     for (const Agent& agent : mission.agents) {
-      const kg_core::Raster got =
+      const kg_base::Raster got =
           CompileTensor(mission, agent, mission.windows[t], rasters)
               .Get(Layer::kFused);
       const std::vector<double> wanted =
@@ -272,7 +272,7 @@ Mission PlainMission(double confidence = 1.0) {
   return mission;
 }
 
-kg_core::Raster FusedOf(const Mission& mission, const WindowRasters& rasters) {
+kg_base::Raster FusedOf(const Mission& mission, const WindowRasters& rasters) {
   return CompileTensor(mission, mission.agents[0], mission.windows[0], rasters)
       .Get(Layer::kFused);
 }
@@ -281,7 +281,7 @@ kg_core::Raster FusedOf(const Mission& mission, const WindowRasters& rasters) {
 // halves the top row, the south-west cell is forbidden; the largest open value
 // is 0.5 + 6/8 = 1.25, and w = 0.8.
 TEST(DataPlane, GivesTheThreeByThreeExampleWorkedByHand) {
-  const kg_core::Grid grid = EvenGrid(0, 0, 1, 3, 3);
+  const kg_base::Grid grid = EvenGrid(0, 0, 1, 3, 3);
   Mission mission = PlainMission(0.8);
   mission.agents[0].policy.beta = {{"ex:corridor", 0.5}};
   mission.priors.push_back(
@@ -293,26 +293,26 @@ TEST(DataPlane, GivesTheThreeByThreeExampleWorkedByHand) {
       AreaConstraint("ex:b", ConstraintKind::kSoft, Box(-1, 1.6, 3, 3));
   mission.constraints[1].attenuation = 0.5;
   const WindowRasters rasters =
-      TestRasters(grid, {100, 2, 4, 0, 6, 8, 2, 4, kGap}, kg_core::Mask(9, 0));
+      TestRasters(grid, {100, 2, 4, 0, 6, 8, 2, 4, kGap}, kg_base::Mask(9, 0));
   const double hand[9] = {0,     0.25 + 0.5,        0.5,  //
                           0,     0.75 + 0.5,        1.0,  //
                           0.125, 0.5 * (0.5 + 0.5), 0.0};
-  const kg_core::Raster fused = FusedOf(mission, rasters);
+  const kg_base::Raster fused = FusedOf(mission, rasters);
   for (int i = 0; i < 9; ++i) {
     EXPECT_NEAR(0.8 * hand[i] / 1.25, fused[i], 1e-6) << i;
   }
 }
 
 TEST(DataPlane, AttenuatesInsideASoftZoneByExactlyItsFactor) {
-  const kg_core::Grid grid = EvenGrid(0, 0, 1, 6, 6);
+  const kg_base::Grid grid = EvenGrid(0, 0, 1, 6, 6);
   Mission mission = PlainMission();
   mission.constraints.resize(1);
   mission.constraints[0] =
       AreaConstraint("ex:zone", ConstraintKind::kSoft, Box(-1, -1, 2.5, 9));
   mission.constraints[0].attenuation = 0.4;
   const WindowRasters rasters =
-      TestRasters(grid, kg_core::Raster(36, 7.0f), kg_core::Mask(36, 0));
-  const kg_core::Raster fused = FusedOf(mission, rasters);
+      TestRasters(grid, kg_base::Raster(36, 7.0f), kg_base::Mask(36, 0));
+  const kg_base::Raster fused = FusedOf(mission, rasters);
   EXPECT_FLOAT_EQ(0.4f, fused[0] / fused[5]);
   EXPECT_FLOAT_EQ(1.0f, fused[5]);
   mission.agents[0].policy.soft_overrides["ex:zone"] = 0.1;
@@ -322,12 +322,13 @@ TEST(DataPlane, AttenuatesInsideASoftZoneByExactlyItsFactor) {
 TEST(DataPlane, StaysInZeroToOneWithoutNaNForEveryOption) {
   std::mt19937 rng(5);
   for (int round = 0; round < 60; ++round) {
-    const kg_core::Grid grid = UnevenGrid(rng, 10, 12);
+    const kg_base::Grid grid = UnevenGrid(rng, 10, 12);
     Mission mission = RandomMission(rng, grid);
     Agent& agent = mission.agents[0];
-    agent.policy.normalisation = static_cast<kg_core::Normalisation>(round % 3);
+    agent.policy.normalisation =
+        static_cast<kg_mission::Normalisation>(round % 3);
     agent.policy.confidence_mode =
-        static_cast<kg_core::ConfidenceMode>(round / 3 % 3);
+        static_cast<kg_mission::ConfidenceMode>(round / 3 % 3);
     WindowRasters rasters = RandomRasters(rng, grid);
     const float odd[] = {1e38f, -1e38f, 1e-42f,
                          std::numeric_limits<float>::infinity()};
@@ -349,34 +350,34 @@ TEST(DataPlane, StaysInZeroToOneWithoutNaNForEveryOption) {
 TEST(DataPlane, TurnsAConstantFieldIntoOnesByEveryNormalisation) {
   Mission mission = PlainMission();
   const WindowRasters rasters = TestRasters(
-      EvenGrid(0, 0, 1, 4, 4), kg_core::Raster(16, 3.0f), kg_core::Mask(16, 0));
+      EvenGrid(0, 0, 1, 4, 4), kg_base::Raster(16, 3.0f), kg_base::Mask(16, 0));
   for (int kind = 0; kind < 3; ++kind) {
     mission.agents[0].policy.normalisation =
-        static_cast<kg_core::Normalisation>(kind);
-    EXPECT_EQ(kg_core::Raster(16, 1.0f), FusedOf(mission, rasters));
+        static_cast<kg_mission::Normalisation>(kind);
+    EXPECT_EQ(kg_base::Raster(16, 1.0f), FusedOf(mission, rasters));
   }
 }
 
 TEST(DataPlane, LeavesAnAllZeroAndAnAllLandFieldAtZero) {
-  const kg_core::Grid grid = EvenGrid(0, 0, 1, 4, 4);
-  const kg_core::Raster zero(16, 0.0f);
+  const kg_base::Grid grid = EvenGrid(0, 0, 1, 4, 4);
+  const kg_base::Raster zero(16, 0.0f);
   EXPECT_EQ(zero, FusedOf(PlainMission(),
-                          TestRasters(grid, zero, kg_core::Mask(16, 0))));
+                          TestRasters(grid, zero, kg_base::Mask(16, 0))));
   EXPECT_EQ(zero,
-            FusedOf(PlainMission(), TestRasters(grid, kg_core::Raster(16, kGap),
-                                                kg_core::Mask(16, 1))));
+            FusedOf(PlainMission(), TestRasters(grid, kg_base::Raster(16, kGap),
+                                                kg_base::Mask(16, 1))));
 }
 
 TEST(DataPlane, KeepsForbiddenCellsExactlyZeroAndTheirPeaksOutOfTheScale) {
-  const kg_core::Grid grid = EvenGrid(0, 0, 1, 4, 4);
-  kg_core::Raster value(16, 1.0f);
+  const kg_base::Grid grid = EvenGrid(0, 0, 1, 4, 4);
+  kg_base::Raster value(16, 1.0f);
   value[5] = 1000.0f;
   Mission mission = PlainMission();
   mission.constraints.resize(1);
   mission.constraints[0] =
       AreaConstraint("ex:no", ConstraintKind::kNoGo, Box(.9, .9, 1.1, 1.1));
-  const kg_core::Raster fused =
-      FusedOf(mission, TestRasters(grid, value, kg_core::Mask(16, 0)));
+  const kg_base::Raster fused =
+      FusedOf(mission, TestRasters(grid, value, kg_base::Mask(16, 0)));
   EXPECT_EQ(0.0f, fused[5]);
   EXPECT_EQ(1.0f, fused[4]);
 }
@@ -384,17 +385,17 @@ TEST(DataPlane, KeepsForbiddenCellsExactlyZeroAndTheirPeaksOutOfTheScale) {
 // Before N: a weight's finite difference is its own layer.
 TEST(DataPlane, ChangesOneTermOnlyWithEachWeight) {
   std::mt19937 rng(8);
-  const kg_core::Grid grid = UnevenGrid(rng, 9, 9);
+  const kg_base::Grid grid = UnevenGrid(rng, 9, 9);
   const Mission mission = RandomMission(rng, grid);
   const WindowRasters rasters = RandomRasters(rng, grid);
   const auto policy_layer =
-      [&](const std::function<void(kg_core::Policy*)>& f) {
+      [&](const std::function<void(kg_mission::Policy*)>& f) {
         Agent agent = mission.agents[1];
         f(&agent.policy);
         return CompileTensor(mission, agent, mission.windows[0], rasters)
             .Get(Layer::kPolicy);
       };
-  const auto same = policy_layer([](kg_core::Policy*) {});
+  const auto same = policy_layer([](kg_mission::Policy*) {});
   EXPECT_EQ(same, policy_layer([](auto* p) { p->alpha_base += 1; }));
   EXPECT_EQ(same, policy_layer([](auto* p) { p->gamma_front += 1; }));
   const auto more = policy_layer([](auto* p) { p->beta["ex:p0"] += 1; });
@@ -407,7 +408,7 @@ TEST(DataPlane, ChangesOneTermOnlyWithEachWeight) {
 
 TEST(DataPlane, WeighsLaterWindowsByTheirConfidenceUnlessToldPre) {
   const WindowRasters rasters =
-      TestRasters(EvenGrid(0, 0, 1, 2, 2), {1, 2, 3, 4}, kg_core::Mask(4, 0));
+      TestRasters(EvenGrid(0, 0, 1, 2, 2), {1, 2, 3, 4}, kg_base::Mask(4, 0));
   const double w[7] = {1.0,    0.8869, 0.7866, 0.6977,
                        0.6188, 0.5488, 0.4868};  // exp(-0.12 t).
   for (int t = 0; t < 7; ++t) {
@@ -417,7 +418,7 @@ TEST(DataPlane, WeighsLaterWindowsByTheirConfidenceUnlessToldPre) {
         CompileTensor(mission, mission.agents[0], mission.windows[0], rasters);
     EXPECT_NEAR(1.0 - w[t], tensor.Get(Layer::kUncertainty)[0], 5e-5);
     EXPECT_EQ(1.0f, tensor.Get(Layer::kReward)[3]);
-    mission.agents[0].policy.confidence_mode = kg_core::ConfidenceMode::kPre;
+    mission.agents[0].policy.confidence_mode = kg_mission::ConfidenceMode::kPre;
     EXPECT_FLOAT_EQ(1.0f, FusedOf(mission, rasters)[3]);
   }
 }
@@ -426,11 +427,11 @@ TEST(DataPlane, HoldsTheHorizonsWindowsToOneScale) {
   Mission mission = PlainMission();
   mission.windows.push_back(TestWindow(1, 0.5));
   Agent& agent = mission.agents[0];
-  agent.policy.confidence_mode = kg_core::ConfidenceMode::kHorizon;
+  agent.policy.confidence_mode = kg_mission::ConfidenceMode::kHorizon;
   agent.policy.beta = {{"ex:p", 1.0}};
   mission.priors.push_back({"ex:p", "", Box(-1, -1, 2, 2), 0, {1}, {}});
   const WindowRasters rasters =
-      TestRasters(EvenGrid(0, 0, 1, 2, 2), {1, 2, 3, 4}, kg_core::Mask(4, 0));
+      TestRasters(EvenGrid(0, 0, 1, 2, 2), {1, 2, 3, 4}, kg_base::Mask(4, 0));
   const HorizonScale scale = MeasureHorizon(mission, agent, {rasters, rasters});
   EXPECT_DOUBLE_EQ(1.0, scale.range);  // Window 0: 1; window 1: 0.5 * 2.
   const auto at = [&](int t) {
@@ -445,7 +446,7 @@ TEST(DataPlane, HoldsTheHorizonsWindowsToOneScale) {
 
 TEST(DataPlane, HashIsTheContentsAndNotTheAgentsName) {
   std::mt19937 rng(9);
-  const kg_core::Grid grid = UnevenGrid(rng, 8, 8);
+  const kg_base::Grid grid = UnevenGrid(rng, 8, 8);
   Mission mission = RandomMission(rng, grid);
   mission.agents[1].policy = mission.agents[0].policy;
   mission.agents[1].policy.iri = "ex:another_name";
@@ -468,7 +469,7 @@ TEST(DataPlane, HashIsTheContentsAndNotTheAgentsName) {
 
 TEST(DataPlane, HashCoversWhatIsReadAndNothingElse) {
   std::mt19937 rng(10);
-  const kg_core::Grid grid = UnevenGrid(rng, 8, 8);
+  const kg_base::Grid grid = UnevenGrid(rng, 8, 8);
   const Mission base = RandomMission(rng, grid);
   WindowRasters rasters = RandomRasters(rng, grid);
   const auto hash = [&](const std::function<void(Mission*)>& change) {
@@ -486,7 +487,7 @@ TEST(DataPlane, HashCoversWhatIsReadAndNothingElse) {
       [](Mission* m) { m->agents[0].policy.soft_overrides["ex:c1"] = 0.2; },
       [](Mission* m) { m->agents[0].must_avoid["ex:c1"] = {"ex:i1"}; },
       [](Mission* m) {
-        m->agents[0].policy.normalisation = kg_core::Normalisation::kMinMax;
+        m->agents[0].policy.normalisation = kg_mission::Normalisation::kMinMax;
       },
       [](Mission* m) { m->constraints[0].buffer_cells = 1; },
       [](Mission* m) { m->constraints[0].area = Box(0, 0, 1, 1); },
@@ -514,7 +515,7 @@ TEST(DataPlane, HashCoversWhatIsReadAndNothingElse) {
 struct HashedWorld {
   Mission mission;
   WindowRasters rasters;
-  kg_core::Policy& policy() { return mission.agents[0].policy; }
+  kg_mission::Policy& policy() { return mission.agents[0].policy; }
   std::string Hash() const {
     return TensorHash(mission, mission.agents[0], mission.windows[0], rasters);
   }
@@ -528,33 +529,35 @@ void NoValue(HashedWorld* w) {
 }
 void Literal(HashedWorld* w) { w->policy().paper_literal = true; }
 void Central(HashedWorld* w) {
-  w->policy().front_operator = kg_core::FrontOperator::kCentral;
+  w->policy().front_operator = kg_mission::FrontOperator::kCentral;
 }
 void Unscaled(HashedWorld* w) {
-  w->policy().layer_scale = kg_core::LayerScale::kNone;
+  w->policy().layer_scale = kg_mission::LayerScale::kNone;
 }
 void Fixed(HashedWorld* w) {
-  w->policy().layer_scale = kg_core::LayerScale::kFixed;
+  w->policy().layer_scale = kg_mission::LayerScale::kFixed;
 }
 void FixedWithoutFront(HashedWorld* w) {
   Fixed(w);
   NoFront(w);
 }
 void MinMax(HashedWorld* w) {
-  w->policy().normalisation = kg_core::Normalisation::kMinMax;
+  w->policy().normalisation = kg_mission::Normalisation::kMinMax;
 }
 void Least(HashedWorld* w) {
-  w->policy().soft_overlap = kg_core::SoftOverlap::kMin;
+  w->policy().soft_overlap = kg_mission::SoftOverlap::kMin;
 }
 void TwoZones(HashedWorld* w) { w->mission.constraints[2].windows.clear(); }
 void OneZone(HashedWorld* w) { w->mission.constraints[2].windows = {1}; }
 void FullScale(HashedWorld* w) { w->rasters.full_scale = 4.0; }
 void FrontFullScale(HashedWorld* w) { w->rasters.front_full_scale = 4.0; }
 void Square(HashedWorld* w) {
-  w->mission.constraints[3].buffer_metric = kg_core::BufferMetric::kChebyshev;
+  w->mission.constraints[3].buffer_metric =
+      kg_mission::BufferMetric::kChebyshev;
 }
 void SquareOfNothing(HashedWorld* w) {
-  w->mission.constraints[0].buffer_metric = kg_core::BufferMetric::kChebyshev;
+  w->mission.constraints[0].buffer_metric =
+      kg_mission::BufferMetric::kChebyshev;
 }
 void Hazard(HashedWorld* w) { w->policy().hazard_range_m = 1.0; }
 void Isolation(HashedWorld* w) { w->policy().isolation_weight = 9.0; }
@@ -562,7 +565,7 @@ void Isolation(HashedWorld* w) { w->policy().isolation_weight = 9.0; }
 // Every option, where it makes a difference and where it does not.
 TEST(DataPlane, HashCoversAnOptionWhereItMatters) {
   std::mt19937 rng(31);
-  const kg_core::Grid grid = UnevenGrid(rng, 8, 8);
+  const kg_base::Grid grid = UnevenGrid(rng, 8, 8);
   HashedWorld base{RandomMission(rng, grid), RandomRasters(rng, grid)};
   base.rasters.full_scale = 3.0;
   base.rasters.front_full_scale = 0.5;
@@ -603,15 +606,15 @@ TEST(DataPlane, HashCoversAnOptionWhereItMatters) {
 // A raster is known by its file's contents and what is taken of it.
 TEST(DataPlane, HashCoversWhatARasterIsReadFrom) {
   std::mt19937 rng(32);
-  const kg_core::Grid grid = UnevenGrid(rng, 8, 8);
+  const kg_base::Grid grid = UnevenGrid(rng, 8, 8);
   Mission base = RandomMission(rng, grid);
   const WindowRasters rasters = RandomRasters(rng, grid);
   base.files["ex:f"] = {"ex:f", "a.nc", "1234"};
   base.files["ex:copy"] = {"ex:copy", "b.nc", "1234"};
   base.priors[0].area.reset();
-  base.priors[0].raster = kg_core::RasterRef{"ex:f", "p", 0};
+  base.priors[0].raster = kg_mission::RasterRef{"ex:f", "p", 0};
   base.constraints[0].area.reset();
-  base.constraints[0].mask = kg_core::RasterRef{"ex:f", "m", 0};
+  base.constraints[0].mask = kg_mission::RasterRef{"ex:f", "m", 0};
   const auto hash = [&](const std::function<void(Mission*)>& change) {
     Mission mission = base;
     change(&mission);
@@ -625,7 +628,7 @@ TEST(DataPlane, HashCoversWhatARasterIsReadFrom) {
     EXPECT_NE(same, hash([&](Mission* m) { ref(m)->variable = "other"; }));
     EXPECT_NE(same, hash([&](Mission* m) { ref(m)->time_index = 1; }));
     EXPECT_NE(same, hash([&](Mission* m) {
-                ref(m)->resampling = kg_core::Resampling::kNearest;
+                ref(m)->resampling = kg_base::Resampling::kNearest;
               }));
   }
   EXPECT_NE(same, hash([](Mission* m) { m->files["ex:f"].sha256 = "5678"; }));
@@ -634,7 +637,7 @@ TEST(DataPlane, HashCoversWhatARasterIsReadFrom) {
 
 TEST(DataPlane, DerivesFromExactlyTheFactsItRead) {
   std::mt19937 rng(13);
-  const kg_core::Grid grid = UnevenGrid(rng, 8, 8);
+  const kg_base::Grid grid = UnevenGrid(rng, 8, 8);
   Mission mission = RandomMission(rng, grid);
   const WindowRasters rasters = RandomRasters(rng, grid);
   const auto sources = [&](int agent, int t) {
@@ -651,7 +654,7 @@ TEST(DataPlane, DerivesFromExactlyTheFactsItRead) {
             sources(0, 2));
   mission.agents[1].must_avoid = {{"ex:c1", {"ex:i1", "ex:i2"}},
                                   {"ex:c9", {"ex:i9"}}};
-  mission.agents[1].policy = kg_core::Policy();
+  mission.agents[1].policy = kg_mission::Policy();
   mission.agents[1].policy.alpha_base = 0.0;
   EXPECT_EQ((List{"ex:c0", "ex:c1", "ex:field", "ex:i1", "ex:i2", "ex:w0"}),
             sources(1, 0));
@@ -660,7 +663,7 @@ TEST(DataPlane, DerivesFromExactlyTheFactsItRead) {
 TEST(DataPlane, RefusesRastersOfAnotherSize) {
   const Mission mission = PlainMission();
   WindowRasters rasters = TestRasters(EvenGrid(0, 0, 1, 2, 2),
-                                      kg_core::Raster(4), kg_core::Mask(4));
+                                      kg_base::Raster(4), kg_base::Mask(4));
   rasters.value.pop_back();
   EXPECT_THROW(FusedOf(mission, rasters), std::logic_error);
 }

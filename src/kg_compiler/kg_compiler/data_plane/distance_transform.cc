@@ -5,7 +5,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
@@ -13,23 +13,23 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Centres' positions along the meridian [m from the first].
-std::vector<double> Northings_m(const kg_core::Grid& grid) {
+std::vector<double> Northings_m(const kg_base::Grid& grid) {
   std::vector<double> north_m(1, 0.0);
   const std::vector<double>& lat_deg = grid.lat_deg();
   for (std::size_t r = 1; r < lat_deg.size(); ++r) {
     const double middle_deg = 0.5 * (lat_deg[r] + lat_deg[r - 1]);
     north_m.push_back(north_m.back() +
                       (lat_deg[r] - lat_deg[r - 1]) /
-                          kg_core::LocalScale(middle_deg).lat_deg);
+                          kg_base::LocalScale(middle_deg).lat_deg);
   }
   return north_m;
 }
 
 // Squared distances along one row to the row's own cells of the set.
-void AlongRow(const kg_core::Grid& grid, const kg_core::Mask& set, int row,
+void AlongRow(const kg_base::Grid& grid, const kg_base::Mask& set, int row,
               double* squared) {
   const double m_per_deg =
-      1.0 / kg_core::LocalScale(grid.lat_deg()[row]).lon_deg;
+      1.0 / kg_base::LocalScale(grid.lat_deg()[row]).lon_deg;
   const std::vector<double>& lon_deg = grid.lon_deg();
   const std::size_t first = grid.Index({row, 0});
   double last_deg = -kInfinity;
@@ -93,14 +93,14 @@ class LowerEnvelope {
   std::vector<double> begins_;  // Where each member becomes the lowest.
 };
 
-kg_core::Mask GrowRound(int rows, int cols, const kg_core::Mask& set,
+kg_base::Mask GrowRound(int rows, int cols, const kg_base::Mask& set,
                         double cells) {
-  kg_core::Mask outside(set.size());
+  kg_base::Mask outside(set.size());
   for (std::size_t i = 0; i < set.size(); ++i) outside[i] = set[i] ? 0 : 1;
   const cv::Mat from(rows, cols, CV_8U, outside.data());
   cv::Mat distance;
   cv::distanceTransform(from, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-  kg_core::Mask grown(set.size());
+  kg_base::Mask grown(set.size());
   const float* d = distance.ptr<float>();
   for (std::size_t i = 0; i < grown.size(); ++i) grown[i] = d[i] <= cells;
   return grown;
@@ -120,11 +120,11 @@ void GrowLine(const unsigned char* in, int size, int step, int reach,
   }
 }
 
-kg_core::Mask GrowSquare(int rows, int cols, const kg_core::Mask& set,
+kg_base::Mask GrowSquare(int rows, int cols, const kg_base::Mask& set,
                          double cells) {
   const int reach =
       static_cast<int>(std::min<double>(std::floor(cells), rows + cols));
-  kg_core::Mask along(set.size(), 0), grown(set.size(), 0);
+  kg_base::Mask along(set.size(), 0), grown(set.size(), 0);
   for (int r = 0; r < rows; ++r) {
     const std::size_t first = static_cast<std::size_t>(r) * cols;
     GrowLine(&set[first], cols, 1, reach, &along[first]);
@@ -137,18 +137,18 @@ kg_core::Mask GrowSquare(int rows, int cols, const kg_core::Mask& set,
 
 }  // namespace
 
-kg_core::Mask GrowByCells(int rows, int cols, const kg_core::Mask& set,
-                          double cells, kg_core::BufferMetric metric) {
+kg_base::Mask GrowByCells(int rows, int cols, const kg_base::Mask& set,
+                          double cells, kg_mission::BufferMetric metric) {
   const bool empty =
       std::none_of(set.begin(), set.end(), [](auto cell) { return cell != 0; });
   if (!(cells > 0.0) || empty) return set;
-  return metric == kg_core::BufferMetric::kChebyshev
+  return metric == kg_mission::BufferMetric::kChebyshev
              ? GrowSquare(rows, cols, set, cells)
              : GrowRound(rows, cols, set, cells);
 }
 
-std::vector<double> DistanceTo_m(const kg_core::Grid& grid,
-                                 const kg_core::Mask& set) {
+std::vector<double> DistanceTo_m(const kg_base::Grid& grid,
+                                 const kg_base::Mask& set) {
   // Step 1: squared distances along each row, by a row's own scale. Step 2:
   // along each column the lower envelope of the parabolas that stand on them.
   std::vector<double> distance(grid.size());

@@ -4,8 +4,8 @@
 #ifndef KG_COMPILER_DATA_PLANE_DISTANCE_TRANSFORM_H_
 #define KG_COMPILER_DATA_PLANE_DISTANCE_TRANSFORM_H_
 
-#include "kg_core/mission/mission.h"
-#include "kg_core/raster/grid.h"
+#include "kg_base/raster/grid.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_compiler {
 
@@ -13,12 +13,12 @@ namespace kg_compiler {
 // between centres in cell units <= `cells` (A15), Euclidean or the larger of
 // the two differences (Chebyshev). The set itself included; grown by 0 it is
 // itself.
-kg_core::Mask GrowByCells(
-    int rows, int cols, const kg_core::Mask& set, double cells,
-    kg_core::BufferMetric metric = kg_core::BufferMetric::kEuclidean);
-inline kg_core::Mask GrowByCells(
-    const kg_core::Grid& grid, const kg_core::Mask& set, double cells,
-    kg_core::BufferMetric metric = kg_core::BufferMetric::kEuclidean) {
+kg_base::Mask GrowByCells(
+    int rows, int cols, const kg_base::Mask& set, double cells,
+    kg_mission::BufferMetric metric = kg_mission::BufferMetric::kEuclidean);
+inline kg_base::Mask GrowByCells(
+    const kg_base::Grid& grid, const kg_base::Mask& set, double cells,
+    kg_mission::BufferMetric metric = kg_mission::BufferMetric::kEuclidean) {
   return GrowByCells(grid.rows(), grid.cols(), set, cells, metric);
 }
 
@@ -27,8 +27,8 @@ inline kg_core::Mask GrowByCells(
 // row: d^2 = min over rows r' of (dx(r', col)^2 + dy(row, r')^2), exact along
 // rows and columns. Parabolas' lower envelope: Felzenszwalb and Huttenlocher,
 // "Distance Transforms of Sampled Functions", Theory of Computing 8, 2012.
-std::vector<double> DistanceTo_m(const kg_core::Grid& grid,
-                                 const kg_core::Mask& set);
+std::vector<double> DistanceTo_m(const kg_base::Grid& grid,
+                                 const kg_base::Mask& set);
 
 }  // namespace kg_compiler
 

@@ -21,9 +21,9 @@
 namespace kg_compiler {
 namespace {
 
-using kg_core::ConstraintKind;
-using kg_core::Mission;
-using kg_core::Policy;
+using kg_mission::ConstraintKind;
+using kg_mission::Mission;
+using kg_mission::Policy;
 
 // WGS84's radii of curvature as kilometres per degree.
 constexpr double kEquator_km = 6378.137;
@@ -43,7 +43,7 @@ double NorthKm(double lat_deg) {
 
 using Polygon = std::vector<cv::Point2d>;  // Longitude, latitude.
 
-Polygon RandomPolygon(std::mt19937& rng, const kg_core::Grid& grid) {
+Polygon RandomPolygon(std::mt19937& rng, const kg_base::Grid& grid) {
   const cv::Point2d middle(Uniform(rng, grid.west_deg(), grid.east_deg()),
                            Uniform(rng, grid.south_deg(), grid.north_deg()));
   Polygon polygon;
@@ -56,16 +56,16 @@ Polygon RandomPolygon(std::mt19937& rng, const kg_core::Grid& grid) {
   return polygon;
 }
 
-kg_core::Geometry GeometryOf(const Polygon& polygon) {
+kg_base::Geometry GeometryOf(const Polygon& polygon) {
   std::ostringstream wkt;
   wkt.precision(17);
   wkt << "POLYGON((";
   for (const cv::Point2d& at : polygon) wkt << at.x << " " << at.y << ",";
   wkt << polygon[0].x << " " << polygon[0].y << "))";
-  return kg_core::Geometry::FromWkt(wkt.str());
+  return kg_base::Geometry::FromWkt(wkt.str());
 }
 
-bool IsInside(const Polygon& polygon, const kg_core::LonLat& at) {
+bool IsInside(const Polygon& polygon, const kg_base::LonLat& at) {
   bool is_odd = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const cv::Point2d a = polygon[i], b = polygon[(i + 1) % polygon.size()];
@@ -78,7 +78,7 @@ bool IsInside(const Polygon& polygon, const kg_core::LonLat& at) {
 
 // A mission with all that Eq. 1 has, and what its facts mean as matrices.
 struct World {
-  kg_core::Grid grid;
+  kg_base::Grid grid;
   Mission mission;
   WindowRasters rasters;
   std::vector<Polygon> areas;  // Of priors without a raster, in order.
@@ -96,7 +96,7 @@ struct World {
     }
     return m;
   }
-  cv::Mat Bytes(const kg_core::Mask& mask) const {
+  cv::Mat Bytes(const kg_base::Mask& mask) const {
     return cv::Mat(grid.rows(), grid.cols(), CV_8U,
                    const_cast<unsigned char*>(mask.data())) != 0;
   }
@@ -107,30 +107,30 @@ struct World {
   }
 };
 
-kg_core::Raster RandomValues(std::mt19937& rng, const kg_core::Grid& grid,
+kg_base::Raster RandomValues(std::mt19937& rng, const kg_base::Grid& grid,
                              double gaps) {
-  kg_core::Raster value = RandomRaster(rng, grid.size(), -0.5, 3.0);
+  kg_base::Raster value = RandomRaster(rng, grid.size(), -0.5, 3.0);
   for (float& x : value) {
     if (Uniform(rng, 0, 1) < gaps) x = kGap;
   }
   return value;
 }
 
-void AddMaskZone(const std::string& iri, const kg_core::Constraint& zone,
-                 kg_core::Mask mask, World* w) {
+void AddMaskZone(const std::string& iri, const kg_mission::Constraint& zone,
+                 kg_base::Mask mask, World* w) {
   w->mission.constraints.push_back(zone);
   w->mission.constraints.back().iri = iri;
-  w->mission.constraints.back().mask = kg_core::RasterRef{"ex:file", iri, 0};
+  w->mission.constraints.back().mask = kg_mission::RasterRef{"ex:file", iri, 0};
   w->rasters.constraint_masks[iri] =
-      std::make_shared<const kg_core::Mask>(std::move(mask));
+      std::make_shared<const kg_base::Mask>(std::move(mask));
 }
 
 // The cells of a mask and those within a distance of 1.5 cells, or in a square.
-cv::Mat Grown(const cv::Mat& mask, const kg_core::Constraint& zone) {
+cv::Mat Grown(const cv::Mat& mask, const kg_mission::Constraint& zone) {
   if (zone.buffer_cells == 0.0) return mask;
   const int reach = static_cast<int>(zone.buffer_cells);
   cv::Mat disc(2 * reach + 1, 2 * reach + 1, CV_8U, cv::Scalar(1));
-  if (zone.buffer_metric == kg_core::BufferMetric::kEuclidean) {
+  if (zone.buffer_metric == kg_mission::BufferMetric::kEuclidean) {
     for (int r = -reach; r <= reach; ++r) {
       for (int c = -reach; c <= reach; ++c) {
         disc.at<unsigned char>(r + reach, c + reach) =
@@ -146,10 +146,10 @@ cv::Mat Grown(const cv::Mat& mask, const kg_core::Constraint& zone) {
 void AddHardZones(std::mt19937& rng, World* w) {
   w->open = w->Bytes(w->rasters.land) == 0;
   for (int i = 0; i < 2; ++i) {
-    kg_core::Constraint zone;
+    kg_mission::Constraint zone;
     zone.kind = ConstraintKind::kNoGo;
     zone.buffer_cells = i == 0 ? 0.0 : 2.5;
-    const kg_core::Mask mask = RandomMask(rng, w->grid.size(), 0.01);
+    const kg_base::Mask mask = RandomMask(rng, w->grid.size(), 0.01);
     w->open.setTo(0, Grown(w->Bytes(mask), zone));
     AddMaskZone("ex:hard" + std::to_string(i), zone, mask, w);
   }
@@ -159,17 +159,17 @@ void AddHardZones(std::mt19937& rng, World* w) {
 void AddSoftZones(std::mt19937& rng, World* w) {
   const auto factor = [&] { return Uniform(rng, 0.1, 0.9); };
   for (int i = 0; i < 2; ++i) {
-    kg_core::Constraint zone;
+    kg_mission::Constraint zone;
     zone.kind = ConstraintKind::kSoft;
     zone.attenuation = factor();
     zone.buffer_cells = i;
-    zone.buffer_metric = kg_core::BufferMetric::kChebyshev;
-    const kg_core::Mask mask = RandomMask(rng, w->grid.size(), 0.2);
+    zone.buffer_metric = kg_mission::BufferMetric::kChebyshev;
+    const kg_base::Mask mask = RandomMask(rng, w->grid.size(), 0.2);
     w->soft.push_back({Grown(w->Bytes(mask), zone), zone.attenuation});
     AddMaskZone("ex:soft" + std::to_string(i), zone, mask, w);
   }
   const Polygon polygon = RandomPolygon(rng, w->grid);
-  kg_core::Constraint zone =
+  kg_mission::Constraint zone =
       AreaConstraint("ex:soft2", ConstraintKind::kSoft, GeometryOf(polygon));
   zone.attenuation = factor();
   w->soft.push_back({w->Bytes(polygon), zone.attenuation});
@@ -186,9 +186,9 @@ void AddPriors(std::mt19937& rng, World* w) {
   }
   w->mission.priors[1].edge_m = 7000.0;
   w->mission.priors.push_back({"ex:p2", "", {}, 0.0, {}, {}});
-  w->mission.priors[2].raster = kg_core::RasterRef{"ex:file", "p2", 0};
+  w->mission.priors[2].raster = kg_mission::RasterRef{"ex:file", "p2", 0};
   w->rasters.prior_rasters["ex:p2"] =
-      std::make_shared<const kg_core::Raster>(RandomValues(rng, w->grid, 0.05));
+      std::make_shared<const kg_base::Raster>(RandomValues(rng, w->grid, 0.05));
   policy.beta["ex:p2"] = Uniform(rng, -1, 1);
 }
 
@@ -215,11 +215,12 @@ World RandomWorld(std::mt19937& rng, int round) {
   policy.alpha_base = Uniform(rng, 0.2, 2.0);
   policy.gamma_front = round % 7 == 6 ? 0.0 : Uniform(rng, 0.2, 2.0);
   policy.beta_poi = Uniform(rng, -1.0, 1.0);
-  policy.front_operator = static_cast<kg_core::FrontOperator>(round % 2);
-  policy.normalisation = static_cast<kg_core::Normalisation>(round / 2 % 3);
-  policy.soft_overlap = static_cast<kg_core::SoftOverlap>(round / 3 % 2);
-  policy.confidence_mode = static_cast<kg_core::ConfidenceMode>(round / 5 % 2);
-  policy.layer_scale = static_cast<kg_core::LayerScale>(round / 4 % 3);
+  policy.front_operator = static_cast<kg_mission::FrontOperator>(round % 2);
+  policy.normalisation = static_cast<kg_mission::Normalisation>(round / 2 % 3);
+  policy.soft_overlap = static_cast<kg_mission::SoftOverlap>(round / 3 % 2);
+  policy.confidence_mode =
+      static_cast<kg_mission::ConfidenceMode>(round / 5 % 2);
+  policy.layer_scale = static_cast<kg_mission::LayerScale>(round / 4 % 3);
   policy.paper_literal = round % 11 == 10;
   const double gaps = round % 3 == 0 ? 0.0 : 0.06;
   w.rasters = TestRasters(w.grid, RandomValues(rng, w.grid, gaps),
@@ -244,7 +245,7 @@ struct Known {
   cv::Mat values, is_there;
 };
 
-Known KnownOf(const World& w, const kg_core::Raster& raster) {
+Known KnownOf(const World& w, const kg_base::Raster& raster) {
   Known known;
   cv::Mat(w.grid.rows(), w.grid.cols(), CV_32F,
           const_cast<float*>(raster.data()))
@@ -290,7 +291,7 @@ cv::Mat Slope(const Known& b, const Steps& km, bool is_east, bool is_sobel) {
 
 cv::Mat Front(const World& w, const Known& b) {
   const bool is_sobel =
-      w.policy().front_operator == kg_core::FrontOperator::kSobel;
+      w.policy().front_operator == kg_mission::FrontOperator::kSobel;
   const std::vector<double>& lat = w.grid.lat_deg();
   const double step = w.grid.lon_deg()[1] - w.grid.lon_deg()[0];
   const auto north = [&](int r) { return NorthKm(lat[r] + 0.5 * step) * step; };
@@ -315,9 +316,9 @@ cv::Mat Layer01(const World& w, const cv::Mat& layer, double stated) {
   if (w.policy().paper_literal) return layer;
   const cv::Mat positive = cv::max(layer, 0.0);
   switch (w.policy().layer_scale) {
-    case kg_core::LayerScale::kWindow:
+    case kg_mission::LayerScale::kWindow:
       return positive / MaxOpen(positive, w.open);
-    case kg_core::LayerScale::kFixed:
+    case kg_mission::LayerScale::kFixed:
       return positive / stated;
     default:
       return positive;
@@ -343,7 +344,7 @@ cv::Mat SoftEdge(const World& w, const cv::Mat& inside, double edge_km) {
   });
 }
 
-cv::Mat Prior(const World& w, const kg_core::PriorLayer& prior,
+cv::Mat Prior(const World& w, const kg_mission::PriorLayer& prior,
               const Polygon* polygon) {
   if (prior.raster) {
     return KnownOf(w, *w.rasters.prior_rasters.at(prior.iri)).values;
@@ -355,9 +356,9 @@ cv::Mat Prior(const World& w, const kg_core::PriorLayer& prior,
   return p;
 }
 
-cv::Mat Bump(const World& w, const kg_core::Event& event) {
+cv::Mat Bump(const World& w, const kg_mission::Event& event) {
   cv::Mat bump = w.Make([&](int r, int c) {
-    const kg_core::LonLat at = w.grid.Centre({r, c});
+    const kg_base::LonLat at = w.grid.Centre({r, c});
     const double middle = 0.5 * (at.lat_deg + event.position.lat_deg);
     const double x = (at.lon_deg - event.position.lon_deg) * EastKm(middle);
     const double y = (at.lat_deg - event.position.lat_deg) * NorthKm(middle);
@@ -376,11 +377,11 @@ cv::Mat Blended(const World& w) {
                   Layer01(w, Front(w, b), *w.rasters.front_full_scale),
                   policy.gamma_front, 0.0, v);
   for (std::size_t i = 0; i < w.mission.priors.size(); ++i) {
-    const kg_core::PriorLayer& prior = w.mission.priors[i];
+    const kg_mission::PriorLayer& prior = w.mission.priors[i];
     const Polygon* polygon = i < w.areas.size() ? &w.areas[i] : nullptr;
     cv::scaleAdd(Prior(w, prior, polygon), policy.beta.at(prior.iri), v, v);
   }
-  for (const kg_core::Event& event : w.mission.events) {
+  for (const kg_mission::Event& event : w.mission.events) {
     cv::scaleAdd(Bump(w, event), policy.beta_poi * event.value, v, v);
   }
   return v;
@@ -391,7 +392,7 @@ cv::Mat Softness(const World& w) {
   for (const auto& [inside, factor] : w.soft) {
     cv::Mat own = w.New(1.0);
     own.setTo(factor, inside);
-    softness = w.policy().soft_overlap == kg_core::SoftOverlap::kProduct
+    softness = w.policy().soft_overlap == kg_mission::SoftOverlap::kProduct
                    ? cv::Mat(softness.mul(own))
                    : cv::Mat(cv::min(softness, own));
   }
@@ -410,11 +411,12 @@ double NearestRank(const cv::Mat& y, const cv::Mat& mask) {
 }
 
 cv::Mat Normalised(const cv::Mat& y, const cv::Mat& mask,
-                   kg_core::Normalisation kind) {
+                   kg_mission::Normalisation kind) {
   double low = 0.0, top = 0.0;
   cv::minMaxLoc(y, &low, &top, nullptr, nullptr, mask);
-  if (kind != kg_core::Normalisation::kMinMax) low = 0.0;
-  if (kind == kg_core::Normalisation::kPercentile) top = NearestRank(y, mask);
+  if (kind != kg_mission::Normalisation::kMinMax) low = 0.0;
+  if (kind == kg_mission::Normalisation::kPercentile)
+    top = NearestRank(y, mask);
   const cv::Mat x = (y - low) / (top - low);
   return cv::min(cv::max(x, 0.0), 1.0);
 }
@@ -427,12 +429,13 @@ cv::Mat Fused(const World& w) {
     const cv::Mat water = w.Bytes(w.rasters.land) == 0;
     v = v.mul(Softness(w)) * confidence;
     v.setTo(0.0, ~w.open);
-    u = Normalised(v, water, kg_core::Normalisation::kMinMax);
+    u = Normalised(v, water, kg_mission::Normalisation::kMinMax);
     u.setTo(0.0, ~water);
     return u;
   }
   v = cv::max(v, 0.0).mul(Softness(w));
-  const bool is_pre = policy.confidence_mode == kg_core::ConfidenceMode::kPre;
+  const bool is_pre =
+      policy.confidence_mode == kg_mission::ConfidenceMode::kPre;
   if (is_pre) v *= confidence;
   u = Normalised(v, w.open, policy.normalisation);
   if (!is_pre) u *= confidence;
@@ -446,7 +449,7 @@ TEST(Eq1OpenCv, TensorsAreWhatOpenCvMakesStepByStep) {
     const World w = RandomWorld(rng, round);
     const MissionTensor tensor = CompileTensor(w.mission, w.mission.agents[0],
                                                w.mission.windows[0], w.rasters);
-    const kg_core::Raster got = tensor.Get(Layer::kFused);
+    const kg_base::Raster got = tensor.Get(Layer::kFused);
     const cv::Mat wanted = Fused(w);
     ASSERT_GT(MaxOpen(wanted, cv::Mat()), 0.2) << round;
     for (std::size_t i = 0; i < got.size(); ++i) {

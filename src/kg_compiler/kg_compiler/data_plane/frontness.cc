@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "kg_core/base/units.h"
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/common/units.h"
+#include "kg_base/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
@@ -17,17 +17,17 @@ struct GridScales {
   std::vector<double> km_per_lon_deg;
 };
 
-GridScales Measure(const kg_core::Grid& grid) {
+GridScales Measure(const kg_base::Grid& grid) {
   GridScales scales;
   const std::vector<double>& lat_deg = grid.lat_deg();
   for (std::size_t r = 0; r < lat_deg.size(); ++r) {
     scales.km_per_lon_deg.push_back(
-        1.0 / kg_core::LocalScale(lat_deg[r]).lon_deg / kg_core::kMetresPerKm);
+        1.0 / kg_base::LocalScale(lat_deg[r]).lon_deg / kg_base::kMetresPerKm);
     if (r == 0) continue;
     const double middle_deg = 0.5 * (lat_deg[r] + lat_deg[r - 1]);
     const double deg = lat_deg[r] - lat_deg[r - 1];
-    scales.row_step_km.push_back(deg / kg_core::LocalScale(middle_deg).lat_deg /
-                                 kg_core::kMetresPerKm);
+    scales.row_step_km.push_back(deg / kg_base::LocalScale(middle_deg).lat_deg /
+                                 kg_base::kMetresPerKm);
   }
   return scales;
 }
@@ -57,12 +57,12 @@ bool Slope(const NeighbourDifference& d, double* slope) {
 
 class GradientField {
  public:
-  GradientField(const kg_core::Grid& grid, const kg_core::Raster& values,
-                kg_core::FrontOperator op)
+  GradientField(const kg_base::Grid& grid, const kg_base::Raster& values,
+                kg_mission::FrontOperator op)
       : grid_(grid),
         values_(values),
         scales_(Measure(grid)),
-        reach_(op == kg_core::FrontOperator::kSobel ? 1 : 0) {}
+        reach_(op == kg_mission::FrontOperator::kSobel ? 1 : 0) {}
 
   float At(int r, int c) const {
     if (!std::isfinite(Value(r, c))) return kNoFront;
@@ -107,19 +107,19 @@ class GradientField {
                  slope);
   }
 
-  const kg_core::Grid& grid_;
-  const kg_core::Raster& values_;
+  const kg_base::Grid& grid_;
+  const kg_base::Raster& values_;
   GridScales scales_;
   int reach_;  // Rows and columns beside the cell's own.
 };
 
 }  // namespace
 
-kg_core::Raster GradientPerKm(const kg_core::Grid& grid,
-                              const kg_core::Raster& values,
-                              kg_core::FrontOperator op) {
+kg_base::Raster GradientPerKm(const kg_base::Grid& grid,
+                              const kg_base::Raster& values,
+                              kg_mission::FrontOperator op) {
   const GradientField gradient(grid, values, op);
-  kg_core::Raster result;
+  kg_base::Raster result;
   result.reserve(values.size());
   for (int r = 0; r < grid.rows(); ++r) {
     for (int c = 0; c < grid.cols(); ++c) result.push_back(gradient.At(r, c));

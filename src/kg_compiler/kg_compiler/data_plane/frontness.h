@@ -14,16 +14,16 @@
 #ifndef KG_COMPILER_DATA_PLANE_FRONTNESS_H_
 #define KG_COMPILER_DATA_PLANE_FRONTNESS_H_
 
-#include "kg_core/mission/mission.h"
-#include "kg_core/raster/grid.h"
+#include "kg_base/raster/grid.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_compiler {
 
 // In units of `values` per km. Double precision inside; layer_table.h makes the
 // same in float32 for tensors.
-kg_core::Raster GradientPerKm(
-    const kg_core::Grid& grid, const kg_core::Raster& values,
-    kg_core::FrontOperator op = kg_core::FrontOperator::kSobel);
+kg_base::Raster GradientPerKm(
+    const kg_base::Grid& grid, const kg_base::Raster& values,
+    kg_mission::FrontOperator op = kg_mission::FrontOperator::kSobel);
 
 }  // namespace kg_compiler
 

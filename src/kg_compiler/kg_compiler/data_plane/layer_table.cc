@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "kg_core/base/parallel.h"
-#include "kg_core/base/units.h"
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/common/parallel.h"
+#include "kg_base/common/units.h"
+#include "kg_base/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
@@ -28,19 +28,19 @@ Inverse InverseSteps(const std::vector<double>& steps) {
   return inverse;
 }
 
-std::vector<double> RowSteps_km(const kg_core::Grid& grid) {
+std::vector<double> RowSteps_km(const kg_base::Grid& grid) {
   std::vector<double> steps;
   const std::vector<double>& lat_deg = grid.lat_deg();
   for (std::size_t r = 1; r < lat_deg.size(); ++r) {
     const double middle_deg = 0.5 * (lat_deg[r] + lat_deg[r - 1]);
     steps.push_back((lat_deg[r] - lat_deg[r - 1]) /
-                    kg_core::LocalScale(middle_deg).lat_deg /
-                    kg_core::kMetresPerKm);
+                    kg_base::LocalScale(middle_deg).lat_deg /
+                    kg_base::kMetresPerKm);
   }
   return steps;
 }
 
-std::vector<double> ColSteps_deg(const kg_core::Grid& grid) {
+std::vector<double> ColSteps_deg(const kg_base::Grid& grid) {
   std::vector<double> steps;
   for (int c = 1; c < grid.cols(); ++c) {
     steps.push_back(grid.lon_deg()[c] - grid.lon_deg()[c - 1]);
@@ -58,8 +58,8 @@ bool IsAllOpen(const RowBands<unsigned char>& state, const CellBox& box) {
   return true;
 }
 
-int IndexOf(kg_core::FrontOperator op) {
-  return op == kg_core::FrontOperator::kSobel ? 0 : 1;
+int IndexOf(kg_mission::FrontOperator op) {
+  return op == kg_mission::FrontOperator::kSobel ? 0 : 1;
 }
 
 // The same row from a later column on.
@@ -81,11 +81,11 @@ CellBox TileLayout::Box(int tile) const {
           std::min(col + width, cols)};
 }
 
-LayerTable::LayerTable(const kg_core::Grid& grid, const kg_core::Raster& value)
+LayerTable::LayerTable(const kg_base::Grid& grid, const kg_base::Raster& value)
     : tiling_{grid.rows(), grid.cols()} {
   for (const double lat_deg : grid.lat_deg()) {
     deg_per_km_.push_back(static_cast<float>(
-        kg_core::LocalScale(lat_deg).lon_deg * kg_core::kMetresPerKm));
+        kg_base::LocalScale(lat_deg).lon_deg * kg_base::kMetresPerKm));
   }
   Inverse rows = InverseSteps(RowSteps_km(grid));
   Inverse cols = InverseSteps(ColSteps_deg(grid));
@@ -96,7 +96,7 @@ LayerTable::LayerTable(const kg_core::Grid& grid, const kg_core::Raster& value)
   FindGaps(value);
 }
 
-void LayerTable::FindGaps(const kg_core::Raster& value) {
+void LayerTable::FindGaps(const kg_base::Raster& value) {
   const int across = tiling_.across, cols = tiling_.cols;
   const int width = tiling_.width;
   // A segment has gaps if it, or a segment above or below, has a value that is
@@ -125,7 +125,7 @@ void LayerTable::FindGaps(const kg_core::Raster& value) {
   }
 }
 
-FrontRows LayerTable::RowsAt(const kg_core::Raster& value, int row,
+FrontRows LayerTable::RowsAt(const kg_base::Raster& value, int row,
                              int col) const {
   const std::size_t cols = static_cast<std::size_t>(tiling_.cols);
   const float* middle = &value[row * cols + col];
@@ -146,10 +146,10 @@ FrontRows LayerTable::RowsAt(const kg_core::Raster& value, int row,
 }
 
 const LayerTable::GapFronts& LayerTable::GapFrontsOf(
-    const kg_core::Raster& value, kg_core::FrontOperator op) const {
+    const kg_base::Raster& value, kg_mission::FrontOperator op) const {
   GapFronts& gaps = gap_fronts_[IndexOf(op)];
   std::call_once(gaps.made, [&] {
-    const bool is_sobel = op == kg_core::FrontOperator::kSobel;
+    const bool is_sobel = op == kg_mission::FrontOperator::kSobel;
     const int cols = tiling_.cols;
     const auto make = [&](int row, int col, int n, float* f) {
       FrontWithGaps(RowsAt(value, row, col), is_sobel,
@@ -175,8 +175,8 @@ const LayerTable::GapFronts& LayerTable::GapFrontsOf(
   return gaps;
 }
 
-ValueExtremes LayerTable::Pass(const kg_core::Raster& value,
-                               const Weights& weights, kg_core::Cell first,
+ValueExtremes LayerTable::Pass(const kg_base::Raster& value,
+                               const Weights& weights, kg_base::Cell first,
                                int n, PassRow row, float* y) const {
   row.base = weights.base;
   row.front = weights.front;
@@ -208,13 +208,14 @@ ValueExtremes LayerTable::Pass(const kg_core::Raster& value,
   if (begin >= end) return found;
   PassRow inner = Shifted(row, begin);
   inner.rows = RowsAt(value, first.row, first.col + begin);
-  const bool is_sobel = weights.op == kg_core::FrontOperator::kSobel;
+  const bool is_sobel = weights.op == kg_mission::FrontOperator::kSobel;
   return Both(found, (is_sobel ? PassSobel : PassCentral)(inner, end - begin,
                                                           y + begin));
 }
 
-void LayerTable::Fronts(const kg_core::Raster& value, kg_core::FrontOperator op,
-                        kg_core::Cell first, int n, float* f) const {
+void LayerTable::Fronts(const kg_base::Raster& value,
+                        kg_mission::FrontOperator op, kg_base::Cell first,
+                        int n, float* f) const {
   const GapFronts& gaps = GapFrontsOf(value, op);
   if (HasGaps(first.row, first.col)) {
     const std::size_t begin =
@@ -227,7 +228,7 @@ void LayerTable::Fronts(const kg_core::Raster& value, kg_core::FrontOperator op,
   // The outermost columns come from the table, the rest is computed.
   const int begin = first.col == 0 ? 1 : 0;
   const int end = first.col + n == tiling_.cols ? n - 1 : n;
-  const bool is_sobel = op == kg_core::FrontOperator::kSobel;
+  const bool is_sobel = op == kg_mission::FrontOperator::kSobel;
   if (begin < end) {
     (is_sobel ? Sobel : Central)(RowsAt(value, first.row, first.col + begin),
                                  end - begin, f + begin);
@@ -237,11 +238,11 @@ void LayerTable::Fronts(const kg_core::Raster& value, kg_core::FrontOperator op,
 }
 
 const LayerTable::Tiles& LayerTable::FrontTiles(
-    const kg_core::Raster& value, kg_core::FrontOperator op) const {
+    const kg_base::Raster& value, kg_mission::FrontOperator op) const {
   const int k = IndexOf(op);
   std::call_once(made_[k], [&] {
     fronts_[k].assign(tiling_.size(), 0.0f);
-    kg_core::ForEachInParallel(tiling_.size(), [&](std::size_t tile) {
+    kg_base::ForEachInParallel(tiling_.size(), [&](std::size_t tile) {
       const CellBox box = tiling_.Box(static_cast<int>(tile));
       float f[kTileCols];
       for (int r = box.row; r < box.row_end; ++r) {
@@ -277,7 +278,7 @@ float LayerTable::MaxOpen(const Tiles& tiles,
   return max_value;
 }
 
-float LayerTable::MaxOpenValue(const kg_core::Raster& value,
+float LayerTable::MaxOpenValue(const kg_base::Raster& value,
                                const RowBands<unsigned char>& state) const {
   return MaxOpen(values_, state, [&](const CellBox& box) {
     float max_value = 0.0f;
@@ -292,8 +293,8 @@ float LayerTable::MaxOpenValue(const kg_core::Raster& value,
   });
 }
 
-float LayerTable::MaxOpenFront(const kg_core::Raster& value,
-                               kg_core::FrontOperator op,
+float LayerTable::MaxOpenFront(const kg_base::Raster& value,
+                               kg_mission::FrontOperator op,
                                const RowBands<unsigned char>& state) const {
   return MaxOpen(FrontTiles(value, op), state, [&](const CellBox& box) {
     float max_value = 0.0f;

@@ -10,11 +10,11 @@
 #include <mutex>
 #include <vector>
 
+#include "kg_base/raster/grid.h"
 #include "kg_compiler/data_plane/bands.h"
 #include "kg_compiler/data_plane/cell_box.h"
 #include "kg_compiler/data_plane/row_kernels.h"
-#include "kg_core/mission/mission.h"
-#include "kg_core/raster/grid.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_compiler {
 
@@ -40,7 +40,7 @@ struct TileLayout {
 class LayerTable {
  public:
   // Keeps no reference to `value`, but must always be asked with it.
-  LayerTable(const kg_core::Grid& grid, const kg_core::Raster& value);
+  LayerTable(const kg_base::Grid& grid, const kg_base::Raster& value);
 
   const TileLayout& tiling() const { return tiling_; }
   // The largest |B|, 0 if there is none.
@@ -51,21 +51,21 @@ class LayerTable {
   struct Weights {
     float base = 0.0f;
     float front = 0.0f;
-    kg_core::FrontOperator op = kg_core::FrontOperator::kSobel;
+    kg_mission::FrontOperator op = kg_mission::FrontOperator::kSobel;
   };
-  ValueExtremes Pass(const kg_core::Raster& value, const Weights& weights,
-                     kg_core::Cell first, int n, PassRow row, float* y) const;
+  ValueExtremes Pass(const kg_base::Raster& value, const Weights& weights,
+                     kg_base::Cell first, int n, PassRow row, float* y) const;
 
   // The largest B or F of an open cell, 0 if none is positive.
-  float MaxOpenValue(const kg_core::Raster& value,
+  float MaxOpenValue(const kg_base::Raster& value,
                      const RowBands<unsigned char>& state) const;
-  float MaxOpenFront(const kg_core::Raster& value, kg_core::FrontOperator op,
+  float MaxOpenFront(const kg_base::Raster& value, kg_mission::FrontOperator op,
                      const RowBands<unsigned char>& state) const;
 
  private:
   using Tiles = std::vector<float>;  // The largest in each, wherever.
-  void FindGaps(const kg_core::Raster& value);
-  FrontRows RowsAt(const kg_core::Raster& value, int row, int col) const;
+  void FindGaps(const kg_base::Raster& value);
+  FrontRows RowsAt(const kg_base::Raster& value, int row, int col) const;
   // F where the neighbourhood has gaps, made once: row after row of the tiles
   // with gaps, and the first and the last column.
   struct GapFronts {
@@ -74,13 +74,13 @@ class LayerTable {
     std::vector<float> values;
     std::vector<float> first, last;  // By row.
   };
-  const GapFronts& GapFrontsOf(const kg_core::Raster& value,
-                               kg_core::FrontOperator op) const;
-  const Tiles& FrontTiles(const kg_core::Raster& value,
-                          kg_core::FrontOperator op) const;
+  const GapFronts& GapFrontsOf(const kg_base::Raster& value,
+                               kg_mission::FrontOperator op) const;
+  const Tiles& FrontTiles(const kg_base::Raster& value,
+                          kg_mission::FrontOperator op) const;
   // F of columns [col, col + n) of a row, within one tile.
-  void Fronts(const kg_core::Raster& value, kg_core::FrontOperator op,
-              kg_core::Cell first, int n, float* f) const;
+  void Fronts(const kg_base::Raster& value, kg_mission::FrontOperator op,
+              kg_base::Cell first, int n, float* f) const;
   bool HasGaps(int row, int col) const {
     return gaps_[static_cast<std::size_t>(row) * tiling_.across +
                  col / tiling_.width] != 0;

@@ -15,10 +15,10 @@ class HeldLayers : public TensorContent {
   float At(Layer layer, std::size_t cell) const override {
     return (*Find(layer))[cell];
   }
-  kg_core::Raster Get(Layer layer) const override { return *Find(layer); }
+  kg_base::Raster Get(Layer layer) const override { return *Find(layer); }
 
  private:
-  const kg_core::Raster* Find(Layer layer) const {
+  const kg_base::Raster* Find(Layer layer) const {
     for (const TensorLayer& candidate : layers_) {
       if (candidate.layer == layer) return &candidate.values;
     }
@@ -64,7 +64,7 @@ float MissionTensor::At(Layer layer, std::size_t cell) const {
   return content->At(layer, cell);
 }
 
-kg_core::Raster MissionTensor::Get(Layer layer) const {
+kg_base::Raster MissionTensor::Get(Layer layer) const {
   CheckHas(*this, layer);
   return content->Get(layer);
 }

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/raster/grid.h"
+#include "kg_base/raster/grid.h"
 
 namespace kg_compiler {
 
@@ -31,7 +31,7 @@ const char* Name(Layer layer);  // "REWARD", ...
 
 struct TensorLayer {
   Layer layer = Layer::kFused;
-  kg_core::Raster values;
+  kg_base::Raster values;
 };
 
 // What tensors are made of. Two kinds: compiled (compiled_tensor.h), and layers
@@ -42,7 +42,7 @@ class TensorContent {
   virtual bool Has(Layer layer) const = 0;
   // Of a layer that it has, and of a cell of the grid.
   virtual float At(Layer layer, std::size_t cell) const = 0;
-  virtual kg_core::Raster Get(Layer layer) const = 0;
+  virtual kg_base::Raster Get(Layer layer) const = 0;
 };
 
 // Layers as they are: of a message, which has only some.
@@ -53,7 +53,7 @@ struct MissionTensor {
   std::string agent_iri;
   int window = 0;
   double confidence = 1.0;
-  kg_core::Grid grid;
+  kg_base::Grid grid;
   std::string hash;  // Of the inputs and parameters it is made of.
   // The facts and files read to make it: its prov:wasDerivedFrom. Sorted.
   std::vector<std::string> derived_from;
@@ -68,7 +68,7 @@ struct MissionTensor {
   float At(Layer layer, std::size_t cell) const;
   // The whole layer, made anew by every call: keep what it returns. Throws
   // std::logic_error if the layer is not there.
-  kg_core::Raster Get(Layer layer) const;
+  kg_base::Raster Get(Layer layer) const;
 };
 
 }  // namespace kg_compiler

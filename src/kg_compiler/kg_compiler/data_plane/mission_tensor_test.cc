@@ -11,8 +11,8 @@ namespace {
 TEST(MissionTensor, GivesTheLayerAskedForAndRefusesOneItHasNot) {
   MissionTensor tensor;
   EXPECT_FALSE(tensor.Has(Layer::kFused));
-  tensor.grid = kg_core::Grid({0.0, 1.0}, {0.0, 1.0});
-  tensor.content = HoldLayers({{Layer::kReward, kg_core::Raster(4, 1.0f)},
+  tensor.grid = kg_base::Grid({0.0, 1.0}, {0.0, 1.0});
+  tensor.content = HoldLayers({{Layer::kReward, kg_base::Raster(4, 1.0f)},
                                {Layer::kFused, {0.5f, 0.25f, 0.0f, 1.0f}}});
   EXPECT_TRUE(tensor.Has(Layer::kFused));
   EXPECT_EQ(0.5f, tensor.Get(Layer::kFused)[0]);

@@ -7,18 +7,18 @@
 #include <utility>
 #include <vector>
 
+#include "kg_base/raster/wkt_raster.h"
 #include "kg_compiler/data_plane/bump.h"
 #include "kg_compiler/data_plane/distance_transform.h"
-#include "kg_core/raster/wkt_raster.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::Grid;
-using kg_core::Mask;
+using kg_base::Grid;
+using kg_base::Mask;
 
-std::string FileKey(const kg_core::Mission& mission,
-                    const kg_core::RasterRef& ref) {
+std::string FileKey(const kg_mission::Mission& mission,
+                    const kg_mission::RasterRef& ref) {
   const auto file = mission.files.find(ref.file_iri);
   const std::string name =
       file == mission.files.end() ? ref.file_iri : file->second.sha256;
@@ -36,7 +36,7 @@ std::string Digits(double x) {
 
 // Two cells beyond the centres that lie within: the edges of what is touched
 // are then the whole grid's.
-CellBox BoxAround(const Grid& grid, const kg_core::Geometry& area) {
+CellBox BoxAround(const Grid& grid, const kg_base::Geometry& area) {
   const auto range = [](const std::vector<double>& centres, double low,
                         double high) {
     const auto first = std::lower_bound(centres.begin(), centres.end(), low);
@@ -105,7 +105,7 @@ Mask Cut(const CellBox& from, const Mask& inside, const CellBox& to) {
 // A box and its mask, not buffered yet.
 MaskPatch BarePatch(const WindowRasters& rasters,
                     const ActiveConstraint& constraint) {
-  const kg_core::Constraint& fact = *constraint.fact;
+  const kg_mission::Constraint& fact = *constraint.fact;
   const CellBox whole = WholeGrid(rasters.grid);
   if (fact.is_land) return {"", whole, rasters.land};
   if (fact.mask) {
@@ -120,28 +120,28 @@ MaskPatch BarePatch(const WindowRasters& rasters,
   const CellBox box = BoxAround(rasters.grid, *fact.area);
   const Grid part = Within(rasters.grid, box);
   return {"", box,
-          kg_core::Rasterise(*fact.area, part, constraint.effect->cover)};
+          kg_base::Rasterise(*fact.area, part, constraint.effect->cover)};
 }
 
 }  // namespace
 
-std::string ConstraintKey(const kg_core::Mission& mission,
+std::string ConstraintKey(const kg_mission::Mission& mission,
                           const ActiveConstraint& constraint) {
-  const kg_core::Constraint& fact = *constraint.fact;
+  const kg_mission::Constraint& fact = *constraint.fact;
   const bool chebyshev =
       fact.buffer_cells > 0.0 &&
-      fact.buffer_metric == kg_core::BufferMetric::kChebyshev;
+      fact.buffer_metric == kg_mission::BufferMetric::kChebyshev;
   std::string key = chebyshev ? "square " : "round ";
   key += Digits(fact.buffer_cells) + " ";
   if (fact.is_land) return key + "land";
   if (fact.mask) return key + FileKey(mission, *fact.mask);
   if (!fact.area) return key + "nothing";
-  return key + kg_core::Name(constraint.effect->cover) + " " + fact.area->Wkt();
+  return key + kg_base::Name(constraint.effect->cover) + " " + fact.area->Wkt();
 }
 
 MaskPatch ConstraintPatch(const WindowRasters& rasters,
                           const ActiveConstraint& constraint, std::string key) {
-  const kg_core::Constraint& fact = *constraint.fact;
+  const kg_mission::Constraint& fact = *constraint.fact;
   MaskPatch bare = BarePatch(rasters, constraint);
   const CellBox tight = Tight(bare.box, bare.inside);
   if (tight.empty()) return {std::move(key), {}, {}};
@@ -158,15 +158,15 @@ MaskPatch ConstraintPatch(const WindowRasters& rasters,
   return {std::move(key), grown, std::move(inside)};
 }
 
-std::string PriorKey(const kg_core::Mission& mission,
-                     const kg_core::PriorLayer& prior) {
+std::string PriorKey(const kg_mission::Mission& mission,
+                     const kg_mission::PriorLayer& prior) {
   if (prior.raster) return FileKey(mission, *prior.raster);
   return "area " + Digits(prior.edge_m) + " " +
          (prior.area ? prior.area->Wkt() : "nothing");
 }
 
 ValuePatch PriorPatch(const WindowRasters& rasters,
-                      const kg_core::PriorLayer& prior, std::string key) {
+                      const kg_mission::PriorLayer& prior, std::string key) {
   const Grid& grid = rasters.grid;
   if (prior.raster) {
     const auto raster = rasters.prior_rasters.find(prior.iri);
@@ -176,10 +176,10 @@ ValuePatch PriorPatch(const WindowRasters& rasters,
     }
     return {std::move(key), WholeGrid(grid), raster->second};
   }
-  auto values = std::make_shared<kg_core::Raster>();
+  auto values = std::make_shared<kg_base::Raster>();
   if (!prior.area) return {std::move(key), {}, values};
   const CellBox box = BoxAround(grid, *prior.area);
-  const Mask inside = kg_core::RasteriseCentres(*prior.area, Within(grid, box));
+  const Mask inside = kg_base::RasteriseCentres(*prior.area, Within(grid, box));
   const CellBox tight = Tight(box, inside);
   if (tight.empty()) return {std::move(key), {}, values};
   // A soft edge reaches beyond the area; further out it is below float32's
@@ -199,16 +199,16 @@ ValuePatch PriorPatch(const WindowRasters& rasters,
   return {std::move(key), reached, values};
 }
 
-std::string BumpKey(const kg_core::Event& event) {
+std::string BumpKey(const kg_mission::Event& event) {
   return "bump " + Digits(event.position.lon_deg) + " " +
          Digits(event.position.lat_deg) + " " + Digits(event.radius_m);
 }
 
-ValuePatch BumpPatch(const Grid& grid, const kg_core::Event& event,
+ValuePatch BumpPatch(const Grid& grid, const kg_mission::Event& event,
                      std::string key) {
   const CellBox box = BumpBox(grid, event);
-  auto values = std::make_shared<kg_core::Raster>(box.size(), 0.0f);
-  ForEachBumpCell(grid, event, [&](kg_core::Cell cell, double bump) {
+  auto values = std::make_shared<kg_base::Raster>(box.size(), 0.0f);
+  ForEachBumpCell(grid, event, [&](kg_base::Cell cell, double bump) {
     const std::size_t row = static_cast<std::size_t>(cell.row - box.row);
     (*values)[row * box.cols() + (cell.col - box.col)] =
         static_cast<float>(bump);

@@ -14,14 +14,14 @@
 #include "kg_compiler/data_plane/active_facts.h"
 #include "kg_compiler/data_plane/cell_box.h"
 #include "kg_compiler/data_plane/window_rasters.h"
-#include "kg_core/mission/mission.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_compiler {
 
 struct MaskPatch {
   std::string key;
   CellBox box;
-  kg_core::Mask inside;  // Of the box, row by row: 1 = inside.
+  kg_base::Mask inside;  // Of the box, row by row: 1 = inside.
 
   // The box's first column is [0].
   const unsigned char* Row(int row) const {
@@ -33,7 +33,7 @@ struct ValuePatch {
   std::string key;
   CellBox box;
   // Of the box, row by row. NaN = no data, counts 0.
-  std::shared_ptr<const kg_core::Raster> values;
+  std::shared_ptr<const kg_base::Raster> values;
 
   const float* Row(int row) const {
     return values->data() +
@@ -43,21 +43,21 @@ struct ValuePatch {
 
 // The extent of a constraint, its buffer included; see masks.h, which says the
 // same for whole grids.
-std::string ConstraintKey(const kg_core::Mission& mission,
+std::string ConstraintKey(const kg_mission::Mission& mission,
                           const ActiveConstraint& constraint);
 MaskPatch ConstraintPatch(const WindowRasters& rasters,
                           const ActiveConstraint& constraint, std::string key);
 
 // A prior in [0, 1] (its soft edge ends at 7 sigma, where it is 2e-11), or its
 // raster as it is.
-std::string PriorKey(const kg_core::Mission& mission,
-                     const kg_core::PriorLayer& prior);
+std::string PriorKey(const kg_mission::Mission& mission,
+                     const kg_mission::PriorLayer& prior);
 ValuePatch PriorPatch(const WindowRasters& rasters,
-                      const kg_core::PriorLayer& prior, std::string key);
+                      const kg_mission::PriorLayer& prior, std::string key);
 
 // An event's bump: exp(-d^2 / (2 radius^2)), to 7 sigma.
-std::string BumpKey(const kg_core::Event& event);
-ValuePatch BumpPatch(const kg_core::Grid& grid, const kg_core::Event& event,
+std::string BumpKey(const kg_mission::Event& event);
+ValuePatch BumpPatch(const kg_base::Grid& grid, const kg_mission::Event& event,
                      std::string key);
 
 }  // namespace kg_compiler

@@ -23,19 +23,19 @@
 #include <thread>
 #include <vector>
 
+#include "kg_base/common/temporary_folder.h"
+#include "kg_base/common/testing/bench_report.h"
 #include "kg_compiler/data_plane/testing/tensor_bench_peers.h"
 #include "kg_compiler/data_plane/testing/tensor_bench_world.h"
-#include "kg_core/base/temporary_folder.h"
-#include "kg_core/base/testing/bench_report.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::Median;
-using kg_core::PairedRatio;
-using kg_core::PairedRatioBy;
-using kg_core::Report;
-using kg_core::Seconds;
+using kg_base::Median;
+using kg_base::PairedRatio;
+using kg_base::PairedRatioBy;
+using kg_base::Report;
+using kg_base::Seconds;
 
 constexpr double kBytesPerCell = 17.0;
 
@@ -45,7 +45,7 @@ double PairedCpuRatio(int rounds, const A& a, const B& b) {
                        rounds, a, b);
 }
 
-double MaxDifference(const cv::Mat& a, const kg_core::Raster& b) {
+double MaxDifference(const cv::Mat& a, const kg_base::Raster& b) {
   double most = 0.0;
   const float* values = a.ptr<float>();
   for (std::size_t i = 0; i < b.size(); ++i) {
@@ -93,11 +93,11 @@ double Share(Triad* triad, const World& world, int rounds, const Work& work) {
 
 // Of one 40 x 40 cell zone that comes and goes in one window.
 void MeasureUpdate(World* world, int rounds) {
-  const kg_core::LonLat a = world->grid.Centre({100, 100});
-  const kg_core::LonLat b = world->grid.Centre({139, 139});
-  kg_core::Mission with = world->mission;
+  const kg_base::LonLat a = world->grid.Centre({100, 100});
+  const kg_base::LonLat b = world->grid.Centre({139, 139});
+  kg_mission::Mission with = world->mission;
   with.constraints.push_back(
-      AreaConstraint("ex:new", kg_core::ConstraintKind::kSoft,
+      AreaConstraint("ex:new", kg_mission::ConstraintKind::kSoft,
                      Box(a.lon_deg, a.lat_deg, b.lon_deg, b.lat_deg)));
   with.constraints.back().attenuation = 0.5;
   TensorInputs in = world->Inputs();
@@ -128,7 +128,7 @@ void MeasureNumpy(World* world, Size size, const char* self, bool is_quick) {
     std::printf("         numpy is not compared: no KG_TENSOR_BENCH_NUMPY\n");
     return;
   }
-  const kg_core::TemporaryFolder folder;
+  const kg_base::TemporaryFolder folder;
   const std::string path = folder / "";
   const std::size_t floats = world->grid.size() * sizeof(float);
   WriteFile(path + "/value", world->rasters.value.data(), floats);

@@ -8,7 +8,7 @@
 
 #include "kg_compiler/data_plane/data_plane_cache.h"
 #include "kg_compiler/data_plane/window_rasters.h"
-#include "kg_core/mission/mission.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_compiler {
 
@@ -21,9 +21,9 @@ struct HorizonScale {
 
 // The first four must be there; all must outlive what is made with them.
 struct TensorInputs {
-  const kg_core::Mission* mission = nullptr;
-  const kg_core::Agent* agent = nullptr;
-  const kg_core::TimeWindow* window = nullptr;
+  const kg_mission::Mission* mission = nullptr;
+  const kg_mission::Agent* agent = nullptr;
+  const kg_mission::TimeWindow* window = nullptr;
   const WindowRasters* rasters = nullptr;
   // If and only if the policy's confidence mode is kHorizon.
   const HorizonScale* horizon = nullptr;

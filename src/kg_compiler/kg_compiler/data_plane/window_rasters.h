@@ -8,15 +8,15 @@
 #include <optional>
 #include <string>
 
-#include "kg_core/raster/grid.h"
+#include "kg_base/raster/grid.h"
 
 namespace kg_compiler {
 
 // What does not depend on the agent, for one window.
 struct WindowRasters {
-  kg_core::Grid grid;
-  kg_core::Mask land;     // 1 = land (no current data).
-  kg_core::Raster value;  // B_t in its own unit; NaN = no data.
+  kg_base::Grid grid;
+  kg_base::Mask land;     // 1 = land (no current data).
+  kg_base::Raster value;  // B_t in its own unit; NaN = no data.
   std::string value_iri;  // The ex:ValueLayer.
   std::string value_file_iri;
   std::string field_iri;     // The ex:CurrentField whose gaps are land.
@@ -28,8 +28,8 @@ struct WindowRasters {
   // Those that are read from files, on this grid: priors' values (NaN = no
   // data) by the prior's IRI, constraints' masks (1 = inside) by theirs. What a
   // file says is known by its sha256: these need no hash of their own.
-  std::map<std::string, std::shared_ptr<const kg_core::Raster>> prior_rasters;
-  std::map<std::string, std::shared_ptr<const kg_core::Mask>> constraint_masks;
+  std::map<std::string, std::shared_ptr<const kg_base::Raster>> prior_rasters;
+  std::map<std::string, std::shared_ptr<const kg_base::Mask>> constraint_masks;
 };
 
 }  // namespace kg_compiler

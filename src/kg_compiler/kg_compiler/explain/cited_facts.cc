@@ -70,14 +70,14 @@ Facts CitedFacts::QuoteTriple(const std::string& subject, const char* property,
   return {};
 }
 
-Facts CitedFacts::Policy(const kg_core::Agent& agent,
+Facts CitedFacts::Policy(const kg_mission::Agent& agent,
                          const std::vector<const char*>& properties) const {
   return QuoteTriple(agent.iri, "ex:usesPolicy", agent.policy.iri) +
          Quote({agent.policy.iri, properties});
 }
 
 Facts CitedFacts::Capabilities(
-    const kg_core::Agent& agent,
+    const kg_mission::Agent& agent,
     const std::vector<const char*>& properties) const {
   return QuoteTriple(agent.iri, "ex:hasCapabilities", agent.capabilities.iri) +
          Quote({agent.capabilities.iri, properties});
@@ -97,12 +97,13 @@ Facts CitedFacts::Layer(const std::string& iri) const {
   return facts;
 }
 
-Facts CitedFacts::File(const std::optional<kg_core::RasterRef>& raster) const {
+Facts CitedFacts::File(
+    const std::optional<kg_mission::RasterRef>& raster) const {
   if (!raster) return {};
   return Quote({raster->file_iri, {"ex:path", "ex:sha256"}});
 }
 
-Facts CitedFacts::Entry(const kg_core::Agent& agent, const char* link,
+Facts CitedFacts::Entry(const kg_mission::Agent& agent, const char* link,
                         const Citation& target) const {
   Facts facts;
   const kg_core::Term policy = kg_core::Iri(agent.policy.iri);
@@ -117,7 +118,7 @@ Facts CitedFacts::Entry(const kg_core::Agent& agent, const char* link,
   return facts;
 }
 
-Facts CitedFacts::Term(const kg_core::Agent& agent,
+Facts CitedFacts::Term(const kg_mission::Agent& agent,
                        const BlendTerm& term) const {
   switch (term.kind) {
     case BlendTerm::Kind::kBase:
@@ -139,7 +140,7 @@ Facts CitedFacts::Term(const kg_core::Agent& agent,
   return {};
 }
 
-Facts CitedFacts::Constraint(const kg_core::Agent& agent,
+Facts CitedFacts::Constraint(const kg_mission::Agent& agent,
                              const ActiveConstraint& constraint) const {
   const std::string& iri = constraint.fact->iri;
   Facts facts = Quote({iri,
@@ -148,7 +149,7 @@ Facts CitedFacts::Constraint(const kg_core::Agent& agent,
                         "geo:hasGeometry", "ex:appliesIn", "ex:appliesTo",
                         "ex:forAgent", "ex:forWindow", "ex:expires"}}) +
                 File(constraint.fact->mask);
-  if (kg_core::EffectOf(constraint.fact->kind).forbids) return facts;
+  if (kg_mission::EffectOf(constraint.fact->kind).forbids) return facts;
   facts = std::move(facts) + Policy(agent, {}) +
           Entry(agent, "ex:hasSoftOverride",
                 {iri, {"ex:constraint", "ex:attenuation"}});
@@ -174,7 +175,7 @@ Facts CitedFacts::MustAvoid(const std::string& agent_iri,
   return facts;
 }
 
-Facts CitedFacts::Window(const kg_core::TimeWindow& window,
+Facts CitedFacts::Window(const kg_mission::TimeWindow& window,
                          const std::vector<const char*>& properties) const {
   return Quote({window.iri, properties});
 }

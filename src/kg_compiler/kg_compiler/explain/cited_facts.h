@@ -11,8 +11,8 @@
 
 #include "kg_compiler/data_plane/active_facts.h"
 #include "kg_compiler/data_plane/blend.h"
-#include "kg_core/mission/mission.h"
 #include "kg_core/rdf/graph_view.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_compiler {
 
@@ -39,27 +39,27 @@ class CitedFacts {
                     const std::string& object_iri) const;
 
   // The agent's policy, and what of it matters.
-  Facts Policy(const kg_core::Agent& agent,
+  Facts Policy(const kg_mission::Agent& agent,
                const std::vector<const char*>& properties) const;
-  Facts Capabilities(const kg_core::Agent& agent,
+  Facts Capabilities(const kg_mission::Agent& agent,
                      const std::vector<const char*>& properties) const;
   // A layer or work field down to its file's hash.
   Facts Layer(const std::string& iri) const;
-  Facts Term(const kg_core::Agent& agent, const BlendTerm& term) const;
-  Facts Constraint(const kg_core::Agent& agent,
+  Facts Term(const kg_mission::Agent& agent, const BlendTerm& term) const;
+  Facts Constraint(const kg_mission::Agent& agent,
                    const ActiveConstraint& constraint) const;
   // That the agent must keep out of a soft zone, and why.
   Facts MustAvoid(const std::string& agent_iri,
                   const std::string& zone_iri) const;
-  Facts Window(const kg_core::TimeWindow& window,
+  Facts Window(const kg_mission::TimeWindow& window,
                const std::vector<const char*>& properties) const;
   Facts Event(const std::string& iri) const;
 
  private:
   // What a raster was read from, down to the file's hash.
-  Facts File(const std::optional<kg_core::RasterRef>& raster) const;
+  Facts File(const std::optional<kg_mission::RasterRef>& raster) const;
   // The node of the policy that names `target`, and its value.
-  Facts Entry(const kg_core::Agent& agent, const char* link,
+  Facts Entry(const kg_mission::Agent& agent, const char* link,
               const Citation& target) const;
 
   const kg_core::GraphView& view_;

@@ -6,13 +6,13 @@
 #include <string>
 #include <utility>
 
+#include "kg_base/common/join_strings.h"
+#include "kg_base/common/units.h"
+#include "kg_base/geo/geodesy.h"
+#include "kg_base/geo/wkt.h"
 #include "kg_compiler/data_plane/distance_transform.h"
 #include "kg_compiler/data_plane/masks.h"
 #include "kg_compiler/traversal/traversal.h"
-#include "kg_core/base/join_strings.h"
-#include "kg_core/base/units.h"
-#include "kg_core/geo/geodesy.h"
-#include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_compiler {
@@ -22,7 +22,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMaxDoublings = 5;  // Of the window's length, looking farther.
 
 std::string Hours(double seconds) {
-  return Short(seconds / kg_core::kSecondsPerHour) + " h";
+  return Short(seconds / kg_base::kSecondsPerHour) + " h";
 }
 
 class Place {
@@ -40,7 +40,7 @@ class Place {
   }
 
   std::optional<Explanation> Explain() {
-    const std::optional<kg_core::Cell> cell = rasters_.grid.CellAt(in_.place);
+    const std::optional<kg_base::Cell> cell = rasters_.grid.CellAt(in_.place);
     if (!cell) return OffTheGrid();
     cell_ = *cell;
     if (!open_[rasters_.grid.Index(cell_)]) return Forbidden();
@@ -56,7 +56,7 @@ class Place {
     explanation.verdict = verdict;
     explanation.unit = unit;
     explanation.text = in_.tensor.agent->id + " cannot be at " +
-                       kg_core::PointWkt(in_.place) + " in window " +
+                       kg_base::PointWkt(in_.place) + " in window " +
                        std::to_string(in_.tensor.window->index) + ": " + why;
     return explanation;
   }
@@ -71,7 +71,7 @@ class Place {
 
   // Areas -------------------------------------------------------------------
 
-  double MetresToOpen(const kg_core::Mask& open) const {
+  double MetresToOpen(const kg_base::Mask& open) const {
     const double d_m =
         DistanceTo_m(rasters_.grid, open)[rasters_.grid.Index(cell_)];
     return std::isfinite(d_m) ? d_m : 0.0;
@@ -101,8 +101,8 @@ class Place {
       names.push_back(iri);
     }
     explanation.value = before_m;
-    explanation.text += "it is forbidden by " + kg_core::JoinStrings(names) +
-                        ", " + Short(before_m / kg_core::kMetresPerKm) +
+    explanation.text += "it is forbidden by " + kg_base::JoinStrings(names) +
+                        ", " + Short(before_m / kg_base::kMetresPerKm) +
                         " km from the nearest open water.";
     return explanation;
   }
@@ -121,7 +121,7 @@ class Place {
     return std::min(Window_s(), in_.seam.window->base_travel_m /
                                     in_.seam.rules->motion.cruise_mps);
   }
-  VoyageRequest From(kg_core::LonLat source) const {
+  VoyageRequest From(kg_base::LonLat source) const {
     return {{field_, &open_, nullptr},
             in_.seam.rules->motion,
             {source, in_.seam.window->begin_s, in_.seam.window->end_s,
@@ -131,7 +131,7 @@ class Place {
 
   bool CanBeFlownTo() const {
     return std::any_of(
-        in_.sources.begin(), in_.sources.end(), [&](kg_core::LonLat source) {
+        in_.sources.begin(), in_.sources.end(), [&](kg_base::LonLat source) {
           const VoyageRequest voyage = From(source);
           return Traverse(voyage, ComputeReach(voyage), in_.place).has_value();
         });
@@ -139,7 +139,7 @@ class Place {
 
   // The least time in which the place's cell is reached from a source, if less
   // than `below_s`.
-  double Travel_s(kg_core::LonLat source, double below_s) const {
+  double Travel_s(kg_base::LonLat source, double below_s) const {
     VoyageRequest voyage = From(source);
     voyage.departure.base_travel_m = kInfinity;
     for (int i = 0; i <= kMaxDoublings; ++i) {
@@ -156,9 +156,9 @@ class Place {
 
   // From the nearest source first: it bounds the search from the others.
   double LeastTravel_s() const {
-    std::vector<std::pair<double, kg_core::LonLat>> sources;
-    for (const kg_core::LonLat& source : in_.sources) {
-      sources.emplace_back(kg_core::Distance_m(source, in_.place), source);
+    std::vector<std::pair<double, kg_base::LonLat>> sources;
+    for (const kg_base::LonLat& source : in_.sources) {
+      sources.emplace_back(kg_base::Distance_m(source, in_.place), source);
     }
     std::sort(sources.begin(), sources.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -214,7 +214,7 @@ class Place {
     double speed_mps = 0.0;
     if (const auto at = field_->grid.Locate(in_.place)) {
       // Linear between slices: the largest speed is at one of them.
-      for (const kg_core::FieldSlice& slice : field_->slices) {
+      for (const kg_base::FieldSlice& slice : field_->slices) {
         const auto c = field_->Sample(*at, slice.time_s);
         if (!c) continue;
         speed_mps =
@@ -246,9 +246,9 @@ class Place {
   const CitedFacts& facts_;
   const WindowRasters& rasters_;
   ActiveFacts active_;
-  kg_core::Mask open_;
-  const kg_core::VectorField* field_ = nullptr;
-  kg_core::Cell cell_;
+  kg_base::Mask open_;
+  const kg_base::VectorField* field_ = nullptr;
+  kg_base::Cell cell_;
 };
 
 }  // namespace

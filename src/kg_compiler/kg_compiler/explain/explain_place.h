@@ -16,19 +16,19 @@
 #include <optional>
 #include <vector>
 
+#include "kg_base/geo/lon_lat.h"
 #include "kg_compiler/explain/cited_facts.h"
 #include "kg_compiler/explain/explain_seam.h"
 #include "kg_compiler/explain/explain_tensor.h"
 #include "kg_compiler/explain/explanation.h"
-#include "kg_core/geo/lon_lat.h"
 
 namespace kg_compiler {
 
 struct PlaceQuestion {
   TensorInputs tensor;
   SeamContext seam;
-  std::vector<kg_core::LonLat> sources;  // Where the window may begin.
-  kg_core::LonLat place;
+  std::vector<kg_base::LonLat> sources;  // Where the window may begin.
+  kg_base::LonLat place;
 };
 
 // Nothing if a flight to the place exists.

@@ -4,18 +4,18 @@
 #include <string>
 #include <utility>
 
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/units.h"
 #include "kg_compiler/control_plane/seam_cost.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/units.h"
 
 namespace kg_compiler {
 namespace {
 
 std::string HoursText(double seconds) {
-  return Short(seconds / kg_core::kSecondsPerHour) + " h";
+  return Short(seconds / kg_base::kSecondsPerHour) + " h";
 }
 std::string WattHours(double joules) {
-  return Short(joules / kg_core::kJoulesPerWh) + " Wh";
+  return Short(joules / kg_base::kJoulesPerWh) + " Wh";
 }
 
 const WorkField* FindField(const Compilation& compilation, int window) {
@@ -159,7 +159,7 @@ class SeamExplainer {
             facts_.Window(TimeWindowOf(), {"ex:confidence"}));
   }
 
-  const kg_core::TimeWindow& TimeWindowOf() const {
+  const kg_mission::TimeWindow& TimeWindowOf() const {
     return in_.compilation->mission.windows.at(in_.window->window);
   }
   Facts WindowFacts() const {
@@ -177,17 +177,17 @@ class SeamExplainer {
 }  // namespace
 
 SeamContext FindSeamContext(const Compilation& compilation,
-                            const kg_core::Agent& agent, const SeamRules& rules,
-                            int window) {
+                            const kg_mission::Agent& agent,
+                            const SeamRules& rules, int window) {
   for (const WindowRules& one : rules.windows) {
     if (one.window == window) return {&compilation, &agent, &rules, &one};
   }
-  throw kg_core::InputError("window " + std::to_string(window) + " of " +
+  throw kg_base::InputError("window " + std::to_string(window) + " of " +
                             agent.id + " is not planned");
 }
 
 Facts MotionFacts(const SeamContext& context, const CitedFacts& facts) {
-  const kg_core::TimeWindow& window =
+  const kg_mission::TimeWindow& window =
       context.compilation->mission.windows.at(context.window->window);
   Facts quoted =
       facts.Capabilities(*context.agent, {"ex:cruiseSpeedKts", "ex:maxSpeedKts",

@@ -21,14 +21,14 @@ namespace kg_compiler {
 // One agent's seams into one window.
 struct SeamContext {
   const Compilation* compilation = nullptr;
-  const kg_core::Agent* agent = nullptr;
+  const kg_mission::Agent* agent = nullptr;
   const SeamRules* rules = nullptr;
   const WindowRules* window = nullptr;
 };
 // Throws kg_core::InputError if the window is not planned.
 SeamContext FindSeamContext(const Compilation& compilation,
-                            const kg_core::Agent& agent, const SeamRules& rules,
-                            int window);
+                            const kg_mission::Agent& agent,
+                            const SeamRules& rules, int window);
 
 // In reward units; the value is the edge's seam_cost.
 Explanation ExplainSeam(const SeamContext& context, const TraverseEdge& edge,

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kg_base/common/input_error.h"
+#include "kg_base/geo/wkt.h"
 #include "kg_compiler/data_plane/masks.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_compiler {
@@ -13,17 +13,17 @@ namespace {
 
 using kg_core::AbbreviateIri;
 
-std::string WindowName(const kg_core::TimeWindow& window) {
+std::string WindowName(const kg_mission::TimeWindow& window) {
   return "window " + std::to_string(window.index);
 }
 
 std::size_t TensorIndex(const Compilation& compilation,
-                        const kg_core::Agent& agent, int window) {
+                        const kg_mission::Agent& agent, int window) {
   for (std::size_t i = 0; i < compilation.tensors.size(); ++i) {
     const MissionTensor& tensor = *compilation.tensors[i];
     if (tensor.agent_iri == agent.iri && tensor.window == window) return i;
   }
-  throw kg_core::InputError(
+  throw kg_base::InputError(
       "window " + std::to_string(window) + " of " + agent.id +
       " is not planned: the windows are " +
       std::to_string(compilation.first_window) + " to " +
@@ -33,12 +33,12 @@ std::size_t TensorIndex(const Compilation& compilation,
 }  // namespace
 
 const MissionTensor& FindTensor(const Compilation& compilation,
-                                const kg_core::Agent& agent, int window) {
+                                const kg_mission::Agent& agent, int window) {
   return *compilation.tensors[TensorIndex(compilation, agent, window)];
 }
 
 TensorInputs FindTensorInputs(const Compilation& compilation,
-                              const kg_core::Agent& agent, int window) {
+                              const kg_mission::Agent& agent, int window) {
   TensorInputs inputs;
   const std::size_t i = TensorIndex(compilation, agent, window);
   inputs.mission = &compilation.mission;
@@ -162,7 +162,8 @@ void TensorExplainer::DescribeHard() {
                     facts_.Layer(in_.rasters->field_iri)});
   for (const Zone& zone : hard_) {
     const std::string iri = AbbreviateIri(zone.constraint.fact->iri);
-    const bool is_soft = !kg_core::EffectOf(zone.constraint.fact->kind).forbids;
+    const bool is_soft =
+        !kg_mission::EffectOf(zone.constraint.fact->kind).forbids;
     parts_.push_back(
         {"M_hard(" + iri + ")",
          "forbidden by " + iri +
@@ -181,14 +182,14 @@ void TensorExplainer::Evaluate(std::size_t cell,
     *next++ += scale_ * term[cell];
     v += term[cell];
   }
-  const kg_core::Policy& policy = in_.agent->policy;
+  const kg_mission::Policy& policy = in_.agent->policy;
   double y = policy.paper_literal ? v : std::max(0.0, v);
   *next++ += scale_ * (y - v);
   const double unmasked = y;
   double factor = 1.0;
   for (const Zone& zone : soft_) {
     const double own = zone.inside[cell] ? zone.constraint.attenuation : 1.0;
-    factor = policy.soft_overlap == kg_core::SoftOverlap::kProduct
+    factor = policy.soft_overlap == kg_mission::SoftOverlap::kProduct
                  ? factor * own
                  : std::min(factor, own);
     *next++ += scale_ * (unmasked * factor - y);
@@ -242,7 +243,7 @@ Explanation TensorExplainer::ExplainSum(const std::vector<int>& cells) const {
   const int size = static_cast<int>(made_.blend.open.size());
   for (const int cell : cells) {
     if (cell < 0 || cell >= size) {
-      throw kg_core::InputError("cell " + std::to_string(cell) +
+      throw kg_base::InputError("cell " + std::to_string(cell) +
                                 " of a footprint is not one of the grid's " +
                                 std::to_string(size));
     }
@@ -255,7 +256,7 @@ Explanation TensorExplainer::ExplainSum(const std::vector<int>& cells) const {
   return explanation;
 }
 
-Explanation TensorExplainer::ExplainCell(kg_core::Cell cell) const {
+Explanation TensorExplainer::ExplainCell(kg_base::Cell cell) const {
   const std::size_t i = in_.rasters->grid.Index(cell);
   Explanation explanation = ExplainSum({static_cast<int>(i)});
   // What forbids the cell is said also where there is nothing to take off.
@@ -276,7 +277,7 @@ Explanation TensorExplainer::ExplainCell(kg_core::Cell cell) const {
   }
   explanation.text = "U of " + in_.agent->id + " in " +
                      WindowName(*in_.window) + " at " +
-                     kg_core::PointWkt(in_.rasters->grid.Centre(cell)) +
+                     kg_base::PointWkt(in_.rasters->grid.Centre(cell)) +
                      " is " + Short(explanation.value) + ".";
   return explanation;
 }

@@ -22,20 +22,20 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/raster/grid.h"
 #include "kg_compiler/compile/mission_compiler.h"
 #include "kg_compiler/data_plane/data_plane.h"
 #include "kg_compiler/explain/cited_facts.h"
 #include "kg_compiler/explain/explanation.h"
-#include "kg_core/raster/grid.h"
 
 namespace kg_compiler {
 
 // Of a compilation. Throws kg_core::InputError if it has no such tensor, saying
 // which windows there are.
 TensorInputs FindTensorInputs(const Compilation& compilation,
-                              const kg_core::Agent& agent, int window);
+                              const kg_mission::Agent& agent, int window);
 const MissionTensor& FindTensor(const Compilation& compilation,
-                                const kg_core::Agent& agent, int window);
+                                const kg_mission::Agent& agent, int window);
 
 class TensorExplainer {
  public:
@@ -43,7 +43,7 @@ class TensorExplainer {
   TensorExplainer(const TensorInputs& inputs, const CitedFacts& facts);
 
   // U at the cell.
-  Explanation ExplainCell(kg_core::Cell cell) const;
+  Explanation ExplainCell(kg_base::Cell cell) const;
   // The contributions to the sum of U over cells (indices of the grid): a
   // waypoint's score. Throws kg_core::InputError for a cell off the grid.
   Explanation ExplainSum(const std::vector<int>& cells) const;
@@ -51,7 +51,7 @@ class TensorExplainer {
  private:
   struct Zone {
     ActiveConstraint constraint;
-    kg_core::Mask inside;
+    kg_base::Mask inside;
   };
   // What a contribution is before it has a value; parts come in this order.
   struct Part {

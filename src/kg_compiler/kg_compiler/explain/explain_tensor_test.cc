@@ -6,18 +6,18 @@
 #include <cmath>
 #include <random>
 
+#include "kg_base/common/input_error.h"
 #include "kg_compiler/control_plane/proximal_recurrence.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/base/input_error.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::ConfidenceMode;
-using kg_core::ConstraintKind;
-using kg_core::Mission;
-using kg_core::Normalisation;
+using kg_mission::ConfidenceMode;
+using kg_mission::ConstraintKind;
+using kg_mission::Mission;
+using kg_mission::Normalisation;
 
 // A random mission of one agent and three windows on an uneven grid: negative
 // and positive priors, events, soft zones that overlap, no-go areas, buffers.
@@ -32,7 +32,7 @@ class RandomMission {
     SetPolicy(&mission.agents[0].policy);
   }
 
-  void SetPolicy(kg_core::Policy* policy) {
+  void SetPolicy(kg_mission::Policy* policy) {
     policy->alpha_base = Uniform(rng_, -0.2, 1.5);
     policy->gamma_front = Chance() ? 0.0 : Uniform(rng_, 0.1, 1.0);
     policy->beta_poi = Chance() ? 0.0 : Uniform(rng_, 0.1, 1.0);
@@ -65,14 +65,14 @@ class RandomMission {
   bool Chance() { return rng_() % 3 == 0; }
   void AddWindow(int i) {
     mission.windows.push_back(TestWindow(i, std::exp(-0.3 * i)));
-    kg_core::Raster value = RandomRaster(rng_, grid_.size(), -0.5, 3.0);
-    const kg_core::Mask land = RandomMask(rng_, grid_.size(), 0.15);
+    kg_base::Raster value = RandomRaster(rng_, grid_.size(), -0.5, 3.0);
+    const kg_base::Mask land = RandomMask(rng_, grid_.size(), 0.15);
     for (std::size_t k = 0; k < value.size(); ++k) {
       if (land[k]) value[k] = kGap;
     }
     rasters.push_back(TestRasters(grid_, value, land));
   }
-  kg_core::Geometry AnyBox() {
+  kg_base::Geometry AnyBox() {
     const double west = Uniform(rng_, -92.0, -91.5);
     const double south = Uniform(rng_, 23.0, 23.4);
     return Box(west, south, west + Uniform(rng_, 0.05, 0.3),
@@ -86,7 +86,7 @@ class RandomMission {
       mission.constraints.back().attenuation = Uniform(rng_, 0.1, 1.0);
       mission.constraints.back().buffer_cells = Chance() ? 1.5 : 0.0;
     }
-    kg_core::Constraint land;
+    kg_mission::Constraint land;
     land.iri = "ex:land";
     land.is_land = true;
     land.buffer_cells = Chance() ? 1.0 : 0.0;
@@ -97,7 +97,7 @@ class RandomMission {
       mission.priors.push_back(
           {"ex:p" + std::to_string(i), "p", AnyBox(), i * 8000.0, {}, {}});
     }
-    kg_core::Event event;
+    kg_mission::Event event;
     event.iri = "ex:e";
     event.position = {-91.6, 23.3};
     event.value = 2.0;
@@ -107,7 +107,7 @@ class RandomMission {
   }
 
   std::mt19937 rng_;
-  kg_core::Grid grid_;
+  kg_base::Grid grid_;
   HorizonScale horizon_;
 };
 
@@ -132,7 +132,7 @@ TEST_F(ExplainTensor, PartsSumToTheCompiledTensorAtEveryCell) {
     RandomMission random(seed);
     const TensorInputs in = random.Inputs(static_cast<int>(seed % 3));
     const MissionTensor tensor = random.Compile(in);
-    const kg_core::Raster fused = tensor.Get(Layer::kFused);
+    const kg_base::Raster fused = tensor.Get(Layer::kFused);
     const TensorExplainer explainer(in, facts_);
     for (int r = 0; r < tensor.grid.rows(); ++r) {
       for (int c = 0; c < tensor.grid.cols(); ++c) {
@@ -166,7 +166,7 @@ TEST_F(ExplainTensor, AFootprintsPartsSumToAWaypointsScore) {
     const TensorExplainer explainer(in, facts_);
     for (const RecurrencePick& pick : ProximalRecurrence(
              tensor.grid, tensor.Get(Layer::kFused),
-             kg_core::Mask(tensor.grid.size(), 1), {15e3, 9e3, 6})) {
+             kg_base::Mask(tensor.grid.size(), 1), {15e3, 9e3, 6})) {
       const Explanation sum = explainer.ExplainSum(pick.footprint);
       EXPECT_NEAR(sum.value, sum.Sum(), 1e-9);
       // Float32 is all that lies between: 1e-6 a cell, and errors that mostly
@@ -191,7 +191,7 @@ TEST_F(ExplainTensor, ASoftZoneTakenAwayChangesUByItsContribution) {
     const TensorInputs less = random.Inputs(0);
     const TensorExplainer without(less, facts_);
     for (int i = 0; i < static_cast<int>(in.rasters->grid.size()); ++i) {
-      const kg_core::Cell cell{i / in.rasters->grid.cols(),
+      const kg_base::Cell cell{i / in.rasters->grid.cols(),
                                i % in.rasters->grid.cols()};
       const Explanation a = with.ExplainCell(cell);
       const Explanation b = without.ExplainCell(cell);
@@ -219,7 +219,7 @@ TEST_F(ExplainTensor, ATermTakenAwayChangesUByItsContribution) {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     RandomMission random(seed);
     random.mission.constraints.clear();
-    kg_core::Policy& policy = random.mission.agents[0].policy;
+    kg_mission::Policy& policy = random.mission.agents[0].policy;
     policy.alpha_base = 1.0;
     policy.beta["ex:p0"] = 0.3;
     policy.normalisation = Normalisation::kMax;
@@ -230,7 +230,7 @@ TEST_F(ExplainTensor, ATermTakenAwayChangesUByItsContribution) {
     const TensorExplainer without(less, facts_);
     for (int i = 0; i < static_cast<int>(in.rasters->grid.size()); ++i) {
       if (in.rasters->land[i]) continue;
-      const kg_core::Cell cell{i / in.rasters->grid.cols(),
+      const kg_base::Cell cell{i / in.rasters->grid.cols(),
                                i % in.rasters->grid.cols()};
       const Explanation a = with.ExplainCell(cell);
       const Explanation b = without.ExplainCell(cell);
@@ -253,11 +253,11 @@ TEST_F(ExplainTensor, ATermTakenAwayChangesUByItsContribution) {
 TEST_F(ExplainTensor, NamesEveryConstraintThatForbidsACell) {
   RandomMission random(3);
   Mission& mission = random.mission;
-  kg_core::Policy& policy = mission.agents[0].policy;
+  kg_mission::Policy& policy = mission.agents[0].policy;
   mission.agents[0].must_avoid["ex:soft"] = {"ex:said"};
   policy.soft_overrides.clear();
-  const kg_core::Grid& grid = random.rasters[0].grid;
-  const kg_core::Geometry all = Box(-93, 22, -90, 25);
+  const kg_base::Grid& grid = random.rasters[0].grid;
+  const kg_base::Geometry all = Box(-93, 22, -90, 25);
   mission.constraints = {AreaConstraint("ex:no", ConstraintKind::kNoGo, all),
                          AreaConstraint("ex:soft", ConstraintKind::kSoft, all)};
   mission.constraints[1].attenuation = 0.4;
@@ -276,8 +276,8 @@ TEST_F(ExplainTensor, NamesEveryConstraintThatForbidsACell) {
 
 TEST_F(ExplainTensor, SaysSoWhereNothingIsOfValue) {
   RandomMission random(5);
-  kg_core::Policy& policy = random.mission.agents[0].policy;
-  policy = kg_core::Policy();
+  kg_mission::Policy& policy = random.mission.agents[0].policy;
+  policy = kg_mission::Policy();
   policy.alpha_base = -1.0;
   const TensorInputs in = random.Inputs(0);
   const Explanation cell = TensorExplainer(in, facts_).ExplainCell({3, 3});

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/common/units.h"
+#include "kg_base/raster/vector_field.h"
 #include "kg_compiler/data_plane/data_plane.h"
-#include "kg_core/base/units.h"
-#include "kg_core/mission/mission.h"
-#include "kg_core/raster/vector_field.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_compiler {
 
@@ -29,13 +29,13 @@ inline std::vector<double> EvenAxis(double first, double step, int size) {
   return axis;
 }
 
-inline kg_core::Grid EvenGrid(double west, double south, double step, int rows,
+inline kg_base::Grid EvenGrid(double west, double south, double step, int rows,
                               int cols) {
   return {EvenAxis(west, step, cols), EvenAxis(south, step, rows)};
 }
 
 // Spacing varies by a third either way.
-inline kg_core::Grid UnevenGrid(std::mt19937& rng, int rows, int cols) {
+inline kg_base::Grid UnevenGrid(std::mt19937& rng, int rows, int cols) {
   std::vector<double> lon(1, -92.0), lat(1, 23.0);
   for (int c = 1; c < cols; ++c)
     lon.push_back(lon.back() + Uniform(rng, .03, .06));
@@ -44,24 +44,24 @@ inline kg_core::Grid UnevenGrid(std::mt19937& rng, int rows, int cols) {
   return {lon, lat};
 }
 
-inline kg_core::Mask RandomMask(std::mt19937& rng, std::size_t size,
+inline kg_base::Mask RandomMask(std::mt19937& rng, std::size_t size,
                                 double share) {
-  kg_core::Mask mask(size);
+  kg_base::Mask mask(size);
   for (auto& cell : mask) cell = Uniform(rng, 0, 1) < share;
   return mask;
 }
 
-inline kg_core::Raster RandomRaster(std::mt19937& rng, std::size_t size,
+inline kg_base::Raster RandomRaster(std::mt19937& rng, std::size_t size,
                                     double low, double high) {
-  kg_core::Raster raster(size);
+  kg_base::Raster raster(size);
   for (float& x : raster) x = static_cast<float>(Uniform(rng, low, high));
   return raster;
 }
 
 // A few random vortices in a random mean flow that turns with time: smooth,
 // with slices every `step_s` over [0, end_s].
-inline kg_core::VectorField RandomFlow(std::mt19937& rng,
-                                       const kg_core::Grid& grid,
+inline kg_base::VectorField RandomFlow(std::mt19937& rng,
+                                       const kg_base::Grid& grid,
                                        double speed_mps, double step_s,
                                        double end_s) {
   struct Vortex {
@@ -73,15 +73,15 @@ inline kg_core::VectorField RandomFlow(std::mt19937& rng,
                         Uniform(rng, 0, grid.cols()), Uniform(rng, 4, 12),
                         Uniform(rng, -1, 1)});
   }
-  const double phase = Uniform(rng, 0, 2 * kg_core::kPi);
-  kg_core::VectorField field;
+  const double phase = Uniform(rng, 0, 2 * kg_base::kPi);
+  kg_base::VectorField field;
   field.grid = grid;
   for (double t = 0; t <= end_s; t += step_s) {
-    kg_core::FieldSlice slice{t, kg_core::Raster(grid.size()),
-                              kg_core::Raster(grid.size())};
+    kg_base::FieldSlice slice{t, kg_base::Raster(grid.size()),
+                              kg_base::Raster(grid.size())};
     for (int r = 0; r < grid.rows(); ++r) {
       for (int c = 0; c < grid.cols(); ++c) {
-        const double turn = phase + 2 * kg_core::kPi * t / 86400.0;
+        const double turn = phase + 2 * kg_base::kPi * t / 86400.0;
         double u = 0.3 * std::cos(turn), v = 0.3 * std::sin(turn);
         for (const Vortex& vortex : vortices) {
           const double dy = (r - vortex.row) / vortex.radius;
@@ -99,20 +99,20 @@ inline kg_core::VectorField RandomFlow(std::mt19937& rng,
   return field;
 }
 
-inline kg_core::VectorField UniformFlow(const kg_core::Grid& grid, double east,
+inline kg_base::VectorField UniformFlow(const kg_base::Grid& grid, double east,
                                         double north) {
-  kg_core::VectorField field;
+  kg_base::VectorField field;
   field.grid = grid;
   field.slices.push_back(
-      {0.0, kg_core::Raster(grid.size(), static_cast<float>(east)),
-       kg_core::Raster(grid.size(), static_cast<float>(north))});
+      {0.0, kg_base::Raster(grid.size(), static_cast<float>(east)),
+       kg_base::Raster(grid.size(), static_cast<float>(north))});
   return field;
 }
 
 // The Gulf of Mexico in outline on HYCOM's grid (541 x 385 at 0.04 degree): a
 // Loop Current of up to 1.8 m/s through the east, rings drifting west of it,
 // weak flow elsewhere, land north of 30 N and in the south-west.
-inline kg_core::VectorField GulfLikeFlow(unsigned seed, double begin_s,
+inline kg_base::VectorField GulfLikeFlow(unsigned seed, double begin_s,
                                          double end_s, double step_s) {
   std::mt19937 rng(seed);
   struct Ring {
@@ -126,15 +126,15 @@ inline kg_core::VectorField GulfLikeFlow(unsigned seed, double begin_s,
                      Uniform(rng, 0.3, 0.7), Uniform(rng, -0.5, 0.5),
                      Uniform(rng, -0.05, 0.05)});
   }
-  kg_core::VectorField field;
+  kg_base::VectorField field;
   field.grid = EvenGrid(-98.0, 18.1, 0.04, 385, 541);
-  const kg_core::Grid& grid = field.grid;
+  const kg_base::Grid& grid = field.grid;
   for (double t = begin_s; t <= end_s; t += step_s) {
-    kg_core::FieldSlice slice{t, kg_core::Raster(grid.size()),
-                              kg_core::Raster(grid.size())};
+    kg_base::FieldSlice slice{t, kg_base::Raster(grid.size()),
+                              kg_base::Raster(grid.size())};
     for (int r = 0; r < grid.rows(); ++r) {
       for (int c = 0; c < grid.cols(); ++c) {
-        const kg_core::LonLat at = grid.Centre({r, c});
+        const kg_base::LonLat at = grid.Centre({r, c});
         double u = 0.05, v = 0.0;
         for (const Ring& ring : rings) {
           const double drift = ring.drift_deg_per_day * t / 86400.0;
@@ -166,23 +166,23 @@ inline std::string BoxWkt(double west, double south, double east,
          at(east, north) + "," + at(west, north) + "," + at(west, south) + "))";
 }
 
-inline kg_core::Geometry Box(double west, double south, double east,
+inline kg_base::Geometry Box(double west, double south, double east,
                              double north) {
-  return kg_core::Geometry::FromWkt(BoxWkt(west, south, east, north));
+  return kg_base::Geometry::FromWkt(BoxWkt(west, south, east, north));
 }
 
-inline kg_core::Constraint AreaConstraint(const std::string& iri,
-                                          kg_core::ConstraintKind kind,
-                                          const kg_core::Geometry& area) {
-  kg_core::Constraint constraint;
+inline kg_mission::Constraint AreaConstraint(const std::string& iri,
+                                             kg_mission::ConstraintKind kind,
+                                             const kg_base::Geometry& area) {
+  kg_mission::Constraint constraint;
   constraint.iri = iri;
   constraint.kind = kind;
   constraint.area = area;
   return constraint;
 }
 
-inline kg_core::Agent TestAgent(const std::string& id) {
-  kg_core::Agent agent;
+inline kg_mission::Agent TestAgent(const std::string& id) {
+  kg_mission::Agent agent;
   agent.iri = "ex:" + id;
   agent.id = id;
   agent.policy.iri = "ex:policy";
@@ -195,14 +195,14 @@ inline kg_core::Agent TestAgent(const std::string& id) {
   return agent;
 }
 
-inline kg_core::TimeWindow TestWindow(int index, double confidence) {
+inline kg_mission::TimeWindow TestWindow(int index, double confidence) {
   return {"ex:w" + std::to_string(index), index, index * 86400.0,
           (index + 1) * 86400.0, confidence};
 }
 
-inline WindowRasters TestRasters(const kg_core::Grid& grid,
-                                 const kg_core::Raster& value,
-                                 const kg_core::Mask& land) {
+inline WindowRasters TestRasters(const kg_base::Grid& grid,
+                                 const kg_base::Raster& value,
+                                 const kg_base::Mask& land) {
   WindowRasters rasters;
   rasters.grid = grid;
   rasters.land = land;

@@ -4,7 +4,7 @@
 
 namespace kg_compiler {
 
-ArrivalTiles::ArrivalTiles(const kg_core::Grid& grid)
+ArrivalTiles::ArrivalTiles(const kg_base::Grid& grid)
     : grid_(grid),
       tile_cols_((grid.cols() + kTile - 1) / kTile),
       tiles_(static_cast<std::size_t>(tile_cols_) *

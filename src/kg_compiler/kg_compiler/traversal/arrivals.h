@@ -21,14 +21,14 @@ class ArrivalTiles {
     float spread_rad = 0.0f;
   };
 
-  explicit ArrivalTiles(const kg_core::Grid& grid);
+  explicit ArrivalTiles(const kg_base::Grid& grid);
 
-  Node& At(kg_core::Cell cell) {
+  Node& At(kg_base::Cell cell) {
     auto& tile = tiles_[TileOf(cell)];
     if (!tile) tile = std::make_unique<Node[]>(kTile * kTile);
     return tile[(cell.row % kTile) * kTile + cell.col % kTile];
   }
-  double Arrival_s(kg_core::Cell cell) const {
+  double Arrival_s(kg_base::Cell cell) const {
     const auto& tile = tiles_[TileOf(cell)];
     return tile ? tile[(cell.row % kTile) * kTile + cell.col % kTile].arrival_s
                 : std::numeric_limits<double>::infinity();
@@ -38,12 +38,12 @@ class ArrivalTiles {
 
  private:
   static constexpr int kTile = 16;
-  std::size_t TileOf(kg_core::Cell cell) const {
+  std::size_t TileOf(kg_base::Cell cell) const {
     return static_cast<std::size_t>(cell.row / kTile) * tile_cols_ +
            cell.col / kTile;
   }
 
-  const kg_core::Grid& grid_;
+  const kg_base::Grid& grid_;
   int tile_cols_;
   std::vector<std::unique_ptr<Node[]>> tiles_;
 };

@@ -23,7 +23,7 @@ CellBox WithSlower(const VoyageRequest& voyage, const CellBox& read) {
     unbounded.departure.base_travel_m = std::numeric_limits<double>::infinity();
     box = ExtremalFan(unbounded).Run().read;
   }
-  const kg_core::Grid& grid = voyage.world.field->grid;
+  const kg_base::Grid& grid = voyage.world.field->grid;
   return {std::max(std::min(box.row, read.row) - kSlowerMargin_cells, 0),
           std::min(std::max(box.row_end, read.row_end) + kSlowerMargin_cells,
                    grid.rows()),

@@ -24,7 +24,7 @@ constexpr double kSame = 1e-3;  // Of two courses' times.
 constexpr double kReserves[] = {0.0, 0.005, 0.02, 0.05};
 
 // The cells of a box whose flights read nothing outside of it.
-CellBox Inside(const CellBox& box, const kg_core::Grid& grid) {
+CellBox Inside(const CellBox& box, const kg_base::Grid& grid) {
   return {box.row > 0 ? box.row + 1 : 0,
           box.row_end < grid.rows() ? box.row_end - 1 : box.row_end,
           box.col > 0 ? box.col + 1 : 0,
@@ -40,8 +40,8 @@ void KeepFaster(std::optional<FlownPath> flight,
 }  // namespace
 
 FastestCrossing::FastestCrossing(const VoyageRequest& voyage,
-                                 const ReachMap& reach, kg_core::LonLat to,
-                                 kg_core::GridPoint at)
+                                 const ReachMap& reach, kg_base::LonLat to,
+                                 kg_base::GridPoint at)
     : voyage_(voyage),
       reach_(reach),
       grid_(voyage.world.field->grid),
@@ -84,8 +84,8 @@ bool FastestCrossing::IsExpected(double travel_s,
 }
 
 // Straight from corner to corner.
-std::vector<kg_core::LonLat> FastestCrossing::Corners(int root) const {
-  std::vector<kg_core::LonLat> via(1, to_);
+std::vector<kg_base::LonLat> FastestCrossing::Corners(int root) const {
+  std::vector<kg_base::LonLat> via(1, to_);
   for (; root > 0; root = reach_.roots[root].parent) {
     via.push_back(grid_.Position(reach_.roots[root].place));
   }
@@ -95,14 +95,14 @@ std::vector<kg_core::LonLat> FastestCrossing::Corners(int root) const {
 }
 
 std::optional<FlownPath> FastestCrossing::Fly(
-    const std::vector<kg_core::LonLat>& via) const {
+    const std::vector<kg_base::LonLat>& via) const {
   return FlyTrackWithin(voyage_, via, &inside_);
 }
 
 std::optional<FlownPath> FastestCrossing::Fly(const TimedCourse& course) const {
-  std::vector<kg_core::LonLat> via(1, voyage_.departure.from);
+  std::vector<kg_base::LonLat> via(1, voyage_.departure.from);
   for (std::size_t i = 1; i + 1 < course.size(); ++i) {
-    const kg_core::LonLat at = grid_.Position(course[i].place);
+    const kg_base::LonLat at = grid_.Position(course[i].place);
     if (at != via.back()) via.push_back(at);
   }
   if (to_ != via.back()) via.push_back(to_);
@@ -112,7 +112,7 @@ std::optional<FlownPath> FastestCrossing::Fly(const TimedCourse& course) const {
 // Extremals through the cells around, the earliest first, the place's own
 // cell before all others.
 std::vector<ExtremalShooter::Guess> FastestCrossing::Guesses() const {
-  const kg_core::Cell target = CellOf(grid_, at_);
+  const kg_base::Cell target = CellOf(grid_, at_);
   struct Seed {
     double rank_s;
     const ReachedCell* cell;
@@ -120,7 +120,7 @@ std::vector<ExtremalShooter::Guess> FastestCrossing::Guesses() const {
   std::vector<Seed> seeds;
   for (int dr = -kSeedRadius_cells; dr <= kSeedRadius_cells; ++dr) {
     for (int dc = -kSeedRadius_cells; dc <= kSeedRadius_cells; ++dc) {
-      const kg_core::Cell cell{target.row + dr, target.col + dc};
+      const kg_base::Cell cell{target.row + dr, target.col + dc};
       if (!grid_.Contains(cell)) continue;
       const ReachedCell* found =
           reach_.Find(static_cast<int>(grid_.Index(cell)));

@@ -16,7 +16,7 @@ class FastestCrossing {
   // `reach` is that of the voyage, or of one at about its speed; all must
   // outlive it. `at` is `to` in cell units.
   FastestCrossing(const VoyageRequest& voyage, const ReachMap& reach,
-                  kg_core::LonLat to, kg_core::GridPoint at);
+                  kg_base::LonLat to, kg_base::GridPoint at);
 
   // Never slower than straight there.
   std::optional<FlownPath> Fastest() const { return Best(true); }
@@ -26,21 +26,21 @@ class FastestCrossing {
 
  private:
   std::optional<FlownPath> Best(bool as_expected) const;
-  std::optional<FlownPath> Fly(const std::vector<kg_core::LonLat>& via) const;
+  std::optional<FlownPath> Fly(const std::vector<kg_base::LonLat>& via) const;
   std::optional<FlownPath> Fly(const TimedCourse& course) const;
   std::vector<ExtremalShooter::Guess> Guesses() const;
   bool IsExpected(double travel_s, const ExtremalShooter::Guess& guess) const;
-  std::vector<kg_core::LonLat> Corners(int root) const;
+  std::vector<kg_base::LonLat> Corners(int root) const;
   std::optional<FlownPath> Shoot(const ExtremalShooter& shooter,
                                  const ExtremalShooter::Guess& guess,
                                  std::vector<double>* refused_s) const;
 
   const VoyageRequest& voyage_;
   const ReachMap& reach_;
-  const kg_core::Grid& grid_;
+  const kg_base::Grid& grid_;
   CellBox inside_;  // Flights in it read nothing that the reach did not.
-  kg_core::LonLat to_;
-  kg_core::GridPoint at_;
+  kg_base::LonLat to_;
+  kg_base::GridPoint at_;
 };
 
 }  // namespace kg_compiler

@@ -14,16 +14,16 @@ ExtremalState ToState(const Eigen::Vector4d& at) {
 
 }  // namespace
 
-ExtremalState SetOut(const FlowSampler& flow, kg_core::GridPoint from,
+ExtremalState SetOut(const FlowSampler& flow, kg_base::GridPoint from,
                      double heading_rad) {
-  const kg_core::LonLat scale = flow.Scale(from.row);
+  const kg_base::LonLat scale = flow.Scale(from.row);
   const double unit = scale.lon_deg;  // So that |p| is about 1.
   return {from.col, from.row, std::cos(heading_rad) / scale.lon_deg * unit,
           std::sin(heading_rad) / scale.lat_deg * unit};
 }
 
 double HeadingOf(const FlowSampler& flow, const ExtremalState& at) {
-  const kg_core::LonLat scale = flow.Scale(at.row);
+  const kg_base::LonLat scale = flow.Scale(at.row);
   return std::atan2(scale.lat_deg * at.p_lat, scale.lon_deg * at.p_lon);
 }
 
@@ -61,7 +61,7 @@ ExtremalState ExtremalStepper::Advance(const ExtremalState& from,
   return ToState(x + h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4));
 }
 
-kg_core::GridPoint ExtremalStepper::Velocity(
+kg_base::GridPoint ExtremalStepper::Velocity(
     const ExtremalState& at, const FlowSampler::Moment& moment) const {
   const Eigen::Vector4d rate = Rate(at, moment);
   return {rate[1], rate[0]};

@@ -31,7 +31,7 @@ struct ExtremalState {
 };
 
 // Setting out from a place; heading counter-clockwise from east.
-ExtremalState SetOut(const FlowSampler& flow, kg_core::GridPoint from,
+ExtremalState SetOut(const FlowSampler& flow, kg_base::GridPoint from,
                      double heading_rad);
 
 // Heading of an extremal, counter-clockwise from east.
@@ -52,7 +52,7 @@ class ExtremalStepper {
   ExtremalState Advance(const ExtremalState& from, const Step& step) const;
 
   // Over ground, in cells per second.
-  kg_core::GridPoint Velocity(const ExtremalState& at,
+  kg_base::GridPoint Velocity(const ExtremalState& at,
                               const FlowSampler::Moment& moment) const;
 
  private:

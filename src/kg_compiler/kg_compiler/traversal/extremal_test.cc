@@ -13,7 +13,7 @@ namespace {
 // (and the meridians' convergence, which a kilometre at 1 N does not feel).
 TEST(ExtremalStepper, FollowsZermelosHeadingEquation) {
   const double deg = 0.0001;
-  kg_core::VectorField field =
+  kg_base::VectorField field =
       UniformFlow(EvenGrid(-0.002, 0.0, deg, 40, 40), 0, 0);
   for (int r = 0; r < 40; ++r) {
     for (int c = 0; c < 40; ++c) {
@@ -26,7 +26,7 @@ TEST(ExtremalStepper, FollowsZermelosHeadingEquation) {
       sea.From(Glider(1.0), {{0.0, 0.001}, 0.0, 1000.0});
   const FlowSampler flow(voyage);
   const ExtremalStepper helm(flow, 1.0);
-  const kg_core::DegreesPerMetre scale = kg_core::LocalScale(0.002);
+  const kg_base::DegreesPerMetre scale = kg_base::LocalScale(0.002);
   const double cells_x = scale.lon_deg / deg, cells_y = scale.lat_deg / deg;
   for (double heading = 0.0; heading < 6.2; heading += 0.4) {
     ExtremalState at = SetOut(flow, {20.0, 20.0}, heading);
@@ -52,7 +52,7 @@ TEST(ExtremalStepper, FollowsZermelosHeadingEquation) {
 // Of fourth order where the field is smooth: half the step, a sixteenth.
 TEST(ExtremalStepper, IsOfFourthOrderWithinAPatch) {
   std::mt19937 rng(4);
-  kg_core::VectorField field = UniformFlow(EvenGrid(-91, 24, 1.0, 4, 4), 0, 0);
+  kg_base::VectorField field = UniformFlow(EvenGrid(-91, 24, 1.0, 4, 4), 0, 0);
   for (int i = 0; i < 16; ++i) {
     field.slices[0].east_mps[i] = static_cast<float>(Uniform(rng, -1, 1));
     field.slices[0].north_mps[i] = static_cast<float>(Uniform(rng, -1, 1));

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kg_base/common/units.h"
 #include "kg_compiler/traversal/leg.h"
-#include "kg_core/base/units.h"
 
 namespace kg_compiler {
 namespace {
@@ -50,14 +50,14 @@ bool ExtremalFan::Begin() {
   if (!from || !(latest_s_ > 0.0) || !(voyage_.motion.cruise_mps > 0.0)) {
     return false;
   }
-  const kg_core::Cell cell = CellOf(grid_, *from);
+  const kg_base::Cell cell = CellOf(grid_, *from);
   low_ = high_ = {from->col, from->row};
   if (!sight_.IsOpen(cell)) return false;
   reach_.roots.push_back({*from, 0.0, -1, 0.0});
   for (int i = 0; i <= kFirstRays; ++i) {
-    const double heading_rad = 2.0 * kg_core::kPi * i / kFirstRays;
+    const double heading_rad = 2.0 * kg_base::kPi * i / kFirstRays;
     rays_.push_back({SetOut(flow_, *from, heading_rad), heading_rad, 0, true});
-    const kg_core::GridPoint v = helm_.Velocity(rays_.back().at, flow_.At(0.0));
+    const kg_base::GridPoint v = helm_.Velocity(rays_.back().at, flow_.At(0.0));
     fastest_ = std::max(fastest_, CellOffset{v.col, v.row}.norm());
   }
   rays_.back().linked = false;
@@ -142,7 +142,7 @@ ExtremalStrand ExtremalFan::Advance(const Stride& stride,
     const double cells = (PlaceOf(strand.end) - PlaceOf(from)).norm();
     fastest_ = std::max(fastest_, cells / stride.step->length_s);
   }
-  const kg_core::GridPoint end{strand.end.row, strand.end.col};
+  const kg_base::GridPoint end{strand.end.row, strand.end.col};
   strand.dead =
       !sight_.Contains(end) || !sight_.IsClear({from.row, from.col}, end);
   return strand;
@@ -250,7 +250,7 @@ void ExtremalFan::Paint(const Stride& stride, const ExtremalStrand& a,
   }
 }
 
-bool ExtremalFan::NearClosed(kg_core::Cell low, kg_core::Cell high) {
+bool ExtremalFan::NearClosed(kg_base::Cell low, kg_base::Cell high) {
   for (int row = low.row;;
        row = std::min(row + LineOfSight::kBlock, high.row)) {
     for (int col = low.col;;
@@ -264,7 +264,7 @@ bool ExtremalFan::NearClosed(kg_core::Cell low, kg_core::Cell high) {
 
 void ExtremalFan::PaintCell(const Stride& stride, const ExtremalStrand& a,
                             const ExtremalStrand& b, const FrontSweep& sweep,
-                            kg_core::Cell cell, bool near_closed) {
+                            kg_base::Cell cell, bool near_closed) {
   const CellOffset place{static_cast<double>(cell.col),
                          static_cast<double>(cell.row)};
   const auto share = sweep.Find(place);

@@ -37,7 +37,7 @@ class ExtremalFan {
   // A place from which a fan of its own may set out.
   struct Restart {
     double time_s;
-    kg_core::GridPoint place;
+    kg_base::GridPoint place;
     int root;            // From which it is reached,
     double heading_rad;  // leaving it so (give or take the spread),
     double spread_rad;
@@ -47,7 +47,7 @@ class ExtremalFan {
   };
   struct Graze {
     Restart restart;
-    kg_core::Cell shadow;  // Not reached yet if there is a shadow.
+    kg_base::Cell shadow;  // Not reached yet if there is a shadow.
   };
   // A chain of extremals of one root being advanced by one step.
   struct Stride {
@@ -75,13 +75,13 @@ class ExtremalFan {
               const FrontSweep& sweep);
   void Paint(const Stride& stride, const ExtremalStrand& a,
              const ExtremalStrand& b, const FrontSweep& sweep);
-  bool NearClosed(kg_core::Cell low, kg_core::Cell high);
+  bool NearClosed(kg_base::Cell low, kg_base::Cell high);
   void PaintCell(const Stride& stride, const ExtremalStrand& a,
                  const ExtremalStrand& b, const FrontSweep& sweep,
-                 kg_core::Cell cell, bool near_closed);
+                 kg_base::Cell cell, bool near_closed);
   void FindCorners(const Stride& stride, const ExtremalStrand& a,
                    const ExtremalStrand& b, const FrontSweep& sweep,
-                   kg_core::Cell cell);
+                   kg_base::Cell cell);
   void FindCornersBeside(const Stride& stride, const ExtremalStrand& strand);
   void AddCorner(const Stride& stride, Restart found, const CellOffset& from,
                  const ExtremalStrand& near);
@@ -99,7 +99,7 @@ class ExtremalFan {
   const VoyageRequest& voyage_;
   FlowSampler flow_;
   ExtremalStepper helm_;
-  const kg_core::Grid& grid_;
+  const kg_base::Grid& grid_;
   LineOfSight sight_;
   ArrivalTiles arrivals_;
   double latest_s_;

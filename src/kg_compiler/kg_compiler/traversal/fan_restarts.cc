@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kg_base/common/units.h"
 #include "kg_compiler/traversal/fan.h"
-#include "kg_core/base/units.h"
 
 namespace kg_compiler {
 namespace {
 
 constexpr int kCornerRays = 10;
 constexpr double kCornerBegin_rad = -0.15;  // Across the arriving heading.
-constexpr double kCornerEnd_rad = 0.9 * kg_core::kPi;  // Into the shadow.
+constexpr double kCornerEnd_rad = 0.9 * kg_base::kPi;  // Into the shadow.
 
 // Lengths in cells.
 constexpr double kBeside = 0.3;  // A corner passed so close is reached.
@@ -24,12 +24,12 @@ constexpr double kGrazeAside = 0.8;
 
 void ExtremalFan::FindCorners(const Stride& stride, const ExtremalStrand& a,
                               const ExtremalStrand& b, const FrontSweep& sweep,
-                              kg_core::Cell cell) {
+                              kg_base::Cell cell) {
   if (!sight_.IsOpen(cell)) return;
   const unsigned corners = sight_.Corners(cell);
   for (int k = 0; k < 4; ++k) {
     if (!(corners & (1u << k))) continue;
-    const kg_core::GridPoint at = LineOfSight::CornerAt(cell, k);
+    const kg_base::GridPoint at = LineOfSight::CornerAt(cell, k);
     const auto share = sweep.Find({at.col, at.row});
     if (!share) continue;
     const CellOffset from = sweep.BeginAt(share->across);
@@ -47,8 +47,8 @@ void ExtremalFan::FindCornersBeside(const Stride& stride,
                                     const ExtremalStrand& strand) {
   const CellOffset from = PlaceOf(strand.begin);
   const CellOffset go = PlaceOf(strand.end) - from;
-  const kg_core::Cell a = CellOf(grid_, {strand.begin.row, strand.begin.col});
-  const kg_core::Cell b = CellOf(grid_, {strand.end.row, strand.end.col});
+  const kg_base::Cell a = CellOf(grid_, {strand.begin.row, strand.begin.col});
+  const kg_base::Cell b = CellOf(grid_, {strand.end.row, strand.end.col});
   if (strand.dead || !(go.norm() > 0.0) ||
       (!sight_.NearClosed(a) && !sight_.NearClosed(b))) {
     return;
@@ -63,7 +63,7 @@ void ExtremalFan::FindCornersBeside(const Stride& stride,
       const unsigned corners = sight_.Corners({row, col});
       for (int k = 0; k < 4; ++k) {
         if (!(corners & (1u << k))) continue;
-        const kg_core::GridPoint at = LineOfSight::CornerAt({row, col}, k);
+        const kg_base::GridPoint at = LineOfSight::CornerAt({row, col}, k);
         const CellOffset away = CellOffset{at.col, at.row} - from;
         const double share = away.dot(go) / go.dot(go);
         if (!(share >= 0.0 && share <= 1.0) ||
@@ -93,7 +93,7 @@ void ExtremalFan::AddCorner(const Stride& stride, Restart found,
   }
   // Going by it, neither towards the corner nor away from it.
   const CellOffset go = PlaceOf(near.end) - PlaceOf(near.begin);
-  const kg_core::Cell d =
+  const kg_base::Cell d =
       LineOfSight::kDiagonals[static_cast<std::size_t>(found.key % 4)];
   const double slack = kHeadOn * go.norm();
   const double east = d.col * go.x(), north = d.row * go.y();
@@ -127,7 +127,7 @@ void ExtremalFan::FindGraze(const Stride& stride, const ExtremalStrand& alive,
   const int side = Cross(go, PlaceOf(dead.end) - end) > 0.0 ? 1 : -1;
   const CellOffset aside =
       end + (side * kGrazeAside / length) * CellOffset{-go.y(), go.x()};
-  const kg_core::Cell shadow = CellOf(grid_, {aside.y(), aside.x()});
+  const kg_base::Cell shadow = CellOf(grid_, {aside.y(), aside.x()});
   if (!sight_.IsOpen(shadow)) return;
   grazes_.push_back({{stride.begin_s + stride.step->length_s,
                       {end.y(), end.x()},

@@ -14,16 +14,16 @@ namespace {
 constexpr double kHoldCheck_s = 600.0;
 constexpr double kNotFlown = std::numeric_limits<double>::infinity();
 
-double Speed(const kg_core::Velocity& c) {
+double Speed(const kg_base::Velocity& c) {
   return std::hypot(c.east_mps, c.north_mps);
 }
 
 // The slices' times between two times [s after the departure's], both ends
 // included: between them the current at a place is linear in time.
-std::vector<double> Knots(const kg_core::VectorField& field, double epoch_s,
+std::vector<double> Knots(const kg_base::VectorField& field, double epoch_s,
                           double begin_s, double end_s) {
   std::vector<double> knots(1, begin_s);
-  for (const kg_core::FieldSlice& slice : field.slices) {
+  for (const kg_base::FieldSlice& slice : field.slices) {
     const double time_s = slice.time_s - epoch_s;
     if (time_s > begin_s && time_s < end_s) knots.push_back(time_s);
   }
@@ -33,7 +33,7 @@ std::vector<double> Knots(const kg_core::VectorField& field, double epoch_s,
 
 // Holding station: metres made through the water to stay.
 std::optional<double> Hold_m(const LegFlyer& flyer, const MotionModel& motion,
-                             kg_core::GridPoint at,
+                             kg_base::GridPoint at,
                              const std::vector<double>& knots) {
   double through_m = 0.0;
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
@@ -56,7 +56,7 @@ std::optional<double> Hold_m(const LegFlyer& flyer, const MotionModel& motion,
 
 // Where on [0, 1] from c to d, |c| > limit >= |d|, the speed falls to the
 // limit.
-double CrossingShare(const kg_core::Velocity& c, const kg_core::Velocity& d,
+double CrossingShare(const kg_base::Velocity& c, const kg_base::Velocity& d,
                      double limit_mps) {
   const Eigen::Vector2d from(c.east_mps, c.north_mps);
   const Eigen::Vector2d change =
@@ -72,7 +72,7 @@ double CrossingShare(const kg_core::Velocity& c, const kg_core::Velocity& d,
 void CheckStretches(const VoyageDeparture& departure,
                     const std::vector<TrackStretch>& stretches) {
   if (stretches.empty()) throw std::logic_error("a flight has a stretch");
-  kg_core::LonLat at = departure.from;
+  kg_base::LonLat at = departure.from;
   for (const TrackStretch& stretch : stretches) {
     if (stretch.via.empty() || stretch.via.front() != at) {
       throw std::logic_error("a track begins at its departure");
@@ -112,8 +112,8 @@ bool HoldStation(const VoyageRequest& voyage, const LegFlyer& flyer,
   const MotionModel& motion = voyage.motion;
   const VoyageDeparture& departure = voyage.departure;
   const double whole_s = departure.deadline_s - departure.time_s;
-  const kg_core::LonLat place = flight->track.back().position;
-  const kg_core::GridPoint at = *flyer.grid().Locate(place);
+  const kg_base::LonLat place = flight->track.back().position;
+  const kg_base::GridPoint at = *flyer.grid().Locate(place);
   const std::optional<double> held_m = Hold_m(
       flyer, motion, at,
       Knots(*voyage.world.field, departure.time_s, flight->travel_s, whole_s));
@@ -155,18 +155,18 @@ std::optional<FlownPath> FlyAll(const VoyageRequest& voyage,
 
 }  // namespace
 
-double HoldableFrom_s(const VoyageRequest& voyage, kg_core::LonLat place) {
+double HoldableFrom_s(const VoyageRequest& voyage, kg_base::LonLat place) {
   const MotionModel& motion = voyage.motion;
   const VoyageDeparture& departure = voyage.departure;
   const LegFlyer flyer(voyage);
-  const std::optional<kg_core::GridPoint> at = flyer.grid().Locate(place);
+  const std::optional<kg_base::GridPoint> at = flyer.grid().Locate(place);
   if (!at) return kNotFlown;
   const std::vector<double> knots =
       Knots(*voyage.world.field, departure.time_s, 0.0,
             departure.deadline_s - departure.time_s);
   // From the deadline back: the last knot at which the field is too strong, and
   // between it and the next the moment from which it is not.
-  std::optional<kg_core::Velocity> later;
+  std::optional<kg_base::Velocity> later;
   for (std::size_t k = knots.size(); k-- > 0;) {
     const auto c = flyer.Current(*at, knots[k]);
     if (!c) return kNotFlown;
@@ -181,12 +181,12 @@ double HoldableFrom_s(const VoyageRequest& voyage, kg_core::LonLat place) {
 }
 
 std::optional<FlownPath> FlyTrack(const VoyageRequest& voyage,
-                                  const std::vector<kg_core::LonLat>& via) {
+                                  const std::vector<kg_base::LonLat>& via) {
   return FlyTrackWithin(voyage, via, nullptr);
 }
 
 std::optional<FlownPath> FlyTrackWithin(const VoyageRequest& voyage,
-                                        const std::vector<kg_core::LonLat>& via,
+                                        const std::vector<kg_base::LonLat>& via,
                                         const CellBox* box) {
   return FlyAll(voyage, {{via, voyage.motion.cruise_mps}}, box);
 }

@@ -7,16 +7,16 @@
 #include <optional>
 #include <vector>
 
+#include "kg_base/geo/lon_lat.h"
 #include "kg_compiler/data_plane/cell_box.h"
 #include "kg_compiler/traversal/voyage.h"
-#include "kg_core/geo/lon_lat.h"
 
 namespace kg_compiler {
 
 // Earliest time from which station can be held at a place until the deadline:
 // |boost_gain * current| <= max_mps all along. Infinite if not even then, or
 // where the current is unknown.
-double HoldableFrom_s(const VoyageRequest& voyage, kg_core::LonLat place);
+double HoldableFrom_s(const VoyageRequest& voyage, kg_base::LonLat place);
 
 // Flies along `via` (first = departure, legs straight in longitude and
 // latitude), holding V = cruise_mps through water on every leg. Nothing if a
@@ -26,12 +26,12 @@ double HoldableFrom_s(const VoyageRequest& voyage, kg_core::LonLat place);
 // cross current and at least 0.2 % of V are left over ground, looked at every
 // 0.05 cells.
 std::optional<FlownPath> FlyTrack(const VoyageRequest& voyage,
-                                  const std::vector<kg_core::LonLat>& via);
+                                  const std::vector<kg_base::LonLat>& via);
 
 // A stretch of a way at one speed through water. Its first place is where the
 // one before ended, or the departure.
 struct TrackStretch {
-  std::vector<kg_core::LonLat> via;
+  std::vector<kg_base::LonLat> via;
   double speed_mps = 0.0;
 };
 
@@ -44,7 +44,7 @@ std::optional<FlownPath> FlyStretches(
 
 // FlyTrack, where what lies outside of `box` counts as closed; null = no box.
 std::optional<FlownPath> FlyTrackWithin(const VoyageRequest& voyage,
-                                        const std::vector<kg_core::LonLat>& via,
+                                        const std::vector<kg_base::LonLat>& via,
                                         const CellBox* box);
 
 }  // namespace kg_compiler

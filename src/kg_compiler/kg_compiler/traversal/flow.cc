@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
@@ -36,7 +36,7 @@ FlowSampler::FlowSampler(const VoyageRequest& voyage)
       rows_per_deg_(Inverse(deg_per_row_)),
       lon_per_m_(rows_, 0.0),
       lat_per_m_(rows_, 0.0) {
-  for (const kg_core::FieldSlice& slice : field_.slices) {
+  for (const kg_base::FieldSlice& slice : field_.slices) {
     slice_s_.push_back(slice.time_s - epoch_s_);
   }
 }
@@ -47,8 +47,8 @@ FlowSampler::Moment FlowSampler::At(double time_s) const {
   const std::size_t a = k == 0 ? 0 : k - 1;
   const std::size_t b = std::min(k, slice_s_.size() - 1);
   const double span_s = slice_s_[b] - slice_s_[a];
-  const kg_core::FieldSlice& first = field_.slices[a];
-  const kg_core::FieldSlice& second = field_.slices[b];
+  const kg_base::FieldSlice& first = field_.slices[a];
+  const kg_base::FieldSlice& second = field_.slices[b];
   return {first.east_mps.data(), first.north_mps.data(), second.east_mps.data(),
           second.north_mps.data(),
           span_s > 0.0 ? (time_s - slice_s_[a]) / span_s : 0.0};
@@ -61,13 +61,13 @@ double FlowSampler::NextSlice_s(double time_s) const {
 }
 
 void FlowSampler::FillScale(int row) const {
-  const kg_core::DegreesPerMetre scale =
-      kg_core::LocalScale(field_.grid.lat_deg()[row]);
+  const kg_base::DegreesPerMetre scale =
+      kg_base::LocalScale(field_.grid.lat_deg()[row]);
   lon_per_m_[row] = scale.lon_deg;
   lat_per_m_[row] = scale.lat_deg;
 }
 
-kg_core::LonLat FlowSampler::Scale(double row) const {
+kg_base::LonLat FlowSampler::Scale(double row) const {
   const int r = Lower(row, rows_);
   if (lon_per_m_[r] == 0.0) FillScale(r);
   if (lon_per_m_[r + 1] == 0.0) FillScale(r + 1);

@@ -81,9 +81,9 @@ class FlowSampler {
   double DegPerCol(double col) const { return deg_per_col_[Lower(col, cols_)]; }
   double DegPerRow(double row) const { return deg_per_row_[Lower(row, rows_)]; }
   // Degrees per metre at a row.
-  kg_core::LonLat Scale(double row) const;
+  kg_base::LonLat Scale(double row) const;
 
-  const kg_core::Grid& grid() const { return field_.grid; }
+  const kg_base::Grid& grid() const { return field_.grid; }
   // The cells that were asked for since it was made, or last told to forget.
   const CellBox& felt() const { return felt_; }
   void Forget() const { felt_ = kNothing; }
@@ -97,7 +97,7 @@ class FlowSampler {
                    double east, Sample* at) const;
   void FillScale(int row) const;
 
-  const kg_core::VectorField& field_;
+  const kg_base::VectorField& field_;
   double gain_;
   double epoch_s_;
   int rows_, cols_;

@@ -14,7 +14,7 @@ TestFlowWorld RandomSea(std::mt19937& rng) {
       RandomFlow(rng, UnevenGrid(rng, 20, 25), 0.8, 7200, kDay_s));
   for (std::size_t i = 0; i < sea.open.size(); ++i) {
     if (Uniform(rng, 0, 1) > 0.03) continue;
-    for (kg_core::FieldSlice& slice : sea.field.slices) {
+    for (kg_base::FieldSlice& slice : sea.field.slices) {
       slice.east_mps[i] = slice.north_mps[i] = kGap;
     }
   }
@@ -32,7 +32,7 @@ TEST(FlowSampler, IsTheFieldSampledTimesTheBoost) {
         sea.From(motion, {{-91, 23.4}, 5000.0, kDay_s});
     const FlowSampler flow(voyage);
     for (int k = 0; k < 500; ++k) {
-      const kg_core::GridPoint at{Uniform(rng, -0.5, 19.5),
+      const kg_base::GridPoint at{Uniform(rng, -0.5, 19.5),
                                   Uniform(rng, -0.5, 24.5)};
       const double time_s = Uniform(rng, -9e3, 9e4);
       const auto wanted = sea.field.Sample(at, 5000.0 + time_s);

@@ -28,7 +28,7 @@ TEST(Moves, TouchBothCellsBesideACorner) {
   for (const Move& move : NeighbourMoves(32)) {
     const auto touches = [&](int r, int c) {
       return std::count(move.touched.begin(), move.touched.end(),
-                        kg_core::Cell{r, c}) == 1;
+                        kg_base::Cell{r, c}) == 1;
     };
     if (move.rows == 1 && move.cols == 1) {
       EXPECT_EQ(3u, move.touched.size());
@@ -48,9 +48,9 @@ TEST(Mover, AgreesWithTheLegFlown) {
   std::mt19937 rng(41);
   int made = 0, differ = 0;
   for (int round = 0; round < 20; ++round) {
-    const kg_core::Grid grid = UnevenGrid(rng, 30, 30);
-    const kg_core::VectorField field = RandomFlow(rng, grid, 0.15, 7200, 86400);
-    const kg_core::Mask open = RandomMask(rng, grid.size(), 0.95);
+    const kg_base::Grid grid = UnevenGrid(rng, 30, 30);
+    const kg_base::VectorField field = RandomFlow(rng, grid, 0.15, 7200, 86400);
+    const kg_base::Mask open = RandomMask(rng, grid.size(), 0.95);
     MotionModel motion;
     motion.cruise_mps = 0.6;
     motion.boost_gain = 0.9;
@@ -61,7 +61,7 @@ TEST(Mover, AgreesWithTheLegFlown) {
     const Mover mover(voyage);
     const LegFlyer flyer(voyage);
     for (const Move& move : NeighbourMoves(32)) {
-      const kg_core::Cell from{15, 15}, to{15 + move.rows, 15 + move.cols};
+      const kg_base::Cell from{15, 15}, to{15 + move.rows, 15 + move.cols};
       if (!mover.MayEnter(from)) continue;
       const auto moved = mover.Arrival(move, from, 5000.0);
       const auto flown = flyer.Fly({grid.Centre(from), grid.Centre(to), 5000.0},

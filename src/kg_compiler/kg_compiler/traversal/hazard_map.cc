@@ -25,7 +25,7 @@ Span Widen(const std::vector<double>& centres, int first, int last,
 
 // A part of the world: its own little grid, and what is closed there.
 struct Patch {
-  Patch(const kg_core::Grid& grid, const kg_core::Mask& open, Span r, Span c)
+  Patch(const kg_base::Grid& grid, const kg_base::Mask& open, Span r, Span c)
       : rows(r), cols(c) {
     closed.reserve(static_cast<std::size_t>(r.end - r.begin) *
                    (c.end - c.begin));
@@ -37,7 +37,7 @@ struct Patch {
       }
     }
   }
-  kg_core::Grid Local(const kg_core::Grid& grid) const {
+  kg_base::Grid Local(const kg_base::Grid& grid) const {
     const auto part = [](const std::vector<double>& axis, Span span) {
       return std::vector<double>(axis.begin() + span.begin,
                                  axis.begin() + span.end);
@@ -46,7 +46,7 @@ struct Patch {
   }
 
   Span rows, cols;
-  kg_core::Mask closed;
+  kg_base::Mask closed;
   bool any = false;
 };
 
@@ -59,8 +59,8 @@ Span AtLeastTwo(Span span, int size) {
 
 }  // namespace
 
-HazardMap::HazardMap(const kg_core::Grid& grid, const kg_core::Mask& open,
-                     kg_core::Raster attenuation, double range_m)
+HazardMap::HazardMap(const kg_base::Grid& grid, const kg_base::Mask& open,
+                     kg_base::Raster attenuation, double range_m)
     : grid_(grid),
       open_(open),
       attenuation_(std::move(attenuation)),
@@ -88,7 +88,7 @@ void HazardMap::Make(int tile_row, int tile_col, Tile* tile) const {
       AtLeastTwo(Widen(grid_.lon_deg(), c0, c1, east_deg), grid_.cols());
   const Patch patch(grid_, open_, rows, cols);
   if (!patch.any) return;
-  const kg_core::Grid local = patch.Local(grid_);
+  const kg_base::Grid local = patch.Local(grid_);
   const std::vector<double> distance_m = DistanceTo_m(local, patch.closed);
   tile->near.reserve(static_cast<std::size_t>(kTile) * kTile);
   for (int row = r0; row <= r1; ++row) {
@@ -103,7 +103,7 @@ void HazardMap::Make(int tile_row, int tile_col, Tile* tile) const {
   }
 }
 
-double HazardMap::At(kg_core::Cell cell) const {
+double HazardMap::At(kg_base::Cell cell) const {
   const std::size_t i = grid_.Index(cell);
   const double soft = std::clamp(1.0 - attenuation_[i], 0.0, 1.0);
   if (!(range_m_ > 0.0)) return open_[i] == 1 ? soft : 1.0;

@@ -14,7 +14,7 @@
 #include <mutex>
 #include <vector>
 
-#include "kg_core/raster/grid.h"
+#include "kg_base/raster/grid.h"
 
 namespace kg_compiler {
 
@@ -23,10 +23,10 @@ class HazardMap {
   static constexpr double kRanges = 6.0;
 
   // `grid` and `open` must outlive it.
-  HazardMap(const kg_core::Grid& grid, const kg_core::Mask& open,
-            kg_core::Raster attenuation, double range_m);
+  HazardMap(const kg_base::Grid& grid, const kg_base::Mask& open,
+            kg_base::Raster attenuation, double range_m);
 
-  double At(kg_core::Cell cell) const;
+  double At(kg_base::Cell cell) const;
 
  private:
   static constexpr int kTile = 32;
@@ -37,9 +37,9 @@ class HazardMap {
 
   void Make(int tile_row, int tile_col, Tile* tile) const;
 
-  const kg_core::Grid& grid_;
-  const kg_core::Mask& open_;
-  kg_core::Raster attenuation_;
+  const kg_base::Grid& grid_;
+  const kg_base::Mask& open_;
+  kg_base::Raster attenuation_;
   double range_m_;
   int tile_cols_;
   std::unique_ptr<Tile[]> tiles_;

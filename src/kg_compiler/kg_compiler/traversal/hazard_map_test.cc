@@ -2,18 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include "kg_base/geo/geodesy.h"
 #include "kg_compiler/data_plane/distance_transform.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
 
 TEST(HazardMap, RisesTowardsAWallAndInsideASoftZone) {
-  const kg_core::Grid grid = EvenGrid(-91, 24, 0.04, 50, 50);
-  kg_core::Mask open(grid.size(), 1);
+  const kg_base::Grid grid = EvenGrid(-91, 24, 0.04, 50, 50);
+  kg_base::Mask open(grid.size(), 1);
   for (int r = 0; r < 50; ++r) open[r * 50 + 40] = 0;
-  kg_core::Raster soft(grid.size(), 1.0f);
+  kg_base::Raster soft(grid.size(), 1.0f);
   soft[25 * 50 + 5] = 0.3f;
   const HazardMap hazard(grid, open, soft, 10e3);
   for (int c = 26; c < 40; ++c) {
@@ -22,7 +22,7 @@ TEST(HazardMap, RisesTowardsAWallAndInsideASoftZone) {
   EXPECT_EQ(1.0, hazard.At({25, 40}));
   EXPECT_FLOAT_EQ(0.7f, hazard.At({25, 5}));
   const double d =
-      kg_core::Distance_m(grid.Centre({25, 35}), grid.Centre({25, 40}));
+      kg_base::Distance_m(grid.Centre({25, 35}), grid.Centre({25, 40}));
   EXPECT_NEAR(std::exp(-d / 10e3), hazard.At({25, 35}), 1e-4);
 }
 
@@ -31,17 +31,17 @@ TEST(HazardMap, IsTheFormulaUpToSixRangesAndNothingBeyond) {
   std::mt19937 rng(3);
   int near = 0, beyond = 0;
   for (int round = 0; round < 12; ++round) {
-    const kg_core::Grid grid = UnevenGrid(rng, 90, 70);
-    const kg_core::Mask open =
+    const kg_base::Grid grid = UnevenGrid(rng, 90, 70);
+    const kg_base::Mask open =
         RandomMask(rng, grid.size(), round % 2 ? 0.999 : 0.98);
     const double range_m = Uniform(rng, 500, 8000);
-    const kg_core::Raster soft = RandomRaster(rng, grid.size(), 0.9, 1.2);
+    const kg_base::Raster soft = RandomRaster(rng, grid.size(), 0.9, 1.2);
     const HazardMap hazard(grid, open, soft, range_m);
-    kg_core::Mask closed(open.size());
+    kg_base::Mask closed(open.size());
     for (std::size_t i = 0; i < open.size(); ++i) closed[i] = !open[i];
     const std::vector<double> distance_m = DistanceTo_m(grid, closed);
     for (int k = 0; k < 2000; ++k) {
-      const kg_core::Cell cell{static_cast<int>(Uniform(rng, 0, 90)),
+      const kg_base::Cell cell{static_cast<int>(Uniform(rng, 0, 90)),
                                static_cast<int>(Uniform(rng, 0, 70))};
       const std::size_t i = grid.Index(cell);
       const bool far = distance_m[i] >= 6.0 * range_m;
@@ -56,10 +56,10 @@ TEST(HazardMap, IsTheFormulaUpToSixRangesAndNothingBeyond) {
 }
 
 TEST(HazardMap, WithoutRangeIsTheClosedCellsAndTheSoftZones) {
-  const kg_core::Grid grid = EvenGrid(-91, 24, 0.04, 5, 5);
-  kg_core::Mask open(grid.size(), 1);
+  const kg_base::Grid grid = EvenGrid(-91, 24, 0.04, 5, 5);
+  kg_base::Mask open(grid.size(), 1);
   open[12] = 0;
-  const HazardMap hazard(grid, open, kg_core::Raster(25, 1.0f), 0.0);
+  const HazardMap hazard(grid, open, kg_base::Raster(25, 1.0f), 0.0);
   EXPECT_EQ(1.0, hazard.At({2, 2}));
   EXPECT_EQ(0.0, hazard.At({2, 3}));
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kg_base/geo/geodesy.h"
 #include "kg_compiler/traversal/sight.h"
-#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
@@ -16,7 +16,7 @@ constexpr double kMaxStep_s = 600.0;
 // (error below 1e-6 for legs within two degrees of latitude).
 class LegScale {
  public:
-  LegScale(kg_core::LonLat from, kg_core::LonLat to)
+  LegScale(kg_base::LonLat from, kg_base::LonLat to)
       : a_(At(from.lat_deg)),
         m_(At(0.5 * (from.lat_deg + to.lat_deg))),
         b_(At(to.lat_deg)) {}
@@ -31,7 +31,7 @@ class LegScale {
 
  private:
   static Eigen::Vector2d At(double lat_deg) {
-    const kg_core::DegreesPerMetre scale = kg_core::LocalScale(lat_deg);
+    const kg_base::DegreesPerMetre scale = kg_base::LocalScale(lat_deg);
     return {1.0 / scale.lon_deg, 1.0 / scale.lat_deg};
   }
   Eigen::Vector2d a_, m_, b_;  // At the ends and in the middle.
@@ -51,15 +51,15 @@ class LegProgress {
         most_across_mps_((1.0 - slack) * speed_mps),
         least_mps_(slack * speed_mps) {}
 
-  std::optional<kg_core::GridPoint> At(double s) const {
+  std::optional<kg_base::GridPoint> At(double s) const {
     return flyer_.grid().Locate(
         {from_.lon_deg + s * lon_, from_.lat_deg + s * lat_});
   }
 
   // ds/dt [1/s] at s and a time; nothing if the leg cannot be held there.
-  std::optional<double> Rate(kg_core::GridPoint at, double s,
+  std::optional<double> Rate(kg_base::GridPoint at, double s,
                              double time_s) const {
-    const std::optional<kg_core::Velocity> c = flyer_.Current(at, time_s);
+    const std::optional<kg_base::Velocity> c = flyer_.Current(at, time_s);
     if (!c) return std::nullopt;
     const Eigen::Vector2d leg_m =
         Eigen::Vector2d(lon_, lat_).cwiseProduct(scale_(s));
@@ -77,7 +77,7 @@ class LegProgress {
 
  private:
   const LegFlyer& flyer_;
-  kg_core::LonLat from_;
+  kg_base::LonLat from_;
   double lon_, lat_;  // Degrees from end to end.
   LegScale scale_;
   double speed_mps_, most_across_mps_, least_mps_;
@@ -85,7 +85,7 @@ class LegProgress {
 
 // May one go straight from a cell to itself or one beside it? Past a corner
 // only if both cells beside the corner are open, too.
-bool MayCross(const LegFlyer& flyer, kg_core::Cell a, kg_core::Cell b) {
+bool MayCross(const LegFlyer& flyer, kg_base::Cell a, kg_base::Cell b) {
   if (a == b) return true;
   if (!flyer.IsOpen(b)) return false;
   if (a.row == b.row || a.col == b.col) return true;
@@ -107,9 +107,9 @@ LegFlyer::LegFlyer(const VoyageRequest& voyage, const CellBox* box)
       epoch_s_(voyage.departure.time_s),
       latest_s_(LatestArrival_s(voyage.motion, voyage.departure)) {}
 
-std::optional<kg_core::Velocity> LegFlyer::Current(kg_core::GridPoint at,
+std::optional<kg_base::Velocity> LegFlyer::Current(kg_base::GridPoint at,
                                                    double time_s) const {
-  std::optional<kg_core::Velocity> c =
+  std::optional<kg_base::Velocity> c =
       world_.field->Sample(at, epoch_s_ + time_s);
   if (!c) return c;
   c->east_mps *= motion_.boost_gain;
@@ -117,15 +117,15 @@ std::optional<kg_core::Velocity> LegFlyer::Current(kg_core::GridPoint at,
   return c;
 }
 
-bool LegFlyer::IsOpen(kg_core::Cell cell) const {
+bool LegFlyer::IsOpen(kg_base::Cell cell) const {
   return Holds(box_, cell) && (*world_.open)[grid().Index(cell)] == 1;
 }
 
-double LegFlyer::HazardAt(kg_core::Cell cell) const {
+double LegFlyer::HazardAt(kg_base::Cell cell) const {
   return world_.hazard ? world_.hazard->At(cell) : 0.0;
 }
 
-kg_core::Cell LegFlyer::CellOf(kg_core::GridPoint at) const {
+kg_base::Cell LegFlyer::CellOf(kg_base::GridPoint at) const {
   return kg_compiler::CellOf(grid(), at);
 }
 
@@ -134,8 +134,8 @@ kg_core::Cell LegFlyer::CellOf(kg_core::GridPoint at) const {
 std::optional<LegEnd> LegFlyer::Fly(const TrackLeg& leg,
                                     const LegCare& care) const {
   const LegProgress progress(*this, leg, motion_.cruise_mps, care.slack);
-  std::optional<kg_core::GridPoint> at = progress.At(0.0);
-  const std::optional<kg_core::GridPoint> to = progress.At(1.0);
+  std::optional<kg_base::GridPoint> at = progress.At(0.0);
+  const std::optional<kg_base::GridPoint> to = progress.At(1.0);
   if (!at || !to || !IsOpen(CellOf(*at))) return std::nullopt;
   LegEnd end{leg.depart_s, 0.0};
   if (leg.from == leg.to) return end;

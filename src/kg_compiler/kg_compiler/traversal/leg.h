@@ -21,8 +21,8 @@ struct LegCare {
 inline constexpr LegCare kFlight = {0.1, 0.002};
 
 struct TrackLeg {
-  kg_core::LonLat from;
-  kg_core::LonLat to;
+  kg_base::LonLat from;
+  kg_base::LonLat to;
   double depart_s = 0.0;  // After the departure's time.
 };
 
@@ -46,12 +46,12 @@ class LegFlyer {
   std::optional<LegEnd> Fly(const TrackLeg& leg, const LegCare& care) const;
 
   // c = boost_gain current; nothing where unknown. Time after the departure's.
-  std::optional<kg_core::Velocity> Current(kg_core::GridPoint at,
+  std::optional<kg_base::Velocity> Current(kg_base::GridPoint at,
                                            double time_s) const;
-  bool IsOpen(kg_core::Cell cell) const;
-  double HazardAt(kg_core::Cell cell) const;
-  kg_core::Cell CellOf(kg_core::GridPoint at) const;
-  const kg_core::Grid& grid() const { return world_.field->grid; }
+  bool IsOpen(kg_base::Cell cell) const;
+  double HazardAt(kg_base::Cell cell) const;
+  kg_base::Cell CellOf(kg_base::GridPoint at) const;
+  const kg_base::Grid& grid() const { return world_.field->grid; }
 
  private:
   const TraversalWorld& world_;

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "kg_base/raster/grid.h"
 #include "kg_compiler/data_plane/cell_box.h"
-#include "kg_core/raster/grid.h"
 
 namespace kg_compiler {
 
@@ -24,7 +24,7 @@ struct ReachedCell {
 // Where extremals set out: the departure, and the corners of what is closed,
 // which tracks go round.
 struct ReachRoot {
-  kg_core::GridPoint place;
+  kg_base::GridPoint place;
   double time_s = 0.0;  // After the departure.
   int parent = -1;      // The root from which it is reached; -1 = departure.
   double heading_rad = 0.0;  // With which one leaves the parent to get there,

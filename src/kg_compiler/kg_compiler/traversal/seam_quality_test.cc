@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "kg_core/raster/grid.h"
+#include "kg_base/raster/grid.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::LonLat;
+using kg_base::LonLat;
 
 TEST(SeamQuality, IsWithinAFifthOfAPercentOfFiveClosedForms) {
   for (const ClosedForm& form : ClosedForms()) {
@@ -28,14 +28,14 @@ TEST(SeamQuality, IsWithinAFifthOfAPercentOfFiveClosedForms) {
 TEST(SeamQuality, ReachesTheConeOfAStrongCurrentAndNothingElse) {
   const ClosedForm form = closed_forms::Uniform("", 1.3, 0.8);
   const TestFlowWorld sea(form.field);
-  const kg_core::DegreesPerMetre scale = kg_core::LocalScale(0.0);
+  const kg_base::DegreesPerMetre scale = kg_base::LocalScale(0.0);
   const Metres from{-20e3, -12e3};
   const ReachMap reach =
       ComputeReach(sea.From(Glider(1.0), {OnPlane(from), 0.0, kDay_s}));
   std::mt19937 rng(12);
   int inside = 0, outside = 0;
   for (int k = 0; k < 4000; ++k) {
-    const kg_core::Cell cell{static_cast<int>(Uniform(rng, 0, 385)),
+    const kg_base::Cell cell{static_cast<int>(Uniform(rng, 0, 385)),
                              static_cast<int>(Uniform(rng, 0, 541))};
     const LonLat at = sea.field.grid.Centre(cell);
     const Metres to{at.lon_deg / scale.lon_deg, at.lat_deg / scale.lat_deg};
@@ -69,9 +69,9 @@ TestFlowWorld Finer(const TestFlowWorld& sea) {
     centres.push_back(axis.back());
     return centres;
   };
-  kg_core::VectorField field;
+  kg_base::VectorField field;
   field.grid = {fine(sea.field.grid.lon_deg()), fine(sea.field.grid.lat_deg())};
-  for (const kg_core::FieldSlice& slice : sea.field.slices) {
+  for (const kg_base::FieldSlice& slice : sea.field.slices) {
     field.slices.push_back(
         {slice.time_s,
          ResampleBilinear(sea.field.grid, slice.east_mps, field.grid),
@@ -94,12 +94,12 @@ TEST(SeamQuality, MissesNothingThatAFineGridSearchFliesTo) {
   std::mt19937 rng(13);
   int flown = 0, missed = 0, late = 0;
   for (int round = 0; round < 14; ++round) {
-    const kg_core::Grid grid =
+    const kg_base::Grid grid =
         round % 2 ? EvenGrid(-91, 24, 0.04, 40, 40) : UnevenGrid(rng, 40, 40);
     TestFlowWorld sea(
         RandomFlow(rng, grid, round % 3 ? 0.4 : 1.2, 7200, kDay_s));
     if (round % 2) sea.open = RandomMask(rng, grid.size(), 0.93);
-    const kg_core::Cell source{20, 20};
+    const kg_base::Cell source{20, 20};
     sea.open[grid.Index(source)] = 1;
     const TestFlowWorld fine = Finer(sea);
     const MotionModel motion = Glider(round % 4 < 2 ? 0.4 : 0.7);
@@ -108,7 +108,7 @@ TEST(SeamQuality, MissesNothingThatAFineGridSearchFliesTo) {
     const ReachMap reach = ComputeReach(voyage);
     const GridReach peer = GridSearch(fine.From(motion, departure), 32);
     for (int k = 0; k < 150; ++k) {
-      const kg_core::Cell cell{static_cast<int>(Uniform(rng, 4, 36)),
+      const kg_base::Cell cell{static_cast<int>(Uniform(rng, 4, 36)),
                                static_cast<int>(Uniform(rng, 4, 36))};
       const int index =
           static_cast<int>(fine.field.grid.Index({3 * cell.row, 3 * cell.col}));

@@ -103,7 +103,7 @@ std::optional<ShotAt> ExtremalShooter::Fire(const ShotLeg& leg,
     if (std::abs(ahead) < kTimed_cells) {
       return ShotAt{heading_rad, time_s - leg.begin_s, left};
     }
-    const kg_core::GridPoint v = helm_.Velocity(at, flow_.At(time_s));
+    const kg_base::GridPoint v = helm_.Velocity(at, flow_.At(time_s));
     const double front = normal.dot(CellOffset{v.col, v.row}) / normal.norm();
     const double most_s = kMaxShift_cells / std::max(std::abs(front), 1e-12);
     const double shift_s = std::min(std::max(-ahead / front, -most_s), most_s);
@@ -210,14 +210,14 @@ bool ExtremalShooter::Trace(const ShotLeg& leg, const ShotAt& shot,
   const CellOffset miss = PlaceOf(at) - CellOffset{leg.to.col, leg.to.row};
   if (!(miss.norm() < 2.0 * kBent_cells)) return false;
   for (int i = 0; i < steps; ++i) {
-    kg_core::GridPoint& place = (*course)[first + i].place;
+    kg_base::GridPoint& place = (*course)[first + i].place;
     place.col -= miss.x() * i / steps;
     place.row -= miss.y() * i / steps;
   }
   return true;
 }
 
-std::optional<TimedCourse> ExtremalShooter::To(kg_core::GridPoint place,
+std::optional<TimedCourse> ExtremalShooter::To(kg_base::GridPoint place,
                                                const Guess& guess,
                                                double step_cells) const {
   std::vector<int> roots;  // From the last back to the departure.

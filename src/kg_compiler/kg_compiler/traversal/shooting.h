@@ -25,7 +25,7 @@ namespace kg_compiler {
 
 // A place on a course, in cell units and seconds after the departure.
 struct CoursePoint {
-  kg_core::GridPoint place;
+  kg_base::GridPoint place;
   double time_s = 0.0;
 };
 using TimedCourse = std::vector<CoursePoint>;
@@ -57,12 +57,12 @@ class ExtremalShooter {
   };
   // A course from the departure to a place in steps of at most
   // `step_cells`; nothing if none is found close to the guess.
-  std::optional<TimedCourse> To(kg_core::GridPoint place, const Guess& guess,
+  std::optional<TimedCourse> To(kg_base::GridPoint place, const Guess& guess,
                                 double step_cells) const;
 
  private:
   struct ShotLeg {
-    kg_core::GridPoint from, to;
+    kg_base::GridPoint from, to;
     double begin_s;
     double heading_rad, spread_rad, duration_s;  // Guessed.
     double step_s;

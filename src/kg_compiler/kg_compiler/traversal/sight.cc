@@ -33,10 +33,10 @@ LineOfSight::LineOfSight(const TraversalWorld& world, const CellBox& box)
                        ((grid_.rows() + kBlock - 1) / kBlock),
                    -1) {}
 
-bool LineOfSight::IsClear(kg_core::GridPoint a, kg_core::GridPoint b) const {
+bool LineOfSight::IsClear(kg_base::GridPoint a, kg_base::GridPoint b) const {
   constexpr double kSame = 1e-9;
-  kg_core::Cell cell = CellOf(grid_, a);
-  const kg_core::Cell last = CellOf(grid_, b);
+  kg_base::Cell cell = CellOf(grid_, a);
+  const kg_base::Cell last = CellOf(grid_, b);
   AxisWalk row(a.row, b.row, cell.row), col(a.col, b.col, cell.col);
   // Amanatides and Woo's grid traversal: the next edge crossed along either
   // axis, at shares row.next and col.next of the line.
@@ -44,8 +44,8 @@ bool LineOfSight::IsClear(kg_core::GridPoint a, kg_core::GridPoint b) const {
     if (row.next > 1.0 && col.next > 1.0) return IsOpen(last);
     // Through a corner: both cells beside it must be open.
     const bool both = std::abs(row.next - col.next) < kSame;
-    const kg_core::Cell up{cell.row + row.step, cell.col};
-    const kg_core::Cell beside{cell.row, cell.col + col.step};
+    const kg_base::Cell up{cell.row + row.step, cell.col};
+    const kg_base::Cell beside{cell.row, cell.col + col.step};
     if (both && (!IsOpen(up) || !IsOpen(beside))) return false;
     const bool goes_row = both || row.next < col.next;
     const bool goes_col = both || !goes_row;
@@ -74,7 +74,7 @@ bool LineOfSight::FindClosed(int block_row, int block_col) const {
   return false;
 }
 
-bool LineOfSight::NearClosed(kg_core::Cell cell) {
+bool LineOfSight::NearClosed(kg_base::Cell cell) {
   const int r = cell.row / kBlock, c = cell.col / kBlock;
   signed char& known =
       near_closed_[static_cast<std::size_t>(r) * block_cols_ + c];
@@ -82,11 +82,11 @@ bool LineOfSight::NearClosed(kg_core::Cell cell) {
   return known == 1;
 }
 
-unsigned LineOfSight::Corners(kg_core::Cell cell) const {
+unsigned LineOfSight::Corners(kg_base::Cell cell) const {
   unsigned corners = 0;
   for (std::size_t k = 0; k < kDiagonals.size(); ++k) {
-    const kg_core::Cell d = kDiagonals[k];
-    const kg_core::Cell across{cell.row + d.row, cell.col + d.col};
+    const kg_base::Cell d = kDiagonals[k];
+    const kg_base::Cell across{cell.row + d.row, cell.col + d.col};
     if (!grid_.Contains(across) || IsOpen(across)) continue;
     if (IsOpen({cell.row + d.row, cell.col}) &&
         IsOpen({cell.row, cell.col + d.col})) {
@@ -96,8 +96,8 @@ unsigned LineOfSight::Corners(kg_core::Cell cell) const {
   return corners;
 }
 
-kg_core::GridPoint LineOfSight::CornerAt(kg_core::Cell cell, int diagonal) {
-  const kg_core::Cell d = kDiagonals[static_cast<std::size_t>(diagonal)];
+kg_base::GridPoint LineOfSight::CornerAt(kg_base::Cell cell, int diagonal) {
+  const kg_base::Cell d = kDiagonals[static_cast<std::size_t>(diagonal)];
   const double away = 0.5 - kCornerGap;
   return {cell.row + away * d.row, cell.col + away * d.col};
 }

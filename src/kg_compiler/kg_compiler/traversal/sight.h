@@ -11,7 +11,7 @@
 
 namespace kg_compiler {
 
-inline bool Holds(const CellBox& box, kg_core::Cell cell) {
+inline bool Holds(const CellBox& box, kg_base::Cell cell) {
   return cell.row >= box.row && cell.row < box.row_end && cell.col >= box.col &&
          cell.col < box.col_end;
 }
@@ -22,7 +22,7 @@ inline bool IsWithin(const CellBox& a, const CellBox& b) {
 }
 
 // The cell a position lies in; held within the grid at its outer edges.
-inline kg_core::Cell CellOf(const kg_core::Grid& grid, kg_core::GridPoint at) {
+inline kg_base::Cell CellOf(const kg_base::Grid& grid, kg_base::GridPoint at) {
   const int row = static_cast<int>(at.row + 0.5);
   const int col = static_cast<int>(at.col + 0.5);
   return {row < grid.rows() ? (row > 0 ? row : 0) : grid.rows() - 1,
@@ -35,39 +35,39 @@ class LineOfSight {
   LineOfSight(const TraversalWorld& world, const CellBox& box);
 
   // In the box, open, and with a current.
-  bool IsOpen(kg_core::Cell cell) const {
+  bool IsOpen(kg_base::Cell cell) const {
     if (!Holds(box_, cell)) return false;
     const std::size_t i = grid_.Index(cell);
     return open_[i] == 1 && east_mps_[i] == east_mps_[i];  // NaN = no data.
   }
   // Position on the grid, and in the box?
-  bool Contains(kg_core::GridPoint at) const {
+  bool Contains(kg_base::GridPoint at) const {
     return at.row > box_.row - 0.5 && at.row < box_.row_end - 0.5 &&
            at.col > box_.col - 0.5 && at.col < box_.col_end - 0.5;
   }
   // May one go straight from a to b (in cell units)? Every cell that the line
   // touches must be open, both beside a corner that it passes; not asked of
   // the cell of a.
-  bool IsClear(kg_core::GridPoint a, kg_core::GridPoint b) const;
+  bool IsClear(kg_base::GridPoint a, kg_base::GridPoint b) const;
 
   // Is a cell of a block of kBlock by kBlock, or one beside it, closed?
   static constexpr int kBlock = 4;
-  bool NearClosed(kg_core::Cell cell);
+  bool NearClosed(kg_base::Cell cell);
 
   // Corners of closed cells that a track may go round, from an open cell: bit
   // k is set if the cell diagonally kDiagonals[k] is closed, those beside it
   // open. Such a corner is passed at CornerAt, just inside of the cell.
-  static constexpr std::array<kg_core::Cell, 4> kDiagonals = {
+  static constexpr std::array<kg_base::Cell, 4> kDiagonals = {
       {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
-  unsigned Corners(kg_core::Cell cell) const;
-  static kg_core::GridPoint CornerAt(kg_core::Cell cell, int diagonal);
+  unsigned Corners(kg_base::Cell cell) const;
+  static kg_base::GridPoint CornerAt(kg_base::Cell cell, int diagonal);
 
  private:
   bool FindClosed(int block_row, int block_col) const;
 
-  const kg_core::Grid& grid_;
-  const kg_core::Mask& open_;
-  const kg_core::Raster& east_mps_;
+  const kg_base::Grid& grid_;
+  const kg_base::Mask& open_;
+  const kg_base::Raster& east_mps_;
   CellBox box_;
   int block_cols_;
   std::vector<signed char> near_closed_;  // By block: -1 = not known yet.

@@ -16,12 +16,12 @@ TEST(LineOfSight, SeesEveryCellThatALineTouches) {
     sea.open = RandomMask(rng, 400, 0.9);
     const VoyageRequest voyage = sea.From(Glider(1), {{-91, 24}, 0, 1});
     const LineOfSight sight(voyage.world, {0, 20, 0, 20});
-    const kg_core::GridPoint a{Uniform(rng, 0, 19), Uniform(rng, 0, 19)};
-    const kg_core::GridPoint b{Uniform(rng, 0, 19), Uniform(rng, 0, 19)};
-    const kg_core::Cell first = CellOf(sea.field.grid, a);
+    const kg_base::GridPoint a{Uniform(rng, 0, 19), Uniform(rng, 0, 19)};
+    const kg_base::GridPoint b{Uniform(rng, 0, 19), Uniform(rng, 0, 19)};
+    const kg_base::Cell first = CellOf(sea.field.grid, a);
     bool open = true;
     for (int k = 0; k <= 5000; ++k) {
-      const kg_core::Cell cell =
+      const kg_base::Cell cell =
           CellOf(sea.field.grid, {a.row + (b.row - a.row) * k / 5000,
                                   a.col + (b.col - a.col) * k / 5000});
       open = open && (cell == first || sea.open[sea.field.grid.Index(cell)]);

@@ -24,13 +24,13 @@ constexpr double kSure = 0.9;    // Share of what is held, between the samples.
 
 // One cannot be at a place before this: the first arrival in the cells around,
 // among which it lies. Infinite if there is none within a cell more.
-double Earliest_s(const ReachMap& reach, const kg_core::Grid& grid,
-                  kg_core::Cell place) {
+double Earliest_s(const ReachMap& reach, const kg_base::Grid& grid,
+                  kg_base::Cell place) {
   for (int around = 1; around <= kNear_cells; ++around) {
     double earliest_s = kInfinity;
     for (int dr = -around; dr <= around; ++dr) {
       for (int dc = -around; dc <= around; ++dc) {
-        const kg_core::Cell cell{place.row + dr, place.col + dc};
+        const kg_base::Cell cell{place.row + dr, place.col + dc};
         if (!grid.Contains(cell)) continue;
         const ReachedCell* found =
             reach.Find(static_cast<int>(grid.Index(cell)));
@@ -52,7 +52,7 @@ struct SpeedChoice {
 class SpeedSearch {
  public:
   SpeedSearch(const VoyageRequest& voyage, const ReachMap& reach,
-              kg_core::LonLat to, kg_core::GridPoint at)
+              kg_base::LonLat to, kg_base::GridPoint at)
       : voyage_(voyage), reach_(reach), to_(to), at_(at) {
     const VoyageDeparture& departure = voyage.departure;
     const LegFlyer flyer(voyage);
@@ -91,7 +91,7 @@ class SpeedSearch {
 
  private:
   double EarliestBy(const ReachMap& reach) const {
-    const kg_core::Grid& grid = voyage_.world.field->grid;
+    const kg_base::Grid& grid = voyage_.world.field->grid;
     return Earliest_s(reach, grid, CellOf(grid, at_));
   }
   // Less than this no flight at a speed v costs that arrives at `earliest_s` or
@@ -173,8 +173,8 @@ class SpeedSearch {
 
   const VoyageRequest& voyage_;
   const ReachMap& reach_;
-  kg_core::LonLat to_;
-  kg_core::GridPoint at_;
+  kg_base::LonLat to_;
+  kg_base::GridPoint at_;
   double whole_s_;
   std::vector<double> current_mps_;  // At the place, in even steps of time.
 };
@@ -182,7 +182,7 @@ class SpeedSearch {
 }  // namespace
 
 std::optional<FlownPath> Traverse(const VoyageRequest& voyage,
-                                  const ReachMap& reach, kg_core::LonLat to) {
+                                  const ReachMap& reach, kg_base::LonLat to) {
   const auto at = voyage.world.field->grid.Locate(to);
   if (!at) return std::nullopt;
   if (!(voyage.price.per_j > 0.0) || !reach.slower) {

@@ -22,11 +22,11 @@
 
 #include <optional>
 
+#include "kg_base/geo/lon_lat.h"
 #include "kg_compiler/traversal/compute_reach.h"
 #include "kg_compiler/traversal/flight.h"
 #include "kg_compiler/traversal/reach.h"
 #include "kg_compiler/traversal/voyage.h"
-#include "kg_core/geo/lon_lat.h"
 
 namespace kg_compiler {
 
@@ -43,7 +43,7 @@ namespace kg_compiler {
 // its points stays within 0.05 cells of where the extremal is; what is flown
 // and claimed is the simplified track.
 std::optional<FlownPath> Traverse(const VoyageRequest& voyage,
-                                  const ReachMap& reach, kg_core::LonLat to);
+                                  const ReachMap& reach, kg_base::LonLat to);
 
 }  // namespace kg_compiler
 

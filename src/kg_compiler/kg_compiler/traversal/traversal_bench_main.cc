@@ -10,16 +10,16 @@
 #include <cstdio>
 #include <cstring>
 
+#include "kg_base/common/testing/bench_report.h"
 #include "kg_compiler/traversal/testing/seam_quality.h"
-#include "kg_core/base/testing/bench_report.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::Median;
-using kg_core::PairedRatio;
-using kg_core::Report;
-using kg_core::Seconds;
+using kg_base::Median;
+using kg_base::PairedRatio;
+using kg_base::Report;
+using kg_base::Seconds;
 
 constexpr double kPercent = 100.0;
 
@@ -84,14 +84,14 @@ void ReportTruth(bool quick) {
 template <typename AnyReach>
 double MeanError(const ClosedForm& form, const AnyReach& reach, Metres from) {
   std::mt19937 rng(2);
-  const kg_core::Grid& grid = form.field.grid;
-  const kg_core::DegreesPerMetre scale = kg_core::LocalScale(0.0);
+  const kg_base::Grid& grid = form.field.grid;
+  const kg_base::DegreesPerMetre scale = kg_base::LocalScale(0.0);
   double sum = 0.0;
   for (int i = 0; i < 200; ++i) {
-    const kg_core::Cell cell{static_cast<int>(Uniform(rng, 5, 380)),
+    const kg_base::Cell cell{static_cast<int>(Uniform(rng, 5, 380)),
                              static_cast<int>(Uniform(rng, 5, 536))};
     const auto* found = reach.Find(static_cast<int>(grid.Index(cell)));
-    const kg_core::LonLat at = grid.Centre(cell);
+    const kg_base::LonLat at = grid.Centre(cell);
     if (!found) continue;
     sum +=
         found->arrival_s / form.optimum_s(from, {at.lon_deg / scale.lon_deg,

@@ -6,18 +6,18 @@
 #include <memory>
 #include <stdexcept>
 
+#include "kg_base/geo/geodesy.h"
 #include "kg_compiler/testing/test_world.h"
 #include "kg_compiler/traversal/sight.h"
 #include "kg_compiler/traversal/testing/test_flow_world.h"
-#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
 
-using kg_core::LonLat;
-using kg_core::VectorField;
+using kg_base::LonLat;
+using kg_base::VectorField;
 
-kg_core::Grid TestGrid() { return EvenGrid(-91, 24, 0.04, 50, 50); }
+kg_base::Grid TestGrid() { return EvenGrid(-91, 24, 0.04, 50, 50); }
 
 // Metres over ground per second towards a bearing in a uniform current.
 double ClosedFormSpeed(double v, double east, double north, double bearing) {
@@ -34,11 +34,11 @@ TEST(Traverse, TakesTheClosedFormsTimeInAUniformCurrent) {
                  north = Uniform(rng, -0.4, 0.4);
     const TestFlowWorld sea(UniformFlow(TestGrid(), east, north));
     const LonLat from{-90.0, 25.0};
-    const double bearing = Uniform(rng, 0, 2 * kg_core::kPi);
+    const double bearing = Uniform(rng, 0, 2 * kg_base::kPi);
     const LonLat to =
-        kg_core::Destination(from, bearing, Uniform(rng, 3e3, 40e3));
+        kg_base::Destination(from, bearing, Uniform(rng, 3e3, 40e3));
     const double speed = ClosedFormSpeed(0.5, east, north, bearing);
-    const double wanted_s = kg_core::Distance_m(from, to) / speed;
+    const double wanted_s = kg_base::Distance_m(from, to) / speed;
     if (!(speed > 0.05) || wanted_s > 0.95 * kDay_s) continue;
     const auto flight = sea.Go(Glider(0.5), from, to);
     ASSERT_TRUE(flight);
@@ -66,7 +66,7 @@ TEST(Traverse, FollowsACurrentThatGrowsWithTime) {
   const auto flight = sea.Go(Glider(0.5), from, to);
   ASSERT_TRUE(flight);
   const double k = 0.4 / kDay_s, t = flight->travel_s;
-  EXPECT_NEAR(kg_core::Distance_m(from, to), 0.6 * t + k * t * t / 2, 50.0);
+  EXPECT_NEAR(kg_base::Distance_m(from, to), 0.6 * t + k * t * t / 2, 50.0);
 }
 
 // |x - int c| = V T is the earliest any vehicle can arrive in c(t).
@@ -74,7 +74,7 @@ TEST(Traverse, NeverBeatsTheOptimumInARotatingTide) {
   VectorField field;
   field.grid = TestGrid();
   for (double t = 0; t <= kDay_s; t += 1800) {
-    const double turn = 2 * kg_core::kPi * t / 43200;
+    const double turn = 2 * kg_base::kPi * t / 43200;
     field.slices.push_back(
         UniformFlow(field.grid, 0.25 * std::cos(turn), 0.25 * std::sin(turn))
             .slices[0]);
@@ -84,15 +84,15 @@ TEST(Traverse, NeverBeatsTheOptimumInARotatingTide) {
   std::mt19937 rng(32);
   for (int round = 0; round < 20; ++round) {
     const LonLat from{-90.0, 25.0};
-    const double bearing = Uniform(rng, 0, 2 * kg_core::kPi);
+    const double bearing = Uniform(rng, 0, 2 * kg_base::kPi);
     const double d = Uniform(rng, 5e3, 25e3);
     const auto flight =
-        sea.Go(Glider(0.5), from, kg_core::Destination(from, bearing, d));
+        sea.Go(Glider(0.5), from, kg_base::Destination(from, bearing, d));
     ASSERT_TRUE(flight);
     double x = 0, y = 0, t = 0;
     while (std::hypot(d * std::sin(bearing) - x, d * std::cos(bearing) - y) >
            0.5 * t) {
-      const double turn = 2 * kg_core::kPi * t / 43200;
+      const double turn = 2 * kg_base::kPi * t / 43200;
       x += 0.25 * std::cos(turn) * 10;
       y += 0.25 * std::sin(turn) * 10;
       t += 10;
@@ -158,7 +158,7 @@ TEST(Traverse, FliesWhatAnIndependentIntegratorConfirms) {
   std::mt19937 rng(33);
   int flown = 0, bent = 0;
   for (int round = 0; round < 40; ++round) {
-    const kg_core::Grid grid = round % 2 ? TestGrid() : UnevenGrid(rng, 50, 50);
+    const kg_base::Grid grid = round % 2 ? TestGrid() : UnevenGrid(rng, 50, 50);
     TestFlowWorld sea(
         RandomFlow(rng, grid, round % 3 ? 0.6 : 1.5, 3600, kDay_s));
     sea.open = RandomMask(rng, grid.size(), 0.97);
@@ -269,7 +269,7 @@ TEST(FlyTrack, AddsUpEnergyThroughWaterHotelLoadAndHolding) {
   const auto flight = FlyTrack(sea.From(Glider(0.5), {{-90, 25}, 0, kDay_s}),
                                {{-90, 25}, {-89.8, 25}});
   ASSERT_TRUE(flight);
-  const double t = kg_core::Distance_m({-90, 25}, {-89.8, 25}) / 0.7;
+  const double t = kg_base::Distance_m({-90, 25}, {-89.8, 25}) / 0.7;
   const double through_m = 0.5 * t + 0.2 * (kDay_s - t);
   EXPECT_NEAR(t, flight->travel_s, 1.0);
   EXPECT_NEAR(through_m, flight->through_water_m, 1.0);
@@ -297,7 +297,7 @@ TEST(FlyTrack, TakesAtRestWhatCruisingTakesOfWhatHovers) {
 
 TEST(FlyTrack, IntegratesHazardUntilTheDeadline) {
   TestFlowWorld sea(UniformFlow(TestGrid(), 0.0, 0.0));
-  kg_core::Raster attenuation(2500, 1.0f);
+  kg_base::Raster attenuation(2500, 1.0f);
   for (int i = 0; i < 2500; ++i) attenuation[i] = i % 50 >= 27 ? 0.0f : 1.0f;
   sea.hazard =
       std::make_unique<HazardMap>(sea.field.grid, sea.open, attenuation, 10e3);
@@ -329,7 +329,7 @@ TEST(FlyTrack, RefusesWhereStationCannotBeHeldUntilTheDeadline) {
 TEST(FlyTrack, StopsWhereTheBaseTravelIsUsedUp) {
   const TestFlowWorld sea(UniformFlow(TestGrid(), 0, 0));
   const LonLat from{-90, 25}, to{-89.9, 25};
-  const double d = kg_core::Distance_m(from, to);
+  const double d = kg_base::Distance_m(from, to);
   EXPECT_TRUE(FlyTrack(sea.From(Glider(0.5), {from, 0, kDay_s, 1.001 * d}),
                        {from, to}));
   EXPECT_FALSE(
@@ -338,7 +338,7 @@ TEST(FlyTrack, StopsWhereTheBaseTravelIsUsedUp) {
 
 // Three tracks of random places, each at a speed of its own.
 std::vector<TrackStretch> RandomStretches(std::mt19937& rng,
-                                          const kg_core::Grid& grid,
+                                          const kg_base::Grid& grid,
                                           LonLat from) {
   std::vector<TrackStretch> stretches;
   for (int i = 0; i < 3; ++i) {
@@ -408,7 +408,7 @@ TEST(FlyStretches, ShareTheBaseTravel) {
   const std::vector<TrackStretch> both = {{{from, middle}, 1.0},
                                           {{middle, to}, 0.5}};
   const double d =
-      kg_core::Distance_m(from, middle) + kg_core::Distance_m(middle, to);
+      kg_base::Distance_m(from, middle) + kg_base::Distance_m(middle, to);
   EXPECT_TRUE(
       FlyStretches(sea.From(Glider(1.0), {from, 0, kDay_s, 1.001 * d}), both));
   EXPECT_FALSE(
@@ -432,7 +432,7 @@ TEST(FlyTrack, FeelsNoCurrentWithoutBoost) {
   const auto flight = FlyTrack(sea.From(motion, {{-90, 25}, 0, kDay_s}),
                                {{-90, 25}, {-90.1, 25}});
   ASSERT_TRUE(flight);
-  EXPECT_NEAR(kg_core::Distance_m({-90, 25}, {-90.1, 25}) / 0.5,
+  EXPECT_NEAR(kg_base::Distance_m({-90, 25}, {-90.1, 25}) / 0.5,
               flight->travel_s, 1.0);
 }
 
@@ -500,7 +500,7 @@ TEST(ComputeReach, ReadsNothingOutsideOfItsBoxNorDoItsFlights) {
         continue;
       }
       other.open[i] = Uniform(rng, 0, 1) < 0.5;
-      for (kg_core::FieldSlice& slice : other.field.slices) {
+      for (kg_base::FieldSlice& slice : other.field.slices) {
         slice.east_mps[i] =
             round % 3 ? static_cast<float>(Uniform(rng, -2, 2)) : kGap;
       }
@@ -543,9 +543,9 @@ TEST(Traverse, SpendsTheLeastEnergyThatAUniformCurrentAsksFor) {
                  north = Uniform(rng, -0.4, 0.4);
     const TestFlowWorld sea(UniformFlow(TestGrid(), east, north));
     const LonLat from{-90.0, 25.0};
-    const double bearing = Uniform(rng, 0, 2 * kg_core::kPi);
+    const double bearing = Uniform(rng, 0, 2 * kg_base::kPi);
     const double d = Uniform(rng, 5e3, 30e3);
-    const LonLat to = kg_core::Destination(from, bearing, d);
+    const LonLat to = kg_base::Destination(from, bearing, d);
     const double least_mps = std::hypot(d * std::sin(bearing) / kDay_s - east,
                                         d * std::cos(bearing) / kDay_s - north);
     if (!(least_mps > 0.05 && least_mps < 0.48)) continue;
@@ -574,7 +574,7 @@ TEST(Traverse, SpendsTheLeastEnergyThatAUniformCurrentAsksFor) {
 TEST(Traverse, DriftsWhereTheCurrentGoesAnyway) {
   const TestFlowWorld sea(UniformFlow(TestGrid(), 0.3, 0.1));
   const LonLat from{-90.6, 24.6};
-  const kg_core::DegreesPerMetre scale = kg_core::LocalScale(24.65);
+  const kg_base::DegreesPerMetre scale = kg_base::LocalScale(24.65);
   const LonLat to{from.lon_deg + 0.3 * kDay_s * scale.lon_deg,
                   from.lat_deg + 0.1 * kDay_s * scale.lat_deg};
   VoyageRequest voyage = sea.From(Glider(0.5), {from, 0.0, kDay_s});

@@ -8,16 +8,16 @@
 #include <limits>
 #include <vector>
 
+#include "kg_base/geo/lon_lat.h"
+#include "kg_base/raster/grid.h"
+#include "kg_base/raster/vector_field.h"
 #include "kg_compiler/traversal/hazard_map.h"
 #include "kg_compiler/traversal/motion.h"
-#include "kg_core/geo/lon_lat.h"
-#include "kg_core/raster/grid.h"
-#include "kg_core/raster/vector_field.h"
 
 namespace kg_compiler {
 
 struct TimedPoint {
-  kg_core::LonLat position;
+  kg_base::LonLat position;
   double time_s = 0.0;  // Unix seconds.
 };
 
@@ -34,13 +34,13 @@ struct FlownPath {
 
 // The world as one window's traversal sees it. All on one grid.
 struct TraversalWorld {
-  const kg_core::VectorField* field = nullptr;
-  const kg_core::Mask* open = nullptr;  // 1 = may be entered.
+  const kg_base::VectorField* field = nullptr;
+  const kg_base::Mask* open = nullptr;  // 1 = may be entered.
   const HazardMap* hazard = nullptr;    // Null = no hazard.
 };
 
 struct VoyageDeparture {
-  kg_core::LonLat from;
+  kg_base::LonLat from;
   double time_s = 0.0;  // Unix seconds, as the deadline.
   double deadline_s = 0.0;
   // Most that may be travelled through water to get there (A17); holding

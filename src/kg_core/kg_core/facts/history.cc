@@ -6,11 +6,13 @@
 #include <tuple>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/facts/terms.h"
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 // A fact without its graph, in an order.
 using Fact3 = std::tuple<Term, Term, Term>;

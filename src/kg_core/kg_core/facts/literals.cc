@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "kg_core/base/date_time.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/date_time.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_core {
@@ -18,7 +18,7 @@ std::optional<double> Value(double (*parse)(std::string_view),
                             const Term& term) {
   try {
     return parse(term.text);
-  } catch (const InputError&) {
+  } catch (const kg_base::InputError&) {
     return std::nullopt;
   }
 }
@@ -67,14 +67,14 @@ bool IsWellFormed(const Term& literal) {
 
 std::optional<double> UnixSeconds(const Term& term) {
   if (!IsXsd(term, "dateTime")) return std::nullopt;
-  return Value(ParseDateTime, term);
+  return Value(kg_base::ParseDateTime, term);
 }
 
 std::optional<double> DurationSeconds(const Term& term) {
   if (!IsXsd(term, "duration") && !IsXsd(term, "dayTimeDuration")) {
     return std::nullopt;
   }
-  return Value(ParseDuration, term);
+  return Value(kg_base::ParseDuration, term);
 }
 
 std::optional<bool> BooleanValue(const Term& term) {
@@ -85,7 +85,8 @@ std::optional<bool> BooleanValue(const Term& term) {
 }
 
 Term DateTimeLiteral(double unix_s) {
-  return Literal(FormatDateTime(unix_s), std::string(kXsd) + "dateTime");
+  return Literal(kg_base::FormatDateTime(unix_s),
+                 std::string(kXsd) + "dateTime");
 }
 
 }  // namespace kg_core

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "kg_core/base/sha256.h"
+#include "kg_base/common/sha256.h"
 #include "kg_core/facts/fact_writer.h"
 #include "kg_core/facts/terms.h"
 
@@ -76,7 +76,7 @@ void WriteAuthor(const Term& activity, const std::string& name,
 void WriteFiles(const Term& activity, const std::vector<SourceFile>& files,
                 FactWriter* write) {
   for (const SourceFile& file : files) {
-    Hasher name;
+    kg_base::Hasher name;
     name.Add(file.path);
     name.Add(file.sha256);
     const Term node = Ex("file/" + name.Hex());

@@ -10,6 +10,11 @@
 #include "absl/hash/hash.h"
 
 namespace kg_core {
+namespace {
+
+using kg_base::WriterFirstMutex;
+
+}  // namespace
 
 Dictionary::Dictionary() : Dictionary(nullptr, 1) {}
 

@@ -29,7 +29,7 @@
 #include <vector>
 
 #include "absl/container/flat_hash_set.h"
-#include "kg_core/base/writer_first_mutex.h"
+#include "kg_base/common/writer_first_mutex.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_core/rdf/term.h"
 #include "kg_core/rdf/term_chunks.h"
@@ -129,7 +129,7 @@ class Dictionary {
   std::size_t given_ = 0;            // How many new terms there are,
   std::size_t published_given_ = 0;  // and how many of them are published.
   EntrySet unpublished_;
-  mutable WriterFirstMutex mutex_;  // Guards published_.
+  mutable kg_base::WriterFirstMutex mutex_;  // Guards published_.
   EntrySet published_;
 };
 

@@ -10,11 +10,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/dictionary.h"
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 namespace fs = std::filesystem;
 

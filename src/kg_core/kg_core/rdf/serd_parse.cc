@@ -10,8 +10,8 @@
 #include <random>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/text.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/text.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/syntax.h"
 #include "kg_core/rdf/turtle_check.h"
@@ -19,6 +19,8 @@
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 std::string Hex16(std::uint64_t value) {
   char digits[17];
@@ -143,7 +145,7 @@ class SerdParse {
     if (!parse.syntax_error_.empty()) return SERD_SUCCESS;
     const std::size_t place = parse.at_ == 0 ? 0 : parse.at_ - 1;
     parse.syntax_error_ = parse.FormatPosition(place);
-    parse.syntax_error_ += StripAsciiSpace(what);
+    parse.syntax_error_ += kg_base::StripAsciiSpace(what);
     std::replace(parse.syntax_error_.begin(), parse.syntax_error_.end(), '\n',
                  ' ');
     return SERD_SUCCESS;
@@ -282,7 +284,8 @@ std::vector<Statement> ParseTurtle(std::string_view text,
 std::vector<Statement> ParseTurtleFile(const std::string& path,
                                        const Term& graph,
                                        const TurtleLimits& limits) {
-  return ParseTurtle(ReadFile(path, limits.bytes), path, graph, limits);
+  return ParseTurtle(kg_base::ReadFile(path, limits.bytes), path, graph,
+                     limits);
 }
 
 }  // namespace kg_core

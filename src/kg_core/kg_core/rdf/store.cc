@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "absl/container/btree_set.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/dictionary.h"
 #include "kg_core/rdf/quad_index.h"
 #include "kg_core/rdf/record.h"
@@ -21,8 +21,9 @@ namespace {
 
 void CheckIsRdf(const Statement& s) {
   const auto refuse = [&](const char* why) {
-    throw InputError(ToTurtle(s.subject) + " " + ToTurtle(s.predicate) + " " +
-                     ToTurtle(s.object) + ": " + why);
+    throw kg_base::InputError(ToTurtle(s.subject) + " " +
+                              ToTurtle(s.predicate) + " " + ToTurtle(s.object) +
+                              ": " + why);
   };
   if (s.subject.is_literal()) {
     refuse("expected an IRI or blank node as subject");

@@ -27,9 +27,9 @@
 #include <optional>
 #include <sstream>
 
-#include "kg_core/base/temporary_folder.h"
-#include "kg_core/base/testing/bench_report.h"
-#include "kg_core/base/text.h"
+#include "kg_base/common/temporary_folder.h"
+#include "kg_base/common/testing/bench_report.h"
+#include "kg_base/common/text.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/store.h"
 #include "kg_core/rdf/testing/bench_graph.h"
@@ -41,6 +41,9 @@
 
 namespace kg_core {
 namespace {
+
+using kg_base::Median;
+using kg_base::Seconds;
 
 struct Query {
   const char* name;
@@ -87,6 +90,10 @@ const char kShapes[] = R"ttl(
                   sh:datatype xsd:double ; sh:minInclusive 0 ] ;
     sh:property [ sh:path ex:toWaypoint ; sh:class ex:Waypoint ] .
 )ttl";
+
+double Milliseconds(const std::function<void()>& work) {
+  return 1e3 * Seconds(work);
+}
 
 double MedianMilliseconds(const std::function<void()>& work) {
   std::vector<double> times;
@@ -352,7 +359,7 @@ class Bench {
   }
 
   const std::size_t triples_;
-  const TemporaryFolder folder_;
+  const kg_base::TemporaryFolder folder_;
   const std::string store_path_;
   std::vector<Peer> peers_;
   std::vector<std::pair<std::string, Figures>> theirs_;

@@ -4,12 +4,14 @@
 #include <set>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/temporary_folder.h"
+#include "kg_base/common/temporary_folder.h"
 #include "kg_core/rdf/sqlite.h"
 #include "kg_core/rdf/testing/store_model.h"
 
 namespace kg_core {
 namespace {
+
+using kg_base::TemporaryFolder;
 
 constexpr StoreOptions kOften{/*compact_after=*/1};
 

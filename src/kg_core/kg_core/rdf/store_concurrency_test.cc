@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/temporary_folder.h"
+#include "kg_base/common/temporary_folder.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/store.h"
 
@@ -92,7 +92,7 @@ TEST(StoreConcurrency, ReadersSeeWholeTransactionsInMemory) {
 }
 
 TEST(StoreConcurrency, ReadersSeeWholeTransactionsOnDisk) {
-  const TemporaryFolder folder;
+  const kg_base::TemporaryFolder folder;
   RunReadersBesideAWriter(folder / "store.db", 300);
 }
 

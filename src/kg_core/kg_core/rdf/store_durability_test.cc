@@ -17,15 +17,17 @@
 #include <set>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/temporary_folder.h"
-#include "kg_core/base/text.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/temporary_folder.h"
+#include "kg_base/common/text.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/sqlite.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_core {
 namespace {
+
+using kg_base::TemporaryFolder;
 
 namespace fs = std::filesystem;
 
@@ -94,7 +96,7 @@ bool IsWhole(const Store& store) {
 std::string GetError(const std::string& path) {
   try {
     Store store(path);
-  } catch (const InputError& error) {
+  } catch (const kg_base::InputError& error) {
     return error.what();
   }
   return "opened";
@@ -104,7 +106,9 @@ void WriteFile(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
 }
 
-std::string Bytes(const std::string& path) { return ReadFile(path, 1u << 30); }
+std::string Bytes(const std::string& path) {
+  return kg_base::ReadFile(path, 1u << 30);
+}
 
 int EnvironmentNumber(const char* name, int otherwise) {
   const char* text = std::getenv(name);
@@ -218,7 +222,7 @@ TEST(StoreDurability, RefusesAFlippedBitOrIsUnharmedByIt) {
       const Store store(path);
       ASSERT_EQ(store.world_version(), 60u) << "byte " << at;
       ASSERT_TRUE(IsWhole(store)) << "byte " << at;
-    } catch (const InputError&) {
+    } catch (const kg_base::InputError&) {
       ++refused;
     }
   }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/temporary_folder.h"
+#include "kg_base/common/temporary_folder.h"
 #include "kg_core/rdf/quad_index.h"
 #include "kg_core/rdf/testing/store_model.h"
 
@@ -120,7 +120,7 @@ TEST(StoreFork, BehavesLikeAFullCopyInMemory) {
 
 TEST(StoreFork, BehavesLikeAFullCopyOfADurableStore) {
   for (int seed = 0; seed < 3; ++seed) {
-    const TemporaryFolder folder;
+    const kg_base::TemporaryFolder folder;
     RunForks(folder / "store.db", seed);
   }
 }
@@ -155,7 +155,7 @@ TEST(StoreFork, NobodySeesTheNewTermsOfTheOther) {
 }
 
 TEST(StoreFork, OutlivesItsOrigin) {
-  const TemporaryFolder folder;
+  const kg_base::TemporaryFolder folder;
   auto origin = std::make_unique<Store>(folder / "store.db");
   AddFact(origin.get(), "a");
   auto fork = Store::Fork(origin->Read());

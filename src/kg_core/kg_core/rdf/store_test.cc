@@ -6,14 +6,16 @@
 #include <thread>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/temporary_folder.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/temporary_folder.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/testing/store_model.h"
 #include "kg_core/rdf/turtle.h"
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 TEST(Store, BehavesLikeASetInMemory) {
   for (int seed = 0; seed < 10; ++seed) {
@@ -23,7 +25,7 @@ TEST(Store, BehavesLikeASetInMemory) {
 
 TEST(Store, BehavesLikeASetOnDisk) {
   for (int seed = 0; seed < 3; ++seed) {
-    const TemporaryFolder folder;
+    const kg_base::TemporaryFolder folder;
     RunAgainstModel(folder / "store.db", RandomFacts(seed), {});
   }
 }

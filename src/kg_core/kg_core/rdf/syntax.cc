@@ -1,7 +1,7 @@
 #include "kg_core/rdf/syntax.h"
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/text.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/text.h"
 
 namespace kg_core {
 namespace {
@@ -36,14 +36,14 @@ const RdfSyntaxName* SyntaxNamed(std::string_view name) {
 }
 
 const RdfSyntaxName* SyntaxOfPath(std::string_view path) {
-  const std::string lower = ToLowerAscii(path);
+  const std::string lower = kg_base::ToLowerAscii(path);
   return FindSyntax(
       [&](const RdfSyntaxName& s) { return EndsWith(lower, s.suffix); });
 }
 
 const RdfSyntaxName* SyntaxOfMediaType(std::string_view media_type) {
-  const std::string lower =
-      ToLowerAscii(StripAsciiSpace(media_type.substr(0, media_type.find(';'))));
+  const std::string lower = kg_base::ToLowerAscii(
+      kg_base::StripAsciiSpace(media_type.substr(0, media_type.find(';'))));
   return FindSyntax(
       [&](const RdfSyntaxName& s) { return lower == s.media_type; });
 }
@@ -53,11 +53,11 @@ std::vector<Statement> ParseRdfFile(const std::string& path,
                                     const TurtleLimits& limits) {
   const RdfSyntaxName* syntax = SyntaxOfPath(path);
   if (syntax == nullptr) {
-    throw InputError(path +
-                     ": expected a file whose name ends in .ttl, .trig, " +
-                     ".nt or .nq");
+    throw kg_base::InputError(
+        path + ": expected a file whose name ends in .ttl, .trig, " +
+        ".nt or .nq");
   }
-  return ParseRdf(ReadFile(path, limits.bytes), syntax->syntax,
+  return ParseRdf(kg_base::ReadFile(path, limits.bytes), syntax->syntax,
                   {path, default_graph}, limits);
 }
 

@@ -5,14 +5,16 @@
 #include <set>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/temporary_folder.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/temporary_folder.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/isomorphism.h"
 #include "kg_core/sparql/vector_view.h"
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 constexpr char kDefault[] = "http://example.org/mission/graph/default";
 
@@ -328,7 +330,7 @@ TEST(RdfSyntaxes, ABaseIsWhatRelativeIrisAreRelativeTo) {
 }
 
 TEST(RdfFile, IsReadBySuffix) {
-  const TemporaryFolder folder;
+  const kg_base::TemporaryFolder folder;
   std::ofstream(folder / "a.nq")
       << "<http://h/s> <http://h/p> \"x\" <http://h/g> .\n";
   std::ofstream(folder / "a.csv") << "x\n";

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "absl/strings/charconv.h"
-#include "kg_core/base/text.h"
+#include "kg_base/common/text.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_core {
@@ -232,7 +232,7 @@ Term Literal(std::string lexical, std::string datatype) {
 
 Term LanguageLiteral(std::string lexical, std::string language) {
   return {Term::Kind::kLiteral, std::move(lexical),
-          kRdf + std::string("langString"), ToLowerAscii(language)};
+          kRdf + std::string("langString"), kg_base::ToLowerAscii(language)};
 }
 
 Term DoubleLiteral(double value) {

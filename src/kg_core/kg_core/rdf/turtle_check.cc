@@ -4,11 +4,13 @@
 #include <utility>
 
 #include "absl/strings/ascii.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/text.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/text.h"
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 // Of a prefixed name or a label. Beyond ASCII, every character may stand there:
 // Turtle excludes only some punctuation, none of which is syntax.
@@ -173,7 +175,7 @@ class TurtleScanner {
 
 std::string TurtleErrorPlace(std::string_view text, const std::string& source,
                              std::size_t offset) {
-  const TextPosition at = PositionAt(text, offset);
+  const kg_base::TextPosition at = kg_base::PositionAt(text, offset);
   return source + ":" + std::to_string(at.line) + ":" +
          std::to_string(at.column) + ": ";
 }
@@ -191,7 +193,7 @@ std::vector<std::size_t> CheckRdfText(std::string_view text, RdfSyntax syntax,
     throw InputError(TurtleErrorPlace(text, source, nul) +
                      "NUL byte; expected text");
   }
-  if (const auto bad = FirstBadUtf8(text)) {
+  if (const auto bad = kg_base::FirstBadUtf8(text)) {
     throw InputError(TurtleErrorPlace(text, source, *bad) +
                      "byte that is not UTF-8");
   }

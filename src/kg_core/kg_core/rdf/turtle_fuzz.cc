@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/sparql/isomorphism.h"
@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const std::string text(reinterpret_cast<const char*>(data), size);
   try {
     kg_core::ReadWriteRead(text);
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     if (std::string(error.what()).find('\n') != std::string::npos) std::abort();
   }
   return 0;

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "absl/strings/ascii.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/text.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/text.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
 
@@ -46,10 +46,11 @@ std::string Shown(std::string_view text) {
 class TermParser {
  public:
   explicit TermParser(std::string_view text)
-      : text_(text), rest_(StripAsciiSpace(text)) {}
+      : text_(text), rest_(kg_base::StripAsciiSpace(text)) {}
 
   Term Parse() {
-    if (const auto bad = FirstBadUtf8(text_)) Refuse("it is not UTF-8");
+    if (const auto bad = kg_base::FirstBadUtf8(text_))
+      Refuse("it is not UTF-8");
     if (rest_.empty()) Refuse("it is empty");
     Term term = ParseTerm();
     if (!rest_.empty()) Refuse("there is more after it: " + Shown(rest_));
@@ -243,8 +244,9 @@ class TermParser {
       if (HexValue(c) < 0) Refuse("it has a malformed escape");
       code = code * 16 + HexValue(c);
     }
-    if (!IsUnicodeScalar(code)) Refuse("it escapes what is no character");
-    AppendUtf8(code, text);
+    if (!kg_base::IsUnicodeScalar(code))
+      Refuse("it escapes what is no character");
+    kg_base::AppendUtf8(code, text);
     rest_.remove_prefix(2 + digits);
   }
 
@@ -273,7 +275,7 @@ class TermParser {
   }
 
   [[noreturn]] void Refuse(const std::string& why) const {
-    throw InputError(
+    throw kg_base::InputError(
         Shown(text_) + " is not one term: " + why +
         "; expected an IRI (ex:alpha, <http://...>), a literal (\"x\", "
         "\"x\"@en, \"1\"^^xsd:byte, 0.4, 3, true) or a blank node (_:b0)");

@@ -1,12 +1,14 @@
 #include <random>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 Term Typed(const std::string& text, const std::string& type) {
   return Literal(text, kXsd + type);

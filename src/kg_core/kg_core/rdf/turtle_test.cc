@@ -5,12 +5,14 @@
 #include <set>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 const Term kFacts = Iri(kFactsGraph);
 

@@ -1,6 +1,6 @@
 #include "kg_core/rules/conclusion_check.h"
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/facts/terms.h"
 
 namespace kg_core {
@@ -61,13 +61,13 @@ void CheckConclusion(const Inference& inference, ForbiddenTerm forbidden) {
   const Term rule = Iri(inference.rule_iri);
   const Triple& triple = inference.conclusion;
   if (IsReason(triple.subject)) {
-    throw InputError(
+    throw kg_base::InputError(
         FormatRefusal(rule, triple.subject, "reasons are not concluded"));
   }
   const bool is_type = triple.predicate == RdfType();
   const Term& term = is_type ? triple.object : triple.predicate;
   if (const auto why = FindRefusal(term, forbidden)) {
-    throw InputError(FormatRefusal(rule, term, *why));
+    throw kg_base::InputError(FormatRefusal(rule, term, *why));
   }
 }
 

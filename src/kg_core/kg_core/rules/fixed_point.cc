@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/sha256.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/sha256.h"
 #include "kg_core/facts/terms.h"
 #include "kg_core/rules/rule_world.h"
 #include "kg_core/rules/strata.h"
@@ -19,6 +19,8 @@
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 using Clock = std::chrono::steady_clock;
 using sparql::Row;
@@ -88,7 +90,7 @@ class RuleRun {
 
   // The IRI in place of the template's blank node number `count`.
   Term MakeNode(const Row& row, int count) const {
-    Hasher hash;
+    kg_base::Hasher hash;
     hash.Add(rule_.iri.text);
     hash.Add(static_cast<double>(count));
     for (const int variable : template_variables_.Members()) {

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "absl/container/flat_hash_set.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/facts/terms.h"
 #include "kg_core/facts/vocabulary.h"
 #include "kg_core/rules/rule.h"
@@ -115,7 +115,7 @@ void Infer(const std::vector<Rule>& rules, ForbiddenTerm forbidden,
   const std::vector<Inference> inferences =
       RunRules(rules, transaction.view(), limits);
   if (CountStatements(inferences) > limits.statements) {
-    throw InputError(
+    throw kg_base::InputError(
         "the rules conclude, with reasons, more statements than "
         "the limit of " +
         std::to_string(limits.statements));
@@ -148,7 +148,7 @@ std::vector<std::string> StageInferences(Transaction& transaction,
   if (!is_due) return {};
   try {
     Infer(rules, forbidden, limits, transaction);
-  } catch (const InputError& error) {
+  } catch (const kg_base::InputError& error) {
     return {error.what()};
   }
   return {};

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <optional>
 
-#include "kg_core/base/sha256.h"
+#include "kg_base/common/sha256.h"
 #include "kg_core/facts/terms.h"
 
 namespace kg_core {
 namespace {
+
+using kg_base::Hasher;
 
 constexpr std::size_t kNameDigits = 32;  // 128 bits.
 constexpr char kStatementFolder[] = "statement/";

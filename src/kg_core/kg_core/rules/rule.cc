@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/facts/literals.h"
 #include "kg_core/facts/terms.h"
 #include "kg_core/rules/rule_analysis.h"
@@ -14,6 +14,8 @@
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 // Rules keep no order of solutions, and conclude every triple once.
 void DropOrder(sparql::GraphPattern* pattern);

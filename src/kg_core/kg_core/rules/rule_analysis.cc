@@ -2,11 +2,13 @@
 
 #include <string>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/facts/terms.h"
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 using sparql::AggregateCall;
 using sparql::Expression;

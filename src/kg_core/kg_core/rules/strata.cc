@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 
 namespace kg_core {
 namespace {
@@ -70,12 +70,12 @@ void CheckDoubts(const Stratum& stratum) {
     for (const Rule* writer : stratum.rules) {
       const TripleKind* kind = FirstMet(writer->writes, reader->negative_reads);
       if (kind == nullptr) continue;
-      throw InputError(ToTurtle(reader->iri) +
-                       ": its NOT EXISTS, MINUS, OPTIONAL or " +
-                       "aggregate reads " + ToString(*kind) + ", which " +
-                       ToTurtle(writer->iri) +
-                       " concludes, and that depends in turn on what " +
-                       ToTurtle(reader->iri) + " concludes");
+      throw kg_base::InputError(
+          ToTurtle(reader->iri) + ": its NOT EXISTS, MINUS, OPTIONAL or " +
+          "aggregate reads " + ToString(*kind) + ", which " +
+          ToTurtle(writer->iri) +
+          " concludes, and that depends in turn on what " +
+          ToTurtle(reader->iri) + " concludes");
     }
   }
 }

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/text/utf8.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/shacl/lexical.h"
 #include "kg_core/shacl/validation.h"
-#include "kg_core/sparql/utf8.h"
 #include "kg_core/sparql/values.h"
 
 namespace kg_core::shacl {
@@ -107,11 +107,11 @@ bool IsAtMost(const ConstraintCheck& check, const Term& value) {
 // https://www.w3.org/TR/shacl/#core-components-string
 bool IsLongEnough(const ConstraintCheck& check, const Term& value) {
   return !value.is_blank() &&
-         sparql::Utf8Length(value.text) >= check.constraint.count;
+         kg_base::Utf8Length(value.text) >= check.constraint.count;
 }
 bool IsShortEnough(const ConstraintCheck& check, const Term& value) {
   return !value.is_blank() &&
-         sparql::Utf8Length(value.text) <= check.constraint.count;
+         kg_base::Utf8Length(value.text) <= check.constraint.count;
 }
 bool MatchesPattern(const ConstraintCheck& check, const Term& value) {
   if (value.is_blank()) return false;
@@ -127,8 +127,8 @@ bool HasLanguage(const ConstraintCheck& check, const Term& value) {
   const std::vector<Term>& ranges = check.constraint.terms;
   return std::any_of(ranges.begin(), ranges.end(), [&](const Term& term) {
     if (value.language.empty()) return false;
-    const std::string tag = sparql::LowerCase(value.language);
-    const std::string range = sparql::LowerCase(term.text);
+    const std::string tag = kg_base::LowerCase(value.language);
+    const std::string range = kg_base::LowerCase(term.text);
     return range == "*" || tag == range || tag.rfind(range + "-", 0) == 0;
   });
 }
@@ -137,7 +137,7 @@ bool HasLanguage(const ConstraintCheck& check, const Term& value) {
 void CheckUniqueLang(const ConstraintCheck& check) {
   std::map<std::string, int> counts;
   for (const Term& value : check.values) {
-    if (!value.language.empty()) ++counts[sparql::LowerCase(value.language)];
+    if (!value.language.empty()) ++counts[kg_base::LowerCase(value.language)];
   }
   for (const auto& [language, count] : counts) {
     if (count > 1) check.Report({});

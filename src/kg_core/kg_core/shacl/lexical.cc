@@ -111,7 +111,7 @@ bool HasItsDay(const std::string& datatype, const std::string& text) {
 
 }  // namespace
 
-bool IsLexical(const Term& literal, sparql::RegexCache& regexes) {
+bool IsLexical(const Term& literal, kg_base::RegexCache& regexes) {
   const std::string xsd = kXsd;
   if (literal.datatype.compare(0, xsd.size(), xsd) != 0) return true;
   const std::string name = literal.datatype.substr(xsd.size());

@@ -4,14 +4,14 @@
 #ifndef KG_CORE_SHACL_LEXICAL_H_
 #define KG_CORE_SHACL_LEXICAL_H_
 
+#include "kg_base/text/regex.h"
 #include "kg_core/rdf/term.h"
-#include "kg_core/sparql/regex.h"
 
 namespace kg_core::shacl {
 
 // True for datatypes that are not known here. `regexes` keeps the compiled
 // patterns.
-bool IsLexical(const Term& literal, sparql::RegexCache& regexes);
+bool IsLexical(const Term& literal, kg_base::RegexCache& regexes);
 
 }  // namespace kg_core::shacl
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string_view>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/text/regex.h"
 #include "kg_core/rdf/namespaces.h"
-#include "kg_core/sparql/regex.h"
 #include "kg_core/sparql/values.h"
 
 namespace kg_core::shacl {
@@ -28,7 +28,7 @@ bool IsNodeKind(const Term& term) {
 }
 
 bool IsPattern(const Term& term, const std::string& flags) {
-  sparql::RegexCache regexes;
+  kg_base::RegexCache regexes;
   return sparql::IsString(term) &&
          regexes.Matches("", term.text, flags).has_value();
 }
@@ -72,7 +72,7 @@ std::optional<std::string> WhatIsWrong(const Constraint& constraint,
 void RefuseShape(const Shape& shape, const std::string& what) {
   std::string line = "shape " + kg_core::ToTurtle(shape.named);
   if (shape.path) line += " at " + ToTurtle(*shape.path);
-  throw InputError(line + ": " + what);
+  throw kg_base::InputError(line + ": " + what);
 }
 
 bool ReadBoolean(const Shape& shape, const std::string& local,

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/rdf_list.h"
 
@@ -31,7 +31,7 @@ Term Sh(const char* local) { return Iri(std::string(kSh) + local); }
 Term RdfFirst() { return Iri(std::string(kRdf) + "first"); }
 
 [[noreturn]] void Refuse(const std::string& what) {
-  throw InputError("path: " + what);
+  throw kg_base::InputError("path: " + what);
 }
 
 class PathReader {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
 
@@ -63,8 +63,8 @@ TEST_F(ShapeCacheTest, ReadsShapesAgainAfterAnyChangeOfTheirGraph) {
 
 TEST_F(ShapeCacheTest, RefusesIllFormedShapesEveryTime) {
   Add("ex:S a sh:NodeShape ; sh:minCount 1 .");
-  EXPECT_THROW(Get(), InputError);
-  EXPECT_THROW(Get(), InputError);
+  EXPECT_THROW(Get(), kg_base::InputError);
+  EXPECT_THROW(Get(), kg_base::InputError);
 }
 
 TEST_F(ShapeCacheTest, TellsTwoStoresApart) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/facts/terms.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/rdf_list.h"
@@ -108,7 +108,7 @@ class ShapeLoader {
     }
     try {
       shape.path = ReadPath(view_, graph_, *path);
-    } catch (const InputError& error) {
+    } catch (const kg_base::InputError& error) {
       RefuseShape(shape, std::string("sh:") + error.what());
     }
   }

@@ -8,10 +8,10 @@
 #include <set>
 #include <vector>
 
+#include "kg_base/text/regex.h"
 #include "kg_core/shacl/data_graph.h"
 #include "kg_core/shacl/shape.h"
 #include "kg_core/shacl/violation.h"
-#include "kg_core/sparql/regex.h"
 
 namespace kg_core::shacl {
 
@@ -31,7 +31,7 @@ class ShapeValidation {
 
   const DataGraph& data() const { return data_; }
   const Shape& shape(const Term& id) const { return shapes_.at(id); }
-  sparql::RegexCache& regexes() { return regexes_; }
+  kg_base::RegexCache& regexes() { return regexes_; }
   // Is `node` of `wanted`, or of a class below it by rdfs:subClassOf?
   bool IsInstance(const Term& node, const Term& wanted);
 
@@ -42,7 +42,7 @@ class ShapeValidation {
 
   const DataGraph& data_;
   const ShapeGraph& shapes_;
-  sparql::RegexCache regexes_;
+  kg_base::RegexCache regexes_;
   std::map<Term, std::set<Term>> classes_;
 };
 

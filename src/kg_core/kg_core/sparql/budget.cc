@@ -3,10 +3,12 @@
 #include <cstdio>
 #include <string>
 
-#include "kg_core/base/limit_error.h"
+#include "kg_base/common/limit_error.h"
 
 namespace kg_core::sparql {
 namespace {
+
+using kg_base::LimitError;
 
 using Clock = std::chrono::steady_clock;
 

@@ -38,8 +38,9 @@ std::string RealText(const XsdNumber& number) {
   // The shortest digits that read back the same.
   const std::string shortest = ToTerm(number).text;
   if (!std::isfinite(number.real)) return shortest;
-  const std::optional<Decimal> exact =
-      ParseDouble(shortest) ? FromDouble(*ParseDouble(shortest)) : std::nullopt;
+  const std::optional<kg_base::Decimal> exact =
+      ParseDouble(shortest) ? kg_base::FromDouble(*ParseDouble(shortest))
+                            : std::nullopt;
   if (plain && exact) return ToString(*exact);
   char text[64];
   for (int digits = 1; digits <= 17; ++digits) {
@@ -98,7 +99,8 @@ Answer ToNumberCast(FunctionContext&, const Arguments& a) {
   if (!number) return std::nullopt;
   const bool to_exact = kType <= XsdNumber::Type::kDecimal;
   if (to_exact && !number->is_exact()) {
-    const std::optional<Decimal> exact = FromDouble(number->real);
+    const std::optional<kg_base::Decimal> exact =
+        kg_base::FromDouble(number->real);
     if (!exact) return std::nullopt;
     number->exact = *exact;
   }

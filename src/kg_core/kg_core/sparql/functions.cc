@@ -2,8 +2,8 @@
 
 #include <cctype>
 
+#include "kg_base/text/iri.h"
 #include "kg_core/sparql/fresh_blank.h"
-#include "kg_core/sparql/iri.h"
 #include "kg_core/sparql/values.h"
 
 namespace kg_core::sparql {
@@ -48,7 +48,7 @@ Answer MakeIri(FunctionContext& context, const Arguments& a) {
   if (a[0]->text.find_first_of(" <>\"{}|^`\\\n\t\r") != std::string::npos) {
     return std::nullopt;
   }
-  return Iri(ResolveIri(context.base, a[0]->text));
+  return Iri(kg_base::ResolveIri(context.base, a[0]->text));
 }
 
 // https://www.w3.org/TR/sparql11-query/#func-bnode

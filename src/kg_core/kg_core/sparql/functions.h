@@ -17,10 +17,10 @@
 #include <vector>
 
 #include "absl/container/flat_hash_map.h"
+#include "kg_base/text/regex.h"
 #include "kg_core/rdf/term.h"
-#include "kg_core/sparql/regex.h"
 
-namespace kg_core {
+namespace kg_base {
 class Geometry;
 }
 
@@ -31,9 +31,10 @@ struct FunctionContext {
   std::string base;
   Term now;
   std::mt19937_64 random;
-  RegexCache regexes;
+  kg_base::RegexCache regexes;
   // Parsed WKT; nullptr for a text that is none.
-  absl::flat_hash_map<std::string, std::shared_ptr<const Geometry>> geometries;
+  absl::flat_hash_map<std::string, std::shared_ptr<const kg_base::Geometry>>
+      geometries;
   // BNODE("x") is the same within one solution.
   absl::flat_hash_map<std::string, Term> blanks_of_row;
 };

@@ -7,14 +7,16 @@
 
 #include <string>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/geo/geodesy.h"
-#include "kg_core/geo/wkt.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/geo/geodesy.h"
+#include "kg_base/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/functions.h"
 
 namespace kg_core::sparql {
 namespace {
+
+using kg_base::Geometry;
 
 constexpr std::size_t kCachedGeometries = 10000;
 
@@ -28,7 +30,7 @@ const Geometry* GetGeometry(FunctionContext& context, const Term& term) {
   std::shared_ptr<const Geometry> geometry;
   try {
     geometry = std::make_shared<const Geometry>(Geometry::FromWkt(term.text));
-  } catch (const InputError&) {
+  } catch (const kg_base::InputError&) {
     geometry = nullptr;  // Not a geometry: SPARQL's error, kept like others.
   }
   return context.geometries.emplace(term.text, std::move(geometry))
@@ -85,7 +87,7 @@ Answer Distance(FunctionContext& context, const Arguments& arguments) {
   if (unit != uom + "metre" || !pair.a->IsPoint() || !pair.b->IsPoint()) {
     return std::nullopt;
   }
-  return DoubleLiteral(Distance_m(pair.a->Point(), pair.b->Point()));
+  return DoubleLiteral(kg_base::Distance_m(pair.a->Point(), pair.b->Point()));
 }
 
 }  // namespace

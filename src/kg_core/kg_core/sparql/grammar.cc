@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/text/iri.h"
 #include "kg_core/rdf/namespaces.h"
-#include "kg_core/sparql/iri.h"
 
 namespace kg_core::sparql {
 namespace {
@@ -101,8 +101,8 @@ void SparqlGrammar::ExpectMark(std::string_view mark) {
 
 void SparqlGrammar::FailAt(QueryPosition position,
                            const std::string& what) const {
-  throw InputError(std::to_string(position.line) + ":" +
-                   std::to_string(position.column) + ": " + what);
+  throw kg_base::InputError(std::to_string(position.line) + ":" +
+                            std::to_string(position.column) + ": " + what);
 }
 
 void SparqlGrammar::Fail(const Token& token, const std::string& what) const {
@@ -123,7 +123,7 @@ std::string SparqlGrammar::ReadIri() {
   if (!AtIri()) Expected("an IRI");
   const Token token = Take();
   if (token.kind == Token::Kind::kIri) {
-    return ResolveIri(query_.base, token.text);
+    return kg_base::ResolveIri(query_.base, token.text);
   }
   const auto prefix = prefixes_.find(token.prefix);
   if (prefix == prefixes_.end()) {

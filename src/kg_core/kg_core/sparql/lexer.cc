@@ -6,8 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/sparql/utf8.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/text.h"
+#include "kg_base/text/utf8.h"
 
 namespace kg_core::sparql {
 namespace {
@@ -74,8 +75,8 @@ class QueryLexer {
     for (std::size_t i = 0; i < count; ++i) out->push_back(Take());
   }
   [[noreturn]] void Fail(const std::string& what) const {
-    throw InputError(std::to_string(position_.line) + ":" +
-                     std::to_string(position_.column) + ": " + what);
+    throw kg_base::InputError(std::to_string(position_.line) + ":" +
+                              std::to_string(position_.column) + ": " + what);
   }
 
   std::string_view text_;
@@ -159,8 +160,8 @@ void QueryLexer::ReadCodePoint(std::string* out) {
     const int value = IsDigit(c) ? c - '0' : (c | 0x20) - 'a' + 10;
     code = code * 16 + static_cast<std::uint32_t>(value);
   }
-  if (!IsCodePoint(code)) Fail("expected the code of a character");
-  AppendUtf8(code, out);
+  if (!kg_base::IsUnicodeScalar(code)) Fail("expected the code of a character");
+  kg_base::AppendUtf8(code, out);
 }
 
 // [143] VAR1, [144] VAR2
@@ -334,14 +335,15 @@ void QueryLexer::ReadPunctuation(Token* token) {
 }  // namespace
 
 std::vector<Token> Tokenize(std::string_view text) {
-  const std::size_t bad = FindInvalidUtf8(text);
+  const std::size_t bad = kg_base::FindInvalidUtf8(text);
   if (bad != std::string_view::npos) {
     const std::string_view before = text.substr(0, bad);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t start = before.rfind('\n') + 1;
-    throw InputError(std::to_string(line) + ":" +
-                     std::to_string(Utf8Length(before.substr(start)) + 1) +
-                     ": this is not UTF-8");
+    throw kg_base::InputError(
+        std::to_string(line) + ":" +
+        std::to_string(kg_base::Utf8Length(before.substr(start)) + 1) +
+        ": this is not UTF-8");
   }
   return QueryLexer(text).Run();
 }

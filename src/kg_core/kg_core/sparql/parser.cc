@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
+#include "kg_base/text/iri.h"
 #include "kg_core/sparql/grammar.h"
-#include "kg_core/sparql/iri.h"
 #include "kg_core/sparql/lexer.h"
 
 namespace kg_core::sparql {
@@ -42,7 +42,7 @@ void SparqlGrammar::ReadPrologue() {
   while (true) {
     if (TakeWord("BASE")) {
       if (Peek().kind != Token::Kind::kIri) Expected("an IRI in <>");
-      query_.base = ResolveIri(query_.base, Take().text);
+      query_.base = kg_base::ResolveIri(query_.base, Take().text);
     } else if (TakeWord("PREFIX")) {
       const Token name = Peek();
       if (name.kind != Token::Kind::kPrefixedName || !name.text.empty()) {
@@ -50,7 +50,7 @@ void SparqlGrammar::ReadPrologue() {
       }
       Take();
       if (Peek().kind != Token::Kind::kIri) Expected("an IRI in <>");
-      prefixes_[name.prefix] = ResolveIri(query_.base, Take().text);
+      prefixes_[name.prefix] = kg_base::ResolveIri(query_.base, Take().text);
     } else {
       return;
     }

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/limit_error.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/limit_error.h"
 #include "kg_core/sparql/algebra.h"
 #include "kg_core/sparql/budget.h"
 #include "kg_core/sparql/construct.h"
@@ -33,8 +33,8 @@ std::size_t CountBytes(const std::vector<std::optional<Term>>& row) {
 
 void CheckText(std::string_view text, const QueryLimits& limits) {
   if (text.size() <= limits.text_bytes) return;
-  throw LimitError("the query is longer than the limit of " +
-                   std::to_string(limits.text_bytes) + " bytes");
+  throw kg_base::LimitError("the query is longer than the limit of " +
+                            std::to_string(limits.text_bytes) + " bytes");
 }
 
 bool HasSolution(const QueryRun& run) {
@@ -71,7 +71,7 @@ QueryResult RunQuery(const GraphView& view, std::string_view query_text,
   CheckText(query_text, limits);
   QueryBudget budget(limits);
   Query query = sparql::ParseQuery(query_text, limits.nesting);
-  if (!query.unavailable.empty()) throw InputError(query.unavailable);
+  if (!query.unavailable.empty()) throw kg_base::InputError(query.unavailable);
   // A dataset of the protocol goes before FROM of the query.
   if (dataset.is_binding) query.has_dataset = false;
   if (query.has_dataset) sparql::CheckDataset(view, query);

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/sparql/isomorphism.h"
@@ -85,7 +85,7 @@ std::string Value(const std::string& expression) {
 std::string GetError(const std::string& query, const QueryLimits& limits = {}) {
   try {
     Query(query, limits);
-  } catch (const InputError& error) {
+  } catch (const kg_base::InputError& error) {
     return error.what();
   }
   return "no error";

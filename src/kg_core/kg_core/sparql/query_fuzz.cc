@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/sparql/query_engine.h"
@@ -17,6 +17,8 @@
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 constexpr char kWorld[] = R"ttl(
 ex:alpha a ex:Agent ; ex:id "alpha" ; ex:usesPolicy ex:fast ; ex:speed 0.9 .

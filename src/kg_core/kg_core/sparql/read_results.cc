@@ -6,14 +6,16 @@
 #include <string>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/text/json.h"
 #include "kg_core/rdf/turtle.h"
-#include "kg_core/sparql/json.h"
 
 namespace kg_core {
 namespace {
 
-using sparql::JsonValue;
+using kg_base::InputError;
+
+using kg_base::JsonValue;
 
 const JsonValue& Member(const JsonValue& object, const char* name,
                         JsonValue::Kind kind) {
@@ -139,7 +141,7 @@ Term ReadTsvTerm(std::string_view text) {
 }  // namespace
 
 QueryResult ReadJsonResult(std::string_view text) {
-  const JsonValue json = sparql::ParseJson(text);
+  const JsonValue json = kg_base::ParseJson(text);
   QueryResult result;
   // The answer of ASK has no bindings.
   if (const JsonValue* answer = json.Find("boolean")) {

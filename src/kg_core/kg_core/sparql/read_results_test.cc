@@ -5,13 +5,15 @@
 #include <random>
 #include <string>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/text/json.h"
 #include "kg_core/rdf/namespaces.h"
-#include "kg_core/sparql/json.h"
 #include "kg_core/sparql/results.h"
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 // Text with what formats must escape.
 std::string RandomText(std::mt19937* random) {
@@ -103,9 +105,9 @@ TEST(ReadResults, ReadsXmlAsOthersWriteIt) {
 }
 
 TEST(ReadResults, ReadsEscapesOfJson) {
-  EXPECT_EQ(sparql::ParseJson("\"\\u00e9\\ud83c\\udf0a\\/\\n\"").text,
+  EXPECT_EQ(kg_base::ParseJson("\"\\u00e9\\ud83c\\udf0a\\/\\n\"").text,
             "\xC3\xA9\xF0\x9F\x8C\x8A/\n");
-  EXPECT_EQ(sparql::ParseJson(" [1, -2.5e3 ,null,{}] ").items[1].text,
+  EXPECT_EQ(kg_base::ParseJson(" [1, -2.5e3 ,null,{}] ").items[1].text,
             "-2.5e3");
 }
 

@@ -4,12 +4,15 @@
 #include <string>
 #include <utility>
 
-#include "kg_core/base/text.h"
-#include "kg_core/base/xml_reader.h"
+#include "kg_base/common/text.h"
+#include "kg_base/common/xml_reader.h"
 #include "kg_core/sparql/read_results.h"
 
 namespace kg_core {
 namespace {
+
+using kg_base::XmlReader;
+using kg_base::XmlTag;
 
 Term MakeTerm(const XmlTag& tag, const XmlReader& reader) {
   if (tag.name == "uri") return Iri(tag.text);
@@ -49,7 +52,7 @@ QueryResult ReadXmlResult(std::string_view text) {
       result.variables.push_back(tag.attributes["name"]);
     } else if (tag.name == "boolean") {
       result.form = QueryResult::Form::kAsk;
-      result.answer = StripAsciiSpace(tag.text) == "true";
+      result.answer = kg_base::StripAsciiSpace(tag.text) == "true";
     } else if (tag.name == "result") {
       result.rows.emplace_back(result.variables.size());
     } else if (tag.name == "binding") {

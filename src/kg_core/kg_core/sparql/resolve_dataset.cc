@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_core::sparql {
@@ -43,7 +43,8 @@ void CheckDataset(const GraphView& view, const Query& query) {
   for (const auto* graphs : {&query.from, &query.from_named}) {
     for (const std::string& graph : *graphs) {
       if (HasGraph(view, graph)) continue;
-      throw InputError("FROM: the store has no graph " + AbbreviateIri(graph));
+      throw kg_base::InputError("FROM: the store has no graph " +
+                                AbbreviateIri(graph));
     }
   }
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "kg_base/text/utf8.h"
 #include "kg_core/rdf/namespaces.h"
-#include "kg_core/sparql/utf8.h"
 
 namespace kg_core {
 namespace {
@@ -82,7 +82,7 @@ std::string PaddedLine(const std::vector<std::string>& cells,
   std::string line;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     line += cells[i];
-    line.append(widths[i] - sparql::Utf8Length(cells[i]) + 2, ' ');
+    line.append(widths[i] - kg_base::Utf8Length(cells[i]) + 2, ' ');
   }
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
@@ -142,7 +142,7 @@ std::string ToTextTable(const QueryResult& result) {
   std::vector<std::size_t> widths(result.variables.size(), 0);
   for (const auto& line : lines) {
     for (std::size_t i = 0; i < line.size(); ++i) {
-      widths[i] = std::max(widths[i], sparql::Utf8Length(line[i]));
+      widths[i] = std::max(widths[i], kg_base::Utf8Length(line[i]));
     }
   }
   std::string out = PaddedLine(lines[0], widths);

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <string>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/text/utf8.h"
 #include "kg_core/sparql/functions.h"
-#include "kg_core/sparql/utf8.h"
 #include "kg_core/sparql/values.h"
 
 namespace kg_core::sparql {
@@ -29,7 +29,8 @@ bool Compatible(const Arguments& a) {
 
 Answer StrLen(FunctionContext&, const Arguments& a) {
   if (!IsStringLike(*a[0])) return std::nullopt;
-  return IntegerLiteral(static_cast<long long>(Utf8Length(a[0]->text)));
+  return IntegerLiteral(
+      static_cast<long long>(kg_base::Utf8Length(a[0]->text)));
 }
 
 // Positions are rounded numbers from 1; a NaN selects nothing.
@@ -37,7 +38,7 @@ Answer StrLen(FunctionContext&, const Arguments& a) {
 Answer SubStr(FunctionContext&, const Arguments& a) {
   const std::optional<XsdNumber> start = ToNumber(*a[1]);
   if (!IsStringLike(*a[0]) || !start) return std::nullopt;
-  const auto size = static_cast<double>(Utf8Length(a[0]->text));
+  const auto size = static_cast<double>(kg_base::Utf8Length(a[0]->text));
   // Positions count from 1 and are rounded, as fn:substring does; NaN gives "".
   const double first = std::floor(start->ToDouble() + 0.5);
   double end = size + 1;
@@ -51,19 +52,20 @@ Answer SubStr(FunctionContext&, const Arguments& a) {
   if (!(first <= size) || !(from < to)) return Like(*a[0], "");
   const std::string& text = a[0]->text;
   const std::size_t begin_at =
-      Utf8Offset(text, static_cast<std::size_t>(from) - 1);
-  const std::size_t end_at = Utf8Offset(text, static_cast<std::size_t>(to) - 1);
+      kg_base::Utf8Offset(text, static_cast<std::size_t>(from) - 1);
+  const std::size_t end_at =
+      kg_base::Utf8Offset(text, static_cast<std::size_t>(to) - 1);
   return Like(*a[0], text.substr(begin_at, end_at - begin_at));
 }
 
 Answer UCase(FunctionContext&, const Arguments& a) {
   if (!IsStringLike(*a[0])) return std::nullopt;
-  return Like(*a[0], UpperCase(a[0]->text));
+  return Like(*a[0], kg_base::UpperCase(a[0]->text));
 }
 
 Answer LCase(FunctionContext&, const Arguments& a) {
   if (!IsStringLike(*a[0])) return std::nullopt;
-  return Like(*a[0], LowerCase(a[0]->text));
+  return Like(*a[0], kg_base::LowerCase(a[0]->text));
 }
 
 Answer StrStarts(FunctionContext&, const Arguments& a) {
@@ -125,8 +127,9 @@ Answer Concat(FunctionContext&, const Arguments& a) {
     if (!IsStringLike(*part)) return std::nullopt;
     text += part->text;
     if (text.size() > kTextLimit_bytes) {
-      throw InputError("CONCAT made a text of more than the limit of " +
-                       std::to_string(kTextLimit_bytes) + " bytes");
+      throw kg_base::InputError(
+          "CONCAT made a text of more than the limit of " +
+          std::to_string(kTextLimit_bytes) + " bytes");
     }
   }
   const bool same =
@@ -139,8 +142,8 @@ Answer Concat(FunctionContext&, const Arguments& a) {
 // https://www.w3.org/TR/sparql11-query/#func-langMatches (basic filtering)
 Answer LangMatches(FunctionContext&, const Arguments& a) {
   if (!IsString(*a[0]) || !IsString(*a[1])) return std::nullopt;
-  const std::string tag = LowerCase(a[0]->text);
-  const std::string range = LowerCase(a[1]->text);
+  const std::string tag = kg_base::LowerCase(a[0]->text);
+  const std::string range = kg_base::LowerCase(a[1]->text);
   if (range == "*") return BooleanLiteral(!tag.empty());
   return BooleanLiteral(tag == range || tag.rfind(range + "-", 0) == 0);
 }

@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/limit_error.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/limit_error.h"
 #include "kg_core/sparql/algebra.h"
 #include "kg_core/sparql/budget.h"
 #include "kg_core/sparql/construct.h"
@@ -60,8 +60,9 @@ class TransactionRollback {
 
 [[noreturn]] void Refuse(const UpdateOperation& operation,
                          const std::string& why) {
-  throw InputError(std::to_string(operation.position.line) + ":" +
-                   std::to_string(operation.position.column) + ": " + why);
+  throw kg_base::InputError(std::to_string(operation.position.line) + ":" +
+                            std::to_string(operation.position.column) + ": " +
+                            why);
 }
 
 class UpdateRunner {
@@ -140,8 +141,8 @@ void UpdateRunner::CheckWritable(const UpdateOperation& operation,
 
 void UpdateRunner::Count(std::size_t quads) const {
   if (quads <= limits_.rows) return;
-  throw LimitError("the update changes more quads than the limit of " +
-                   std::to_string(limits_.rows));
+  throw kg_base::LimitError("the update changes more quads than the limit of " +
+                            std::to_string(limits_.rows));
 }
 
 // https://www.w3.org/TR/sparql11-update/#deleteInsert: first all is matched,
@@ -270,13 +271,13 @@ void UpdateRunner::Transfer(const UpdateOperation& operation) {
 // What can be refused before anything is done.
 sparql::UpdateRequest Parse(std::string_view text, const QueryLimits& limits) {
   if (text.size() > limits.text_bytes) {
-    throw LimitError("the update is longer than the limit of " +
-                     std::to_string(limits.text_bytes) + " bytes");
+    throw kg_base::LimitError("the update is longer than the limit of " +
+                              std::to_string(limits.text_bytes) + " bytes");
   }
   sparql::UpdateRequest update = sparql::ParseUpdate(text, limits.nesting);
   for (UpdateOperation& operation : update.operations) {
     const std::string& unknown = operation.query.unavailable;
-    if (!unknown.empty()) throw InputError(unknown);
+    if (!unknown.empty()) throw kg_base::InputError(unknown);
     sparql::Prepare(&operation.query.select);
   }
   return update;

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/sparql/isomorphism.h"
 
@@ -63,7 +63,7 @@ class World {
                        const QueryLimits& limits = {}) {
     try {
       Update(text, graphs, limits);
-    } catch (const InputError& error) {
+    } catch (const kg_base::InputError& error) {
       return error.what();
     }
     return "no error";

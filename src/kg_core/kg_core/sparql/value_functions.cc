@@ -16,13 +16,15 @@
 namespace kg_core::sparql {
 namespace {
 
-Decimal Absolute(const Decimal& value) {
-  return Decimal{value.digits < 0 ? -value.digits : value.digits, value.scale};
+kg_base::Decimal Absolute(const kg_base::Decimal& value) {
+  return kg_base::Decimal{value.digits < 0 ? -value.digits : value.digits,
+                          value.scale};
 }
 
 double RoundHalfUp(double value) { return std::floor(value + 0.5); }
 
-template <Decimal (*kExact)(const Decimal&), double (*kReal)(double)>
+template <kg_base::Decimal (*kExact)(const kg_base::Decimal&),
+          double (*kReal)(double)>
 Answer Apply(FunctionContext&, const Arguments& a) {
   std::optional<XsdNumber> number = ToNumber(*a[0]);
   if (!number) return std::nullopt;
@@ -106,9 +108,9 @@ Answer Hash(FunctionContext&, const Arguments& a) {
 
 std::vector<SparqlFunction> NumberFunctions() {
   return {{"ABS", 1, 1, Apply<Absolute, std::fabs>},
-          {"ROUND", 1, 1, Apply<Round, RoundHalfUp>},
-          {"CEIL", 1, 1, Apply<Ceil, std::ceil>},
-          {"FLOOR", 1, 1, Apply<Floor, std::floor>},
+          {"ROUND", 1, 1, Apply<kg_base::Round, RoundHalfUp>},
+          {"CEIL", 1, 1, Apply<kg_base::Ceil, std::ceil>},
+          {"FLOOR", 1, 1, Apply<kg_base::Floor, std::floor>},
           {"RAND", 0, 0, Rand}};
 }
 

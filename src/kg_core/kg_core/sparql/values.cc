@@ -188,8 +188,9 @@ std::string FormatReal(double value, XsdNumber::Type type) {
   return text;
 }
 
-std::optional<Decimal> CalculateExact(Arithmetic operation, const Decimal& a,
-                                      const Decimal& b) {
+std::optional<kg_base::Decimal> CalculateExact(Arithmetic operation,
+                                               const kg_base::Decimal& a,
+                                               const kg_base::Decimal& b) {
   switch (operation) {
     case Arithmetic::kAdd:
       return Add(a, b);
@@ -244,7 +245,8 @@ std::optional<XsdNumber> ToNumber(const Term& term) {
   XsdNumber number;
   number.type = *type;
   if (number.is_exact()) {
-    const std::optional<Decimal> value = ParseDecimal(term.text);
+    const std::optional<kg_base::Decimal> value =
+        kg_base::ParseDecimal(term.text);
     // An xsd:integer has no point.
     const bool whole = term.text.find('.') == std::string::npos;
     if (!value || (*type == XsdNumber::Type::kInteger && !whole)) {
@@ -278,7 +280,7 @@ std::optional<XsdNumber> Calculate(Arithmetic operation, const XsdNumber& a,
     if (operation == Arithmetic::kDivide) {
       result.type = XsdNumber::Type::kDecimal;
     }
-    const std::optional<Decimal> exact =
+    const std::optional<kg_base::Decimal> exact =
         CalculateExact(operation, a.exact, b.exact);
     if (!exact) return std::nullopt;
     result.exact = *exact;

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "absl/functional/function_ref.h"
+#include "kg_base/text/decimal.h"
 #include "kg_core/rdf/term.h"
-#include "kg_core/sparql/decimal.h"
 
 namespace kg_core::sparql {
 
@@ -21,12 +21,12 @@ namespace kg_core::sparql {
 struct XsdNumber {
   enum class Type { kInteger, kDecimal, kFloat, kDouble };
   Type type = Type::kInteger;
-  Decimal exact;    // Integers and decimals.
-  double real = 0;  // Floats and doubles.
+  kg_base::Decimal exact;  // Integers and decimals.
+  double real = 0;         // Floats and doubles.
 
   bool is_exact() const { return type <= Type::kDecimal; }
   double ToDouble() const {
-    return is_exact() ? sparql::ToDouble(exact) : real;
+    return is_exact() ? kg_base::ToDouble(exact) : real;
   }
 };
 

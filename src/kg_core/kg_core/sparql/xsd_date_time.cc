@@ -3,15 +3,17 @@
 #include <cstdio>
 #include <ctime>
 
-#include "kg_core/base/date_time.h"
+#include "kg_base/common/date_time.h"
 
 namespace kg_core::sparql {
 namespace {
 
-std::optional<DateTime> ToDateTime(const std::optional<DateTimeParts>& parts) {
+std::optional<DateTime> ToDateTime(
+    const std::optional<kg_base::DateTimeParts>& parts) {
   if (!parts) return std::nullopt;
   // Nothing if it has more digits than a Decimal holds.
-  const std::optional<Decimal> second = ParseDecimal(parts->second);
+  const std::optional<kg_base::Decimal> second =
+      kg_base::ParseDecimal(parts->second);
   if (!second) return std::nullopt;
   return DateTime{parts->year,   parts->month, parts->day,     parts->hour,
                   parts->minute, *second,      parts->zone_min};
@@ -20,16 +22,16 @@ std::optional<DateTime> ToDateTime(const std::optional<DateTimeParts>& parts) {
 }  // namespace
 
 std::optional<DateTime> ParseDateTime(std::string_view text) {
-  return ToDateTime(ReadDateTimeParts(text));
+  return ToDateTime(kg_base::ReadDateTimeParts(text));
 }
 
 std::optional<DateTime> ParseDate(std::string_view text) {
-  return ToDateTime(ReadDateParts(text));
+  return ToDateTime(kg_base::ReadDateParts(text));
 }
 
 int Compare(const DateTime& a, const DateTime& b) {
   const auto minutes = [](const DateTime& t) {
-    return (DaysFromCivil(t.year, t.month, t.day) * 24 + t.hour) * 60 +
+    return (kg_base::DaysFromCivil(t.year, t.month, t.day) * 24 + t.hour) * 60 +
            t.minute - t.zone_min.value_or(0);
   };
   const std::int64_t left = minutes(a);

@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-#include "kg_core/sparql/decimal.h"
+#include "kg_base/text/decimal.h"
 
 namespace kg_core::sparql {
 
@@ -23,7 +23,7 @@ struct DateTime {
   int day = 1;
   int hour = 0;
   int minute = 0;
-  Decimal second;
+  kg_base::Decimal second;
   std::optional<int> zone_min;  // Minutes east of UTC.
 };
 

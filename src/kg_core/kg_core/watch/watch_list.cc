@@ -4,12 +4,14 @@
 #include <iterator>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/limit_error.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/limit_error.h"
 #include "kg_core/sparql/parser.h"
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 constexpr std::size_t kMaxIdBytes = 64;
 
@@ -30,8 +32,8 @@ void CheckId(const std::string& id) {
 
 void CheckIsSelect(const std::string& query, const QueryLimits& limits) {
   if (query.size() > limits.text_bytes) {
-    throw LimitError("the query is longer than the limit of " +
-                     std::to_string(limits.text_bytes) + " bytes");
+    throw kg_base::LimitError("the query is longer than the limit of " +
+                              std::to_string(limits.text_bytes) + " bytes");
   }
   const sparql::Query parsed = sparql::ParseQuery(query, limits.nesting);
   if (parsed.form == sparql::Query::Form::kSelect) return;

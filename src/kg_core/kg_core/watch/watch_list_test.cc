@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/same_state.h"
 #include "kg_core/rdf/store.h"
@@ -15,6 +15,8 @@
 
 namespace kg_core {
 namespace {
+
+using kg_base::InputError;
 
 using testing::HasSubstr;
 

@@ -2,12 +2,12 @@
 
 #include <iostream>
 
-#include "kg_core/base/clock.h"
+#include "kg_base/common/clock.h"
 #include "kg_core/facts/update_log.h"
-#include "kg_core/mission/ingest.h"
 #include "kg_engine/command/command.h"
 #include "kg_engine/facts/plan_status.h"
 #include "kg_engine/state/mission_state.h"
+#include "kg_mission/mission/ingest.h"
 
 namespace kg_engine::command {
 
@@ -15,12 +15,12 @@ std::vector<std::string> Stage(const kg_core::FactUpdate& update,
                                const std::string& data_folder,
                                const Target& target,
                                kg_core::Transaction* transaction) {
-  kg_core::FileCache files(target.mission_folder, data_folder);
+  kg_mission::FileCache files(target.mission_folder, data_folder);
   std::vector<std::string> reasons =
-      kg_core::StageUpdateWithFiles(update, files, *transaction)
+      kg_mission::StageUpdateWithFiles(update, files, *transaction)
           .judgement.reasons;
   if (reasons.empty() && !transaction->empty()) {
-    kg_core::LogUpdate(update, kg_core::Now_s(), *transaction);
+    kg_core::LogUpdate(update, kg_base::Now_s(), *transaction);
     const std::uint64_t run = LoadState(transaction->view()).plan_run;
     if (run > 0) StagePlanStatus(run, "stale", transaction);
   }

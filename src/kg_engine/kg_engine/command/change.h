@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/stage_update.h"
 #include "kg_engine/command/target.h"
+#include "kg_mission/mission/stage_update.h"
 
 namespace kg_engine::command {
 

@@ -12,8 +12,8 @@ namespace {
 int RunCheck(const Arguments& arguments) {
   arguments.ExpectWords(1, 1, "STORE");
   const Target target = OpenStore(arguments.words[0]);
-  kg_core::FileCache files(target.mission_folder,
-                           arguments.One("--data").value_or(""));
+  kg_mission::FileCache files(target.mission_folder,
+                              arguments.One("--data").value_or(""));
   const CheckAnswer answer = CheckStore(*target.store->Read(), &files);
   (answer.errors.empty() ? std::cout : std::cerr) << answer.text << std::endl;
   return answer.ok ? kDone : kRefused;

@@ -3,14 +3,14 @@
 #include <fstream>
 #include <iostream>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/conformance/conformance.h"
+#include "kg_base/common/input_error.h"
 #include "kg_engine/command/command.h"
+#include "kg_engine/conformance/conformance.h"
 
 namespace kg_engine::command {
 namespace {
 
-using kg_core::ConformanceTest;
+using kg_engine::ConformanceTest;
 
 const char* WordOf(ConformanceTest::Outcome outcome) {
   switch (outcome) {
@@ -35,20 +35,20 @@ void WriteTable(const std::string& file,
   std::ofstream out(file, std::ios::binary);
   out << "# Conformance\n\nEvery test of the W3C suites that lie beside the "
          "project, made by `kg conformance --table`.\n\n"
-      << kg_core::ConformanceTable(tests);
+      << kg_engine::ConformanceTable(tests);
   out.close();
-  if (!out) throw kg_core::InputError(file + ": cannot be written");
+  if (!out) throw kg_base::InputError(file + ": cannot be written");
 }
 
 int RunConformance(const Arguments& arguments) {
   arguments.ExpectWords(1, 1000, "at least one FOLDER");
   std::vector<ConformanceTest> tests;
   for (const std::string& folder : arguments.words) {
-    const auto more = kg_core::RunConformance(folder, Show);
+    const auto more = kg_engine::RunConformance(folder, Show);
     tests.insert(tests.end(), more.begin(), more.end());
   }
   if (const auto file = arguments.One("--table")) WriteTable(*file, tests);
-  const kg_core::ConformanceCount count = kg_core::CountOutcomes(tests);
+  const kg_engine::ConformanceCount count = kg_engine::CountOutcomes(tests);
   if (count.not_run > 0) std::cout << count.not_run << " not run\n";
   std::cout << count.passed << " passed, " << count.failed << " failed\n";
   return count.failed == 0 && count.passed > 0 ? kDone : kRefused;

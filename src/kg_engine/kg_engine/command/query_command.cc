@@ -3,8 +3,8 @@
 #include <iostream>
 #include <iterator>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/text.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/text.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_core/sparql/results.h"
 #include "kg_engine/command/command.h"
@@ -27,7 +27,7 @@ std::string QueryText(const Arguments& arguments) {
   }
   if (text) return *text;
   if (arguments.words.size() > 1) {
-    return kg_core::ReadFile(arguments.words[1], kMaxQueryBytes);
+    return kg_base::ReadFile(arguments.words[1], kMaxQueryBytes);
   }
   return {std::istreambuf_iterator<char>(std::cin), {}};
 }
@@ -42,7 +42,7 @@ std::string Written(const QueryResult& result, const std::string& format) {
     return kg_core::TriplesToTurtle(result.triples);
   }
   if (format == "turtle") {
-    throw kg_core::InputError("only CONSTRUCT and DESCRIBE give Turtle");
+    throw kg_base::InputError("only CONSTRUCT and DESCRIBE give Turtle");
   }
   for (const kg_core::ResultFormat& known : kg_core::ResultFormats()) {
     if (format == known.name) return known.write(result);

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_engine/command/change.h"
 #include "kg_engine/command/command.h"
 #include "kg_engine/command/target.h"
@@ -16,7 +16,7 @@
 namespace kg_engine::command {
 namespace {
 
-using Outcome = kg_core::UpdateVerdict::Outcome;
+using Outcome = kg_engine::UpdateVerdict::Outcome;
 
 int ReadPort(const Arguments& arguments) {
   const std::string text = arguments.One("--port").value_or("");
@@ -28,10 +28,10 @@ int ReadPort(const Arguments& arguments) {
 }
 
 // One at a time: a transaction waits for the one before.
-kg_core::UpdateVerdict Decide(const kg_core::FactUpdate& update,
-                              const std::string& data_folder,
-                              const Target& target) {
-  kg_core::UpdateVerdict verdict;
+kg_engine::UpdateVerdict Decide(const kg_core::FactUpdate& update,
+                                const std::string& data_folder,
+                                const Target& target) {
+  kg_engine::UpdateVerdict verdict;
   verdict.outcome = Outcome::kRefused;
   try {
     kg_core::Transaction transaction = target.store->Begin();
@@ -65,11 +65,11 @@ int RunServe(const Arguments& arguments) {
   const std::string data = arguments.One("--data").value_or("");
   const Target target = OpenTarget(arguments.words[0], data);
   if (options.writable && IsMissionFolder(arguments.words[0])) {
-    throw kg_core::InputError(arguments.words[0] +
+    throw kg_base::InputError(arguments.words[0] +
                               ": a mission folder is not changed; serve a "
                               "store, or without --writable");
   }
-  kg_core::EndpointStore store;
+  kg_engine::EndpointStore store;
   store.read = [&target] { return target.store->Read(); };
   store.dataset = CurrentDataset;
   store.update = [&](const kg_core::FactUpdate& update) {

@@ -6,17 +6,17 @@
 #include <sstream>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/mission/ingest.h"
-#include "kg_core/mission/stage_update.h"
-#include "kg_core/mission/stage_vocabulary.h"
+#include "kg_base/common/input_error.h"
 #include "kg_engine/state/mission_state.h"
+#include "kg_mission/mission/ingest.h"
+#include "kg_mission/mission/stage_update.h"
+#include "kg_mission/mission/stage_vocabulary.h"
 
 namespace kg_engine::command {
 namespace {
 
 namespace fs = std::filesystem;
-using kg_core::InputError;
+using kg_base::InputError;
 using kg_core::Transaction;
 using kg_core::WorldChange;
 
@@ -29,18 +29,18 @@ bool IsOntology(const fs::path& folder) {
 }
 
 // Where an ontology may be. Beside the program: in the prefix it is installed
-// in, or in that of kg_core where every package has its own; a development
+// in, or in that of kg_mission where every package has its own; a development
 // space's prefix/.catkin lists its sources. Then where it was built from.
 std::vector<fs::path> OntologyPlaces() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   const fs::path prefix = program.parent_path().parent_path().parent_path();
   std::vector<fs::path> places = {
-      prefix / "share/kg_core/ontology",
-      prefix.parent_path() / "kg_core/share/kg_core/ontology"};
+      prefix / "share/kg_mission/ontology",
+      prefix.parent_path() / "kg_mission/share/kg_mission/ontology"};
   std::ifstream catkin(prefix / ".catkin");
   for (std::string source; std::getline(catkin, source, ';');) {
-    places.push_back(fs::path(source) / "kg_core/ontology");
+    places.push_back(fs::path(source) / "kg_mission/ontology");
   }
   places.emplace_back(KG_ONTOLOGY_FOLDER);
   return places;
@@ -48,7 +48,7 @@ std::vector<fs::path> OntologyPlaces() {
 
 void StageOntology(kg_core::Store* store) {
   Transaction transaction = store->Begin();
-  kg_core::StageVocabulary(OntologyFolder(), transaction);
+  kg_mission::StageVocabulary(OntologyFolder(), transaction);
   if (!transaction.empty()) transaction.Commit(WorldChange::kYes);
 }
 
@@ -61,11 +61,11 @@ std::string Joined(const std::vector<std::string>& reasons) {
 }
 
 // What the files of the mission say, if they are there.
-void Ingest(kg_core::FileCache files, kg_core::Store* store) {
+void Ingest(kg_mission::FileCache files, kg_core::Store* store) {
   Transaction transaction = store->Begin();
   std::string reason;
   try {
-    reason = Joined(kg_core::StageIngest(files, transaction));
+    reason = Joined(kg_mission::StageIngest(files, transaction));
   } catch (const InputError& error) {
     reason = error.what();
   }
@@ -86,7 +86,7 @@ Target ReadMissionFolder(const fs::path& folder,
   {
     Transaction transaction = target.store->Begin();
     const auto reasons =
-        kg_core::StageFactsFile(folder / kMissionName, transaction);
+        kg_mission::StageFactsFile(folder / kMissionName, transaction);
     if (!reasons.empty()) throw InputError(Joined(reasons));
     transaction.Commit(WorldChange::kYes);
   }

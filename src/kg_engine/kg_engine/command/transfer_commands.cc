@@ -7,7 +7,7 @@
 #include <iostream>
 #include <map>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/syntax.h"
 #include "kg_engine/command/change.h"
@@ -17,7 +17,7 @@
 namespace kg_engine::command {
 namespace {
 
-using kg_core::InputError;
+using kg_base::InputError;
 using kg_core::RdfSyntaxName;
 using kg_core::Statement;
 

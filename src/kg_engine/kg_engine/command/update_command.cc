@@ -2,8 +2,8 @@
 
 #include <cstdlib>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/text.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/text.h"
 #include "kg_core/rdf/syntax.h"
 #include "kg_engine/command/change.h"
 #include "kg_engine/command/command.h"
@@ -37,7 +37,7 @@ void ReadFact(const std::vector<std::string>& words, FactUpdate* update) {
 }
 
 void ReadUpdateFile(const std::string& file, FactUpdate* update) {
-  const std::string text = kg_core::ReadFile(file, kMaxUpdateBytes);
+  const std::string text = kg_base::ReadFile(file, kMaxUpdateBytes);
   const auto* syntax = kg_core::SyntaxOfPath(file);
   const bool is_turtle =
       syntax != nullptr && syntax->syntax == kg_core::RdfSyntax::kTurtle;
@@ -73,7 +73,7 @@ int RunUpdate(const Arguments& arguments) {
   const FactUpdate update = ReadUpdate(arguments);
   const std::string data = arguments.One("--data").value_or("");
   if (IsMissionFolder(arguments.words[0]) && !arguments.Has("--check")) {
-    throw kg_core::InputError(
+    throw kg_base::InputError(
         arguments.words[0] +
         ": a mission folder is not changed; edit its mission.ttl, or give "
         "--check to see whether the update would be accepted");

@@ -2,13 +2,13 @@
 
 #include <iostream>
 
-#include "kg_core/mission/stage_update.h"
-#include "kg_core/mission/stage_vocabulary.h"
-#include "kg_core/mission/validator.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/syntax.h"
 #include "kg_engine/command/command.h"
 #include "kg_engine/command/target.h"
+#include "kg_mission/mission/stage_update.h"
+#include "kg_mission/mission/stage_vocabulary.h"
+#include "kg_mission/mission/validator.h"
 
 namespace kg_engine::command {
 namespace {
@@ -32,15 +32,15 @@ int Show(const std::vector<Violation>& violations, bool as_report) {
 int ValidateFile(const std::string& file, bool as_report) {
   kg_core::Store store("");
   kg_core::Transaction transaction = store.Begin();
-  kg_core::StageVocabulary(OntologyFolder(), transaction);
+  kg_mission::StageVocabulary(OntologyFolder(), transaction);
   if (as_report) {
     const kg_core::Term facts = kg_core::Iri(kg_core::kFactsGraph);
     for (const kg_core::Statement& s : kg_core::ParseRdfFile(file, facts)) {
       transaction.Add(s);
     }
-    return Show(kg_core::Validate(transaction.view()), true);
+    return Show(kg_mission::Validate(transaction.view()), true);
   }
-  const auto reasons = kg_core::StageFactsFile(file, transaction);
+  const auto reasons = kg_mission::StageFactsFile(file, transaction);
   for (const std::string& reason : reasons) std::cout << reason << "\n";
   std::cout << reasons.size() << " violations\n";
   return reasons.empty() ? kDone : kRefused;
@@ -57,7 +57,7 @@ int RunValidate(const Arguments& arguments) {
     return ValidateFile(path, as_report);
   }
   const Target target = OpenTarget(path, "");
-  return Show(kg_core::Validate(*target.store->Read()), as_report);
+  return Show(kg_mission::Validate(*target.store->Read()), as_report);
 }
 
 }  // namespace

@@ -4,13 +4,13 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/units.h"
-#include "kg_core/mission/ingest.h"
-#include "kg_core/mission/mission_reader.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/units.h"
 #include "kg_engine/command/command.h"
 #include "kg_engine/command/target.h"
 #include "kg_engine/state/start_state.h"
+#include "kg_mission/mission/ingest.h"
+#include "kg_mission/mission/mission_reader.h"
 #include "kg_selector/explain/explain_plan.h"
 #include "kg_selector/team/plan_mission.h"
 
@@ -44,7 +44,7 @@ std::pair<std::string, std::string> Split(const std::string& text,
   return {text.substr(0, comma), text.substr(comma + 1)};
 }
 
-kg_core::LonLat ToPlace(const std::string& text, const std::string& option) {
+kg_base::LonLat ToPlace(const std::string& text, const std::string& option) {
   const auto [lon, lat] = Split(text, option);
   return {ToNumber(lon, option), ToNumber(lat, option)};
 }
@@ -101,13 +101,13 @@ PlanQuestion ReadQuestion(const Arguments& arguments) {
 PlannedWorld Plan(const Target& target, const std::string& data_folder) {
   PlannedWorld world;
   world.view = target.store->Read();
-  const kg_core::Mission mission = kg_core::ReadMission(*world.view);
+  const kg_mission::Mission mission = kg_mission::ReadMission(*world.view);
   const StartState start = StartOf(*world.view, mission);
   if (FirstWindowToPlan(start, mission) ==
       static_cast<int>(mission.windows.size())) {
-    throw kg_core::InputError("the mission has ended: nothing is planned");
+    throw kg_base::InputError("the mission has ended: nothing is planned");
   }
-  kg_core::FileCache files(target.mission_folder, data_folder);
+  kg_mission::FileCache files(target.mission_folder, data_folder);
   kg_compiler::MissionCompiler compiler(&files);
   world.compilation =
       StartFrom(start, *compiler.Compile(mission, world.view->world_version(),

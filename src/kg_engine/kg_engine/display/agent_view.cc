@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "kg_core/base/sha256.h"
+#include "kg_base/common/sha256.h"
 
 namespace kg_engine {
 namespace {
 
+using kg_base::LonLat;
 using kg_compiler::Compilation;
 using kg_compiler::SeamRules;
 using kg_compiler::WindowRules;
-using kg_core::LonLat;
 
 const SeamRules* RulesOf(const Compilation& compilation,
                          const std::string& agent_id) {
@@ -90,7 +90,7 @@ kg_compiler::WorkMap AgentView::WorkFrom(
 }
 
 std::string AgentView::WorkKey(const std::vector<LonLat>& places) const {
-  kg_core::Hasher hash;
+  kg_base::Hasher hash;
   hash.Add(tensor_->hash);
   hash.Add(field_->hash);
   for (const double value :

@@ -36,12 +36,12 @@ class AgentView {
   // Where the agent departs from in this window: where it is, in the first
   // window that is planned; after that the plan's waypoint of the window
   // before, or where it is if there is none.
-  const std::vector<kg_core::LonLat>& places() const { return places_; }
+  const std::vector<kg_base::LonLat>& places() const { return places_; }
 
   kg_compiler::WorkMap WorkFrom(
-      const std::vector<kg_core::LonLat>& places) const;
+      const std::vector<kg_base::LonLat>& places) const;
   // Equal if WorkFrom gives the same from the same places.
-  std::string WorkKey(const std::vector<kg_core::LonLat>& places) const;
+  std::string WorkKey(const std::vector<kg_base::LonLat>& places) const;
 
  private:
   AgentView() = default;
@@ -50,7 +50,7 @@ class AgentView {
   std::shared_ptr<const kg_compiler::WorkField> field_;
   kg_compiler::SeamRules rules_;
   kg_compiler::WindowRules window_;
-  std::vector<kg_core::LonLat> places_;
+  std::vector<kg_base::LonLat> places_;
 };
 
 }  // namespace kg_engine

@@ -8,9 +8,9 @@
 namespace kg_engine {
 namespace {
 
+using kg_base::LonLat;
 using kg_compiler::CellAccess;
 using kg_compiler::Layer;
-using kg_core::LonLat;
 
 constexpr double kDay_s = 86400.0;
 constexpr LonLat kStart = {-90.0, 0.0};
@@ -24,8 +24,8 @@ Scene TwoWindows() {
   rules.agent_id = "alpha";
   rules.motion = {0.5, 1.0, 1.0, 1.0, 0.0};
   rules.start = kStart;
-  const kg_core::Grid grid = kg_compiler::EvenGrid(-90.5, -0.5, 0.02, 51, 51);
-  const kg_core::Raster ones(grid.size(), 1.0F);
+  const kg_base::Grid grid = kg_compiler::EvenGrid(-90.5, -0.5, 0.02, 51, 51);
+  const kg_base::Raster ones(grid.size(), 1.0F);
   for (int window = 0; window < 2; ++window) {
     kg_compiler::WindowRules rule;
     rule.window = window;

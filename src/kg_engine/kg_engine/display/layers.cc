@@ -23,9 +23,9 @@ std::int8_t ToPercent(double share) {
 }
 
 // `values` times `scale` plus `offset`; no data where either raster has none.
-Percents Scaled(const MissionTensor& tensor, const kg_core::Raster& values,
+Percents Scaled(const MissionTensor& tensor, const kg_base::Raster& values,
                 double scale, double offset = 0.0) {
-  const kg_core::Raster feasibility = tensor.Get(Layer::kFeasibility);
+  const kg_base::Raster feasibility = tensor.Get(Layer::kFeasibility);
   Percents percents(values.size(), kNoDataPercent);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isnan(feasibility[i]) || std::isnan(values[i])) continue;
@@ -36,7 +36,7 @@ Percents Scaled(const MissionTensor& tensor, const kg_core::Raster& values,
 
 // What is shown as 100: so many of the cells that are worth anything are at
 // most this.
-float TopOfScale(const kg_core::Raster& values) {
+float TopOfScale(const kg_base::Raster& values) {
   constexpr double kShare = 0.995;
   std::vector<float> worth;
   std::copy_if(values.begin(), values.end(), std::back_inserter(worth),
@@ -48,7 +48,7 @@ float TopOfScale(const kg_core::Raster& values) {
   return worth[rank];
 }
 
-Percents OfItsTop(const MissionTensor& tensor, const kg_core::Raster& values) {
+Percents OfItsTop(const MissionTensor& tensor, const kg_base::Raster& values) {
   const float top = TopOfScale(values);
   return Scaled(tensor, values, top > 0.0F ? 1.0 / top : 0.0);
 }
@@ -62,8 +62,8 @@ Percents Uncertainty(const MissionTensor& tensor, const WorkMap*) {
 }
 
 Percents Policy(const MissionTensor& tensor, const WorkMap*) {
-  const kg_core::Raster policy = tensor.Get(Layer::kPolicy);
-  const kg_core::Raster feasibility = tensor.Get(Layer::kFeasibility);
+  const kg_base::Raster policy = tensor.Get(Layer::kPolicy);
+  const kg_base::Raster feasibility = tensor.Get(Layer::kFeasibility);
   float most = 0.0F;
   for (std::size_t i = 0; i < policy.size(); ++i) {
     if (!std::isnan(feasibility[i])) most = std::max(most, std::abs(policy[i]));

@@ -16,7 +16,7 @@ constexpr float kLand = std::numeric_limits<float>::quiet_NaN();
 // Six cells in two rows: worthless, forbidden, land / three of value.
 kg_compiler::MissionTensor SixCells() {
   kg_compiler::MissionTensor tensor;
-  tensor.grid = kg_core::Grid({-90.0, -89.9, -89.7}, {25.0, 25.1});
+  tensor.grid = kg_base::Grid({-90.0, -89.9, -89.7}, {25.0, 25.1});
   tensor.content = kg_compiler::HoldLayers(
       {{Layer::kReward, {0.0F, 0.8F, 0.0F, 0.2F, 0.4F, 0.8F}},
        {Layer::kUncertainty, {0.3F, 0.3F, 0.3F, 0.3F, 0.3F, 0.3F}},

@@ -8,13 +8,13 @@
 #include <fstream>
 #include <system_error>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 
 namespace kg_engine {
 namespace {
 
 namespace fs = std::filesystem;
-using kg_core::InputError;
+using kg_base::InputError;
 
 // Gone at the end of its life, if it has not become something else.
 class TemporaryFile {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 
 namespace kg_engine {
 namespace {
@@ -54,7 +54,7 @@ class NetcdfWriter {
 
   void Check(int status) const {
     if (status == NC_NOERR) return;
-    throw kg_core::InputError(path_ +
+    throw kg_base::InputError(path_ +
                               ": cannot be written: " + nc_strerror(status));
   }
   int Dimension(const char* name, std::size_t size) const {
@@ -153,7 +153,7 @@ void PutValues(const NetcdfWriter& file, const Variables& var,
 void WriteCfTrajectory(const PlanTracks& plan, const std::string& path) {
   const Ragged all = Flatten(plan);
   if (all.ids.empty()) {
-    throw kg_core::InputError(plan.run_iri + " holds no track");
+    throw kg_base::InputError(plan.run_iri + " holds no track");
   }
   std::size_t id_length = 1;
   for (const std::string& id : all.ids) {

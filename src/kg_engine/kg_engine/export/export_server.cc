@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/join_strings.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/join_strings.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/syntax.h"
 #include "kg_core/sparql/resolve_dataset.h"
@@ -19,8 +19,8 @@ namespace kg_engine {
 namespace {
 
 namespace fs = std::filesystem;
+using kg_base::InputError;
 using kg_core::GraphView;
-using kg_core::InputError;
 
 constexpr char kGotoFile[] = "goto_l10.ma";
 
@@ -113,7 +113,7 @@ std::string Write(const GraphView& view, const ExportRequest& request) {
                         request.path);
   }
   throw InputError("format '" + request.format + "' is not known; expected " +
-                   kg_core::JoinStrings(ExportFormats()));
+                   kg_base::JoinStrings(ExportFormats()));
 }
 
 }  // namespace

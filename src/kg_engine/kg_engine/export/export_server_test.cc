@@ -12,14 +12,14 @@
 #include <limits>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/date_time.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/temporary_folder.h"
-#include "kg_core/base/text.h"
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/common/date_time.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/temporary_folder.h"
+#include "kg_base/common/text.h"
+#include "kg_base/geo/geodesy.h"
+#include "kg_base/text/json.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/syntax.h"
-#include "kg_core/sparql/json.h"
 #include "kg_engine/export/atomic_file.h"
 #include "kg_engine/export/cf_trajectory.h"
 #include "kg_engine/export/plan_formats.h"
@@ -33,8 +33,8 @@ namespace kg_engine {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = kg_core::sparql::JsonValue;
-using kg_core::sparql::ParseJson;
+using Json = kg_base::JsonValue;
+using kg_base::ParseJson;
 
 constexpr std::size_t kMaxBytes = 64u << 20;
 
@@ -98,15 +98,15 @@ TEST(PlanFormats, AGotoListHasTheStopsThatAreStillToBeMade) {
 }
 
 TEST(CfTrajectory, RefusesAPlanWithoutATrackAndLeavesNoFile) {
-  const kg_core::TemporaryFolder folder;
+  const kg_base::TemporaryFolder folder;
   PlanTracks plan = Crossing();
   plan.agents[0].parts.clear();
-  EXPECT_THROW(WriteCfTrajectory(plan, folder / "a.nc"), kg_core::InputError);
+  EXPECT_THROW(WriteCfTrajectory(plan, folder / "a.nc"), kg_base::InputError);
   EXPECT_FALSE(fs::exists(folder / "a.nc"));
 }
 
 TEST(CfTrajectory, AtTheAntimeridianATrackGoesOn) {
-  const kg_core::TemporaryFolder folder;
+  const kg_base::TemporaryFolder folder;
   WriteCfTrajectory(Crossing(), folder / "a.nc");
   int file = 0, variable = 0;
   ASSERT_EQ(nc_open((folder / "a.nc").c_str(), NC_NOWRITE, &file), NC_NOERR);
@@ -122,30 +122,30 @@ TEST(CfTrajectory, AtTheAntimeridianATrackGoesOn) {
 }
 
 TEST(AtomicFile, IsThereWholeOrNotAtAll) {
-  const kg_core::TemporaryFolder folder;
+  const kg_base::TemporaryFolder folder;
   const std::string path = folder / "a.txt";
   WriteAtomically(path, "one");
   EXPECT_THROW(WriteAtomically(path,
                                [](const std::string& temporary) {
                                  std::ofstream(temporary) << "half";
-                                 throw kg_core::InputError("no more");
+                                 throw kg_base::InputError("no more");
                                }),
-               kg_core::InputError);
-  EXPECT_EQ(kg_core::ReadFile(path, 100), "one");
+               kg_base::InputError);
+  EXPECT_EQ(kg_base::ReadFile(path, 100), "one");
   EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(path).parent_path()),
                           fs::directory_iterator()),
             1);
 }
 
 TEST(AtomicFile, RefusesInOneLineWhatCannotBeWritten) {
-  const kg_core::TemporaryFolder folder;
+  const kg_base::TemporaryFolder folder;
   for (const std::string& path :
        {std::string("relative.txt"), folder / "no" + "/such/folder.txt",
         std::string(folder / ""), std::string("/proc/nothing")}) {
     try {
       WriteAtomically(path, "text");
       ADD_FAILURE() << path;
-    } catch (const kg_core::InputError& error) {
+    } catch (const kg_base::InputError& error) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
       EXPECT_NE(std::string(error.what()).find(path), std::string::npos);
     }
@@ -157,7 +157,7 @@ class ExportServerTest : public testing::Test {
   ExportServerTest() {
     folders_.mission = folder_ / "mission";
     folders_.state = folder_ / "state";
-    folders_.ontology = "../kg_core/ontology";
+    folders_.ontology = "../kg_mission/ontology";
     WriteTestMission(folders_.mission);
   }
 
@@ -168,7 +168,7 @@ class ExportServerTest : public testing::Test {
     return kg_engine::Export(*server.Read(), {format, graphs, path});
   }
 
-  kg_core::TemporaryFolder folder_;
+  kg_base::TemporaryFolder folder_;
   MissionFolders folders_;
 };
 
@@ -245,7 +245,7 @@ Track TrackOfGeoJson(const std::string& text) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     track.push_back(
         {{std::stod(lines[i].items[0].text), std::stod(lines[i].items[1].text)},
-         kg_core::ParseDateTime(times.at(i).text)});
+         kg_base::ParseDateTime(times.at(i).text)});
   }
   return track;
 }
@@ -259,7 +259,7 @@ Track TrackOfGpx(const std::string& text) {
     EXPECT_EQ(3, std::sscanf(text.c_str() + at,
                              "<trkpt lat=\"%lf\" lon=\"%lf\"><time>%39[^<]",
                              &lat, &lon, time));
-    track.push_back({{lon, lat}, kg_core::ParseDateTime(time)});
+    track.push_back({{lon, lat}, kg_base::ParseDateTime(time)});
   }
   return track;
 }
@@ -293,7 +293,7 @@ void ExpectSameWay(const Track& committed, const Track& exported) {
   ASSERT_GE(exported.size(), 2u);
   for (const auto& point : committed) {
     EXPECT_LT(
-        kg_core::Distance_m(PositionAt(exported, point.time_s), point.position),
+        kg_base::Distance_m(PositionAt(exported, point.time_s), point.position),
         12.0);
   }
 }
@@ -324,11 +324,11 @@ TEST_F(ExportServerTest, FilesHoldWhatTheAnswerWouldHaveSaid) {
     const auto answer = Export(server, format, {}, path);
     ASSERT_TRUE(answer.ok) << answer.error;
     EXPECT_TRUE(answer.data.empty());
-    EXPECT_EQ(kg_core::ReadFile(path, kMaxBytes), Export(server, format).data);
+    EXPECT_EQ(kg_base::ReadFile(path, kMaxBytes), Export(server, format).data);
   }
   ASSERT_TRUE(Export(server, "goto", {}, folder_ / "goto").ok);
   EXPECT_NE(Export(server, "goto")
-                .data.find(kg_core::ReadFile(folder_ / "goto/alpha/goto_l10.ma",
+                .data.find(kg_base::ReadFile(folder_ / "goto/alpha/goto_l10.ma",
                                              kMaxBytes)),
             std::string::npos);
 }

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "kg_core/base/date_time.h"
+#include "kg_base/common/date_time.h"
 
 namespace kg_engine {
 namespace {
@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 // Seven decimals, as in the facts: 1 cm.
 double Rounded(double degrees) { return std::round(degrees * 1e7) / 1e7; }
 
-Json Coordinates(const kg_core::LonLat& position) {
+Json Coordinates(const kg_base::LonLat& position) {
   return {Rounded(position.lon_deg), Rounded(position.lat_deg)};
 }
 
@@ -28,7 +28,7 @@ Json Coordinates(const Track& part) {
 Json Times(const Track& part) {
   Json times = Json::array();
   for (const auto& point : part) {
-    times.push_back(kg_core::FormatDateTime(point.time_s));
+    times.push_back(kg_base::FormatDateTime(point.time_s));
   }
   return times;
 }
@@ -80,7 +80,7 @@ Json StopFeature(const PlannedAgent& agent, const PlannedStop& stop) {
                      {"risk_hours", stop.risk_h},
                      {"events", stop.events}};
   if (std::isfinite(stop.time_s)) {
-    properties["time"] = kg_core::FormatDateTime(stop.time_s);
+    properties["time"] = kg_base::FormatDateTime(stop.time_s);
   }
   return Feature("Point", Coordinates(stop.position), properties);
 }
@@ -112,7 +112,7 @@ std::string XmlText(const std::string& text) {
   return safe;
 }
 
-std::string Attributes(const kg_core::LonLat& position) {
+std::string Attributes(const kg_base::LonLat& position) {
   char text[96];
   // GPX wants longitudes below 180.
   const double lon_deg = position.lon_deg >= 180.0 ? -180.0 : position.lon_deg;
@@ -123,7 +123,7 @@ std::string Attributes(const kg_core::LonLat& position) {
 
 std::string TimeTag(double time_s) {
   if (!std::isfinite(time_s)) return "";
-  return "<time>" + kg_core::FormatDateTime(time_s) + "</time>";
+  return "<time>" + kg_base::FormatDateTime(time_s) + "</time>";
 }
 
 std::string GpxWaypoint(const PlannedAgent& agent, const PlannedStop& stop) {
@@ -204,7 +204,7 @@ std::string ToGotoList(const PlanTracks& plan, const PlannedAgent& agent) {
                  DegreesAndMinutes(stop.position.lat_deg) + "  # w" +
                  std::to_string(stop.window);
     if (std::isfinite(stop.time_s)) {
-      waypoints += " by " + kg_core::FormatDateTime(stop.time_s);
+      waypoints += " by " + kg_base::FormatDateTime(stop.time_s);
     }
     waypoints += "\n";
   }

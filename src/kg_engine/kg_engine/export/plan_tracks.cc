@@ -5,9 +5,9 @@
 #include <limits>
 #include <map>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/geo/wkt.h"
 #include "kg_core/facts/terms.h"
-#include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_engine {
@@ -26,7 +26,7 @@ class PlanReader {
     const std::vector<Term> runs =
         kg_core::Subjects(view_, graph_, kg_core::RdfType(), Ex("PlanRun"));
     if (runs.size() != 1) {
-      throw kg_core::InputError("<" + graph_ + "> holds no plan");
+      throw kg_base::InputError("<" + graph_ + "> holds no plan");
     }
     PlanTracks plan;
     plan.run_iri = runs[0].text;
@@ -83,7 +83,7 @@ class PlanReader {
         FactText(kg_core::Iri(stop.window_iri), "index", "-1").c_str());
     stop.status = Text(node, "status");
     stop.position =
-        kg_core::Geometry::FromWkt(Text(node, "waypointWKT")).Point();
+        kg_base::Geometry::FromWkt(Text(node, "waypointWKT")).Point();
     stop.reward = Number(node, "reward");
     stop.seam_cost = Number(node, "seamCost");
     stop.travel_h = Number(node, "costHours");

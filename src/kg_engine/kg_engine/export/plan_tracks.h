@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/geo/lon_lat.h"
+#include "kg_base/geo/lon_lat.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_engine/terms/track_literal.h"
 
@@ -19,7 +19,7 @@ struct PlannedStop {
   int window = 0;  // ex:index.
   std::string window_iri;
   std::string status;        // "planned" or "executed".
-  kg_core::LonLat position;  // At the end of the window.
+  kg_base::LonLat position;  // At the end of the window.
   double time_s = 0.0;       // End of its path; NaN: it has none.
   double reward = 0.0;
   double seam_cost = 0.0;

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "kg_core/base/units.h"
+#include "kg_base/common/units.h"
 #include "kg_core/facts/terms.h"
 #include "kg_engine/facts/fact_writer.h"
 #include "kg_engine/terms/plan_names.h"
@@ -57,7 +57,7 @@ class Plane {
   bool made_ = false;
 };
 
-void MakeTensor(const MissionTensor& tensor, const kg_core::Mission& mission,
+void MakeTensor(const MissionTensor& tensor, const kg_mission::Mission& mission,
                 Plane* plane) {
   FactWriter* write =
       plane->Make(TensorNode(tensor, mission), "HeatmapArtifact");
@@ -116,18 +116,18 @@ void StageCommitment(const std::uint64_t run, const SeamRules& rules,
   AddAll(write.Take(), transaction);
 }
 
-void StageReportedState(const kg_core::Agent& agent, const AgentPose& pose,
+void StageReportedState(const kg_mission::Agent& agent, const AgentPose& pose,
                         const std::uint64_t cycle,
                         kg_core::Transaction* transaction) {
   FactWriter write(Iri(kg_core::kProvGraph));
   write.About(StateNodeOf(agent.id, cycle), "AgentState")
       .Link("forAgent", Iri(agent.iri))
       .Position(kg_core::GeoTerm("asWKT"), pose.position)
-      .Number("headingDeg", kg_core::RadToDeg(pose.heading_rad))
+      .Number("headingDeg", kg_base::RadToDeg(pose.heading_rad))
       .Time(Iri(std::string(kg_core::kSosa) + "resultTime"), pose.time_s)
       .Add(Prov("wasAttributedTo"), Iri(agent.iri));
   if (!std::isnan(pose.energy_left_j)) {
-    write.Number("energyRemaining", pose.energy_left_j / kg_core::kJoulesPerWh);
+    write.Number("energyRemaining", pose.energy_left_j / kg_base::kJoulesPerWh);
   }
   AddAll(write.Take(), transaction);
 }

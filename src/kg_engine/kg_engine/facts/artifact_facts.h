@@ -16,11 +16,11 @@
 #include <string>
 
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_core/mission/mission.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_core/rdf/store.h"
 #include "kg_engine/state/fleet_state.h"
 #include "kg_engine/terms/artifact_names.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_engine {
 
@@ -45,7 +45,7 @@ void StageCommitment(std::uint64_t run, const kg_compiler::SeamRules& rules,
                      kg_core::Transaction* transaction);
 
 // Stages the state that an agent had reported when a cycle began.
-void StageReportedState(const kg_core::Agent& agent, const AgentPose& pose,
+void StageReportedState(const kg_mission::Agent& agent, const AgentPose& pose,
                         std::uint64_t cycle, kg_core::Transaction* transaction);
 
 }  // namespace kg_engine

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "kg_base/common/date_time.h"
+#include "kg_base/common/units.h"
+#include "kg_base/geo/wkt.h"
 #include "kg_compiler/control_plane/edge_cost.h"
-#include "kg_core/base/date_time.h"
-#include "kg_core/base/units.h"
 #include "kg_core/facts/terms.h"
-#include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/store.h"
 
 namespace kg_engine {
@@ -49,20 +49,20 @@ class FactWriter {
   }
   FactWriter& Time(const kg_core::Term& property, double time_s) {
     return Add(property,
-               kg_core::Literal(kg_core::FormatDateTime(time_s),
+               kg_core::Literal(kg_base::FormatDateTime(time_s),
                                 std::string(kg_core::kXsd) + "dateTime"));
   }
   FactWriter& Position(const kg_core::Term& property,
-                       const kg_core::LonLat& position) {
-    return Add(property, kg_core::WktLiteral(kg_core::PointWkt(position)));
+                       const kg_base::LonLat& position) {
+    return Add(property, kg_core::WktLiteral(kg_base::PointWkt(position)));
   }
 
   // ex:costHours, ex:costEnergy, ex:costRisk, ex:seamCost.
   FactWriter& Cost(const kg_compiler::EdgeCost& cost) {
-    return Number("costHours", cost.travel_s / kg_core::kSecondsPerHour)
-        .Number("costEnergy", cost.energy_j / kg_core::kJoulesPerWh)
+    return Number("costHours", cost.travel_s / kg_base::kSecondsPerHour)
+        .Number("costEnergy", cost.energy_j / kg_base::kJoulesPerWh)
         .Number("costRisk",
-                (cost.hazard_s + cost.isolation_s) / kg_core::kSecondsPerHour)
+                (cost.hazard_s + cost.isolation_s) / kg_base::kSecondsPerHour)
         .Number("seamCost", cost.seam_cost);
   }
 

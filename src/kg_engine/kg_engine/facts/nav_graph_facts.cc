@@ -1,6 +1,6 @@
 #include "kg_engine/facts/nav_graph_facts.h"
 
-#include "kg_core/base/units.h"
+#include "kg_base/common/units.h"
 #include "kg_core/facts/terms.h"
 #include "kg_engine/facts/artifact_facts.h"
 #include "kg_engine/facts/fact_writer.h"
@@ -45,7 +45,7 @@ std::vector<Term> SourcesOf(const NavGraphOrigin& origin,
           field, before};
 }
 
-void Describe(const NavGraphOrigin& origin, const kg_core::Mission& mission,
+void Describe(const NavGraphOrigin& origin, const kg_mission::Mission& mission,
               FactWriter* write) {
   write->About(NavGraphNode(origin.stamp.hash), "NavGraph")
       .Link("forAgent", Iri(origin.agent_iri))
@@ -120,7 +120,7 @@ std::vector<kg_core::Statement> EdgeCostStatements(const Term& graph,
 }
 
 std::vector<kg_core::Statement> NavGraphDescription(
-    const NavGraphOrigin& origin, const kg_core::Mission& mission) {
+    const NavGraphOrigin& origin, const kg_mission::Mission& mission) {
   FactWriter write(Iri(kg_core::kProvGraph));
   Describe(origin, mission, &write);
   return write.Take();

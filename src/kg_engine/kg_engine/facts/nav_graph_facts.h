@@ -78,7 +78,7 @@ std::vector<kg_core::Statement> NavGraphStatements(
 
 // What it is: class, agent, window, mode, hash.
 std::vector<kg_core::Statement> NavGraphDescription(
-    const NavGraphOrigin& origin, const kg_core::Mission& mission);
+    const NavGraphOrigin& origin, const kg_mission::Mission& mission);
 
 // One ex:EdgeCost, in `graph`.
 std::vector<kg_core::Statement> EdgeCostStatements(

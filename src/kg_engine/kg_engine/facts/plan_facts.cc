@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kg_core/base/units.h"
-#include "kg_core/geo/wkt.h"
+#include "kg_base/common/units.h"
+#include "kg_base/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_engine/facts/fact_writer.h"
 #include "kg_engine/terms/artifact_names.h"
@@ -27,7 +27,7 @@ using kg_core::WktLiteral;
 constexpr double kTrackTolerance_m = 10.0;
 
 std::string AgentIri(const Compilation& compilation, const std::string& id) {
-  for (const kg_core::Agent& agent : compilation.mission.agents) {
+  for (const kg_mission::Agent& agent : compilation.mission.agents) {
     if (agent.id == id) return agent.iri;
   }
   return "";
@@ -94,7 +94,7 @@ class PlanWriter {
   }
 
   void WritePlannedWindows() {
-    for (const kg_core::TimeWindow& window : compilation_.mission.windows) {
+    for (const kg_mission::TimeWindow& window : compilation_.mission.windows) {
       if (window.index < compilation_.first_window) continue;
       write_.Link("forWindow", Iri(window.iri));
     }
@@ -162,7 +162,7 @@ class PlanWriter {
     std::string points;
     for (const kg_selector::Stop& stop : visit.via) {
       points += (points.empty() ? "" : ", ") +
-                kg_core::PointWkt(stop.position).substr(name);
+                kg_base::PointWkt(stop.position).substr(name);
     }
     return "MULTIPOINT(" + points + ")";
   }
@@ -211,7 +211,8 @@ class PlanWriter {
                 "planned");
       write_.GeneratedBy(run_).GeneratedBy(select_);
       WriteSources(assignment, visit.window);
-      for (const kg_core::TimeWindow& window : compilation_.mission.windows) {
+      for (const kg_mission::TimeWindow& window :
+           compilation_.mission.windows) {
         if (window.index != visit.window) continue;
         WritePath(ToLiteral(CutAtAntimeridian(SimplifyTrack(
             CutTrack(track, from_s, window.end_s), kTrackTolerance_m))));

@@ -25,7 +25,7 @@ std::vector<RecompiledArtifact> ListRecompiled(
     const kg_compiler::Compilation& compilation) {
   std::vector<RecompiledArtifact> artifacts;
   for (const kg_compiler::DirtyArtifact& dirty : compilation.dirty) {
-    const kg_core::Agent* agent = compilation.mission.FindAgent(dirty.agent);
+    const kg_mission::Agent* agent = compilation.mission.FindAgent(dirty.agent);
     artifacts.push_back({dirty.kind, agent == nullptr ? "" : agent->id,
                          dirty.window, FindHash(compilation, dirty)});
   }

@@ -2,15 +2,15 @@
 
 #include <utility>
 
-#include "kg_core/protocol/access.h"
+#include "kg_engine/protocol/access.h"
 
 namespace kg_engine {
 namespace {
 
-kg_core::EndpointOptions ToEndpoint(const HttpDoorOptions& options) {
-  kg_core::EndpointOptions endpoint;
+kg_engine::EndpointOptions ToEndpoint(const HttpDoorOptions& options) {
+  kg_engine::EndpointOptions endpoint;
   if (!options.token_file.empty()) {
-    endpoint.token = kg_core::ReadTokenFile(options.token_file);
+    endpoint.token = kg_engine::ReadTokenFile(options.token_file);
   }
   endpoint.writable = options.writable;
   return endpoint;
@@ -19,15 +19,16 @@ kg_core::EndpointOptions ToEndpoint(const HttpDoorOptions& options) {
 HttpServerOptions ToServer(const HttpDoorOptions& options) {
   HttpServerOptions server;
   server.port = options.port;
-  server.body_bytes = kg_core::EndpointOptions().body_bytes;
+  server.body_bytes = kg_engine::EndpointOptions().body_bytes;
   return server;
 }
 
 }  // namespace
 
-HttpDoor::HttpDoor(const HttpDoorOptions& options, kg_core::EndpointStore store)
+HttpDoor::HttpDoor(const HttpDoorOptions& options,
+                   kg_engine::EndpointStore store)
     : endpoint_(std::move(store), ToEndpoint(options)),
-      server_(ToServer(options), [this](const kg_core::HttpRequest& request) {
+      server_(ToServer(options), [this](const kg_engine::HttpRequest& request) {
         return endpoint_.Answer(request);
       }) {}
 

@@ -7,8 +7,8 @@
 
 #include <string>
 
-#include "kg_core/protocol/sparql_endpoint.h"
 #include "kg_engine/http/http_server.h"
+#include "kg_engine/protocol/sparql_endpoint.h"
 
 namespace kg_engine {
 
@@ -22,12 +22,12 @@ class HttpDoor {
  public:
   // Throws kg_core::InputError: no port, no token where one is needed, a token
   // file that everybody can read. port 0 is one that is free here.
-  HttpDoor(const HttpDoorOptions& options, kg_core::EndpointStore store);
+  HttpDoor(const HttpDoorOptions& options, kg_engine::EndpointStore store);
 
   int port() const { return server_.port(); }
 
  private:
-  kg_core::SparqlEndpoint endpoint_;
+  kg_engine::SparqlEndpoint endpoint_;
   HttpServer server_;
 };
 

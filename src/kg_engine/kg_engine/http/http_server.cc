@@ -13,15 +13,15 @@
 #include <thread>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/text.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/text.h"
 
 namespace kg_engine {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using kg_core::HttpRequest;
-using kg_core::HttpResponse;
+using kg_engine::HttpRequest;
+using kg_engine::HttpResponse;
 
 constexpr char kLoopback[] = "127.0.0.1";
 constexpr int kSlice_ms = 50;  // How soon a waiting thread sees the end.
@@ -149,7 +149,7 @@ HttpRequest FromHttplib(const httplib::Request& request, std::string body) {
     out.query.resize(std::min(out.query.find('#'), out.query.size()));
   }
   for (const auto& [name, value] : request.headers) {
-    std::string& all = out.headers[kg_core::ToLowerAscii(name)];
+    std::string& all = out.headers[kg_base::ToLowerAscii(name)];
     all += (all.empty() ? "" : ", ") + value;
   }
   out.body = std::move(body);
@@ -166,7 +166,7 @@ void ToHttplib(HttpResponse from, httplib::Response* to) {
 HttpResponse Refusal(int status, const std::string& why) {
   HttpResponse response;
   response.status = status;
-  response.content_type = kg_core::kPlainText;
+  response.content_type = kg_engine::kPlainText;
   response.body = why + "\n";
   return response;
 }
@@ -211,7 +211,7 @@ class HttpServer::Listener : public httplib::Server {
             : bind_to_port(kLoopback, options_.port) ? options_.port
                                                      : -1;
     if (port_ > 0) return;
-    throw kg_core::InputError("HTTP port " + std::to_string(options_.port) +
+    throw kg_base::InputError("HTTP port " + std::to_string(options_.port) +
                               " of 127.0.0.1 cannot be had: another program "
                               "has it, or it is not allowed");
   }
@@ -243,7 +243,7 @@ class HttpServer::Listener : public httplib::Server {
     // What httplib would take apart or unpack by itself.
     if (request.is_multipart_form_data() ||
         request.has_header("Content-Encoding")) {
-      const int status = kg_core::kUnsupportedMediaType;
+      const int status = kg_engine::kUnsupportedMediaType;
       return ToHttplib(Refusal(status,
                                "expected a body as it is, neither "
                                "multipart nor compressed"),
@@ -257,10 +257,10 @@ class HttpServer::Listener : public httplib::Server {
     if (whole) {
       return ToHttplib(Answer(FromHttplib(request, std::move(body))), response);
     }
-    const bool large = response->status == kg_core::kContentTooLarge ||
+    const bool large = response->status == kg_engine::kContentTooLarge ||
                        body.size() > options_.body_bytes;
     const std::string limit = std::to_string(options_.body_bytes);
-    ToHttplib(large ? Refusal(kg_core::kContentTooLarge,
+    ToHttplib(large ? Refusal(kg_engine::kContentTooLarge,
                               "the body is longer than the limit of " + limit +
                                   " bytes")
                     : Refusal(kRequestTimeout,
@@ -270,7 +270,7 @@ class HttpServer::Listener : public httplib::Server {
 
   HttpResponse Answer(const HttpRequest& request) {
     if (!slots_.Enter(options_.request_s)) {
-      return Refusal(kg_core::kUnavailable, "too many requests at once");
+      return Refusal(kg_engine::kUnavailable, "too many requests at once");
     }
     HttpResponse response = handler_(request);  // Does not throw.
     slots_.Leave();

@@ -8,7 +8,7 @@
 #include <functional>
 #include <memory>
 
-#include "kg_core/protocol/http.h"
+#include "kg_engine/protocol/http.h"
 
 namespace kg_engine {
 
@@ -24,7 +24,7 @@ struct HttpServerOptions {
 class HttpServer {
  public:
   using Handler =
-      std::function<kg_core::HttpResponse(const kg_core::HttpRequest&)>;
+      std::function<kg_engine::HttpResponse(const kg_engine::HttpRequest&)>;
 
   // Listens on 127.0.0.1 when this returns; calls `handler` from its threads.
   // Throws kg_core::InputError if the port cannot be had.

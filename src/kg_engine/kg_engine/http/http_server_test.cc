@@ -14,13 +14,13 @@
 #include <thread>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 
 namespace kg_engine {
 namespace {
 
-using kg_core::HttpRequest;
-using kg_core::HttpResponse;
+using kg_engine::HttpRequest;
+using kg_engine::HttpResponse;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -73,7 +73,7 @@ class Client {
 // Answers with what it was asked.
 HttpResponse Echo(const HttpRequest& request) {
   HttpResponse response;
-  response.content_type = kg_core::kPlainText;
+  response.content_type = kg_engine::kPlainText;
   response.headers["X-Test"] = "yes";
   response.body = request.method + " " + request.path + " ? " + request.query +
                   " : " + request.body;
@@ -258,7 +258,7 @@ TEST(HttpServerTest, RefusesAPortThatIsTaken) {
   const HttpServer server(Options(), Echo);
   HttpServerOptions same = Options();
   same.port = server.port();
-  EXPECT_THROW(HttpServer(same, Echo), kg_core::InputError);
+  EXPECT_THROW(HttpServer(same, Echo), kg_base::InputError);
   EXPECT_THAT(Exchange(server.port(), kGet), StartsWith("HTTP/1.1 200"));
 }
 

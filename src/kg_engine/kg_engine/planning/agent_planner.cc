@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "kg_core/base/clock.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/clock.h"
+#include "kg_base/common/input_error.h"
 #include "kg_planner/k_best/staging.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/team/plan_team.h"
@@ -13,9 +13,9 @@
 namespace kg_engine {
 namespace {
 
+using kg_base::InputError;
 using kg_compiler::NavGraph;
 using kg_compiler::NavGraphs;
-using kg_core::InputError;
 using kg_selector::AgentCandidates;
 
 double SecondsSince(std::chrono::steady_clock::time_point begin) {
@@ -101,7 +101,7 @@ std::vector<kg_compiler::WindowWorld> AgentPlanner::Worlds() const {
 
 AgentCandidates AgentPlanner::Header(const std::uint32_t round) const {
   AgentCandidates candidates;
-  candidates.time_s = kg_core::Now_s();
+  candidates.time_s = kg_base::Now_s();
   candidates.world_version = rules_.world_version;
   candidates.cycle = cycle_;
   candidates.agent = rules_.agent_id;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "kg_core/base/clock.h"
+#include "kg_base/common/clock.h"
 #include "kg_selector/team/plan_mission.h"
 #include "kg_selector/team/stability.h"
 #include "kg_selector/team/team_modes.h"
@@ -11,7 +11,7 @@
 namespace kg_engine {
 namespace {
 
-using kg_core::Now_s;
+using kg_base::Now_s;
 using kg_selector::AgentCandidates;
 using kg_selector::CommittedPlan;
 using kg_selector::Pathlet;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 
 namespace kg_engine {
 namespace {
@@ -99,7 +99,7 @@ TEST(TeamSelectorTest, RulesThatMakeNoSenseChangeNothing) {
   for (const char* mode : {"lottery", ""}) {
     TeamTask bad = Rules(2);
     bad.rules.mode = mode;
-    EXPECT_THROW(server.Take(bad), kg_core::InputError);
+    EXPECT_THROW(server.Take(bad), kg_base::InputError);
   }
   EXPECT_EQ(server.WaitingFor(), std::vector<std::string>{"bravo"});
   EXPECT_TRUE(server.Take(Offer("bravo", 1, 0, StayAt(-80, 4))).plan);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/temporary_folder.h"
+#include "kg_base/common/temporary_folder.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_engine/server/test_mission.h"
 #include "kg_engine/server/test_team.h"
@@ -27,7 +27,7 @@ class ChurnTest : public testing::Test {
   ChurnTest() {
     folders_.mission = folder_ / "mission";
     folders_.state = folder_ / "state";
-    folders_.ontology = "../kg_core/ontology";
+    folders_.ontology = "../kg_mission/ontology";
     WriteTestMission(folders_.mission);
     Open();
     Add(kSecondAgent);
@@ -75,7 +75,7 @@ class ChurnTest : public testing::Test {
         .rows.size();
   }
 
-  kg_core::TemporaryFolder folder_;
+  kg_base::TemporaryFolder folder_;
   MissionFolders folders_;
   std::unique_ptr<MissionServer> server_;
   std::unique_ptr<MissionPlanning> team_;

@@ -3,14 +3,14 @@
 #include <optional>
 #include <stdexcept>
 
-#include "kg_core/base/clock.h"
+#include "kg_base/common/clock.h"
 
 namespace kg_engine {
 
 using kg_selector::CommittedPlan;
 
 const CommittedPlan& MissionPlanning::Plan() {
-  const double began_s = kg_core::Now_s();
+  const double began_s = kg_base::Now_s();
   compilation_ = server_->BeginCycle();
   progress_.Begin(server_->cycle());
   selector_.KnowRun(server_->plan_run());
@@ -54,7 +54,7 @@ void MissionPlanning::Follow(const SelectorAnswer& answer) {
 void MissionPlanning::Record(const double began_s) {
   PlanRecord record = progress_.MakeRecord(plan_);
   record.started_s = began_s;
-  record.ended_s = kg_core::Now_s();
+  record.ended_s = kg_base::Now_s();
   server_->RecordPlan(record);
   while (const AgentGraph* graph = progress_.NextUnrecorded()) {
     server_->RecordGraph(*graph, progress_.HashBefore(*graph));

@@ -6,23 +6,23 @@
 #include <limits>
 #include <utility>
 
-#include "kg_core/base/clock.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/sha256.h"
+#include "kg_base/common/clock.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/sha256.h"
 #include "kg_core/facts/terms.h"
 #include "kg_core/facts/update_log.h"
-#include "kg_core/mission/expiry.h"
-#include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/stage_vocabulary.h"
-#include "kg_core/mission/validator.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/watch/watch_facts.h"
+#include "kg_mission/mission/expiry.h"
+#include "kg_mission/mission/mission_reader.h"
+#include "kg_mission/mission/stage_vocabulary.h"
+#include "kg_mission/mission/validator.h"
 
 namespace kg_engine {
 namespace {
 
 namespace fs = std::filesystem;
-using kg_core::InputError;
+using kg_base::InputError;
 using kg_core::Iri;
 using kg_core::Transaction;
 using kg_core::WorldChange;
@@ -101,14 +101,14 @@ MissionServer::MissionServer(MissionFolders folders)
   } else {
     Restore(state);
   }
-  next_expiry_s_ = kg_core::NextExpiry_s(*Read(), kLongAgo_s);
+  next_expiry_s_ = kg_mission::NextExpiry_s(*Read(), kLongAgo_s);
 }
 
 void MissionServer::LoadVocabulary() {
   Transaction transaction = store_->Begin();
   kg_core::LogVocabulary(
-      kg_core::StageVocabulary(folders_.ontology, transaction),
-      kg_core::Now_s(), transaction);
+      kg_mission::StageVocabulary(folders_.ontology, transaction),
+      kg_base::Now_s(), transaction);
   if (!transaction.empty()) transaction.Commit(WorldChange::kYes);
 }
 
@@ -117,13 +117,14 @@ void MissionServer::LoadMission() {
   kg_core::FactUpdate origin;
   origin.id = path;
   origin.author = "mission.ttl";
-  origin.files = {{"", path, kg_core::Sha256HexOfFile(path)}};
+  origin.files = {{"", path, kg_base::Sha256HexOfFile(path)}};
   Transaction transaction = store_->Begin();
-  std::vector<std::string> reasons = kg_core::StageFactsFile(path, transaction);
-  if (reasons.empty()) reasons = kg_core::StageIngest(files_, transaction);
+  std::vector<std::string> reasons =
+      kg_mission::StageFactsFile(path, transaction);
+  if (reasons.empty()) reasons = kg_mission::StageIngest(files_, transaction);
   if (!reasons.empty()) throw InputError(JoinLines(reasons));
-  mission_ = kg_core::ReadMission(transaction.view());
-  kg_core::LogUpdate(origin, kg_core::Now_s(), transaction);
+  mission_ = kg_mission::ReadMission(transaction.view());
+  kg_core::LogUpdate(origin, kg_base::Now_s(), transaction);
   transaction.Commit(WorldChange::kYes);
   start_.fleet.Reset(mission_);
   Save();
@@ -135,8 +136,8 @@ void MissionServer::Restore(const MissionState& state) {
                      state.mission_folder + ", not " + folders_.mission +
                      ": choose another with state:=");
   }
-  violations_at_start_ = kg_core::Lines(kg_core::Validate(*store_->Read()));
-  mission_ = kg_core::ReadMission(*store_->Read());
+  violations_at_start_ = kg_core::Lines(kg_mission::Validate(*store_->Read()));
+  mission_ = kg_mission::ReadMission(*store_->Read());
   start_.fleet.Restore(state.poses, state.mission_time_s);
   start_.fleet.Follow(mission_);
   cycle_ = state.cycle;
@@ -152,19 +153,19 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
   Decision decision;
   Transaction transaction = store_->Begin();
   try {
-    kg_core::StagedUpdate staged =
-        kg_core::StageUpdateWithFiles(update, files_, transaction);
+    kg_mission::StagedUpdate staged =
+        kg_mission::StageUpdateWithFiles(update, files_, transaction);
     decision.reasons = std::move(staged.judgement.reasons);
     decision.ingest_s = staged.ingest_s;
     if (decision.reasons.empty()) {
-      kg_core::Mission mission = kg_core::ReadMission(transaction.view());
+      kg_mission::Mission mission = kg_mission::ReadMission(transaction.view());
       if (!transaction.empty()) {
-        kg_core::LogUpdate(update, kg_core::Now_s(), transaction);
+        kg_core::LogUpdate(update, kg_base::Now_s(), transaction);
         plans_.StageStale(&transaction);
         transaction.Commit(WorldChange::kYes);
       }
       mission_ = std::move(mission);
-      next_expiry_s_ = kg_core::NextExpiry_s(*Read(), kLongAgo_s);
+      next_expiry_s_ = kg_mission::NextExpiry_s(*Read(), kLongAgo_s);
       const std::lock_guard<std::mutex> lock(mutex_);
       start_.fleet.Follow(mission_);
       decision.accepted = true;
@@ -179,24 +180,24 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
 
 Expired MissionServer::Expire() {
   const double now_s = fleet().time_s();
-  kg_core::ExpiredFacts expiry = kg_core::FindExpired(*Read(), now_s);
+  kg_mission::ExpiredFacts expiry = kg_mission::FindExpired(*Read(), now_s);
   Expired expired;
   expired.update = std::move(expiry.update);
   if (!expired.update.remove.empty()) expired.decision = Apply(expired.update);
   for (std::string& line : expiry.kept) {
     if (told_kept_.insert(line).second) expired.kept.push_back(std::move(line));
   }
-  next_expiry_s_ = kg_core::NextExpiry_s(*Read(), now_s);
+  next_expiry_s_ = kg_mission::NextExpiry_s(*Read(), now_s);
   return expired;
 }
 
-kg_core::UpdateJudgement MissionServer::Check(
+kg_mission::UpdateJudgement MissionServer::Check(
     const kg_core::FactUpdate& update) {
   Transaction transaction = store_->Begin();
   try {
-    kg_core::UpdateJudgement judgement =
-        kg_core::StageUpdateWithFiles(update, files_, transaction).judgement;
-    if (judgement.reasons.empty()) kg_core::ReadMission(transaction.view());
+    kg_mission::UpdateJudgement judgement =
+        kg_mission::StageUpdateWithFiles(update, files_, transaction).judgement;
+    if (judgement.reasons.empty()) kg_mission::ReadMission(transaction.view());
     return judgement;
   } catch (const InputError& error) {
     return {{error.what()}, std::nullopt};
@@ -204,7 +205,7 @@ kg_core::UpdateJudgement MissionServer::Check(
 }
 
 std::shared_ptr<const kg_compiler::Compilation> MissionServer::BeginCycle() {
-  times_.began_s = kg_core::Now_s();
+  times_.began_s = kg_base::Now_s();
   const auto compiled = compiler_.Compile(mission_, store_->world_version(),
                                           FirstWindowToPlan(start_, mission_));
   times_.tensors_s = times_.began_s;
@@ -218,7 +219,7 @@ std::shared_ptr<const kg_compiler::Compilation> MissionServer::BeginCycle() {
     start_.cycle = cycle_;
   }
   compilation_ = StartFrom(start_, *compiled);
-  times_.ended_s = std::max(kg_core::Now_s(), times_.tensors_s);
+  times_.ended_s = std::max(kg_base::Now_s(), times_.tensors_s);
   Transaction transaction = store_->Begin();
   StageCycle(&transaction);
   plans_.StageStale(&transaction);
@@ -228,7 +229,7 @@ std::shared_ptr<const kg_compiler::Compilation> MissionServer::BeginCycle() {
 }
 
 void MissionServer::StageCycle(Transaction* transaction) {
-  for (const kg_core::Agent& agent : mission_.agents) {
+  for (const kg_mission::Agent& agent : mission_.agents) {
     const auto pose = fleet().poses().find(agent.id);
     if (pose == fleet().poses().end() || !pose->second.observed) continue;
     StageReportedState(agent, pose->second, cycle_, transaction);

@@ -12,9 +12,6 @@
 #include <vector>
 
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_core/mission/ingest.h"
-#include "kg_core/mission/mission.h"
-#include "kg_core/mission/stage_update.h"
 #include "kg_core/rdf/store.h"
 #include "kg_core/watch/watch_list.h"
 #include "kg_engine/facts/artifact_facts.h"
@@ -24,6 +21,9 @@
 #include "kg_engine/state/fleet_state.h"
 #include "kg_engine/state/mission_state.h"
 #include "kg_engine/state/start_state.h"
+#include "kg_mission/mission/ingest.h"
+#include "kg_mission/mission/mission.h"
+#include "kg_mission/mission/stage_update.h"
 
 namespace kg_engine {
 
@@ -60,7 +60,7 @@ class MissionServer {
   Decision Apply(const kg_core::FactUpdate& update);
   // What Apply would answer, without doing it; with the violations of shapes
   // that the update would cause.
-  kg_core::UpdateJudgement Check(const kg_core::FactUpdate& update);
+  kg_mission::UpdateJudgement Check(const kg_core::FactUpdate& update);
 
   // Has mission time reached the end of some facts' lives? Takes them back, in
   // an update of its own (kg_core/mission/expiry.h).
@@ -74,7 +74,7 @@ class MissionServer {
   // that is open.
   void KeepWatches(const std::vector<kg_core::WatchDefinition>& watches);
 
-  const kg_core::Mission& mission() const { return mission_; }
+  const kg_mission::Mission& mission() const { return mission_; }
   std::uint64_t world_version() const { return store_->world_version(); }
   bool was_restored() const { return was_restored_; }
   // What a store that was taken up again holds against the shapes, a line each:
@@ -113,7 +113,7 @@ class MissionServer {
   // What somebody else needs to think ahead from now. Safe from any thread, as
   // are Read() and files().
   Present present() const;
-  kg_core::FileCache* files() { return &files_; }
+  kg_mission::FileCache* files() { return &files_; }
 
   // Keeps cycle, time and poses for the next start.
   void Save();
@@ -129,10 +129,10 @@ class MissionServer {
   RecordedCycle RecordedNow() const;
 
   MissionFolders folders_;
-  kg_core::FileCache files_;
+  kg_mission::FileCache files_;
   std::unique_ptr<kg_core::Store> store_;
   kg_compiler::MissionCompiler compiler_;
-  kg_core::Mission mission_;
+  kg_mission::Mission mission_;
   // Changed by one thread only, which reads them freely; guarded for present().
   mutable std::mutex mutex_;
   StartState start_;

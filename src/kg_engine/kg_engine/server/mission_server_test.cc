@@ -6,30 +6,30 @@
 #include <algorithm>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/temporary_folder.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/temporary_folder.h"
 #include "kg_core/facts/vocabulary.h"
-#include "kg_core/mission/validator.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_engine/planning/agent_planner.h"
 #include "kg_engine/planning/team_selector.h"
 #include "kg_engine/server/test_mission.h"
 #include "kg_engine/terms/plan_names.h"
+#include "kg_mission/mission/validator.h"
 
 namespace kg_engine {
 namespace {
 
+using kg_base::InputError;
 using kg_compiler::Compilation;
 using kg_compiler::Layer;
-using kg_core::InputError;
 
 class MissionServerTest : public testing::Test {
  protected:
   MissionServerTest() {
     folders_.mission = folder_ / "mission";
     folders_.state = folder_ / "state";
-    folders_.ontology = "../kg_core/ontology";
+    folders_.ontology = "../kg_mission/ontology";
     WriteTestMission(folders_.mission);
   }
 
@@ -79,7 +79,7 @@ class MissionServerTest : public testing::Test {
         .rows.size();
   }
 
-  kg_core::TemporaryFolder folder_;
+  kg_base::TemporaryFolder folder_;
   MissionFolders folders_;
 };
 
@@ -135,7 +135,7 @@ TEST_F(MissionServerTest, CheckChangesNothing) {
 
 TEST_F(MissionServerTest, CheckTellsTheViolationsThatAnUpdateWouldCause) {
   MissionServer server(folders_);
-  const kg_core::UpdateJudgement judgement =
+  const kg_mission::UpdateJudgement judgement =
       server.Check(Set("ex:w0", "ex:confidence", "1.2"));
   ASSERT_TRUE(judgement.violations);
   ASSERT_EQ(judgement.violations->size(), 1u);
@@ -176,7 +176,7 @@ TEST_F(MissionServerTest, AStoreThatViolatesTheShapesIsToldAndCanBeRepaired) {
       server.Apply(Set("ex:alpha", "ex:usesPolicy", "ex:safe")).accepted);
   EXPECT_FALSE(server.Apply(Set("ex:w1", "ex:durationHours", "23")).accepted);
   EXPECT_TRUE(server.Apply(Set("ex:w1", "ex:confidence", "0.8")).accepted);
-  EXPECT_TRUE(kg_core::Validate(*server.Read()).empty());
+  EXPECT_TRUE(kg_mission::Validate(*server.Read()).empty());
 }
 
 TEST_F(MissionServerTest, PlansBecomeFactsThatLeadBackToFiles) {
@@ -272,7 +272,7 @@ TEST_F(MissionServerTest, AfterItsEndAMissionBeginsAnewAndTheOldOneIsKept) {
 
 TEST_F(MissionServerTest, CyclesLeaveFromWhereAgentsAreNow) {
   MissionServer server(folders_);
-  const kg_core::TimeWindow& first = server.mission().windows[0];
+  const kg_mission::TimeWindow& first = server.mission().windows[0];
   AgentPose pose;
   pose.position = {-90.6, 25.6};
   pose.time_s = first.begin_s + 0.5 * first.duration_s();
@@ -287,7 +287,7 @@ TEST_F(MissionServerTest, CyclesLeaveFromWhereAgentsAreNow) {
 
 TEST_F(MissionServerTest, AWindowThatIsNearlyOverIsNotPlannedAnyMore) {
   MissionServer server(folders_);
-  const kg_core::TimeWindow& first = server.mission().windows[0];
+  const kg_mission::TimeWindow& first = server.mission().windows[0];
   AgentPose pose;
   pose.position = {-90.6, 25.6};
   pose.time_s = first.begin_s + 0.9 * first.duration_s();
@@ -374,7 +374,7 @@ void ExpectAllConforms(const MissionServer& server) {
         std::string(kg_core::kLogGraph), std::string(kg_core::kStateGraph),
         PlanGraph(server.plan_run()).text}) {
     for (const kg_core::Violation& found :
-         kg_core::ValidateGraph(*view, graph)) {
+         kg_mission::ValidateGraph(*view, graph)) {
       ADD_FAILURE() << graph << ": " << found.Line();
     }
     int quads = 0;
@@ -445,7 +445,7 @@ TEST_F(MissionServerTest, StopsAreFactsThatConformAndSurviveARestart) {
   const kg_selector::Visit& kept = server.executed()[0].visit;
   ASSERT_EQ(kept.via.size(), made.via.size());
   for (std::size_t i = 0; i < made.via.size(); ++i) {
-    const kg_core::LonLat& there = made.via[i].position;
+    const kg_base::LonLat& there = made.via[i].position;
     EXPECT_NEAR(kept.via[i].position.lon_deg, there.lon_deg, 1e-10);
     EXPECT_NEAR(kept.via[i].position.lat_deg, there.lat_deg, 1e-10);
   }
@@ -522,7 +522,7 @@ ex:bravo_start a ex:AgentState ; ex:forAgent ex:bravo ; ex:forWindow ex:w0 ;
     EXPECT_TRUE(decision.accepted) << decision.reasons.at(0);
   }
 
-  static double Most(const kg_core::Raster& raster) {
+  static double Most(const kg_base::Raster& raster) {
     double most = 0.0;
     for (const float value : raster) {
       if (value > most) most = value;

@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/temporary_folder.h"
-#include "kg_core/base/text.h"
+#include "kg_base/common/temporary_folder.h"
+#include "kg_base/common/text.h"
 #include "kg_core/facts/terms.h"
-#include "kg_core/mission/validator.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_engine/server/test_mission.h"
 #include "kg_engine/server/test_team.h"
 #include "kg_engine/terms/plan_names.h"
+#include "kg_mission/mission/validator.h"
 
 namespace kg_engine {
 namespace {
@@ -66,7 +66,7 @@ class PlanFactsTest : public testing::Test {
     }
   }
 
-  kg_core::TemporaryFolder folder_;
+  kg_base::TemporaryFolder folder_;
   std::unique_ptr<MissionServer> server_;
   std::unique_ptr<MissionPlanning> team_;
 };
@@ -127,7 +127,7 @@ TEST_F(PlanFactsTest, PricesCanBeAskedForAndAreValid) {
   record.cooling[0].full_events = {"http://example.org/mission/bloom"};
   RecordAgain(record);
   const std::string query =
-      kg_core::ReadFile("../../config/queries/cooling_and_prices.rq", 1u << 20);
+      kg_base::ReadFile("../../config/queries/cooling_and_prices.rq", 1u << 20);
   const std::string run =
       "\nVALUES ?run { <" + PlanRunNode(server_->plan_run()).text + "> }";
   const Rows rows = Ask(query + run);
@@ -158,7 +158,7 @@ TEST_F(PlanFactsTest, PricesCanBeAskedForAndAreValid) {
   record.cooling.clear();  // A track is not the area that a constraint is.
   ++record.plan.run;
   RecordAgain(record);
-  const auto violations = kg_core::ValidateGraph(
+  const auto violations = kg_mission::ValidateGraph(
       *server_->Read(), PlanGraph(server_->plan_run()).text);
   EXPECT_TRUE(violations.empty()) << violations.front().Line();
 }

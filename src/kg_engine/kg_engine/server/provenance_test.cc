@@ -6,9 +6,9 @@
 #include <set>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/temporary_folder.h"
+#include "kg_base/common/temporary_folder.h"
+#include "kg_base/geo/geodesy.h"
 #include "kg_core/facts/terms.h"
-#include "kg_core/geo/geodesy.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_engine/server/test_mission.h"
@@ -98,7 +98,7 @@ class ProvenanceTest : public testing::Test {
         << "neither asserted nor a file, from " << start;
   }
 
-  kg_core::TemporaryFolder folder_;
+  kg_base::TemporaryFolder folder_;
   std::unique_ptr<MissionServer> server_;
   std::unique_ptr<MissionPlanning> team_;
 };
@@ -259,14 +259,14 @@ TEST_F(ProvenanceTest, APathIsWhereTheTrackIsAndEndsAtItsWaypoint) {
       ASSERT_EQ(parts.size(), 1u);
       EXPECT_NEAR(parts[0].front().time_s, begin_s, 0.1);
       begin_s = parts[0].back().time_s;
-      EXPECT_LT(kg_core::Distance_m(parts[0].back().position, visit.position),
+      EXPECT_LT(kg_base::Distance_m(parts[0].back().position, visit.position),
                 1.0);
       for (const auto& point : track) {
         if (point.time_s < parts[0].front().time_s ||
             point.time_s > parts[0].back().time_s) {
           continue;
         }
-        EXPECT_LT(kg_core::Distance_m(point.position,
+        EXPECT_LT(kg_base::Distance_m(point.position,
                                       PositionAt(parts[0], point.time_s)),
                   11.0);
       }

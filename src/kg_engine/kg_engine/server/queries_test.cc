@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/temporary_folder.h"
-#include "kg_core/base/text.h"
+#include "kg_base/common/temporary_folder.h"
+#include "kg_base/common/text.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_core/sparql/results.h"
 #include "kg_engine/server/test_mission.h"
@@ -85,7 +85,7 @@ class House {
     if (!decision.accepted) throw std::runtime_error(decision.reasons.at(0));
   }
 
-  kg_core::TemporaryFolder folder_;
+  kg_base::TemporaryFolder folder_;
   std::unique_ptr<MissionServer> server_;
 };
 
@@ -139,7 +139,7 @@ TEST(ShippedQueries, AnswerAsTheyDidWhenTheyWereLookedAt) {
   for (const Case& one : kCases) {
     const std::string path = std::string(kQueries) + "/" + one.query + ".rq";
     const kg_core::QueryResult result =
-        TheHouse().Ask(kg_core::ReadFile(path, kMaxBytes) + "\n" + one.values);
+        TheHouse().Ask(kg_base::ReadFile(path, kMaxBytes) + "\n" + one.values);
     EXPECT_GT(result.rows.size(), 0u) << one.golden;
     const std::string answer =
         Normalise(kg_core::ToCsv(result), TheHouse().folder());
@@ -148,13 +148,13 @@ TEST(ShippedQueries, AnswerAsTheyDidWhenTheyWereLookedAt) {
       std::ofstream(golden) << answer;
       continue;
     }
-    EXPECT_EQ(kg_core::ReadFile(golden, kMaxBytes), answer) << one.golden;
+    EXPECT_EQ(kg_base::ReadFile(golden, kMaxBytes), answer) << one.golden;
   }
 }
 
 TEST(ShippedQueries, SayWhatTheyAnswerAndForWhichParameters) {
   for (const Case& one : kCases) {
-    const std::string text = kg_core::ReadFile(
+    const std::string text = kg_base::ReadFile(
         std::string(kQueries) + "/" + one.query + ".rq", kMaxBytes);
     EXPECT_EQ(text.rfind("# ", 0), 0u) << one.query;
     EXPECT_NE(text.find("# Parameters: "), std::string::npos) << one.query;
@@ -164,7 +164,7 @@ TEST(ShippedQueries, SayWhatTheyAnswerAndForWhichParameters) {
 
 TEST(ShippedQueries, EveryFactHasSomebodyWhoSaidIt) {
   const std::string text =
-      kg_core::ReadFile(std::string(kQueries) + "/who_said.rq", kMaxBytes);
+      kg_base::ReadFile(std::string(kQueries) + "/who_said.rq", kMaxBytes);
   const kg_core::QueryResult said = TheHouse().Ask(text);
   const kg_core::QueryResult facts =
       TheHouse().Ask("SELECT ?s ?p ?o { GRAPH graph:facts { ?s ?p ?o } }");

@@ -22,7 +22,7 @@ constexpr std::uint64_t kKeptPlans = 5;
 
 std::string FindAgentIri(const kg_compiler::Compilation& compilation,
                          const std::string& agent_id) {
-  for (const kg_core::Agent& agent : compilation.mission.agents) {
+  for (const kg_mission::Agent& agent : compilation.mission.agents) {
     if (agent.id == agent_id) return agent.iri;
   }
   return "";

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "kg_core/base/temporary_folder.h"
+#include "kg_base/common/temporary_folder.h"
 #include "kg_engine/server/mission_planning.h"
 #include "kg_engine/server/mission_server.h"
 #include "kg_engine/server/test_mission.h"
@@ -24,11 +24,11 @@ ex:bravo_start a ex:AgentState ; ex:forAgent ex:bravo ; ex:forWindow ex:w0 ;
 
 // A server of the test mission, which is written into `folder`.
 inline std::unique_ptr<MissionServer> StartTestServer(
-    const kg_core::TemporaryFolder& folder) {
+    const kg_base::TemporaryFolder& folder) {
   MissionFolders folders;
   folders.mission = folder / "mission";
   folders.state = folder / "state";
-  folders.ontology = "../kg_core/ontology";
+  folders.ontology = "../kg_mission/ontology";
   WriteTestMission(folders.mission);
   return std::make_unique<MissionServer>(folders);
 }

@@ -4,11 +4,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "kg_base/common/input_error.h"
 #include "kg_compiler/compile/same_compilation.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/mission/mission_reader.h"
 #include "kg_engine/facts/artifact_facts.h"
 #include "kg_engine/terms/artifact_names.h"
+#include "kg_mission/mission/mission_reader.h"
 
 namespace kg_engine {
 namespace {
@@ -40,7 +40,7 @@ std::string Text(const CheckAnswer& answer) {
 
 // What is to be compiled of a world.
 struct Task {
-  kg_core::Mission mission;
+  kg_mission::Mission mission;
   std::uint64_t world_version = 0;
   int first_window = 0;
 
@@ -51,12 +51,12 @@ struct Task {
 
 Task TaskOf(const kg_core::GraphView& view, StartState start) {
   Task task;
-  task.mission = kg_core::ReadMission(view);
+  task.mission = kg_mission::ReadMission(view);
   task.world_version = view.world_version();
   start.fleet.Follow(task.mission);
   task.first_window = FirstWindowToPlan(start, task.mission);
   if (task.first_window >= static_cast<int>(task.mission.windows.size())) {
-    throw kg_core::InputError("the mission has ended: nothing is compiled");
+    throw kg_base::InputError("the mission has ended: nothing is compiled");
   }
   return task;
 }
@@ -64,7 +64,7 @@ Task TaskOf(const kg_core::GraphView& view, StartState start) {
 // `compare` is given the task and the compilation made anew.
 template <typename Compare>
 CheckAnswer Check(const kg_core::GraphView& view, const StartState& start,
-                  kg_core::FileCache* files, const Compare& compare) {
+                  kg_mission::FileCache* files, const Compare& compare) {
   const CheckTimer watch;
   CheckAnswer answer;
   answer.world_version = view.world_version();
@@ -88,7 +88,7 @@ CheckAnswer Check(const kg_core::GraphView& view, const StartState& start,
 
 }  // namespace
 
-CheckAnswer CheckWorld(const Present& present, kg_core::FileCache* files) {
+CheckAnswer CheckWorld(const Present& present, kg_mission::FileCache* files) {
   return Check(*present.facts, present.start, files,
                [&](const Task& task, const Compilation& anew) {
                  MissionCompiler held = present.compiler;
@@ -97,11 +97,11 @@ CheckAnswer CheckWorld(const Present& present, kg_core::FileCache* files) {
 }
 
 CheckAnswer CheckStore(const kg_core::GraphView& view,
-                       kg_core::FileCache* files) {
+                       kg_mission::FileCache* files) {
   StartState start;
   try {
-    start = StartOf(view, kg_core::ReadMission(view));
-  } catch (const kg_core::InputError& error) {
+    start = StartOf(view, kg_mission::ReadMission(view));
+  } catch (const kg_base::InputError& error) {
     CheckAnswer answer;
     answer.errors.push_back(error.what());
     answer.text = Text(answer);

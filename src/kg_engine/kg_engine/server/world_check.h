@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/mission/ingest.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_engine/state/start_state.h"
+#include "kg_mission/mission/ingest.h"
 
 namespace kg_engine {
 
@@ -30,13 +30,13 @@ struct CheckAnswer {
 // last cycle, brought up to them as the next cycle will) against a compiler
 // that begins with nothing. Bit by bit. Never throws for what the world says:
 // that is in `errors`.
-CheckAnswer CheckWorld(const Present& present, kg_core::FileCache* files);
+CheckAnswer CheckWorld(const Present& present, kg_mission::FileCache* files);
 
 // Of a store that nobody runs: the tensors that its provenance graph says were
 // made, against those that its facts give now, by their hashes (which are of
 // all that a tensor is made of) and sources.
 CheckAnswer CheckStore(const kg_core::GraphView& view,
-                       kg_core::FileCache* files);
+                       kg_mission::FileCache* files);
 
 }  // namespace kg_engine
 

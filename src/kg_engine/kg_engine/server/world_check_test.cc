@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/temporary_folder.h"
+#include "kg_base/common/temporary_folder.h"
 #include "kg_engine/server/mission_server.h"
 #include "kg_engine/server/test_mission.h"
 
@@ -17,7 +17,7 @@ class WorldCheckTest : public testing::Test {
   WorldCheckTest() {
     folders_.mission = folder_ / "mission";
     folders_.state = folder_ / "state";
-    folders_.ontology = "../kg_core/ontology";
+    folders_.ontology = "../kg_mission/ontology";
     WriteTestMission(folders_.mission);
   }
 
@@ -30,7 +30,7 @@ class WorldCheckTest : public testing::Test {
     ASSERT_TRUE(decision.accepted) << decision.reasons.at(0);
   }
 
-  kg_core::TemporaryFolder folder_;
+  kg_base::TemporaryFolder folder_;
   MissionFolders folders_;
 };
 
@@ -63,8 +63,9 @@ TEST_F(WorldCheckTest, NamesWhatIsHeldOtherwise) {
   const kg_compiler::RasterReaders files =
       kg_compiler::ReadersOf(server.files());
   present.compiler = kg_compiler::MissionCompiler(kg_compiler::RasterReaders{
-      [&](const kg_core::Mission& mission, const kg_core::WorkFieldRef& ref) {
-        kg_core::VectorField field = files.field(mission, ref);
+      [&](const kg_mission::Mission& mission,
+          const kg_mission::WorkFieldRef& ref) {
+        kg_base::VectorField field = files.field(mission, ref);
         if (ref.window == 1) {
           field.slices[0].east_mps[field.grid.size() - 1] += 0.25f;
         }
@@ -85,7 +86,7 @@ TEST_F(WorldCheckTest, SaysWhyAWorldCannotBeChecked) {
   server.BeginCycle();
   Present present = server.present();
   std::filesystem::remove(folders_.mission + "/ocean.nc");
-  kg_core::FileCache files(folders_.mission, "");
+  kg_mission::FileCache files(folders_.mission, "");
   const auto answer = CheckWorld(present, &files);
   EXPECT_FALSE(answer.ok);
   EXPECT_EQ(answer.errors.size(), 1u) << answer.text;

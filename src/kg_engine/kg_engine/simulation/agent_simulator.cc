@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/geo/geodesy.h"
 #include "kg_engine/simulation/track_position.h"
 
 namespace kg_engine {
@@ -76,15 +76,15 @@ double AgentSimulator::EnergyUsed_j(const Agent& agent) const {
 
 SimulatedState AgentSimulator::StateOf(const std::string& id,
                                        const Agent& agent) const {
-  const kg_core::LonLat ahead = PositionAt(agent.track, time_s_ + kLookAhead_s);
+  const kg_base::LonLat ahead = PositionAt(agent.track, time_s_ + kLookAhead_s);
   SimulatedState state;
   state.agent = id;
   state.time_s = time_s_;
   state.position = PositionAt(agent.track, time_s_);
-  const double way_m = kg_core::Distance_m(state.position, ahead);
+  const double way_m = kg_base::Distance_m(state.position, ahead);
   state.speed_mps = way_m / kLookAhead_s;
   state.heading_rad =
-      way_m > 1.0 ? kg_core::Bearing_rad(state.position, ahead) : 0.0;
+      way_m > 1.0 ? kg_base::Bearing_rad(state.position, ahead) : 0.0;
   if (agent.has_energy) {
     state.energy_left_j = std::max(0.0, agent.energy_j - EnergyUsed_j(agent));
   }

@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/geo/lon_lat.h"
 #include "kg_compiler/traversal/traversal.h"
-#include "kg_core/geo/lon_lat.h"
 #include "kg_selector/team/committed_plan.h"
 
 namespace kg_engine {
@@ -39,7 +39,7 @@ struct SimulatedWorld {
 struct SimulatedState {
   std::string agent;    // ex:id.
   double time_s = 0.0;  // Unix seconds.
-  kg_core::LonLat position;
+  kg_base::LonLat position;
   double heading_rad = 0.0;  // Clockwise from north.
   double speed_mps = 0.0;    // Over ground.
   double energy_left_j = std::numeric_limits<double>::quiet_NaN();

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/units.h"
+#include "kg_base/common/units.h"
 
 namespace kg_engine {
 namespace {
@@ -45,7 +45,7 @@ TEST(AgentSimulatorTest, FollowsTheTrackAndCountsEnergyDown) {
   const auto states = simulator.Advance(36.0);  // One day and a half.
   ASSERT_EQ(states.size(), 1u);
   EXPECT_NEAR(states[0].position.lon_deg, 1.5, 1e-6);
-  EXPECT_NEAR(states[0].heading_rad, kg_core::kPi / 2.0, 1e-6);
+  EXPECT_NEAR(states[0].heading_rad, kg_base::kPi / 2.0, 1e-6);
   EXPECT_NEAR(states[0].energy_left_j, 10000.0 - 4500.0, 1e-3);
   EXPECT_NEAR(states[0].speed_mps, 111319.5 / kWindow_s, 1e-3);
 }

@@ -6,7 +6,7 @@ namespace kg_engine {
 
 using kg_compiler::TimedPoint;
 
-kg_core::LonLat PositionAt(const std::vector<TimedPoint>& track,
+kg_base::LonLat PositionAt(const std::vector<TimedPoint>& track,
                            const double time_s) {
   const auto after = std::lower_bound(
       track.begin(), track.end(), time_s,

@@ -5,14 +5,14 @@
 
 #include <vector>
 
+#include "kg_base/geo/lon_lat.h"
 #include "kg_compiler/traversal/traversal.h"
-#include "kg_core/geo/lon_lat.h"
 
 namespace kg_engine {
 
 // Before the track's begin its first point, after its end its last; straight in
 // longitude and latitude in between. The track must not be empty.
-kg_core::LonLat PositionAt(const std::vector<kg_compiler::TimedPoint>& track,
+kg_base::LonLat PositionAt(const std::vector<kg_compiler::TimedPoint>& track,
                            double time_s);
 
 }  // namespace kg_engine

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
-#include "kg_core/base/units.h"
+#include "kg_base/common/units.h"
+#include "kg_base/geo/wkt.h"
 #include "kg_core/facts/terms.h"
-#include "kg_core/geo/wkt.h"
 #include "kg_engine/terms/plan_names.h"
 
 namespace kg_engine {
@@ -54,30 +54,30 @@ void ReadPlan(const Node& node, ExecutedVisit* stop) {
 }
 
 // The inverse of what PlanStatements writes.
-ExecutedVisit ReadStop(const Node& node, const kg_core::Mission& mission) {
+ExecutedVisit ReadStop(const Node& node, const kg_mission::Mission& mission) {
   ExecutedVisit stop;
   stop.agent_iri = node.Text("forAgent");
-  const kg_core::Agent* agent = mission.FindAgent(stop.agent_iri);
+  const kg_mission::Agent* agent = mission.FindAgent(stop.agent_iri);
   if (agent != nullptr) stop.agent = agent->id;
   const std::string window_iri = node.Text("forWindow");
-  for (const kg_core::TimeWindow& window : mission.windows) {
+  for (const kg_mission::TimeWindow& window : mission.windows) {
     if (window.iri == window_iri) stop.visit.window = window.index;
   }
   const std::string wkt = node.Text("waypointWKT");
   if (!wkt.empty()) {
-    stop.visit.position = kg_core::Geometry::FromWkt(wkt).Point();
+    stop.visit.position = kg_base::Geometry::FromWkt(wkt).Point();
   }
   const std::string stops = node.Text("stopsWKT");
   if (!stops.empty()) {
-    for (const auto& point : kg_core::Geometry::FromWkt(stops).Parts().lines) {
+    for (const auto& point : kg_base::Geometry::FromWkt(stops).Parts().lines) {
       stop.visit.via.push_back({0, point.front()});
     }
   }
   stop.visit.reward = node.Number("reward");
   kg_compiler::EdgeCost& cost = stop.visit.cost;
-  cost.travel_s = kg_core::HoursToSeconds(node.Number("costHours"));
-  cost.energy_j = kg_core::WhToJoules(node.Number("costEnergy"));
-  cost.hazard_s = kg_core::HoursToSeconds(node.Number("costRisk"));
+  cost.travel_s = kg_base::HoursToSeconds(node.Number("costHours"));
+  cost.energy_j = kg_base::WhToJoules(node.Number("costEnergy"));
+  cost.hazard_s = kg_base::HoursToSeconds(node.Number("costRisk"));
   cost.seam_cost = node.Number("seamCost");
   stop.visit.events = node.All(Ex("visits"));
   ReadPlan(node, &stop);
@@ -86,7 +86,7 @@ ExecutedVisit ReadStop(const Node& node, const kg_core::Mission& mission) {
 
 std::vector<ExecutedVisit> ReadStops(const GraphView& view,
                                      const unsigned long long run,
-                                     const kg_core::Mission& mission,
+                                     const kg_mission::Mission& mission,
                                      const char* status) {
   const std::string graph = PlanGraph(run).text;
   std::vector<ExecutedVisit> stops;
@@ -101,7 +101,7 @@ std::vector<ExecutedVisit> ReadStops(const GraphView& view,
 
 std::vector<ExecutedVisit> ReadExecuted(const GraphView& view,
                                         const unsigned long long run,
-                                        const kg_core::Mission& mission) {
+                                        const kg_mission::Mission& mission) {
   std::vector<ExecutedVisit> executed =
       ReadStops(view, run, mission, "executed");
   std::sort(executed.begin(), executed.end(),
@@ -113,7 +113,7 @@ std::vector<ExecutedVisit> ReadExecuted(const GraphView& view,
 }
 
 PlannedPlaces ReadPlanned(const GraphView& view, const unsigned long long run,
-                          const kg_core::Mission& mission) {
+                          const kg_mission::Mission& mission) {
   PlannedPlaces places;
   for (const ExecutedVisit& stop : ReadStops(view, run, mission, "planned")) {
     places[{stop.agent, stop.visit.window}] = stop.visit.position;

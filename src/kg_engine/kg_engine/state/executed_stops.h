@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "kg_core/geo/lon_lat.h"
-#include "kg_core/mission/mission.h"
+#include "kg_base/geo/lon_lat.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_engine/terms/track_literal.h"
+#include "kg_mission/mission/mission.h"
 #include "kg_selector/paths/pathlet.h"
 
 namespace kg_engine {
@@ -30,14 +30,14 @@ struct ExecutedVisit {
 // The executed stops that the graph of `run` holds, by agent and window.
 std::vector<ExecutedVisit> ReadExecuted(const kg_core::GraphView& view,
                                         unsigned long long run,
-                                        const kg_core::Mission& mission);
+                                        const kg_mission::Mission& mission);
 
 // Where the plan of a run sends the agents: by ex:id and window, of the stops
 // that its graph says are still to be made.
-using PlannedPlaces = std::map<std::pair<std::string, int>, kg_core::LonLat>;
+using PlannedPlaces = std::map<std::pair<std::string, int>, kg_base::LonLat>;
 PlannedPlaces ReadPlanned(const kg_core::GraphView& view,
                           unsigned long long run,
-                          const kg_core::Mission& mission);
+                          const kg_mission::Mission& mission);
 
 // Fills in path and provenance from the stop's assignment in the graph of
 // `run`, if there is one.

@@ -6,8 +6,8 @@
 namespace kg_engine {
 namespace {
 
-AgentPose StartPose(const kg_core::Mission& mission,
-                    const kg_core::Agent& agent) {
+AgentPose StartPose(const kg_mission::Mission& mission,
+                    const kg_mission::Agent& agent) {
   return {agent.start, agent.start_heading_rad, mission.windows.front().begin_s,
           agent.capabilities.energy_budget_j, false};
 }
@@ -21,7 +21,7 @@ bool IsUsable(const AgentPose& pose) {
 
 }  // namespace
 
-void FleetState::Reset(const kg_core::Mission& mission) {
+void FleetState::Reset(const kg_mission::Mission& mission) {
   poses_.clear();
   time_s_ = mission.windows.front().begin_s;
   Follow(mission);
@@ -47,9 +47,9 @@ bool FleetState::Observe(const std::string& agent_id, const AgentPose& pose) {
   return true;
 }
 
-void FleetState::Follow(const kg_core::Mission& mission) {
+void FleetState::Follow(const kg_mission::Mission& mission) {
   std::map<std::string, AgentPose> poses;
-  for (const kg_core::Agent& agent : mission.agents) {
+  for (const kg_mission::Agent& agent : mission.agents) {
     const auto known = poses_.find(agent.id);
     poses[agent.id] = known == poses_.end() || !known->second.observed
                           ? StartPose(mission, agent)
@@ -71,9 +71,9 @@ bool FleetState::IsComplete() const {
   });
 }
 
-int FleetState::CurrentWindow(const kg_core::Mission& mission) const {
+int FleetState::CurrentWindow(const kg_mission::Mission& mission) const {
   int window = 0;
-  for (const kg_core::TimeWindow& candidate : mission.windows) {
+  for (const kg_mission::TimeWindow& candidate : mission.windows) {
     if (time_s_ >= candidate.end_s) window = candidate.index + 1;
   }
   return window;

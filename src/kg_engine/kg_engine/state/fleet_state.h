@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/geo/lon_lat.h"
-#include "kg_core/mission/mission.h"
+#include "kg_base/geo/lon_lat.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_engine {
 
 struct AgentPose {
-  kg_core::LonLat position;
+  kg_base::LonLat position;
   double heading_rad = 0.0;  // Clockwise from north.
   double time_s = 0.0;       // Unix seconds, mission time.
   double energy_left_j = std::numeric_limits<double>::quiet_NaN();
@@ -27,7 +27,7 @@ struct AgentPose {
 class FleetState {
  public:
   // Agents start where the facts say, when the first window begins.
-  void Reset(const kg_core::Mission& mission);
+  void Reset(const kg_mission::Mission& mission);
   // Takes over where a stored fleet was.
   void Restore(const std::map<std::string, AgentPose>& poses, double time_s);
 
@@ -36,7 +36,7 @@ class FleetState {
   bool Observe(const std::string& agent_id, const AgentPose& pose);
   // Agents that have come or gone by a fact; those that have reported keep
   // their pose, others are where the facts say.
-  void Follow(const kg_core::Mission& mission);
+  void Follow(const kg_mission::Mission& mission);
   // The agent whose report mission time is; empty before anybody's.
   std::string Clock() const;
 
@@ -45,7 +45,7 @@ class FleetState {
   // Has everybody been seen at time_s()?
   bool IsComplete() const;
   // The window that `time_s()` lies in; the number of windows after the last.
-  int CurrentWindow(const kg_core::Mission& mission) const;
+  int CurrentWindow(const kg_mission::Mission& mission) const;
 
  private:
   std::map<std::string, AgentPose> poses_;  // By ex:id.

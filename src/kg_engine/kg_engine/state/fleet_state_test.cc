@@ -8,16 +8,16 @@
 namespace kg_engine {
 namespace {
 
-kg_core::Mission TwoWindows() {
-  kg_core::Mission mission;
+kg_mission::Mission TwoWindows() {
+  kg_mission::Mission mission;
   for (int i = 0; i < 2; ++i) {
-    kg_core::TimeWindow window;
+    kg_mission::TimeWindow window;
     window.index = i;
     window.begin_s = 1000.0 + 100.0 * i;
     window.end_s = window.begin_s + 100.0;
     mission.windows.push_back(window);
   }
-  kg_core::Agent agent;
+  kg_mission::Agent agent;
   agent.id = "alpha";
   agent.start = {-90.0, 25.0};
   agent.capabilities.energy_budget_j = 50.0;
@@ -52,7 +52,7 @@ TEST(FleetStateTest, ALateObservationReplacesNothing) {
 }
 
 TEST(FleetStateTest, IsCompleteWhenEverybodyIsSeenAtTheNewestTime) {
-  kg_core::Mission mission = TwoWindows();
+  kg_mission::Mission mission = TwoWindows();
   mission.agents.push_back(mission.agents.front());
   mission.agents.back().id = "bravo";
   FleetState fleet;

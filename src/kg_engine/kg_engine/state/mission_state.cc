@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "kg_core/base/date_time.h"
-#include "kg_core/base/units.h"
+#include "kg_base/common/date_time.h"
+#include "kg_base/common/units.h"
+#include "kg_base/geo/wkt.h"
 #include "kg_core/facts/terms.h"
-#include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_engine/terms/plan_names.h"
 
@@ -41,23 +41,23 @@ std::uint64_t Count(const GraphView& view, const std::string& name) {
 
 double Time(const GraphView& view, const Term& node, const Term& property) {
   const auto value = Read(view, node, property);
-  return value ? kg_core::ParseDateTime(value->text) : 0.0;
+  return value ? kg_base::ParseDateTime(value->text) : 0.0;
 }
 
 AgentPose ReadPose(const GraphView& view, const Term& node) {
   AgentPose pose;
   const auto wkt = Read(view, node, Iri(std::string(kg_core::kGeo) + "asWKT"));
-  if (wkt) pose.position = kg_core::Geometry::FromWkt(wkt->text).Point();
-  pose.heading_rad = kg_core::DegToRad(Number(view, node, "headingDeg"));
+  if (wkt) pose.position = kg_base::Geometry::FromWkt(wkt->text).Point();
+  pose.heading_rad = kg_base::DegToRad(Number(view, node, "headingDeg"));
   pose.time_s = Time(view, node, ResultTime());
   pose.energy_left_j =
-      kg_core::WhToJoules(Number(view, node, "energyRemaining"));
+      kg_base::WhToJoules(Number(view, node, "energyRemaining"));
   pose.observed = !Read(view, node, kg_core::Prov("wasDerivedFrom"));
   return pose;
 }
 
 Term DateTime(double time_s) {
-  return Literal(kg_core::FormatDateTime(time_s),
+  return Literal(kg_base::FormatDateTime(time_s),
                  std::string(kg_core::kXsd) + "dateTime");
 }
 
@@ -77,29 +77,30 @@ class Writer {
 };
 
 // The window of a time; the first before the mission, the last after it.
-Term WindowAt(const kg_core::Mission& mission, double time_s) {
+Term WindowAt(const kg_mission::Mission& mission, double time_s) {
   std::string iri = mission.windows.front().iri;
-  for (const kg_core::TimeWindow& window : mission.windows) {
+  for (const kg_mission::TimeWindow& window : mission.windows) {
     if (time_s >= window.begin_s) iri = window.iri;
   }
   return Iri(iri);
 }
 
 void WritePose(const AgentPose& pose, const Term& window,
-               const kg_core::Agent& agent, kg_core::Transaction* transaction) {
+               const kg_mission::Agent& agent,
+               kg_core::Transaction* transaction) {
   Writer write(Ex("state/" + agent.id), transaction);
   write.Add(Iri(std::string(kg_core::kRdf) + "type"), Ex("AgentState"))
       .Add(Ex("id"), Literal(agent.id))
       .Add(Ex("forAgent"), Iri(agent.iri))
       .Add(Ex("forWindow"), window)
       .Add(Iri(std::string(kg_core::kGeo) + "asWKT"),
-           Literal(kg_core::PointWkt(pose.position),
+           Literal(kg_base::PointWkt(pose.position),
                    std::string(kg_core::kGeo) + "wktLiteral"))
       .Add(Ex("headingDeg"),
-           kg_core::DoubleLiteral(kg_core::RadToDeg(pose.heading_rad)))
+           kg_core::DoubleLiteral(kg_base::RadToDeg(pose.heading_rad)))
       .Add(ResultTime(), DateTime(pose.time_s))
       .Add(Ex("energyRemaining"),
-           kg_core::DoubleLiteral(pose.energy_left_j / kg_core::kJoulesPerWh));
+           kg_core::DoubleLiteral(pose.energy_left_j / kg_base::kJoulesPerWh));
   if (pose.observed) {
     write.Add(kg_core::Prov("wasAttributedTo"), Iri(agent.iri));
   } else {
@@ -127,7 +128,7 @@ MissionState LoadState(const GraphView& view) {
   return state;
 }
 
-void SaveState(const MissionState& state, const kg_core::Mission& mission,
+void SaveState(const MissionState& state, const kg_mission::Mission& mission,
                kg_core::Transaction& transaction) {
   const Term graph = Iri(kg_core::kStateGraph);
   transaction.RemoveMatching(nullptr, nullptr, nullptr, graph);
@@ -143,7 +144,7 @@ void SaveState(const MissionState& state, const kg_core::Mission& mission,
   if (state.plan_run > 0) {
     write.Add(Ex("currentPlan"), PlanRunNode(state.plan_run));
   }
-  for (const kg_core::Agent& agent : mission.agents) {
+  for (const kg_mission::Agent& agent : mission.agents) {
     const auto pose = state.poses.find(agent.id);
     if (pose != state.poses.end()) {
       WritePose(pose->second, WindowAt(mission, pose->second.time_s), agent,

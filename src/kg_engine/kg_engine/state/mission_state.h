@@ -9,10 +9,10 @@
 #include <map>
 #include <string>
 
-#include "kg_core/mission/mission.h"
 #include "kg_core/rdf/store.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_engine/state/fleet_state.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_engine {
 
@@ -29,7 +29,7 @@ struct MissionState {
 MissionState LoadState(const kg_core::GraphView& view);
 
 // Replaces what was there.
-void SaveState(const MissionState& state, const kg_core::Mission& mission,
+void SaveState(const MissionState& state, const kg_mission::Mission& mission,
                kg_core::Transaction& transaction);
 
 // What queries see by default: with the plan that is current in `view`.

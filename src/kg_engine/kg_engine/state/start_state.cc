@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "kg_compiler/as_sent.h"
+#include "kg_compiler/compile/as_sent.h"
 #include "kg_engine/state/mission_state.h"
 #include "kg_engine/terms/artifact_names.h"
 
@@ -122,11 +122,11 @@ void Commit(const PlanInForce& plan, kg_compiler::SeamRules* rules) {
 }  // namespace
 
 int FirstWindowToPlan(const StartState& start,
-                      const kg_core::Mission& mission) {
+                      const kg_mission::Mission& mission) {
   const int current = start.fleet.CurrentWindow(mission);
   const int count = static_cast<int>(mission.windows.size());
   if (current + 1 >= count) return current;
-  const kg_core::TimeWindow& window = mission.windows[current];
+  const kg_mission::TimeWindow& window = mission.windows[current];
   const double left_s = window.end_s - start.fleet.time_s();
   const bool worth_it = left_s >= kLeastShareToPlan * window.duration_s();
   return worth_it ? current : current + 1;
@@ -146,7 +146,7 @@ std::shared_ptr<const Compilation> StartFrom(const StartState& start,
 }
 
 StartState StartOf(const kg_core::GraphView& view,
-                   const kg_core::Mission& mission) {
+                   const kg_mission::Mission& mission) {
   const MissionState state = LoadState(view);
   StartState start;
   start.fleet.Reset(mission);

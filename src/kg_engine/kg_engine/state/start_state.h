@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_core/mission/mission.h"
 #include "kg_core/rdf/graph_view.h"
 #include "kg_engine/state/executed_stops.h"
 #include "kg_engine/state/fleet_state.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_engine {
 
@@ -32,12 +32,13 @@ struct StartState {
 
 // A current window with less than a quarter left is not planned any more:
 // agents leave for the next one at once.
-int FirstWindowToPlan(const StartState& start, const kg_core::Mission& mission);
+int FirstWindowToPlan(const StartState& start,
+                      const kg_mission::Mission& mission);
 
 // As a store remembers it: where the agents were last heard of, or the start if
 // nothing has been planned yet.
 StartState StartOf(const kg_core::GraphView& view,
-                   const kg_core::Mission& mission);
+                   const kg_mission::Mission& mission);
 
 // The compilation with rules that leave from where the agents are, with the
 // energy they have left, and without what their past visits have closed: an

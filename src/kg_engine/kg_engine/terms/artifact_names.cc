@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "kg_core/base/sha256.h"
+#include "kg_base/common/sha256.h"
 #include "kg_core/facts/terms.h"
 #include "kg_engine/terms/plan_names.h"
 
@@ -21,21 +21,22 @@ constexpr std::size_t kIdDigits = 16;
 // Short, of content and sources.
 std::string Id(const std::string& hash,
                const std::vector<std::string>& sources) {
-  kg_core::Hasher hasher;
+  kg_base::Hasher hasher;
   hasher.Add(hash);
   for (const std::string& source : sources) hasher.Add(source);
   return hasher.Hex().substr(0, kIdDigits);
 }
 
-std::string AgentId(const kg_core::Mission& mission,
+std::string AgentId(const kg_mission::Mission& mission,
                     const std::string& agent_iri) {
-  const kg_core::Agent* agent = mission.FindAgent(agent_iri);
+  const kg_mission::Agent* agent = mission.FindAgent(agent_iri);
   return agent == nullptr ? "nobody" : agent->id;
 }
 
 }  // namespace
 
-Term TensorNode(const MissionTensor& tensor, const kg_core::Mission& mission) {
+Term TensorNode(const MissionTensor& tensor,
+                const kg_mission::Mission& mission) {
   return Ex("tensor/" + AgentId(mission, tensor.agent_iri) + "/w" +
             std::to_string(tensor.window) + "/" +
             Id(tensor.hash, tensor.derived_from));
@@ -73,8 +74,8 @@ const SeamRules* FindRules(const Compilation& compilation,
   return nullptr;
 }
 
-Term WindowTerm(const kg_core::Mission& mission, int window) {
-  for (const kg_core::TimeWindow& known : mission.windows) {
+Term WindowTerm(const kg_mission::Mission& mission, int window) {
+  for (const kg_mission::TimeWindow& known : mission.windows) {
     if (known.index == window) return Iri(known.iri);
   }
   return Ex("window/" + std::to_string(window));

@@ -8,15 +8,15 @@
 #include <string>
 
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_core/mission/mission.h"
 #include "kg_core/rdf/term.h"
+#include "kg_mission/mission/mission.h"
 
 namespace kg_engine {
 
 // One of an artifact's hash and sources; the agent's ex:id and the window make
 // it readable.
 kg_core::Term TensorNode(const kg_compiler::MissionTensor& tensor,
-                         const kg_core::Mission& mission);
+                         const kg_mission::Mission& mission);
 kg_core::Term SeamRulesNode(const kg_compiler::SeamRules& rules);
 kg_core::Term StateNodeOf(const std::string& agent_id, std::uint64_t cycle);
 kg_core::Term CompileNode(const std::string& plane, std::uint64_t cycle);
@@ -28,7 +28,7 @@ const kg_compiler::MissionTensor* FindTensor(
 const kg_compiler::SeamRules* FindRules(
     const kg_compiler::Compilation& compilation, const std::string& agent_iri);
 // The window's IRI; one of its own for a window that is no more.
-kg_core::Term WindowTerm(const kg_core::Mission& mission, int window);
+kg_core::Term WindowTerm(const kg_mission::Mission& mission, int window);
 
 // What the plan of a run commits an agent to.
 kg_core::Term CommitmentNode(std::uint64_t run, const std::string& agent_id);

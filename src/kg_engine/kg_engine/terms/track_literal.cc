@@ -7,14 +7,14 @@
 #include <optional>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/geo/geodesy.h"
 
 namespace kg_engine {
 namespace {
 
+using kg_base::InputError;
 using kg_compiler::TimedPoint;
-using kg_core::InputError;
 
 constexpr double kWholeTurn_deg = 360.0;
 constexpr double kHalfTurn_deg = 180.0;
@@ -47,7 +47,7 @@ std::pair<std::size_t, double> Furthest(const Track& track, std::size_t first,
   for (std::size_t i = first + 1; i < last; ++i) {
     const TimedPoint straight = At(track[first], track[last], track[i].time_s);
     const double off_m =
-        kg_core::Distance_m(straight.position, track[i].position);
+        kg_base::Distance_m(straight.position, track[i].position);
     if (!(off_m > distance_m)) continue;
     furthest = i;
     distance_m = off_m;

@@ -4,9 +4,9 @@
 #include <random>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/geo/geodesy.h"
-#include "kg_core/geo/wkt.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/geo/geodesy.h"
+#include "kg_base/geo/wkt.h"
 
 namespace kg_engine {
 namespace {
@@ -29,7 +29,7 @@ Track RandomWalk(std::mt19937& random, double lon_deg) {
 }
 
 // Where a track is, from the definition.
-kg_core::LonLat PlaceAt(const Track& track, double time_s) {
+kg_base::LonLat PlaceAt(const Track& track, double time_s) {
   for (std::size_t i = 1; i < track.size(); ++i) {
     if (track[i].time_s < time_s) continue;
     const double span_s = track[i].time_s - track[i - 1].time_s;
@@ -48,7 +48,7 @@ TEST(TrackLiteral, ATrackReadsBackToACentimetreAndATenthOfASecond) {
     ASSERT_EQ(parts.size(), 1u);
     ASSERT_EQ(parts[0].size(), track.size());
     for (std::size_t k = 0; k < track.size(); ++k) {
-      EXPECT_LT(kg_core::Distance_m(parts[0][k].position, track[k].position),
+      EXPECT_LT(kg_base::Distance_m(parts[0][k].position, track[k].position),
                 0.01);
       EXPECT_NEAR(parts[0][k].time_s, track[k].time_s, 0.05);
     }
@@ -70,7 +70,7 @@ TEST(TrackLiteral, ASimplerTrackIsNeverFurtherOffThanTheTolerance) {
           track.front().time_s +
           share * (track.back().time_s - track.front().time_s);
       EXPECT_LE(
-          kg_core::Distance_m(PlaceAt(track, time_s), PlaceAt(simple, time_s)),
+          kg_base::Distance_m(PlaceAt(track, time_s), PlaceAt(simple, time_s)),
           501.0);
     }
   }
@@ -86,7 +86,7 @@ TEST(TrackLiteral, ACutTrackIsWhereTheWholeOneIs) {
   EXPECT_EQ(cut.front().time_s, from_s);
   EXPECT_EQ(cut.back().time_s, to_s);
   for (double t = from_s; t < to_s; t += 777.0) {
-    EXPECT_LT(kg_core::Distance_m(PlaceAt(track, t), PlaceAt(cut, t)), 0.01);
+    EXPECT_LT(kg_base::Distance_m(PlaceAt(track, t), PlaceAt(cut, t)), 0.01);
   }
 }
 
@@ -114,7 +114,7 @@ TEST(TrackLiteral, IsCutAtTheAntimeridian) {
             "MULTILINESTRING((179 10, 180 11), (-180 11, -179 12))");
   EXPECT_EQ(literal.times, "0 50 50 100");
   EXPECT_EQ(FromLiteral(literal).size(), 2u);
-  EXPECT_NO_THROW(kg_core::Geometry::FromWkt(literal.wkt));
+  EXPECT_NO_THROW(kg_base::Geometry::FromWkt(literal.wkt));
 }
 
 TEST(TrackLiteral, NoPartPassesTheAntimeridianAndNoneIsAPoint) {
@@ -146,11 +146,11 @@ TEST(TrackLiteral, RefusesLiteralsThatDoNotFit) {
   const std::string wkt = "LINESTRING(1 2, 3 4)";
   EXPECT_NO_THROW(FromLiteral({wkt, "1 2"}));
   for (const char* times : {"", "1", "1 2 3", "2 1", "1 x", "1 nan"}) {
-    EXPECT_THROW(FromLiteral({wkt, times}), kg_core::InputError) << times;
+    EXPECT_THROW(FromLiteral({wkt, times}), kg_base::InputError) << times;
   }
   for (const char* bad : {"", "POINT(1 2)", "LINESTRING(1)", "LINESTRING(",
                           "LINESTRING(1 2, a b)", "LINESTRING(inf 2)"}) {
-    EXPECT_THROW(FromLiteral({bad, "1 2"}), kg_core::InputError) << bad;
+    EXPECT_THROW(FromLiteral({bad, "1 2"}), kg_base::InputError) << bad;
   }
 }
 

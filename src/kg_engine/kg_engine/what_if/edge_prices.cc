@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "kg_base/common/parallel.h"
 #include "kg_compiler/control_plane/window_traversal.h"
-#include "kg_core/base/parallel.h"
 
 namespace kg_engine {
 namespace {
@@ -28,7 +28,7 @@ WaypointRoute WayOf(const TeamMember& member, std::size_t window,
 using Places = std::vector<double>;
 Places PlacesOf(const WaypointRoute& way) {
   Places places = {way.from.lon_deg, way.from.lat_deg};
-  for (const kg_core::LonLat& stop : way.via) {
+  for (const kg_base::LonLat& stop : way.via) {
     places.insert(places.end(), {stop.lon_deg, stop.lat_deg});
   }
   places.insert(places.end(), {way.to.lon_deg, way.to.lat_deg});
@@ -55,7 +55,7 @@ std::map<Places, const TraverseEdge*> KnownPrices(const TeamMember& member,
 
 }  // namespace
 
-kg_core::LonLat BeginOf(const TeamMember& member, std::size_t window,
+kg_base::LonLat BeginOf(const TeamMember& member, std::size_t window,
                         const TraverseEdge& edge) {
   if (window == 0) return member.rules.start;
   return member.graphs[window - 1].waypoints[edge.from].position;
@@ -69,7 +69,7 @@ EdgePrices::EdgePrices(const kg_selector::PlannedMission& now,
     prices_[i].resize(now.members[i].graphs.size());
     for (std::size_t w = 0; w < prices_[i].size(); ++w) jobs.push_back({i, w});
   }
-  kg_core::ForEachInParallel(jobs.size(), [&](std::size_t job) {
+  kg_base::ForEachInParallel(jobs.size(), [&](std::size_t job) {
     const auto [i, w] = jobs[job];
     prices_[i][w] = PriceWindow(now.members[i], w, then);
   });

@@ -21,7 +21,7 @@ struct PlannedWorld {
 };
 
 // Where an edge of graph `window` (its place among the member's graphs) begins.
-kg_core::LonLat BeginOf(const kg_selector::TeamMember& member,
+kg_base::LonLat BeginOf(const kg_selector::TeamMember& member,
                         std::size_t window,
                         const kg_compiler::TraverseEdge& edge);
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "kg_core/base/units.h"
-#include "kg_core/geo/wkt.h"
+#include "kg_base/common/units.h"
+#include "kg_base/geo/wkt.h"
 #include "kg_engine/facts/nav_graph_facts.h"
 
 namespace kg_engine {
@@ -29,7 +29,7 @@ constexpr std::size_t kMaxEdges = 1000;
 
 std::string Wh(double energy_j) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.1f Wh", energy_j / kg_core::kJoulesPerWh);
+  std::snprintf(text, sizeof text, "%.1f Wh", energy_j / kg_base::kJoulesPerWh);
   return text;
 }
 
@@ -96,8 +96,8 @@ class Comparison {
                       const TraverseEdge* then) const {
     const TeamMember& agent = now_.members[member];
     const NavGraph& graph = agent.graphs[window];
-    const kg_core::LonLat from = BeginOf(agent, window, graph.edges[edge]);
-    const kg_core::LonLat to = graph.waypoints[graph.edges[edge].to].position;
+    const kg_base::LonLat from = BeginOf(agent, window, graph.edges[edge]);
+    const kg_base::LonLat to = graph.waypoints[graph.edges[edge].to].position;
     EdgeChange change;
     change.agent = NameOf(agent);
     change.window = graph.window;
@@ -110,7 +110,7 @@ class Comparison {
     change.before = kg_compiler::CostOfEdge(graph.edges[edge]);
     change.after = then != nullptr ? kg_compiler::CostOfEdge(*then)
                                    : EdgeCost{kNone, kNone, kNone, kNone,
-                                              kNone, kNone, kNone};
+                                              kNone, kNone, {},    kNone};
     return change;
   }
 
@@ -152,7 +152,7 @@ class Comparison {
       if (then == nullptr) {
         flown.energy_j = kNone;
         flown.infeasible = "window " + std::to_string(visit.window) + ": " +
-                           kg_core::PointWkt(visit.position) +
+                           kg_base::PointWkt(visit.position) +
                            " cannot be flown to any more";
         return flown;
       }

@@ -5,9 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/sha256.h"
-#include "kg_core/mission/mission_reader.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/sha256.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_core/sparql/results.h"
@@ -15,12 +14,13 @@
 #include "kg_engine/what_if/plan_change.h"
 #include "kg_engine/what_if/what_if_facts.h"
 #include "kg_engine/what_if/what_if_text.h"
+#include "kg_mission/mission/mission_reader.h"
 
 namespace kg_engine {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using kg_core::InputError;
+using kg_base::InputError;
 
 constexpr double kDefaultLimit_s = 60.0;
 
@@ -30,7 +30,7 @@ double SecondsSince(Clock::time_point begin) {
 
 // Of all but the facts that a plan leaves from.
 std::string KeyOf(const Present& present) {
-  kg_core::Hasher key;
+  kg_base::Hasher key;
   key.Add(static_cast<double>(present.facts->world_version()));
   key.Add(present.start.fleet.time_s());
   key.Add(static_cast<double>(present.start.executed.size()));
@@ -47,7 +47,7 @@ std::string KeyOf(const Present& present) {
 }
 
 std::shared_ptr<const kg_compiler::Compilation> Compile(
-    StartState start, const kg_core::Mission& mission,
+    StartState start, const kg_mission::Mission& mission,
     std::uint64_t world_version, kg_compiler::MissionCompiler* compiler) {
   start.fleet.Follow(mission);
   const int first = FirstWindowToPlan(start, mission);
@@ -66,7 +66,7 @@ std::shared_ptr<const WhatIf::Base> WhatIf::PlanPresent(
   kg_compiler::MissionCompiler compiler = present.compiler;
   PlannedWorld world;
   world.compilation =
-      Compile(present.start, kg_core::ReadMission(*present.facts),
+      Compile(present.start, kg_mission::ReadMission(*present.facts),
               present.facts->world_version(), &compiler);
   world.planned = kg_selector::PlanMission(
       *world.compilation, base_ ? &base_->world.planned : nullptr);
@@ -101,11 +101,11 @@ class WhatIf::Inquiry {
   bool Stage() {
     fork_ = kg_core::Store::Fork(present_.facts);
     kg_core::Transaction transaction = fork_->Begin();
-    answer_.errors = kg_core::StageUpdateWithFiles(
+    answer_.errors = kg_mission::StageUpdateWithFiles(
                          question_.update, *what_if_->files_, transaction)
                          .judgement.reasons;
     if (!answer_.errors.empty()) return false;
-    mission_ = kg_core::ReadMission(transaction.view());
+    mission_ = kg_mission::ReadMission(transaction.view());
     const std::size_t changes =
         transaction.added().size() + transaction.removed().size();
     transaction.Commit(kg_core::WorldChange::kYes);
@@ -183,7 +183,7 @@ class WhatIf::Inquiry {
   const Clock::time_point begin_ = Clock::now();
   double last_s_ = 0.0;
   std::unique_ptr<kg_core::Store> fork_;
-  kg_core::Mission mission_;
+  kg_mission::Mission mission_;
   WhatIfAnswer answer_;
 };
 

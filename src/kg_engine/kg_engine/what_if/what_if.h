@@ -17,11 +17,11 @@
 #include <memory>
 #include <string>
 
-#include "kg_core/mission/ingest.h"
-#include "kg_core/mission/stage_update.h"
 #include "kg_engine/state/start_state.h"
 #include "kg_engine/what_if/edge_prices.h"
 #include "kg_engine/what_if/what_if_answer.h"
+#include "kg_mission/mission/ingest.h"
+#include "kg_mission/mission/stage_update.h"
 
 namespace kg_engine {
 
@@ -38,7 +38,7 @@ struct WhatIfQuestion {
 class WhatIf {
  public:
   // `files` must outlive this.
-  explicit WhatIf(kg_core::FileCache* files) : files_(files) {}
+  explicit WhatIf(kg_mission::FileCache* files) : files_(files) {}
 
   // Never throws for what the question says: that is in `errors`. The plan of
   // the present is kept from one question to the next as long as it holds.
@@ -53,7 +53,7 @@ class WhatIf {
   class Inquiry;
   std::shared_ptr<const Base> PlanPresent(const Present& present);
 
-  kg_core::FileCache* files_;
+  kg_mission::FileCache* files_;
   std::shared_ptr<const Base> base_;
 };
 

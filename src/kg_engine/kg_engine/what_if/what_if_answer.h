@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/geo/lon_lat.h"
 #include "kg_compiler/control_plane/edge_cost.h"
-#include "kg_core/geo/lon_lat.h"
 #include "kg_engine/facts/recompiled_artifact.h"
 #include "kg_selector/paths/pathlet.h"
 #include "kg_selector/team/committed_plan.h"
@@ -40,8 +40,8 @@ struct EdgeChange {
   std::string agent;  // ex:id.
   int window = 0;     // The edge leads into it.
   std::string edge;   // IRI of the ex:TraverseEdge in the present graphs.
-  kg_core::LonLat from;
-  kg_core::LonLat to;
+  kg_base::LonLat from;
+  kg_base::LonLat to;
   bool infeasible = false;  // It could not be flown any more.
   kg_compiler::EdgeCost before;
   kg_compiler::EdgeCost after;  // All NaN if infeasible.

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "kg_core/base/clock.h"
+#include "kg_base/common/clock.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_engine/facts/nav_graph_facts.h"
 #include "kg_engine/facts/plan_facts.h"
@@ -43,7 +43,7 @@ PlanRecord RecordOf(const PlannedWorld& world, const HypotheticalRun& run) {
       record.nav_graphs[{NameOf(member), graph.window}].hash = graph.hash;
     }
   }
-  record.started_s = record.ended_s = kg_core::Now_s();
+  record.started_s = record.ended_s = kg_base::Now_s();
   return record;
 }
 
@@ -52,7 +52,7 @@ void RecordGraphs(const PlannedWorld& world, const TeamMember& member,
                   kg_core::Transaction* transaction) {
   NavGraphPlace place;
   place.run = run.number;
-  const kg_core::Mission& mission = world.compilation->mission;
+  const kg_mission::Mission& mission = world.compilation->mission;
   place.start_iri = member.rules.start_iri;
   for (const kg_compiler::NavGraph& graph : member.graphs) {
     NavGraphOrigin origin;

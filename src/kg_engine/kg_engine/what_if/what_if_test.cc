@@ -11,9 +11,9 @@
 #include <thread>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/sha256.h"
-#include "kg_core/base/temporary_folder.h"
-#include "kg_core/base/units.h"
+#include "kg_base/common/sha256.h"
+#include "kg_base/common/temporary_folder.h"
+#include "kg_base/common/units.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_engine/planning/agent_planner.h"
@@ -123,7 +123,7 @@ std::string DigestOf(const kg_core::GraphView& view) {
     return true;
   });
   EXPECT_GT(lines.size(), 100u);
-  kg_core::Hasher hash;
+  kg_base::Hasher hash;
   for (const std::string& line : lines) hash.Add(line);
   return hash.Hex();
 }
@@ -139,7 +139,7 @@ class WhatIfTest : public testing::Test {
   WhatIfTest() {
     folders_.mission = folder_ / "mission";
     folders_.state = folder_ / "state";
-    folders_.ontology = "../kg_core/ontology";
+    folders_.ontology = "../kg_mission/ontology";
     WriteTestMission(folders_.mission);
     server_ = std::make_unique<MissionServer>(folders_);
     what_if_ = std::make_unique<WhatIf>(server_->files());
@@ -201,7 +201,7 @@ class WhatIfTest : public testing::Test {
     }
   }
 
-  kg_core::TemporaryFolder folder_;
+  kg_base::TemporaryFolder folder_;
   MissionFolders folders_;
   std::unique_ptr<MissionServer> server_;
   std::unique_ptr<WhatIf> what_if_;
@@ -315,9 +315,9 @@ TEST_F(WhatIfTest, EveryEdgeIsCountedOnceAndPricedAsItIsListed) {
     EXPECT_EQ(edge.agent, "alpha");
     // Dearer energy is spent more thriftily; a flight that is the cheapest at
     // its price costs no more at another than the other one's.
-    const double dearer_per_j = 0.018 / kg_core::kJoulesPerWh;
+    const double dearer_per_j = 0.018 / kg_base::kJoulesPerWh;
     // Isolation is priced when the flight has been chosen.
-    const double isolation = 0.1 / kg_core::kSecondsPerHour *
+    const double isolation = 0.1 / kg_base::kSecondsPerHour *
                              (edge.after.isolation_s - edge.before.isolation_s);
     const double rise =
         edge.after.seam_cost - edge.before.seam_cost - isolation;
@@ -364,7 +364,7 @@ TEST_F(WhatIfTest, TellsWhichPlannedPathsALowerBudgetMakesInfeasible) {
   // little.
   const WhatIfAnswer now = Ask(FactUpdate());
   const double needed_wh =
-      now.paths.at(1).before.energy_j / kg_core::kJoulesPerWh;
+      now.paths.at(1).before.energy_j / kg_base::kJoulesPerWh;
   server_->Apply(Set("ex:bravo_capabilities", "ex:energyBudget",
                      std::to_string(1.1 * needed_wh)));
   const WhatIfAnswer answer = Ask(less, ReadFile(folder + ".rq"));

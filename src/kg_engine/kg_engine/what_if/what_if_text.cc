@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <map>
 
-#include "kg_core/base/units.h"
+#include "kg_base/common/units.h"
 
 namespace kg_engine {
 namespace {
@@ -15,7 +15,7 @@ std::string Print(const char* format, Values... values) {
   return text;
 }
 
-double ToWh(double energy_j) { return energy_j / kg_core::kJoulesPerWh; }
+double ToWh(double energy_j) { return energy_j / kg_base::kJoulesPerWh; }
 
 std::string DirtyLine(const WhatIfAnswer& answer) {
   if (answer.dirty.empty()) return "nothing to compile anew\n";

@@ -35,7 +35,7 @@ std::vector<MicroPath> Select(std::vector<MicroPath> paths,
                               const MicroPathOptions& options) {
   std::sort(paths.begin(), paths.end(), ByEndThenScore);
   std::vector<MicroPath> kept;
-  int taken = 0;           // Paths kept of the current end.
+  int taken = 0;           // Paths kept that share this end.
   double min_value = 0.0;  // Score that is good enough for it.
   for (MicroPath& path : paths) {
     const bool first =

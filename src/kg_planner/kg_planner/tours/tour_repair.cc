@@ -10,7 +10,7 @@ namespace kg_planner {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLengthTolerance = 1e-9;  // Relative to the limit.
+constexpr double kRepairTolerance = 1e-9;  // Relative to the limit.
 constexpr double kMaxExcess = 0.4;  // Share of the limit that a tour may exceed
                                     // before points are removed.
 constexpr double kFavourShare = 0.6;  // Steps that favour a neighbourhood.
@@ -59,7 +59,7 @@ void TourSearch::FavourNeighbourhood() {
 // length it saves.
 void TourSearch::Drop(int tour) {
   const std::vector<int>& p = now_.tours[tour];
-  const double grain = kLengthTolerance * problem_.limit + 1e-300;
+  const double grain = kRepairTolerance * problem_.limit + 1e-300;
   while (now_.lengths[tour] > problem_.limit && p.size() > 2) {
     double best_weight = kInfinity;  // The least rate, as a fraction.
     double best_saved = 1.0;
@@ -131,7 +131,7 @@ void TourSearch::Insert(int point, int tour) {
 
 // Inserts what weighs most for its detour, while anything fits.
 void TourSearch::Fill(double limit) {
-  const double grain = kLengthTolerance * problem_.limit + 1e-300;
+  const double grain = kRepairTolerance * problem_.limit + 1e-300;
   for (int t = 0; t < problem_.tours; ++t) {
     Measure(t);
     for (int p : open_) places_[t][p] = BestPlace(p, t);

@@ -3,7 +3,7 @@
 #include <sstream>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 
 namespace kg_ros {
 namespace {
@@ -108,7 +108,7 @@ XmlRpcValue ParameterReader::Take(const std::string& key) {
 
 void ParameterReader::Refuse(const std::string& key,
                              const std::string& complaint) const {
-  throw kg_core::InputError("parameter " + name_ + "/" + key + " " + complaint);
+  throw kg_base::InputError("parameter " + name_ + "/" + key + " " + complaint);
 }
 
 }  // namespace kg_ros

@@ -1,7 +1,7 @@
 #include "kg_ros/base/parameter_reader.h"
 
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 
 namespace kg_ros {
 namespace {
@@ -29,26 +29,26 @@ TEST(ParameterReaderTest, RefusesAnOutlierByName) {
   try {
     read.Number("deadline_s", {5.0, 6.0}, 5.0);
     FAIL() << "accepted";
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     EXPECT_NE(std::string(error.what()).find("/planner_alpha/deadline_s"),
               std::string::npos);
   }
 }
 
 TEST(ParameterReaderTest, RefusesTheWrongType) {
-  EXPECT_THROW(MakeReader().Integer("agent", {0, 1}, 0), kg_core::InputError);
-  EXPECT_THROW(MakeReader().Text("deadline_s", ""), kg_core::InputError);
-  EXPECT_THROW(MakeReader().Boolean("deadline_s", true), kg_core::InputError);
+  EXPECT_THROW(MakeReader().Integer("agent", {0, 1}, 0), kg_base::InputError);
+  EXPECT_THROW(MakeReader().Text("deadline_s", ""), kg_base::InputError);
+  EXPECT_THROW(MakeReader().Boolean("deadline_s", true), kg_base::InputError);
 }
 
 TEST(ParameterReaderTest, RefusesAKeyNobodyReads) {
   ParameterReader read = MakeReader();
   read.Text("agent");
-  EXPECT_THROW(read.RefuseTheRest(), kg_core::InputError);
+  EXPECT_THROW(read.RefuseTheRest(), kg_base::InputError);
 }
 
 TEST(ParameterReaderTest, RefusesAMissingText) {
-  EXPECT_THROW(MakeReader().Text("state_folder"), kg_core::InputError);
+  EXPECT_THROW(MakeReader().Text("state_folder"), kg_base::InputError);
 }
 
 }  // namespace

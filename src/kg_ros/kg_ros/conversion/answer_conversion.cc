@@ -3,8 +3,8 @@
 #include <iterator>
 #include <string>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/units.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/units.h"
 #include "kg_core/sparql/results.h"
 #include "kg_ros/conversion/fact_conversion.h"
 #include "kg_ros/conversion/message_units.h"
@@ -32,10 +32,10 @@ kg_msgs::EdgeChange ToMessage(const kg_engine::EdgeChange& change) {
   message.agent = change.agent;
   message.window = change.window;
   message.edge = change.edge;
-  message.from_lon_rad = kg_core::DegToRad(change.from.lon_deg);
-  message.from_lat_rad = kg_core::DegToRad(change.from.lat_deg);
-  message.to_lon_rad = kg_core::DegToRad(change.to.lon_deg);
-  message.to_lat_rad = kg_core::DegToRad(change.to.lat_deg);
+  message.from_lon_rad = kg_base::DegToRad(change.from.lon_deg);
+  message.from_lat_rad = kg_base::DegToRad(change.from.lat_deg);
+  message.to_lon_rad = kg_base::DegToRad(change.to.lon_deg);
+  message.to_lat_rad = kg_base::DegToRad(change.to.lat_deg);
   message.infeasible = change.infeasible;
   message.before = kg_ros::ToMessage(change.before);
   message.after = kg_ros::ToMessage(change.after);
@@ -128,7 +128,7 @@ kg_selector::PlanQuestion FromMessage(const kg_msgs::Why::Request& request) {
       QuestionKind::kWaypoint,   QuestionKind::kEvent,
       QuestionKind::kPlace};
   if (request.what >= std::size(kKinds)) {
-    throw kg_core::InputError("Why.what: expected 0 to " +
+    throw kg_base::InputError("Why.what: expected 0 to " +
                               std::to_string(std::size(kKinds) - 1) + ", not " +
                               std::to_string(request.what));
   }

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "gtest/gtest.h"
-#include "kg_compiler/as_sent.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
+#include "kg_compiler/compile/as_sent.h"
 #include "kg_engine/simulation/agent_simulator.h"
 #include "kg_ros/conversion/agent_conversion.h"
 #include "kg_ros/conversion/message_units.h"
@@ -21,13 +21,13 @@
 namespace kg_ros {
 namespace {
 
-using kg_core::InputError;
+using kg_base::InputError;
 
-kg_core::Grid SmallGrid() {
-  return kg_core::Grid({-98.0, -97.96, -97.9}, {18.0, 18.04});
+kg_base::Grid SmallGrid() {
+  return kg_base::Grid({-98.0, -97.96, -97.9}, {18.0, 18.04});
 }
 
-void ExpectSameGrid(const kg_core::Grid& a, const kg_core::Grid& b) {
+void ExpectSameGrid(const kg_base::Grid& a, const kg_base::Grid& b) {
   ASSERT_EQ(a.rows(), b.rows());
   ASSERT_EQ(a.cols(), b.cols());
   for (int i = 0; i < a.cols(); ++i) {
@@ -110,11 +110,11 @@ TEST(ConversionTest, WorkFieldsComeBackAsTheyWere) {
   field.hash = "h";
   field.field.grid = SmallGrid();
   field.field.slices = {
-      {1.8e9, kg_core::Raster(6, 0.5F), kg_core::Raster(6, -0.25F)},
-      {1.8e9 + 3600.0, kg_core::Raster(6, 1.0F), kg_core::Raster(6, 0.0F)}};
+      {1.8e9, kg_base::Raster(6, 0.5F), kg_base::Raster(6, -0.25F)},
+      {1.8e9 + 3600.0, kg_base::Raster(6, 1.0F), kg_base::Raster(6, 0.0F)}};
   field.field.scalars = {{"wave_height",
-                          {{1.8e9, kg_core::Raster(6, 2.0F)},
-                           {1.8e9 + 1800.0, kg_core::Raster(6, 3.0F)}}}};
+                          {{1.8e9, kg_base::Raster(6, 2.0F)},
+                           {1.8e9 + 1800.0, kg_base::Raster(6, 3.0F)}}}};
   const kg_compiler::WorkField back = FromMessage(ToMessage(field, 4));
   EXPECT_EQ(back.hash, "h");
   ASSERT_EQ(back.field.slices.size(), 2u);
@@ -122,7 +122,10 @@ TEST(ConversionTest, WorkFieldsComeBackAsTheyWere) {
   EXPECT_EQ(back.field.slices[0].north_mps, field.field.slices[0].north_mps);
   ASSERT_EQ(back.field.scalars.size(), 1u);
   EXPECT_EQ(back.field.scalars[0].quantity, "wave_height");
-  EXPECT_EQ(back.field.Hash(), field.field.Hash());
+  const auto& slices = back.field.scalars[0].slices;
+  ASSERT_EQ(slices.size(), 2u);
+  EXPECT_EQ(slices[1].time_s, 1.8e9 + 1800.0);
+  EXPECT_EQ(slices[1].values, field.field.scalars[0].slices[1].values);
   kg_msgs::WorkField message = ToMessage(field, 4);
   message.scalars[1].stamp = message.scalars[0].stamp;
   EXPECT_THROW(FromMessage(message), InputError);
@@ -235,7 +238,7 @@ kg_msgs::CoordinationRules TeamMessage() {
   team.rules.facts.max_rounds = 11;
   team.rules.event_capacity = {{"ex:e", 2}, {"ex:over", 1}};
   team.rules.event_windows = {{"ex:e", {1, 4}}, {"ex:over", {}}};
-  kg_core::TimeWindow window;
+  kg_mission::TimeWindow window;
   window.index = 1;
   window.end_s = 1.8e9;
   team.windows = {window};
@@ -439,10 +442,10 @@ TEST(ConversionTest, SimulatedAgentsGoOnAlongTheLastPlanWhenPlanningFailed) {
                                        {{1.0, 0.0}, kBegin_s + 86400.0}};
   kg_engine::AgentSimulator simulator(3600.0);
   simulator.Take(plan);
-  for (const auto [status, moves] : {std::pair{kg_msgs::World::PLAN_NONE, 0u},
-                                     {kg_msgs::World::PLAN_OK, 1u},
-                                     {kg_msgs::World::PLAN_STALE, 0u},
-                                     {kg_msgs::World::PLAN_FAILED, 1u}}) {
+  for (const auto& [status, moves] : {std::pair{kg_msgs::World::PLAN_NONE, 0u},
+                                      {kg_msgs::World::PLAN_OK, 1u},
+                                      {kg_msgs::World::PLAN_STALE, 0u},
+                                      {kg_msgs::World::PLAN_FAILED, 1u}}) {
     world.plan_status = status;
     simulator.Take(FromMessage(world));
     EXPECT_EQ(simulator.agents(), std::vector<std::string>{"alpha"});
@@ -458,7 +461,7 @@ TEST(ConversionTest, APathComesBackWithItsStops) {
   pathlet.seam_cost = 0.5;
   pathlet.energy_j = 1234.5;
   pathlet.visits = {{3, 1, {-89.0, 24.0}, 4.5, {"ex:e"}, {{0, {-90.0, 25.0}}}}};
-  pathlet.visits[0].cost = {20.0, 7.5, 0.125, 0.0625, 6.0, 0.6875, 0.375};
+  pathlet.visits[0].cost = {20.0, 7.5, 0.125, 0.0625, 6.0, 0.6875, {}, 0.375};
   const kg_msgs::Pathlet message = ToMessage(pathlet);
   EXPECT_EQ(message.visits.at(0).cost.travel_s, 20.0);
   const kg_selector::Pathlet back = FromMessage(message, "alpha");

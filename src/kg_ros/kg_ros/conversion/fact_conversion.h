@@ -3,7 +3,7 @@
 #ifndef KG_ROS_CONVERSION_FACT_CONVERSION_H_
 #define KG_ROS_CONVERSION_FACT_CONVERSION_H_
 
-#include "kg_core/mission/stage_update.h"
+#include "kg_mission/mission/stage_update.h"
 #include "kg_msgs/FactUpdate.h"
 
 namespace kg_ros {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "kg_core/base/units.h"
-#include "kg_core/geo/lon_lat.h"
+#include "kg_base/common/units.h"
+#include "kg_base/geo/lon_lat.h"
 #include "ros/time.h"
 
 namespace kg_ros {
@@ -27,14 +27,14 @@ inline double FiniteOrUnknown(double value) {
 
 // Messages with lon_rad and lat_rad.
 template <typename Message>
-void SetPosition(const kg_core::LonLat& position, Message* message) {
-  message->lon_rad = kg_core::DegToRad(position.lon_deg);
-  message->lat_rad = kg_core::DegToRad(position.lat_deg);
+void SetPosition(const kg_base::LonLat& position, Message* message) {
+  message->lon_rad = kg_base::DegToRad(position.lon_deg);
+  message->lat_rad = kg_base::DegToRad(position.lat_deg);
 }
 template <typename Message>
-kg_core::LonLat GetPosition(const Message& message) {
-  return {kg_core::RadToDeg(message.lon_rad),
-          kg_core::RadToDeg(message.lat_rad)};
+kg_base::LonLat GetPosition(const Message& message) {
+  return {kg_base::RadToDeg(message.lon_rad),
+          kg_base::RadToDeg(message.lat_rad)};
 }
 
 }  // namespace kg_ros

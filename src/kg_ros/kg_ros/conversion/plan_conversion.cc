@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_ros/conversion/message_units.h"
 
 namespace kg_ros {
@@ -95,7 +95,7 @@ kg_msgs::Visit ToMessage(const kg_selector::Visit& visit) {
 
 void RequireFinite(double value, const std::string& agent, const char* field) {
   if (std::isfinite(value)) return;
-  throw kg_core::InputError("Pathlet of " + agent + ": " + field +
+  throw kg_base::InputError("Pathlet of " + agent + ": " + field +
                             " must be finite");
 }
 
@@ -282,10 +282,10 @@ std::vector<TimedPoint> FromMessage(
   for (const kg_msgs::TimedPoint& point : message) {
     const double time_s = FromRosTime(point.stamp);
     if (!std::isfinite(point.lon_rad) || !std::isfinite(point.lat_rad)) {
-      throw kg_core::InputError("TimedPoint: position must be finite");
+      throw kg_base::InputError("TimedPoint: position must be finite");
     }
     if (!track.empty() && !(time_s >= track.back().time_s)) {
-      throw kg_core::InputError("TimedPoint.stamp must not go back");
+      throw kg_base::InputError("TimedPoint.stamp must not go back");
     }
     track.push_back({GetPosition(point), time_s});
   }
@@ -333,7 +333,7 @@ kg_engine::AgentGraph FromMessage(const kg_msgs::NavGraph& message) {
   for (const kg_msgs::Waypoint& waypoint : message.waypoints) {
     if (waypoint.id != graph.waypoints.size() ||
         !std::isfinite(waypoint.score)) {
-      throw kg_core::InputError("NavGraph of " + message.agent + ", window " +
+      throw kg_base::InputError("NavGraph of " + message.agent + ", window " +
                                 std::to_string(message.window) +
                                 ": waypoints must be numbered from 0 and "
                                 "scores finite");
@@ -343,7 +343,7 @@ kg_engine::AgentGraph FromMessage(const kg_msgs::NavGraph& message) {
   for (const kg_msgs::TraverseEdge& edge : message.edges) {
     if (!IsJoined(edge, message.waypoints.size()) ||
         !std::isfinite(edge.cost.seam_cost)) {
-      throw kg_core::InputError("NavGraph of " + message.agent + ", window " +
+      throw kg_base::InputError("NavGraph of " + message.agent + ", window " +
                                 std::to_string(message.window) +
                                 ": edges must lead to its waypoints, by way "
                                 "of its waypoints, and costs be finite");

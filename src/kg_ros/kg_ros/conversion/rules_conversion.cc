@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_ros/conversion/message_units.h"
 #include "kg_selector/team/team_modes.h"
 
 namespace kg_ros {
 namespace {
 
-using kg_core::InputError;
+using kg_base::InputError;
 
 void RequireAtLeast(double value, double least, const char* field) {
   if (std::isfinite(value) && value >= least) return;
@@ -52,8 +52,8 @@ kg_msgs::WindowRules ToMessage(const kg_compiler::WindowRules& rules) {
   message.field_hash = rules.field_hash;
   message.is_committed = rules.committed.has_value();
   if (rules.committed) {
-    message.committed_lon_rad = kg_core::DegToRad(rules.committed->lon_deg);
-    message.committed_lat_rad = kg_core::DegToRad(rules.committed->lat_deg);
+    message.committed_lon_rad = kg_base::DegToRad(rules.committed->lon_deg);
+    message.committed_lat_rad = kg_base::DegToRad(rules.committed->lat_deg);
   }
   for (const kg_compiler::EventRule& event : rules.events) {
     message.events.emplace_back();
@@ -65,15 +65,15 @@ kg_msgs::WindowRules ToMessage(const kg_compiler::WindowRules& rules) {
   return message;
 }
 
-std::optional<kg_core::LonLat> CommittedPlace(
+std::optional<kg_base::LonLat> CommittedPlace(
     const kg_msgs::WindowRules& message) {
   if (!message.is_committed) return std::nullopt;
   if (!std::isfinite(message.committed_lon_rad) ||
-      !(std::abs(message.committed_lat_rad) <= kg_core::kPi / 2)) {
+      !(std::abs(message.committed_lat_rad) <= kg_base::kPi / 2)) {
     throw InputError("WindowRules.committed must be a place on WGS84");
   }
-  return kg_core::LonLat{kg_core::RadToDeg(message.committed_lon_rad),
-                         kg_core::RadToDeg(message.committed_lat_rad)};
+  return kg_base::LonLat{kg_base::RadToDeg(message.committed_lon_rad),
+                         kg_base::RadToDeg(message.committed_lat_rad)};
 }
 
 kg_compiler::WindowRules FromMessage(const kg_msgs::WindowRules& message) {
@@ -164,7 +164,7 @@ std::map<std::string, double> BudgetsOf(
 
 }  // namespace
 
-kg_msgs::WindowInfo ToMessage(const kg_core::TimeWindow& window) {
+kg_msgs::WindowInfo ToMessage(const kg_mission::TimeWindow& window) {
   kg_msgs::WindowInfo message;
   message.iri = window.iri;
   message.index = window.index;
@@ -201,8 +201,8 @@ kg_msgs::SeamRules ToMessage(const kg_compiler::SeamRules& rules,
   message.max_waypoints = rules.max_waypoints;
   message.candidates = rules.candidates;
   WritePathRules(rules, &message);
-  message.start_lon_rad = kg_core::DegToRad(rules.start.lon_deg);
-  message.start_lat_rad = kg_core::DegToRad(rules.start.lat_deg);
+  message.start_lon_rad = kg_base::DegToRad(rules.start.lon_deg);
+  message.start_lat_rad = kg_base::DegToRad(rules.start.lat_deg);
   message.start_heading_rad = rules.start_heading_rad;
   for (const kg_compiler::WindowRules& window : rules.windows) {
     message.windows.push_back(ToMessage(window));
@@ -241,8 +241,8 @@ kg_compiler::SeamRules FromMessage(const kg_msgs::SeamRules& message) {
   TakePathRules(message, &rules);
   rules.hazard_range_m = message.hazard_range_m;
   rules.movement_mode = kg_compiler::MovementModeOf(message.movement_mode);
-  rules.start = {kg_core::RadToDeg(message.start_lon_rad),
-                 kg_core::RadToDeg(message.start_lat_rad)};
+  rules.start = {kg_base::RadToDeg(message.start_lon_rad),
+                 kg_base::RadToDeg(message.start_lat_rad)};
   rules.start_heading_rad = message.start_heading_rad;
   for (const kg_msgs::WindowRules& window : message.windows) {
     rules.windows.push_back(FromMessage(window));
@@ -256,7 +256,7 @@ Coordination CoordinationOf(const kg_compiler::Compilation& compilation,
   coordination.world_version = compilation.world_version;
   coordination.cycle = cycle;
   coordination.rules = compilation.coordination;
-  for (const kg_core::TimeWindow& window : compilation.mission.windows) {
+  for (const kg_mission::TimeWindow& window : compilation.mission.windows) {
     if (window.index >= compilation.first_window) {
       coordination.windows.push_back(window);
     }
@@ -269,13 +269,13 @@ Coordination CoordinationOf(const kg_compiler::Compilation& compilation,
 }
 
 kg_msgs::CoordinationRules ToMessage(const Coordination& coordination) {
-  const kg_core::CoordinationFacts& facts = coordination.rules.facts;
+  const kg_mission::CoordinationFacts& facts = coordination.rules.facts;
   kg_msgs::CoordinationRules message;
   message.world_version = coordination.world_version;
   message.cycle = coordination.cycle;
   message.agents = coordination.agents;
   message.energy_budget_j = coordination.energy_budget_j;
-  for (const kg_core::TimeWindow& window : coordination.windows) {
+  for (const kg_mission::TimeWindow& window : coordination.windows) {
     message.windows.push_back(ToMessage(window));
   }
   message.mode = facts.mode;

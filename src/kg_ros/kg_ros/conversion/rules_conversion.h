@@ -10,8 +10,8 @@
 
 #include "kg_compiler/compile/mission_compiler.h"
 #include "kg_compiler/control_plane/seam_rules.h"
-#include "kg_core/mission/mission.h"
 #include "kg_engine/planning/team_selector.h"
+#include "kg_mission/mission/mission.h"
 #include "kg_msgs/CoordinationRules.h"
 #include "kg_msgs/SeamRules.h"
 #include "kg_msgs/WindowInfo.h"
@@ -19,7 +19,7 @@
 
 namespace kg_ros {
 
-kg_msgs::WindowInfo ToMessage(const kg_core::TimeWindow& window);
+kg_msgs::WindowInfo ToMessage(const kg_mission::TimeWindow& window);
 
 kg_msgs::SeamRules ToMessage(const kg_compiler::SeamRules& rules,
                              std::uint64_t cycle);
@@ -28,9 +28,9 @@ kg_compiler::SeamRules FromMessage(const kg_msgs::SeamRules& message);
 struct Coordination {
   std::uint64_t world_version = 0;
   std::uint64_t cycle = 0;
-  std::vector<std::string> agents;           // ex:id.
-  std::vector<double> energy_budget_j;       // Of each of them.
-  std::vector<kg_core::TimeWindow> windows;  // Those to be planned.
+  std::vector<std::string> agents;              // ex:id.
+  std::vector<double> energy_budget_j;          // Of each of them.
+  std::vector<kg_mission::TimeWindow> windows;  // Those to be planned.
   kg_compiler::CoordinationRules rules;
 };
 Coordination CoordinationOf(const kg_compiler::Compilation& compilation,

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/temporary_folder.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/temporary_folder.h"
 #include "kg_engine/planning/agent_planner.h"
 #include "kg_engine/planning/team_selector.h"
 #include "kg_engine/server/mission_server.h"
@@ -157,7 +157,7 @@ class TeamByMessageTest : public testing::TestWithParam<const char*> {
     Apply(choose);
   }
 
-  kg_core::TemporaryFolder folder_;
+  kg_base::TemporaryFolder folder_;
   std::unique_ptr<kg_engine::MissionServer> server_;
 };
 
@@ -167,7 +167,7 @@ bool IsAvailable(const std::string& mode) {
   try {
     kg_selector::MakeCoordinator(rules, {"alpha"});
     return true;
-  } catch (const kg_core::InputError&) {
+  } catch (const kg_base::InputError&) {
     return false;
   }
 }

@@ -3,15 +3,15 @@
 #include <cmath>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/units.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/units.h"
 #include "kg_ros/conversion/message_units.h"
 
 namespace kg_ros {
 namespace {
 
+using kg_base::InputError;
 using kg_compiler::Layer;
-using kg_core::InputError;
 
 constexpr Layer kAllLayers[] = {Layer::kReward,      Layer::kUncertainty,
                                 Layer::kPolicy,      Layer::kAttenuation,
@@ -27,7 +27,7 @@ Layer LayerNamed(const std::string& name) {
 std::vector<double> InRadians(const std::vector<double>& deg) {
   std::vector<double> rad;
   rad.reserve(deg.size());
-  for (const double value : deg) rad.push_back(kg_core::DegToRad(value));
+  for (const double value : deg) rad.push_back(kg_base::DegToRad(value));
   return rad;
 }
 
@@ -37,18 +37,18 @@ std::vector<double> AxisInDegrees(const std::vector<double>& rad,
   std::vector<double> deg;
   deg.reserve(rad.size());
   for (const double value : rad) {
-    if (!std::isfinite(value) || !(std::abs(value) <= 2.0 * kg_core::kPi)) {
+    if (!std::isfinite(value) || !(std::abs(value) <= 2.0 * kg_base::kPi)) {
       throw InputError(field + " must be angles in rad");
     }
-    if (!deg.empty() && !(kg_core::RadToDeg(value) > deg.back())) {
+    if (!deg.empty() && !(kg_base::RadToDeg(value) > deg.back())) {
       throw InputError(field + " must ascend");
     }
-    deg.push_back(kg_core::RadToDeg(value));
+    deg.push_back(kg_base::RadToDeg(value));
   }
   return deg;
 }
 
-void CheckSize(const kg_core::Grid& grid, std::size_t size,
+void CheckSize(const kg_base::Grid& grid, std::size_t size,
                const std::string& field) {
   if (size == grid.size()) return;
   throw InputError(field + " has " + std::to_string(size) + " values for " +
@@ -57,15 +57,15 @@ void CheckSize(const kg_core::Grid& grid, std::size_t size,
 
 }  // namespace
 
-kg_msgs::Grid ToMessage(const kg_core::Grid& grid) {
+kg_msgs::Grid ToMessage(const kg_base::Grid& grid) {
   kg_msgs::Grid message;
   message.lon_rad = InRadians(grid.lon_deg());
   message.lat_rad = InRadians(grid.lat_deg());
   return message;
 }
 
-kg_core::Grid FromMessage(const kg_msgs::Grid& message) {
-  return kg_core::Grid(AxisInDegrees(message.lon_rad, "Grid.lon_rad"),
+kg_base::Grid FromMessage(const kg_msgs::Grid& message) {
+  return kg_base::Grid(AxisInDegrees(message.lon_rad, "Grid.lon_rad"),
                        AxisInDegrees(message.lat_rad, "Grid.lat_rad"));
 }
 
@@ -108,10 +108,10 @@ kg_compiler::MissionTensor FromMessage(const kg_msgs::MissionTensor& message) {
 namespace {
 
 std::vector<kg_msgs::ScalarSlice> ToMessage(
-    const std::vector<kg_core::ScalarField>& fields) {
+    const std::vector<kg_base::ScalarField>& fields) {
   std::vector<kg_msgs::ScalarSlice> message;
-  for (const kg_core::ScalarField& field : fields) {
-    for (const kg_core::ScalarSlice& slice : field.slices) {
+  for (const kg_base::ScalarField& field : fields) {
+    for (const kg_base::ScalarSlice& slice : field.slices) {
       message.emplace_back();
       message.back().quantity = field.quantity;
       message.back().stamp = ToRosTime(slice.time_s);
@@ -122,16 +122,16 @@ std::vector<kg_msgs::ScalarSlice> ToMessage(
 }
 
 // Slices of one quantity follow one another.
-std::vector<kg_core::ScalarField> FromMessage(
+std::vector<kg_base::ScalarField> FromMessage(
     const std::vector<kg_msgs::ScalarSlice>& message,
-    const kg_core::Grid& grid) {
-  std::vector<kg_core::ScalarField> fields;
+    const kg_base::Grid& grid) {
+  std::vector<kg_base::ScalarField> fields;
   for (const kg_msgs::ScalarSlice& slice : message) {
     CheckSize(grid, slice.values.size(), "ScalarSlice.values");
     if (fields.empty() || fields.back().quantity != slice.quantity) {
       fields.push_back({slice.quantity, {}});
     }
-    std::vector<kg_core::ScalarSlice>& slices = fields.back().slices;
+    std::vector<kg_base::ScalarSlice>& slices = fields.back().slices;
     const double time_s = FromRosTime(slice.stamp);
     if (!slices.empty() && !(time_s > slices.back().time_s)) {
       throw InputError("WorkField.scalars must ascend in time");
@@ -151,7 +151,7 @@ kg_msgs::WorkField ToMessage(const kg_compiler::WorkField& field,
   message.window = field.window;
   message.hash = field.hash;
   message.grid = ToMessage(field.field.grid);
-  for (const kg_core::FieldSlice& slice : field.field.slices) {
+  for (const kg_base::FieldSlice& slice : field.field.slices) {
     message.slices.emplace_back();
     message.slices.back().stamp = ToRosTime(slice.time_s);
     message.slices.back().east_mps = slice.east_mps;

@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/raster/grid.h"
 #include "kg_compiler/compile/mission_compiler.h"
 #include "kg_compiler/data_plane/mission_tensor.h"
-#include "kg_core/raster/grid.h"
 #include "kg_msgs/Grid.h"
 #include "kg_msgs/MissionTensor.h"
 #include "kg_msgs/WorkField.h"
 
 namespace kg_ros {
 
-kg_msgs::Grid ToMessage(const kg_core::Grid& grid);
-kg_core::Grid FromMessage(const kg_msgs::Grid& message);
+kg_msgs::Grid ToMessage(const kg_base::Grid& grid);
+kg_base::Grid FromMessage(const kg_msgs::Grid& message);
 
 // Only the named layers.
 kg_msgs::MissionTensor ToMessage(const kg_compiler::MissionTensor& tensor,

@@ -6,7 +6,7 @@
 namespace kg_ros {
 namespace {
 
-kg_msgs::AgentInfo Describe(const kg_core::Agent& agent,
+kg_msgs::AgentInfo Describe(const kg_mission::Agent& agent,
                             const kg_engine::AgentPose& pose,
                             const kg_compiler::Compilation* compilation) {
   kg_msgs::AgentInfo info;
@@ -28,7 +28,7 @@ kg_msgs::AgentInfo Describe(const kg_core::Agent& agent,
 
 kg_msgs::World DescribeWorld(const kg_engine::MissionServer& server,
                              const kg_compiler::Compilation* compilation) {
-  const kg_core::Mission& mission = server.mission();
+  const kg_mission::Mission& mission = server.mission();
   kg_msgs::World world;
   world.world_version = server.world_version();
   world.cycle = server.cycle();
@@ -37,10 +37,10 @@ kg_msgs::World DescribeWorld(const kg_engine::MissionServer& server,
   world.mission_name = mission.name;
   world.mission_time = ToRosTime(server.fleet().time_s());
   world.current_window = server.current_window();
-  for (const kg_core::TimeWindow& window : mission.windows) {
+  for (const kg_mission::TimeWindow& window : mission.windows) {
     world.windows.push_back(ToMessage(window));
   }
-  for (const kg_core::Agent& agent : mission.agents) {
+  for (const kg_mission::Agent& agent : mission.agents) {
     world.agents.push_back(
         Describe(agent, server.fleet().poses().at(agent.id), compilation));
   }

@@ -5,7 +5,7 @@
 
 #include "GeographicLib/Geocentric.hpp"
 #include "geometry_msgs/TransformStamped.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_ros/base/names.h"
 #include "tf2/LinearMath/Quaternion.h"
 #include "tf2/LinearMath/Transform.h"
@@ -47,8 +47,8 @@ tf2::Vector3 Transform(const geometry_msgs::PointStamped& clicked,
   return tf2::Transform(rotation, origin) * point;
 }
 
-kg_core::LonLat FromEarth(const tf2::Vector3& point,
-                          const kg_core::MapProjection& map) {
+kg_base::LonLat FromEarth(const tf2::Vector3& point,
+                          const kg_base::MapProjection& map) {
   double lat_deg = 0.0;
   double lon_deg = 0.0;
   double height_m = 0.0;
@@ -61,9 +61,9 @@ kg_core::LonLat FromEarth(const tf2::Vector3& point,
 
 }  // namespace
 
-kg_core::LonLat ToPosition(const geometry_msgs::PointStamped& clicked,
+kg_base::LonLat ToPosition(const geometry_msgs::PointStamped& clicked,
                            const tf2::BufferCore& frames,
-                           const kg_core::MapProjection& map) {
+                           const kg_base::MapProjection& map) {
   const std::string& frame = clicked.header.frame_id;
   try {
     if (IsBelowMap(frames, frame)) {
@@ -72,7 +72,7 @@ kg_core::LonLat ToPosition(const geometry_msgs::PointStamped& clicked,
     }
     return FromEarth(Transform(clicked, kEarthFrame, frames), map);
   } catch (const tf2::TransformException&) {
-    throw kg_core::InputError("no transform from frame '" + frame + "' to '" +
+    throw kg_base::InputError("no transform from frame '" + frame + "' to '" +
                               kMapFrame + "' or '" + kEarthFrame +
                               "'; expected one of these or a frame that tf "
                               "connects to them");

@@ -18,8 +18,8 @@
 #define KG_ROS_DISPLAY_CLICKED_POINT_H_
 
 #include "geometry_msgs/PointStamped.h"
-#include "kg_core/geo/lon_lat.h"
-#include "kg_core/geo/map_projection.h"
+#include "kg_base/geo/lon_lat.h"
+#include "kg_base/geo/map_projection.h"
 #include "tf2/buffer_core.h"
 
 namespace kg_ros {
@@ -27,9 +27,9 @@ namespace kg_ros {
 // The longitude is within 180 degrees of the projection's centre; both are NaN
 // if the point is not finite. Throws kg_core::InputError, in one line that
 // names the frame, if no transform leads from it to `map` or `earth`.
-kg_core::LonLat ToPosition(const geometry_msgs::PointStamped& clicked,
+kg_base::LonLat ToPosition(const geometry_msgs::PointStamped& clicked,
                            const tf2::BufferCore& frames,
-                           const kg_core::MapProjection& map);
+                           const kg_base::MapProjection& map);
 
 }  // namespace kg_ros
 

@@ -6,14 +6,14 @@
 #include "GeographicLib/Geocentric.hpp"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "tf2/LinearMath/Quaternion.h"
 
 namespace kg_ros {
 namespace {
 
-using kg_core::LonLat;
-using kg_core::MapProjection;
+using kg_base::LonLat;
+using kg_base::MapProjection;
 using testing::HasSubstr;
 
 constexpr LonLat kCentre = {-90.0, 26.0};
@@ -109,7 +109,7 @@ TEST_F(ClickedPoint, OfAnUnconnectedFrameIsRefusedByName) {
     try {
       ToPosition(Point(frame, 1.0, 2.0), frames_, map_);
       FAIL() << frame;
-    } catch (const kg_core::InputError& error) {
+    } catch (const kg_base::InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr("'" + std::string(frame) + "'"));
       EXPECT_THAT(error.what(), HasSubstr("'map' or 'earth'"));
     }
@@ -120,7 +120,7 @@ TEST_F(ClickedPoint, OfALoopOfFramesIsRefused) {
   Attach("a", "b", 0.0, 0.0, 0.0);
   Attach("b", "a", 0.0, 0.0, 0.0);
   EXPECT_THROW(ToPosition(Point("a", 0.0, 0.0), frames_, map_),
-               kg_core::InputError);
+               kg_base::InputError);
 }
 
 TEST_F(ClickedPoint, ThatIsNotFiniteIsNowhere) {

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "geometry_msgs/Point.h"
-#include "kg_core/base/units.h"
+#include "kg_base/common/units.h"
 #include "kg_ros/base/names.h"
 #include "kg_ros/conversion/message_units.h"
 #include "std_msgs/ColorRGBA.h"
@@ -13,11 +13,11 @@
 namespace kg_ros {
 namespace {
 
-using kg_core::Cell;
-using kg_core::Grid;
-using kg_core::LonLat;
-using kg_core::MapPoint;
-using kg_core::MapProjection;
+using kg_base::Cell;
+using kg_base::Grid;
+using kg_base::LonLat;
+using kg_base::MapPoint;
+using kg_base::MapProjection;
 using visualization_msgs::Marker;
 
 constexpr double kArrowSpacing_m = 60e3;
@@ -43,7 +43,7 @@ geometry_msgs::Point ToPoint(const MapProjection& map, LonLat position,
 }
 
 // Does an open neighbour make this cell without data a piece of coast?
-bool IsCoast(const Grid& grid, const kg_core::Mask& land, Cell cell) {
+bool IsCoast(const Grid& grid, const kg_base::Mask& land, Cell cell) {
   if (land[grid.Index(cell)] == 0) return false;
   for (const auto& [dr, dc] : {std::pair{0, 1}, {1, 0}, {0, -1}, {-1, 0}}) {
     const Cell next{cell.row + dr, cell.col + dc};
@@ -52,9 +52,9 @@ bool IsCoast(const Grid& grid, const kg_core::Mask& land, Cell cell) {
   return false;
 }
 
-double Strongest_mps(const kg_core::VectorField& field) {
+double Strongest_mps(const kg_base::VectorField& field) {
   double strongest_mps = 0.0;
-  for (const kg_core::FieldSlice& slice : field.slices) {
+  for (const kg_base::FieldSlice& slice : field.slices) {
     for (std::size_t i = 0; i < slice.east_mps.size(); ++i) {
       const double speed_mps =
           std::hypot(slice.east_mps[i], slice.north_mps[i]);
@@ -100,16 +100,16 @@ Marker& MarkerPainter::Add(const std::string& name, const int type) {
   return marker;
 }
 
-void MarkerPainter::PaintConstraints(const kg_core::Mission& mission,
+void MarkerPainter::PaintConstraints(const kg_mission::Mission& mission,
                                      const int window) {
-  for (const kg_core::Constraint& constraint : mission.constraints) {
+  for (const kg_mission::Constraint& constraint : mission.constraints) {
     const auto& windows = constraint.windows;
     const bool applies =
         windows.empty() ||
         std::find(windows.begin(), windows.end(), window) != windows.end();
     if (!constraint.area || !applies) continue;
-    const kg_core::RgbColour& colour =
-        kg_core::EffectOf(constraint.kind).colour;
+    const kg_mission::RgbColour& colour =
+        kg_mission::EffectOf(constraint.kind).colour;
     for (const std::vector<LonLat>& ring : constraint.area->Rings()) {
       Marker& marker = Add("constraints", Marker::LINE_STRIP);
       marker.scale.x = 4000.0 * size_;
@@ -121,9 +121,9 @@ void MarkerPainter::PaintConstraints(const kg_core::Mission& mission,
   }
 }
 
-void MarkerPainter::PaintEvents(const kg_core::Mission& mission,
+void MarkerPainter::PaintEvents(const kg_mission::Mission& mission,
                                 const int window) {
-  for (const kg_core::Event& event : mission.events) {
+  for (const kg_mission::Event& event : mission.events) {
     if (std::find(event.windows.begin(), event.windows.end(), window) ==
         event.windows.end()) {
       continue;
@@ -137,8 +137,8 @@ void MarkerPainter::PaintEvents(const kg_core::Mission& mission,
   }
 }
 
-void MarkerPainter::PaintLand(const kg_core::VectorField& field) {
-  const kg_core::Mask land = field.NoData();
+void MarkerPainter::PaintLand(const kg_base::VectorField& field) {
+  const kg_base::Mask land = field.NoData();
   Marker& marker = Add("land", Marker::POINTS);
   marker.scale.x = marker.scale.y = 5000.0 * size_;
   marker.color = Colour(0.35, 0.30, 0.25, 1.0);
@@ -252,7 +252,7 @@ void MarkerPainter::PaintAgents(
   const double size_m = WidthOf(grid, map_) / kAgentsAcross;
   for (const auto& [id, pose] : poses) {
     // Compass heading to half the yaw from east.
-    const double half_rad = 0.5 * (kg_core::kPi / 2.0 - pose.heading_rad);
+    const double half_rad = 0.5 * (kg_base::kPi / 2.0 - pose.heading_rad);
     Marker& arrow = Add("agents", Marker::ARROW);
     arrow.pose.position = ToPoint(map_, pose.position, 430.0);
     arrow.pose.orientation.w = std::cos(half_rad);

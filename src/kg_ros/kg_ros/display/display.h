@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/geo/map_projection.h"
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_core/geo/map_projection.h"
-#include "kg_core/mission/mission.h"
 #include "kg_engine/planning/agent_graph.h"
 #include "kg_engine/state/fleet_state.h"
+#include "kg_mission/mission/mission.h"
 #include "kg_selector/team/agent_candidates.h"
 #include "kg_selector/team/committed_plan.h"
 #include "nav_msgs/Path.h"
@@ -21,10 +21,10 @@
 namespace kg_ros {
 
 nav_msgs::Path ToPath(const kg_selector::Pathlet& pathlet,
-                      const kg_core::MapProjection& map);
+                      const kg_base::MapProjection& map);
 
 // From the grid's western to its eastern edge [m].
-double WidthOf(const kg_core::Grid& grid, const kg_core::MapProjection& map);
+double WidthOf(const kg_base::Grid& grid, const kg_base::MapProjection& map);
 
 // Namespaces: "constraints", "land", "events", "currents", "agents",
 // "nav_graph/<id>", "candidates/<id>", "staging/<id>", "assigned/<id>".
@@ -33,14 +33,14 @@ class MarkerPainter {
   // Lines and points are sized for a map so wide, or smaller with its width.
   static constexpr double kMapWidth_m = 2e6;
 
-  explicit MarkerPainter(kg_core::MapProjection map,
+  explicit MarkerPainter(kg_base::MapProjection map,
                          double width_m = kMapWidth_m);
 
   // Areas that apply in a window, and the events that are active in it.
-  void PaintConstraints(const kg_core::Mission& mission, int window);
-  void PaintEvents(const kg_core::Mission& mission, int window);
+  void PaintConstraints(const kg_mission::Mission& mission, int window);
+  void PaintEvents(const kg_mission::Mission& mission, int window);
   // The coast: cells without data that touch others. None where all have data.
-  void PaintLand(const kg_core::VectorField& field);
+  void PaintLand(const kg_base::VectorField& field);
   // Arrows on a thinned grid, at the window's middle.
   void PaintField(const kg_compiler::WorkField& field, double time_s);
   void PaintNavGraph(const kg_engine::AgentGraph& graph);
@@ -52,7 +52,7 @@ class MarkerPainter {
 
   // An arrow and a name for each, sized to be seen on `grid` as a whole.
   void PaintAgents(const std::map<std::string, kg_engine::AgentPose>& poses,
-                   const kg_core::Grid& grid);
+                   const kg_base::Grid& grid);
 
   // Everything painted, after a marker that erases what was there before.
   visualization_msgs::MarkerArray Take();
@@ -62,7 +62,7 @@ class MarkerPainter {
                   visualization_msgs::Marker* marker) const;
   visualization_msgs::Marker& Add(const std::string& name, int type);
 
-  kg_core::MapProjection map_;
+  kg_base::MapProjection map_;
   double size_;
   visualization_msgs::MarkerArray markers_;
 };

@@ -15,19 +15,19 @@ namespace {
 
 using kg_compiler::Layer;
 
-kg_core::Grid RegularGrid(int rows, int cols) {
+kg_base::Grid RegularGrid(int rows, int cols) {
   std::vector<double> lon_deg;
   std::vector<double> lat_deg;
   for (int i = 0; i < cols; ++i) lon_deg.push_back(-90.0 + 0.1 * i);
   for (int i = 0; i < rows; ++i) lat_deg.push_back(25.0 + 0.1 * i);
-  return kg_core::Grid(lon_deg, lat_deg);
+  return kg_base::Grid(lon_deg, lat_deg);
 }
 
 kg_compiler::MissionTensor TensorWithOneHill(int rows, int cols) {
   kg_compiler::MissionTensor tensor;
   tensor.grid = RegularGrid(rows, cols);
-  kg_core::Raster fused(tensor.grid.size(), 0.1F);
-  kg_core::Raster feasible(tensor.grid.size(), 1.0F);
+  kg_base::Raster fused(tensor.grid.size(), 0.1F);
+  kg_base::Raster feasible(tensor.grid.size(), 1.0F);
   fused[tensor.grid.Index({2, 3})] = 0.4F;
   fused[0] = 0.0F;
   feasible[0] = std::nanf("");  // Land in the south-west.
@@ -37,7 +37,7 @@ kg_compiler::MissionTensor TensorWithOneHill(int rows, int cols) {
 }
 
 nav_msgs::OccupancyGrid ToHeatmap(const kg_compiler::MissionTensor& tensor,
-                                  const kg_core::MapProjection& map) {
+                                  const kg_base::MapProjection& map) {
   return ToOccupancyGrid(tensor.grid, kg_engine::FusedPercents(tensor), map);
 }
 
@@ -52,7 +52,7 @@ kg_engine::AgentGraph GraphOf(
 }
 
 int ValueAt(const nav_msgs::OccupancyGrid& heatmap,
-            const kg_core::MapPoint& point) {
+            const kg_base::MapPoint& point) {
   const double side_m = heatmap.info.resolution;
   const auto col = static_cast<unsigned>(
       (point.x_m - heatmap.info.origin.position.x) / side_m);
@@ -63,7 +63,7 @@ int ValueAt(const nav_msgs::OccupancyGrid& heatmap,
 
 TEST(DisplayTest, TheHeatmapShowsEachCellWhereItIs) {
   const kg_compiler::MissionTensor tensor = TensorWithOneHill(8, 10);
-  const kg_core::MapProjection map(tensor.grid.Middle());
+  const kg_base::MapProjection map(tensor.grid.Middle());
   const nav_msgs::OccupancyGrid heatmap = ToHeatmap(tensor, map);
   EXPECT_EQ(ValueAt(heatmap, map.Forward(tensor.grid.Centre({2, 3}))), 100);
   EXPECT_EQ(ValueAt(heatmap, map.Forward(tensor.grid.Centre({5, 5}))), 25);
@@ -72,7 +72,7 @@ TEST(DisplayTest, TheHeatmapShowsEachCellWhereItIs) {
 
 TEST(DisplayTest, AFewBrightCellsDoNotLeaveTheRestDark) {
   kg_compiler::MissionTensor tensor = TensorWithOneHill(40, 50);
-  const kg_core::MapProjection map(tensor.grid.Middle());
+  const kg_base::MapProjection map(tensor.grid.Middle());
   const nav_msgs::OccupancyGrid heatmap = ToHeatmap(tensor, map);
   EXPECT_EQ(ValueAt(heatmap, map.Forward(tensor.grid.Centre({2, 3}))), 100);
   EXPECT_EQ(ValueAt(heatmap, map.Forward(tensor.grid.Centre({20, 20}))), 100);
@@ -81,16 +81,16 @@ TEST(DisplayTest, AFewBrightCellsDoNotLeaveTheRestDark) {
 TEST(DisplayTest, AnAllZeroTensorIsShownAsZero) {
   kg_compiler::MissionTensor tensor = TensorWithOneHill(4, 5);
   tensor.content = kg_compiler::HoldLayers(
-      {{Layer::kFused, kg_core::Raster(tensor.grid.size(), 0.0F)},
+      {{Layer::kFused, kg_base::Raster(tensor.grid.size(), 0.0F)},
        {Layer::kFeasibility, tensor.Get(Layer::kFeasibility)}});
-  const kg_core::MapProjection map(tensor.grid.Middle());
+  const kg_base::MapProjection map(tensor.grid.Middle());
   EXPECT_EQ(
       ValueAt(ToHeatmap(tensor, map), map.Forward(tensor.grid.Centre({2, 2}))),
       0);
 }
 
 TEST(DisplayTest, EmptyLinesAreLeftOut) {
-  MarkerPainter paint{kg_core::MapProjection({-90.0, 25.0})};
+  MarkerPainter paint{kg_base::MapProjection({-90.0, 25.0})};
   paint.PaintNavGraph(GraphOf({}));
   const visualization_msgs::MarkerArray markers = paint.Take();
   ASSERT_EQ(markers.markers.size(), 1u);
@@ -100,10 +100,10 @@ TEST(DisplayTest, EmptyLinesAreLeftOut) {
 TEST(DisplayTest, ArrowsFollowTheFieldAndAreFinite) {
   kg_compiler::WorkField field;
   field.field.grid = RegularGrid(8, 10);
-  kg_core::Raster east(80, 0.5F);
+  kg_base::Raster east(80, 0.5F);
   east[11] = std::nanf("");
-  field.field.slices = {{0.0, east, kg_core::Raster(80, 0.0F)}};
-  MarkerPainter paint{kg_core::MapProjection({-89.5, 25.35})};
+  field.field.slices = {{0.0, east, kg_base::Raster(80, 0.0F)}};
+  MarkerPainter paint{kg_base::MapProjection({-89.5, 25.35})};
   paint.PaintField(field, 0.0);
   const visualization_msgs::MarkerArray markers = paint.Take();
   ASSERT_EQ(markers.markers.size(), 2u);
@@ -118,8 +118,8 @@ TEST(DisplayTest, ArrowsFollowTheFieldAndAreFinite) {
 
 // East, then north, as a current may want it: not straight to the end.
 TEST(DisplayTest, TracksAreDrawnWithTheirTurningPoints) {
-  const kg_core::MapProjection map({-90.0, 25.0});
-  const kg_core::LonLat way[] = {{-90.2, 25.0}, {-89.8, 25.0}, {-89.8, 25.4}};
+  const kg_base::MapProjection map({-90.0, 25.0});
+  const kg_base::LonLat way[] = {{-90.2, 25.0}, {-89.8, 25.0}, {-89.8, 25.4}};
   std::vector<kg_compiler::TimedPoint> track(3);
   for (int i = 0; i < 3; ++i) track[i].position = way[i];
   kg_compiler::TraverseEdge edge;
@@ -135,7 +135,7 @@ TEST(DisplayTest, TracksAreDrawnWithTheirTurningPoints) {
   paint.PaintStaging(graph);
   paint.PaintCandidates(candidates);
   paint.PaintAssignment(assignment);
-  const kg_core::MapPoint turn = map.Forward(way[1]);
+  const kg_base::MapPoint turn = map.Forward(way[1]);
   const auto is_there = [&](const geometry_msgs::Point& point) {
     return std::hypot(point.x - turn.x_m, point.y - turn.y_m) < 1.0;
   };
@@ -151,7 +151,7 @@ TEST(DisplayTest, TracksAreDrawnWithTheirTurningPoints) {
 }
 
 TEST(DisplayTest, StagingEdgesArePurple) {
-  MarkerPainter paint{kg_core::MapProjection({-90.0, 25.0})};
+  MarkerPainter paint{kg_base::MapProjection({-90.0, 25.0})};
   kg_compiler::TraverseEdge edge;
   edge.flight.track.resize(2);
   kg_engine::AgentGraph graph = GraphOf({edge, edge});

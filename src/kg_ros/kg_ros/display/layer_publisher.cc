@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_engine/display/layers.h"
 #include "kg_ros/base/names.h"
 #include "kg_ros/display/clicked_point.h"
@@ -16,8 +16,8 @@
 namespace kg_ros {
 namespace {
 
+using kg_base::MapProjection;
 using kg_compiler::WorkMap;
-using kg_core::MapProjection;
 using kg_engine::AgentView;
 using kg_engine::FusedPercents;
 using kg_engine::Percents;
@@ -31,7 +31,7 @@ constexpr unsigned kClicks = 10;  // That may wait.
 // A view with the work it is made of, made once and when first wanted.
 class Looked {
  public:
-  Looked(AgentView view, std::vector<kg_core::LonLat> places,
+  Looked(AgentView view, std::vector<kg_base::LonLat> places,
          const MapProjection& map)
       : view_(std::move(view)), places_(std::move(places)), map_(map) {}
 
@@ -58,7 +58,7 @@ class Looked {
   }
 
   AgentView view_;
-  std::vector<kg_core::LonLat> places_;
+  std::vector<kg_base::LonLat> places_;
   MapProjection map_;
   std::optional<WorkMap> work_;
 };
@@ -85,7 +85,7 @@ void LayerPublisher::Show(kg_engine::Scene scene, const MapProjection& map) {
   scene_ = std::move(scene);
   map_ = map;
   std::set<std::string> ids;
-  for (const kg_core::Agent& agent : scene_.compilation->mission.agents) {
+  for (const kg_mission::Agent& agent : scene_.compilation->mission.agents) {
     ids.insert(agent.id);
     ShowAgent(agent.id);
   }
@@ -115,7 +115,7 @@ void LayerPublisher::ShowAgent(const std::string& agent_id) {
 
 void LayerPublisher::ShowClick(const std::string& agent_id,
                                const AgentView& view) {
-  const std::vector<kg_core::LonLat> place = {*clicked_};
+  const std::vector<kg_base::LonLat> place = {*clicked_};
   const auto looked = std::make_shared<Looked>(view, place, map_);
   agents_.at(agent_id).work_clicked.Offer(
       view.WorkKey(place), [looked] { return looked->WorkInColour(); });
@@ -123,14 +123,14 @@ void LayerPublisher::ShowClick(const std::string& agent_id,
 
 void LayerPublisher::HandleClick(const geometry_msgs::PointStamped& message) {
   if (scene_.compilation == nullptr) return;
-  kg_core::LonLat place;
+  kg_base::LonLat place;
   try {
     place = ToPosition(message, frames_, map_);
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     ROS_WARN("[display] clicked point ignored: %s", error.what());
     return;
   }
-  const kg_core::Grid& grid = scene_.compilation->tensors.front()->grid;
+  const kg_base::Grid& grid = scene_.compilation->tensors.front()->grid;
   if (!grid.CellAt(place)) {
     ROS_WARN(
         "[display] clicked point ignored: (%g, %g, %g) in frame '%s' is "

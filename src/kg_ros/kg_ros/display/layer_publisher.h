@@ -11,7 +11,7 @@
 #include <string>
 
 #include "geometry_msgs/PointStamped.h"
-#include "kg_core/geo/map_projection.h"
+#include "kg_base/geo/map_projection.h"
 #include "kg_engine/display/agent_view.h"
 #include "kg_ros/display/on_demand_topic.h"
 #include "nav_msgs/OccupancyGrid.h"
@@ -28,7 +28,7 @@ class LayerPublisher {
   explicit LayerPublisher(const ros::NodeHandle& node);
 
   // From now on this is looked at. Cheap while nobody listens.
-  void Show(kg_engine::Scene scene, const kg_core::MapProjection& map);
+  void Show(kg_engine::Scene scene, const kg_base::MapProjection& map);
 
  private:
   struct AgentTopics {
@@ -49,8 +49,8 @@ class LayerPublisher {
   tf2_ros::TransformListener frame_listener_{frames_};
   ros::Subscriber clicks_;
   kg_engine::Scene scene_;
-  kg_core::MapProjection map_{kg_core::LonLat{}};
-  std::optional<kg_core::LonLat> clicked_;
+  kg_base::MapProjection map_{kg_base::LonLat{}};
+  std::optional<kg_base::LonLat> clicked_;
   std::map<std::string, AgentTopics> agents_;  // By ex:id.
 };
 

@@ -9,15 +9,15 @@
 namespace kg_ros {
 namespace {
 
-using kg_core::Axis;
-using kg_core::Grid;
-using kg_core::MapPoint;
+using kg_base::Axis;
+using kg_base::Grid;
+using kg_base::MapPoint;
 using kg_engine::kNoDataPercent;
 
 constexpr int kOutside = -1;
 
 nav_msgs::OccupancyGrid Frame(const Grid& grid,
-                              const kg_core::MapProjection& map) {
+                              const kg_base::MapProjection& map) {
   const MapPoint low = map.Forward({grid.west_deg(), grid.south_deg()});
   const MapPoint high = map.Forward({grid.east_deg(), grid.north_deg()});
   const double side_m = (high.y_m - low.y_m) / grid.rows();
@@ -46,7 +46,7 @@ int CellOf(const Axis& axis, double coordinate) {
 // Columns depend on x alone and rows on y alone: the map is a cylinder's.
 nav_msgs::OccupancyGrid ToOccupancyGrid(
     const Grid& grid, const std::vector<std::int8_t>& percents,
-    const kg_core::MapProjection& map) {
+    const kg_base::MapProjection& map) {
   nav_msgs::OccupancyGrid shown = Frame(grid, map);
   const geometry_msgs::Point& origin = shown.info.origin.position;
   const double side_m = shown.info.resolution;

@@ -7,16 +7,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "kg_core/geo/map_projection.h"
-#include "kg_core/raster/grid.h"
+#include "kg_base/geo/map_projection.h"
+#include "kg_base/raster/grid.h"
 #include "nav_msgs/OccupancyGrid.h"
 
 namespace kg_ros {
 
 // `percents`: one a cell of the grid. Outside of it is no data.
 nav_msgs::OccupancyGrid ToOccupancyGrid(
-    const kg_core::Grid& grid, const std::vector<std::int8_t>& percents,
-    const kg_core::MapProjection& map);
+    const kg_base::Grid& grid, const std::vector<std::int8_t>& percents,
+    const kg_base::MapProjection& map);
 
 }  // namespace kg_ros
 

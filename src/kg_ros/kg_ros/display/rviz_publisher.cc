@@ -5,7 +5,7 @@
 
 #include "GeographicLib/Geocentric.hpp"
 #include "geometry_msgs/TransformStamped.h"
-#include "kg_core/base/units.h"
+#include "kg_base/common/units.h"
 #include "kg_ros/base/names.h"
 #include "kg_ros/display/display.h"
 #include "kg_ros/display/ribbon.h"
@@ -28,7 +28,7 @@ geometry_msgs::Quaternion ToMessage(const tf2::Quaternion& rotation) {
 
 // The local east-north-up frame at a position, in the geocentric frame (REP
 // 105: earth -> map).
-geometry_msgs::TransformStamped EarthToMap(const kg_core::LonLat& centre) {
+geometry_msgs::TransformStamped EarthToMap(const kg_base::LonLat& centre) {
   std::vector<double> enu(9);  // Row-major: columns are east, north, up.
   double x_m = 0.0;
   double y_m = 0.0;
@@ -77,9 +77,9 @@ ros::Publisher& RvizPublisher::Latched(const std::string& topic) {
   return publisher;
 }
 
-void RvizPublisher::PublishMapFrame(const kg_core::LonLat centre) {
+void RvizPublisher::PublishMapFrame(const kg_base::LonLat centre) {
   if (map_.centre() == centre) return;
-  map_ = kg_core::MapProjection(centre);
+  map_ = kg_base::MapProjection(centre);
   geometry_msgs::TransformStamped transform = EarthToMap(centre);
   transform.header.stamp = ros::Time::now();
   static_frames_.sendTransform(transform);
@@ -115,9 +115,9 @@ void RvizPublisher::ShowFleet(const kg_engine::FleetState& fleet) {
   scene_.time_s = fleet.time_s();
   std::vector<geometry_msgs::TransformStamped> transforms;
   for (const auto& [id, pose] : fleet.poses()) {
-    const kg_core::MapPoint point = map_.Forward(pose.position);
+    const kg_base::MapPoint point = map_.Forward(pose.position);
     tf2::Quaternion rotation;  // Compass heading to yaw from east.
-    rotation.setRPY(0.0, 0.0, kg_core::kPi / 2.0 - pose.heading_rad);
+    rotation.setRPY(0.0, 0.0, kg_base::kPi / 2.0 - pose.heading_rad);
     geometry_msgs::TransformStamped transform;
     transform.header.frame_id = kMapFrame;
     transform.header.stamp = ros::Time::now();
@@ -147,7 +147,7 @@ void RvizPublisher::ShowMarkers() {
   paint.PaintConstraints(compilation.mission, shown);
   paint.PaintEvents(compilation.mission, shown);
   if (field != nullptr) {
-    const kg_core::TimeWindow& at = compilation.mission.windows[shown];
+    const kg_mission::TimeWindow& at = compilation.mission.windows[shown];
     paint.PaintLand(field->field);
     paint.PaintField(*field, 0.5 * (at.begin_s + at.end_s));
     paint.PaintAgents(scene_.poses, field->field.grid);

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "kg_base/geo/map_projection.h"
 #include "kg_compiler/compile/mission_compiler.h"
-#include "kg_core/geo/map_projection.h"
 #include "kg_engine/display/agent_view.h"
 #include "kg_engine/planning/agent_graph.h"
 #include "kg_engine/state/fleet_state.h"
@@ -40,13 +40,13 @@ class RvizPublisher {
   void Refresh();
 
  private:
-  void PublishMapFrame(kg_core::LonLat centre);
+  void PublishMapFrame(kg_base::LonLat centre);
   void ShowMarkers();
   template <typename Message>
   ros::Publisher& Latched(const std::string& topic);
 
   ros::NodeHandle node_;
-  kg_core::MapProjection map_{kg_core::LonLat{}};
+  kg_base::MapProjection map_{kg_base::LonLat{}};
   tf2_ros::TransformBroadcaster frames_;
   tf2_ros::StaticTransformBroadcaster static_frames_;
   ros::Publisher markers_;

@@ -8,8 +8,8 @@
 namespace kg_ros {
 namespace {
 
+using kg_base::LonLat;
 using kg_compiler::CellAccess;
-using kg_core::LonLat;
 using visualization_msgs::Marker;
 
 constexpr double kHeight_m = 50.0;  // Above heatmaps, below all else.
@@ -46,7 +46,7 @@ struct Corners {
 
 class Painter {
  public:
-  Painter(const kg_core::Grid& grid, const kg_core::MapProjection& map,
+  Painter(const kg_base::Grid& grid, const kg_base::MapProjection& map,
           Marker* marker)
       : grid_(grid), marker_(marker) {
     for (int col = 0; col <= grid.cols(); ++col) {
@@ -70,7 +70,7 @@ class Painter {
       begin = col;
     }
   }
-  void Square(const kg_core::MapPoint& middle) {
+  void Square(const kg_base::MapPoint& middle) {
     const double half_m = 0.5 * (x_m_.back() - x_m_.front()) / kPlacesAcross;
     std_msgs::ColorRGBA white;
     white.r = white.g = white.b = white.a = 1.0F;
@@ -95,16 +95,16 @@ class Painter {
     }
   }
 
-  const kg_core::Grid& grid_;
+  const kg_base::Grid& grid_;
   Marker* marker_;
   std::vector<double> x_m_, y_m_;  // Edges of columns and rows.
 };
 
 }  // namespace
 
-Marker ToWorkMarker(const kg_core::Grid& grid, const kg_compiler::WorkMap& work,
+Marker ToWorkMarker(const kg_base::Grid& grid, const kg_compiler::WorkMap& work,
                     const std::vector<LonLat>& places,
-                    const kg_core::MapProjection& map) {
+                    const kg_base::MapProjection& map) {
   Marker marker;
   marker.header.frame_id = kMapFrame;
   marker.ns = "work";

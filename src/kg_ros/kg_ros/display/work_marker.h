@@ -10,17 +10,17 @@
 
 #include <vector>
 
+#include "kg_base/geo/map_projection.h"
+#include "kg_base/raster/grid.h"
 #include "kg_compiler/control_plane/work.h"
-#include "kg_core/geo/map_projection.h"
-#include "kg_core/raster/grid.h"
 #include "visualization_msgs/Marker.h"
 
 namespace kg_ros {
 
 visualization_msgs::Marker ToWorkMarker(
-    const kg_core::Grid& grid, const kg_compiler::WorkMap& work,
-    const std::vector<kg_core::LonLat>& places,
-    const kg_core::MapProjection& map);
+    const kg_base::Grid& grid, const kg_compiler::WorkMap& work,
+    const std::vector<kg_base::LonLat>& places,
+    const kg_base::MapProjection& map);
 
 }  // namespace kg_ros
 

@@ -14,8 +14,8 @@ using kg_compiler::CellAccess;
 constexpr float kLand = std::numeric_limits<float>::quiet_NaN();
 
 // Six cells in two rows.
-kg_core::Grid SixCells() {
-  return kg_core::Grid({-90.0, -89.9, -89.7}, {25.0, 25.1});
+kg_base::Grid SixCells() {
+  return kg_base::Grid({-90.0, -89.9, -89.7}, {25.0, 25.1});
 }
 
 // From the third cell of value: the first is too far.
@@ -31,7 +31,7 @@ kg_compiler::WorkMap Work() {
 
 // The colour of the marker at a place of the map.
 std_msgs::ColorRGBA ColourAt(const visualization_msgs::Marker& marker,
-                             const kg_core::MapPoint& at) {
+                             const kg_base::MapPoint& at) {
   std_msgs::ColorRGBA colour;  // Nothing there: transparent.
   for (std::size_t i = 0; i + 5 < marker.points.size(); i += 6) {
     const auto& low = marker.points[i];
@@ -45,15 +45,15 @@ std_msgs::ColorRGBA ColourAt(const visualization_msgs::Marker& marker,
 }
 
 TEST(WorkMarker, IsGreenRedAndDarkRedAndLeavesLandOut) {
-  const kg_core::Grid grid = SixCells();
-  const kg_core::MapProjection map(grid.Middle());
+  const kg_base::Grid grid = SixCells();
+  const kg_base::MapProjection map(grid.Middle());
   kg_compiler::WorkMap work = Work();
   work.access[3] = CellAccess::kReached;
   work.time_s[3] = 1000.0F;
   const auto marker = ToWorkMarker(grid, work, {{-89.9, 25.0}}, map);
   const auto at = [&](int row, int col) {
     // Beside the middle, where a place may be marked.
-    kg_core::LonLat centre = grid.Centre({row, col});
+    kg_base::LonLat centre = grid.Centre({row, col});
     centre.lat_deg += 0.02;
     return ColourAt(marker, map.Forward(centre));
   };
@@ -75,7 +75,7 @@ TEST(WorkMarker, IsGreenRedAndDarkRedAndLeavesLandOut) {
 }
 
 TEST(WorkMarker, RunsOfOneColourAreOneRectangle) {
-  const kg_core::Grid grid({-90.0, -89.9, -89.8, -89.7}, {25.0, 25.1});
+  const kg_base::Grid grid({-90.0, -89.9, -89.8, -89.7}, {25.0, 25.1});
   kg_compiler::WorkMap work;
   work.budget_s = 1.0;
   work.access.assign(8, CellAccess::kTooFar);
@@ -83,7 +83,7 @@ TEST(WorkMarker, RunsOfOneColourAreOneRectangle) {
   work.access[5] = CellAccess::kReached;
   work.time_s[5] = 0.0F;
   const auto marker =
-      ToWorkMarker(grid, work, {}, kg_core::MapProjection(grid.Middle()));
+      ToWorkMarker(grid, work, {}, kg_base::MapProjection(grid.Middle()));
   EXPECT_EQ(marker.points.size(), 6u * (1 + 3));
 }
 

@@ -31,7 +31,7 @@ void SendAll(const Messages& current,
 }
 
 std::string IdOf(const Compilation& compilation, const std::string& iri) {
-  const kg_core::Agent* agent = compilation.mission.FindAgent(iri);
+  const kg_mission::Agent* agent = compilation.mission.FindAgent(iri);
   return agent == nullptr ? "" : agent->id;
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/mission/mission_reader.h"
-#include "kg_core/mission/validator.h"
+#include "kg_base/common/input_error.h"
+#include "kg_mission/mission/mission_reader.h"
+#include "kg_mission/mission/validator.h"
 #include "kg_ros/base/names.h"
 #include "kg_ros/conversion/agent_conversion.h"
 #include "kg_ros/conversion/fact_conversion.h"
@@ -82,7 +82,7 @@ KgNode::KgNode(const MissionFolders& folders, const HttpDoorOptions& http,
 KgNode::~KgNode() { main_thread_.Close(); }
 
 void KgNode::OpenHttpDoor(const HttpDoorOptions& options) {
-  kg_core::EndpointStore store;
+  kg_engine::EndpointStore store;
   store.read = [this] { return server_.Read(); };
   store.dataset = kg_engine::CurrentDataset;
   store.update = [this](const kg_core::FactUpdate& update) {
@@ -154,10 +154,10 @@ bool KgNode::HandleUpdate(kg_msgs::UpdateFacts::Request& request,
   return true;
 }
 
-kg_core::UpdateVerdict KgNode::DecideForHttp(
+kg_engine::UpdateVerdict KgNode::DecideForHttp(
     const kg_core::FactUpdate& update) {
-  using Outcome = kg_core::UpdateVerdict::Outcome;
-  kg_core::UpdateVerdict verdict;
+  using Outcome = kg_engine::UpdateVerdict::Outcome;
+  kg_engine::UpdateVerdict verdict;
   main_thread_.Do(
       [&] {
         const UpdateReport report = Decide(update);
@@ -223,7 +223,7 @@ void KgNode::ExpireFacts() {
 }
 
 void KgNode::TellGaps(UpdateReport* report) {
-  std::vector<std::string> gaps = kg_core::WindowGaps(server_.mission());
+  std::vector<std::string> gaps = kg_mission::WindowGaps(server_.mission());
   if (gaps == gaps_) return;
   gaps_ = std::move(gaps);
   for (const std::string& gap : gaps_) {
@@ -241,11 +241,11 @@ bool KgNode::HandleValidate(kg_msgs::Validate::Request& request,
                        update.sparql.empty();
   if (nothing) {
     const std::vector<kg_core::Violation> violations =
-        kg_core::Validate(*server_.Read());
+        kg_mission::Validate(*server_.Read());
     response.violations = kg_core::Lines(violations);
     response.report = kg_core::ReportTurtle(violations);
   } else {
-    const kg_core::UpdateJudgement judgement = server_.Check(update);
+    const kg_mission::UpdateJudgement judgement = server_.Check(update);
     response.violations = judgement.reasons;
     if (judgement.violations) {
       response.report = kg_core::ReportTurtle(*judgement.violations);
@@ -304,7 +304,7 @@ void KgNode::FailCycle(const std::string& why) {
 void KgNode::Guarded(const std::function<void()>& work) {
   try {
     work();
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     ROS_ERROR_STREAM("[plan] answer ignored: " << error.what());
   }
 }
@@ -461,7 +461,7 @@ void KgNode::Watch() {
 }
 
 std::string KgNode::MissingNodes() const {
-  for (const kg_core::Agent& agent : server_.mission().agents) {
+  for (const kg_mission::Agent& agent : server_.mission().agents) {
     if (!artifacts_.HasPlanner(agent.id)) {
       return "the planner of " + agent.id + " is not there";
     }

@@ -68,7 +68,7 @@ class KgNode {
   kg_msgs::UpdateReport Decide(const kg_core::FactUpdate& update);
   void OpenHttpDoor(const kg_engine::HttpDoorOptions& options);
   // From any thread but the main one, where it is decided.
-  kg_core::UpdateVerdict DecideForHttp(const kg_core::FactUpdate& update);
+  kg_engine::UpdateVerdict DecideForHttp(const kg_core::FactUpdate& update);
   kg_msgs::UpdateReport Report(const kg_core::FactUpdate& update,
                                const kg_engine::Decision& decision,
                                std::uint64_t before);

@@ -10,7 +10,7 @@
 
 #include <cstdlib>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_ros/base/parameter_reader.h"
 #include "kg_ros/knowledge/kg_node.h"
 #include "ros/init.h"
@@ -33,7 +33,7 @@ Parameters ReadParameters(const ros::NodeHandle& own) {
   folders.mission = read.Text("mission_folder");
   folders.data = read.Text("data_folder", "");
   folders.state = read.Text("state_folder");
-  folders.ontology = ros::package::getPath("kg_core") + "/ontology";
+  folders.ontology = ros::package::getPath("kg_mission") + "/ontology";
   read.Integer("view_window", {-1, 100000}, -1);  // Polled while it runs.
   parameters.http.port = read.Integer("http_port", {0, 65535}, 0);
   parameters.http.token_file = read.Text("http_token_file", "");
@@ -51,7 +51,7 @@ void Serve(const Parameters& parameters, const ros::NodeHandle& own) {
                           ros::NodeHandle(), own);
       node.Spin();
       return;
-    } catch (const kg_core::InputError& error) {
+    } catch (const kg_base::InputError& error) {
       ROS_FATAL_STREAM("[facts] " << error.what());
     }
     const ros::SteadyTime again =
@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
   try {
     Serve(ReadParameters(own), own);
     return EXIT_SUCCESS;
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     ROS_FATAL_STREAM(error.what());
     return EXIT_FAILURE;
   }

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_core/sparql/results.h"
 #include "kg_engine/export/export_server.h"
@@ -30,7 +30,7 @@ const kg_core::ResultFormat& FormatNamed(const std::string& name) {
     if (name.empty() || name == format.name) return format;
     known += known.empty() ? format.name : std::string(", ") + format.name;
   }
-  throw kg_core::InputError("format '" + name + "' is not known; expected " +
+  throw kg_base::InputError("format '" + name + "' is not known; expected " +
                             known);
 }
 
@@ -81,7 +81,7 @@ bool QueryServer::HandleQuery(kg_msgs::Query::Request& request,
       response.result = FormatNamed(request.format).write(result);
     }
     response.ok = true;
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     response.error = error.what();
   }
   return true;

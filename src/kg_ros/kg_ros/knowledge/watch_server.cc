@@ -4,7 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/same_state.h"
 #include "kg_core/sparql/results.h"
 #include "kg_core/watch/watch_facts.h"
@@ -76,7 +76,7 @@ void WatchServer::Cancel(const std::string& id,
   response->id = id;
   response->world_version = server_->world_version();
   if (!list_.Cancel(id)) {
-    throw kg_core::InputError("there is no watch '" + id + "'");
+    throw kg_base::InputError("there is no watch '" + id + "'");
   }
   server_->KeepWatches(list_.definitions());
   response->ok = 1;
@@ -136,7 +136,7 @@ void WatchServer::LookAt(const std::string& id) {
   if (!answer->error.empty()) {
     ROS_WARN_STREAM("[watch] " << id << ": " << answer->error);
   }
-  kg_msgs::WatchedAnswer message = AnswerMessage(*answer);
+  kg_msgs::WatchedAnswer message = ToMessage(*answer);
   message.header.stamp = ros::Time::now();
   watched_.publish(message);
 }

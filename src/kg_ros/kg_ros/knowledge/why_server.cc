@@ -3,7 +3,7 @@
 #include <exception>
 #include <string>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_engine/server/mission_server.h"
 #include "kg_ros/base/names.h"
 #include "kg_ros/conversion/answer_conversion.h"
@@ -11,7 +11,7 @@
 
 namespace kg_ros {
 
-using kg_core::InputError;
+using kg_base::InputError;
 
 WhyServer::WhyServer(const ros::NodeHandle& node,
                      const kg_engine::MissionServer* server)

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_engine/planning/agent_planner.h"
 #include "kg_msgs/Candidates.h"
 #include "kg_msgs/MissionTensor.h"
@@ -103,7 +103,7 @@ class PlannerNode {
   void Guarded(const std::function<void()>& work) {
     try {
       work();
-    } catch (const kg_core::InputError& error) {
+    } catch (const kg_base::InputError& error) {
       ROS_ERROR_STREAM("[plan] " << agent_ << ": " << error.what());
     }
   }
@@ -165,7 +165,7 @@ int main(int argc, char** argv) {
     kg_ros::PlannerNode node(ros::NodeHandle(), agent);
     node.Spin();
     return EXIT_SUCCESS;
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     ROS_FATAL_STREAM(error.what());
     return EXIT_FAILURE;
   }

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <functional>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_engine/planning/team_selector.h"
 #include "kg_msgs/Assignments.h"
 #include "kg_msgs/Candidates.h"
@@ -72,7 +72,7 @@ class SelectorNode {
       if (answer.request) rejections_.publish(ToMessage(*answer.request));
       if (answer.end) rejections_.publish(ToMessage(*answer.end));
       if (answer.plan) assignments_.publish(ToMessage(*answer.plan));
-    } catch (const kg_core::InputError& error) {
+    } catch (const kg_base::InputError& error) {
       ROS_ERROR_STREAM("[select] " << error.what());
     }
   }
@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
     const kg_ros::SelectorNode node(ros::NodeHandle(), deadline_s);
     ros::spin();
     return EXIT_SUCCESS;
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     ROS_FATAL_STREAM(error.what());
     return EXIT_FAILURE;
   }

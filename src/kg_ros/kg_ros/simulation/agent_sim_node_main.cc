@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <map>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/units.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/units.h"
 #include "kg_engine/simulation/agent_simulator.h"
 #include "kg_msgs/AgentState.h"
 #include "kg_msgs/Assignments.h"
@@ -27,7 +27,7 @@ class AgentSimNode {
  public:
   AgentSimNode(const ros::NodeHandle& node, double hours_per_s)
       : node_(node),
-        simulator_(kg_core::HoursToSeconds(hours_per_s)),
+        simulator_(kg_base::HoursToSeconds(hours_per_s)),
         last_tick_(ros::SteadyTime::now()) {
     states_ = node_.advertise<kg_msgs::AgentState>(kAgentStatesTopic, 100);
     world_ = node_.subscribe(kWorldTopic, 1, &AgentSimNode::HandleWorld, this);
@@ -51,7 +51,7 @@ class AgentSimNode {
   void HandleAssignments(const kg_msgs::Assignments& message) {
     try {
       simulator_.Take(FromMessage(message));
-    } catch (const kg_core::InputError& error) {
+    } catch (const kg_base::InputError& error) {
       ROS_ERROR_STREAM("[sim] plan not followed: " << error.what());
     }
   }
@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
     const kg_ros::AgentSimNode node(ros::NodeHandle(), hours_per_s);
     ros::spin();
     return EXIT_SUCCESS;
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     ROS_FATAL_STREAM(error.what());
     return EXIT_FAILURE;
   }

@@ -1,8 +1,8 @@
 #include <utility>
 
+#include "kg_base/geo/wkt.h"
 #include "kg_compiler/explain/explain_seam.h"
 #include "kg_compiler/explain/explain_tensor.h"
-#include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_selector/explain/explain_plan.h"
 #include "kg_selector/explain/path_terms.h"
@@ -17,7 +17,7 @@ using kg_compiler::Facts;
 using kg_compiler::Short;
 using kg_compiler::operator+;
 using kg_core::AbbreviateIri;
-using kg_core::Agent;
+using kg_mission::Agent;
 
 std::string WindowName(int window) {
   return "window " + std::to_string(window);
@@ -67,7 +67,7 @@ class StepExplainer {
   }
 
  private:
-  const kg_core::TimeWindow& window() const {
+  const kg_mission::TimeWindow& window() const {
     return world_.compilation->mission.windows.at(visit_.window);
   }
 
@@ -103,7 +103,7 @@ class StepExplainer {
   void AddEvents() {
     const double w = window().confidence;
     for (const std::string& iri : visit_.events) {
-      const kg_core::Event* event = FindEvent(world_, iri);
+      const kg_mission::Event* event = FindEvent(world_, iri);
       if (event == nullptr) continue;
       const std::string name = AbbreviateIri(iri);
       const Facts facts = facts_.Event(iri);
@@ -170,7 +170,7 @@ std::string ByWay(const Visit& visit) {
 
 std::string StepText(const Agent& agent, const Visit& visit, double value) {
   return agent.id + " goes to waypoint " + std::to_string(visit.waypoint) +
-         ", " + kg_core::PointWkt(visit.position) + ", in " +
+         ", " + kg_base::PointWkt(visit.position) + ", in " +
          WindowName(visit.window) + ByWay(visit) + ": this step is worth " +
          Short(value) + ".";
 }

@@ -2,19 +2,19 @@
 
 #include <cstdlib>
 
+#include "kg_base/common/input_error.h"
+#include "kg_base/geo/wkt.h"
 #include "kg_compiler/explain/explain_seam.h"
 #include "kg_compiler/explain/explain_tensor.h"
-#include "kg_core/base/input_error.h"
-#include "kg_core/geo/wkt.h"
 #include "kg_selector/explain/why_not.h"
 
 namespace kg_selector {
 namespace {
 
+using kg_base::InputError;
 using kg_compiler::Explanation;
 using kg_compiler::Short;
-using kg_core::Agent;
-using kg_core::InputError;
+using kg_mission::Agent;
 
 std::string PlanWindowName(int window) {
   return "window " + std::to_string(window);
@@ -34,7 +34,7 @@ Explanation ExplainCell(const PlannedWorld& world, const Agent& agent,
       kg_compiler::FindTensorInputs(*world.compilation, agent, question.window);
   const auto cell = inputs.rasters->grid.CellAt(question.place);
   if (!cell) {
-    throw InputError(kg_core::PointWkt(question.place) +
+    throw InputError(kg_base::PointWkt(question.place) +
                      " lies outside of the grid");
   }
   const kg_compiler::CitedFacts facts = world.facts();

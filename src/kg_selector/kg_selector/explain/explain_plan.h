@@ -23,8 +23,8 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/geo/lon_lat.h"
 #include "kg_compiler/explain/explanation.h"
-#include "kg_core/geo/lon_lat.h"
 #include "kg_selector/explain/planned_world.h"
 
 namespace kg_selector {
@@ -46,7 +46,7 @@ struct PlanQuestion {
   int from = 0;           // kEdge.
   int to = 0;             // kEdge, kWaypoint.
   std::vector<int> via;   // kEdge: waypoints visited on the way.
-  kg_core::LonLat place;  // kTensorCell, kPlace.
+  kg_base::LonLat place;  // kTensorCell, kPlace.
   std::string id;  // kEvent: IRI or "ex:seep". kRejection: its number or IRI.
 };
 
@@ -57,7 +57,7 @@ kg_compiler::Explanation Explain(const PlannedWorld& world,
 
 // As Explain(), by kind. `agent` is of the world.
 kg_compiler::Explanation ExplainAssignment(const PlannedWorld& world,
-                                           const kg_core::Agent& agent,
+                                           const kg_mission::Agent& agent,
                                            int window);
 kg_compiler::Explanation ExplainRejection(const PlannedWorld& world,
                                           std::size_t number);

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "gtest/gtest.h"
+#include "kg_base/common/input_error.h"
 #include "kg_compiler/explain/explain_tensor.h"
-#include "kg_core/base/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/store.h"
 #include "kg_selector/explain/path_terms.h"
@@ -145,7 +145,7 @@ void ForEachWorld(int seeds,
       const PlannedWorld world = random.Plan();
       f(world);
       ++planned;
-    } catch (const kg_core::InputError&) {  // An agent begins in a no-go area.
+    } catch (const kg_base::InputError&) {  // An agent begins in a no-go area.
     }
   }
   EXPECT_GT(planned, seeds / 2);
@@ -247,7 +247,7 @@ TEST(ExplainPlan, AnEventsTermCitesTheEventsEarnedAndNoOthers) {
     PlannedWorld world = random.Plan();
     world.view = store.Read();
     for (const Pathlet& path : world.plan.committed) {
-      const kg_core::Agent& agent = FindAgent(world, path.agent);
+      const kg_mission::Agent& agent = FindAgent(world, path.agent);
       for (const PathTerm& term :
            ListTerms(world, FindMember(world, agent), path)) {
         if (term.kind != TermKind::kEvents) continue;
@@ -434,7 +434,7 @@ TEST(ExplainPlan, EventVerdictsAreThoseOfExhaustion) {
       const TeamMember& member =
           FindMember(world, FindAgent(world, path.agent));
       EveryPath every(world, member);
-      for (const kg_core::Event& event : world.compilation->mission.events) {
+      for (const kg_mission::Event& event : world.compilation->mission.events) {
         PlanQuestion question = About(QuestionKind::kEvent, path.agent, -1);
         question.id = event.iri;
         const Explanation explanation = Explain(world, question);
@@ -533,7 +533,7 @@ TEST(ExplainPlan, RefusesWhatIsNotThereWithWhatIs) {
   const auto refused = [&](const PlanQuestion& question) -> std::string {
     try {
       Explain(world, question);
-    } catch (const kg_core::InputError& error) {
+    } catch (const kg_base::InputError& error) {
       return error.what();
     }
     return "";
@@ -559,7 +559,7 @@ TEST(ExplainPlan, RefusesWhatIsNotThereWithWhatIs) {
   PlannedWorld early = world;
   early.members[0].graphs.pop_back();
   EXPECT_THROW(Explain(early, About(QuestionKind::kAssignment, "alpha", 0)),
-               kg_core::InputError);
+               kg_base::InputError);
   PlannedWorld strange = world;
   kg_compiler::NavGraphs odd;
   for (NavGraph graph : strange.members[0].graphs) {
@@ -568,11 +568,11 @@ TEST(ExplainPlan, RefusesWhatIsNotThereWithWhatIs) {
   }
   strange.members[0].graphs = odd;
   EXPECT_THROW(Explain(strange, About(QuestionKind::kAssignment, "alpha", 0)),
-               kg_core::InputError);
+               kg_base::InputError);
   PlannedWorld unplanned = world;
   unplanned.has_plan = false;
   EXPECT_THROW(Explain(unplanned, About(QuestionKind::kAssignment, "alpha", 0)),
-               kg_core::InputError);
+               kg_base::InputError);
 }
 
 }  // namespace

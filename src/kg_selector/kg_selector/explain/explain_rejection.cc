@@ -11,7 +11,7 @@ using kg_compiler::Facts;
 using kg_compiler::Short;
 using kg_compiler::Signed;
 using kg_core::AbbreviateIri;
-using kg_core::Agent;
+using kg_mission::Agent;
 
 class RejectionExplainer {
  public:

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "kg_core/base/units.h"
+#include "kg_base/common/units.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_planner/k_best/k_best.h"
 #include "kg_selector/explain/path_terms.h"
@@ -20,7 +20,7 @@ using kg_core::AbbreviateIri;
 
 class ViaExplainer {
  public:
-  ViaExplainer(const PlannedWorld& world, const kg_core::Agent& agent,
+  ViaExplainer(const PlannedWorld& world, const kg_mission::Agent& agent,
                const ViaWaypoints& by)
       : world_(world),
         agent_(agent),
@@ -137,7 +137,7 @@ class ViaExplainer {
 
   kg_compiler::Facts CommittedFacts(
       const kg_selector::Conflict& conflict) const {
-    const kg_core::Agent& other = FindAgent(world_, conflict.with_agent);
+    const kg_mission::Agent& other = FindAgent(world_, conflict.with_agent);
     if (world_.run_iri.empty() || conflict.window < 0) {
       return facts_.Quote({other.iri, {"ex:id"}});
     }
@@ -157,20 +157,20 @@ class ViaExplainer {
           {energy_j, "E",
            facts_.Capabilities(agent_, {"ex:energyPerKm", "ex:hotelLoadW"}),
            "window " + std::to_string(path.visits[s].window) + ": " +
-               Short(energy_j / kg_core::kJoulesPerWh) + " Wh"});
+               Short(energy_j / kg_base::kJoulesPerWh) + " Wh"});
     }
     // The margin: what all windows take, less the budget.
-    const double needed_wh = explanation.value / kg_core::kJoulesPerWh;
+    const double needed_wh = explanation.value / kg_base::kJoulesPerWh;
     explanation.value -= budget_j;
     explanation.parts.push_back(
         {-budget_j, "- energy budget",
          facts_.Capabilities(agent_, {"ex:energyBudget"}) +
              facts_.Quote({std::string(kg_core::kEx) + "state/" + agent_.id,
                            {"ex:energyRemaining"}}),
-         "it has " + Short(budget_j / kg_core::kJoulesPerWh) + " Wh"});
+         "it has " + Short(budget_j / kg_base::kJoulesPerWh) + " Wh"});
     explanation.text += "the thriftiest path by way of it takes " +
                         Short(needed_wh) + " Wh, " +
-                        Short(explanation.value / kg_core::kJoulesPerWh) +
+                        Short(explanation.value / kg_base::kJoulesPerWh) +
                         " Wh more than there are.";
     return explanation;
   }
@@ -185,7 +185,7 @@ class ViaExplainer {
   }
 
   const PlannedWorld& world_;
-  const kg_core::Agent& agent_;
+  const kg_mission::Agent& agent_;
   const TeamMember& member_;
   const ViaWaypoints& by_;
   std::vector<Pathlet> before_;
@@ -195,8 +195,9 @@ class ViaExplainer {
 
 }  // namespace
 
-Explanation ExplainTaken(const PlannedWorld& world, const kg_core::Agent& agent,
-                         const Visit& visit, const std::string& name) {
+Explanation ExplainTaken(const PlannedWorld& world,
+                         const kg_mission::Agent& agent, const Visit& visit,
+                         const std::string& name) {
   Explanation explanation;
   explanation.verdict = "taken";
   explanation.unit = "reward";
@@ -211,7 +212,7 @@ Explanation ExplainTaken(const PlannedWorld& world, const kg_core::Agent& agent,
 }
 
 Explanation ExplainPathVia(const PlannedWorld& world,
-                           const kg_core::Agent& agent,
+                           const kg_mission::Agent& agent,
                            const ViaWaypoints& by) {
   return ViaExplainer(world, agent, by).Explain();
 }

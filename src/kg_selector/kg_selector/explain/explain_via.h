@@ -23,12 +23,12 @@ struct ViaWaypoints {
 // The agent must have a path. The verdicts worth_less, energy, conflict and
 // dead_end (why_not.h).
 kg_compiler::Explanation ExplainPathVia(const PlannedWorld& world,
-                                        const kg_core::Agent& agent,
+                                        const kg_mission::Agent& agent,
                                         const ViaWaypoints& by);
 
 // The verdict taken: it does go there.
 kg_compiler::Explanation ExplainTaken(const PlannedWorld& world,
-                                      const kg_core::Agent& agent,
+                                      const kg_mission::Agent& agent,
                                       const Visit& visit,
                                       const std::string& name);
 

@@ -6,8 +6,8 @@
 #include "kg_compiler/control_plane/seam_cost.h"
 #include "kg_compiler/explain/explain_seam.h"
 #include "kg_compiler/explain/explain_tensor.h"
-#include "kg_core/mission/source_quantities.h"
 #include "kg_core/rdf/namespaces.h"
+#include "kg_mission/mission/source_quantities.h"
 #include "kg_planner/k_best/k_best.h"
 #include "kg_selector/paths/churn.h"
 #include "kg_selector/paths/masking.h"
@@ -77,7 +77,7 @@ const std::vector<const char*>& PolicyProperties(TermKind kind) {
 
 Facts EventFacts(const PlannedWorld& world, const PathTerm& term) {
   Facts facts;
-  for (const kg_core::Event& event : world.compilation->mission.events) {
+  for (const kg_mission::Event& event : world.compilation->mission.events) {
     if (std::count(term.events.begin(), term.events.end(), event.iri) > 0) {
       facts = std::move(facts) + world.facts().Event(event.iri);
     }
@@ -86,9 +86,9 @@ Facts EventFacts(const PlannedWorld& world, const PathTerm& term) {
 }
 
 // Its price, and the layers of the window that it is the price of.
-Facts FieldFacts(const PlannedWorld& world, const kg_core::Agent& agent,
+Facts FieldFacts(const PlannedWorld& world, const kg_mission::Agent& agent,
                  const PathTerm& term) {
-  const auto& quantity = kg_core::FindFieldQuantity(term.where);
+  const auto& quantity = kg_mission::FindFieldQuantity(term.where);
   const std::string property = "ex:" + quantity.weight_property;
   Facts facts = world.facts().Policy(agent, {property.c_str()});
   for (const auto& field : world.compilation->mission.cost_fields) {
@@ -98,14 +98,14 @@ Facts FieldFacts(const PlannedWorld& world, const kg_core::Agent& agent,
   return facts;
 }
 
-Facts LayerFacts(const PlannedWorld& world, const kg_core::Agent& agent,
+Facts LayerFacts(const PlannedWorld& world, const kg_mission::Agent& agent,
                  int window) {
   const auto inputs =
       kg_compiler::FindTensorInputs(*world.compilation, agent, window);
   return world.facts().Layer(inputs.rasters->value_iri);
 }
 
-Facts MotionFacts(const PlannedWorld& world, const kg_core::Agent& agent,
+Facts MotionFacts(const PlannedWorld& world, const kg_mission::Agent& agent,
                   int window) {
   return kg_compiler::MotionFacts(
       kg_compiler::FindSeamContext(*world.compilation, agent,
@@ -163,7 +163,7 @@ double Sum(const std::vector<PathTerm>& terms) {
   return sum;
 }
 
-Facts TermFacts(const PlannedWorld& world, const kg_core::Agent& agent,
+Facts TermFacts(const PlannedWorld& world, const kg_mission::Agent& agent,
                 const PathTerm& term) {
   const kg_compiler::CitedFacts facts = world.facts();
   const Facts policy = facts.Policy(agent, PolicyProperties(term.kind));
@@ -206,7 +206,7 @@ std::string Describe(const PathTerm& term) {
 std::vector<Contribution> PathContributions(const PlannedWorld& world,
                                             const TeamMember& member,
                                             const Pathlet& pathlet) {
-  const kg_core::Agent& agent = FindAgent(world, pathlet.agent);
+  const kg_mission::Agent& agent = FindAgent(world, pathlet.agent);
   std::vector<Contribution> parts;
   for (const PathTerm& term : ListTerms(world, member, pathlet)) {
     if (term.value == 0.0) continue;
@@ -218,7 +218,7 @@ std::vector<Contribution> PathContributions(const PlannedWorld& world,
 
 Explanation Difference(const PlannedWorld& world, const TeamMember& member,
                        const Pathlet& chosen, const Pathlet& other) {
-  const kg_core::Agent& agent = FindAgent(world, chosen.agent);
+  const kg_mission::Agent& agent = FindAgent(world, chosen.agent);
   std::vector<PathTerm> ours = ListTerms(world, member, chosen);
   std::vector<PathTerm> theirs = ListTerms(world, member, other);
   Explanation explanation;

@@ -48,7 +48,8 @@ double Sum(const std::vector<PathTerm>& terms);
 
 // The facts that a term goes back to.
 kg_compiler::Facts TermFacts(const PlannedWorld& world,
-                             const kg_core::Agent& agent, const PathTerm& term);
+                             const kg_mission::Agent& agent,
+                             const PathTerm& term);
 
 // The terms of a path that are not 0.
 std::vector<kg_compiler::Contribution> PathContributions(

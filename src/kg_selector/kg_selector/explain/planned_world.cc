@@ -3,16 +3,16 @@
 #include <stdexcept>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_selector {
 
-using kg_core::InputError;
+using kg_base::InputError;
 
 void NameAgentsByIri(PlannedWorld* world) {
   const auto rename = [&](std::string* agent) {
-    for (const kg_core::Agent& known : world->compilation->mission.agents) {
+    for (const kg_mission::Agent& known : world->compilation->mission.agents) {
       if (*agent == known.id) *agent = known.iri;
     }
   };
@@ -39,10 +39,10 @@ void NameAgentsByIri(PlannedWorld* world) {
   world->rules.energy_budget_j = std::move(budgets_j);
 }
 
-const kg_core::Agent& FindAgent(const PlannedWorld& world,
-                                const std::string& name) {
+const kg_mission::Agent& FindAgent(const PlannedWorld& world,
+                                   const std::string& name) {
   std::string known;
-  for (const kg_core::Agent& agent : world.compilation->mission.agents) {
+  for (const kg_mission::Agent& agent : world.compilation->mission.agents) {
     if (name == agent.id || name == agent.iri ||
         name == kg_core::AbbreviateIri(agent.iri)) {
       return agent;
@@ -53,7 +53,7 @@ const kg_core::Agent& FindAgent(const PlannedWorld& world,
 }
 
 const TeamMember& FindMember(const PlannedWorld& world,
-                             const kg_core::Agent& agent) {
+                             const kg_mission::Agent& agent) {
   for (const TeamMember& member : world.members) {
     if (member.rules.agent_iri != agent.iri) continue;
     if (member.graphs.size() == member.rules.windows.size()) return member;
@@ -87,7 +87,7 @@ const Pathlet* FindPath(const PlannedWorld& world,
 }
 
 const Pathlet& NeedPath(const PlannedWorld& world,
-                        const kg_core::Agent& agent) {
+                        const kg_mission::Agent& agent) {
   const Pathlet* path = FindPath(world, agent.iri);
   if (path != nullptr) return *path;
   const auto why = world.plan.unassigned.find(agent.iri);

@@ -38,19 +38,20 @@ struct PlannedWorld {
 void NameAgentsByIri(PlannedWorld* world);
 
 // By ex:id, "ex:alpha" or IRI. Throws kg_core::InputError naming those known.
-const kg_core::Agent& FindAgent(const PlannedWorld& world,
-                                const std::string& name);
+const kg_mission::Agent& FindAgent(const PlannedWorld& world,
+                                   const std::string& name);
 // With a graph for each of its windows; throws kg_core::InputError if they have
 // not all come.
 const TeamMember& FindMember(const PlannedWorld& world,
-                             const kg_core::Agent& agent);
+                             const kg_mission::Agent& agent);
 // Index of a window in the member's graphs; throws kg_core::InputError.
 std::size_t FindStage(const TeamMember& member, int window);
 // The path committed for an agent; null = none.
 const Pathlet* FindPath(const PlannedWorld& world,
                         const std::string& agent_iri);
 // The same; throws kg_core::InputError with the reason if it has none.
-const Pathlet& NeedPath(const PlannedWorld& world, const kg_core::Agent& agent);
+const Pathlet& NeedPath(const PlannedWorld& world,
+                        const kg_mission::Agent& agent);
 // Those committed before an agent's path, in order; all if it has none.
 std::vector<Pathlet> CommittedBefore(const PlannedWorld& world,
                                      const std::string& agent_iri);

@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/common/input_error.h"
 #include "kg_compiler/explain/explain_tensor.h"
-#include "kg_core/base/input_error.h"
 #include "kg_selector/explain/explain_via.h"
 #include "kg_selector/explain/why_not_place.h"
 
 namespace kg_selector {
 
+using kg_base::InputError;
+using kg_base::LonLat;
 using kg_compiler::Explanation;
 using kg_compiler::Waypoint;
-using kg_core::Agent;
-using kg_core::InputError;
-using kg_core::LonLat;
+using kg_mission::Agent;
 
 Explanation WhyNotWaypoint(const PlannedWorld& world, const Agent& agent,
                            const WaypointName& waypoint) {

@@ -17,8 +17,8 @@
 
 #include <string>
 
+#include "kg_base/geo/lon_lat.h"
 #include "kg_compiler/explain/explanation.h"
-#include "kg_core/geo/lon_lat.h"
 #include "kg_selector/explain/planned_world.h"
 
 namespace kg_selector {
@@ -30,19 +30,19 @@ struct WaypointName {
 
 // All throw kg_core::InputError for what is not there.
 kg_compiler::Explanation WhyNotWaypoint(const PlannedWorld& world,
-                                        const kg_core::Agent& agent,
+                                        const kg_mission::Agent& agent,
                                         const WaypointName& waypoint);
 // `window` -1: the best of those planned in which the event is open.
 kg_compiler::Explanation WhyNotEvent(const PlannedWorld& world,
-                                     const kg_core::Agent& agent,
+                                     const kg_mission::Agent& agent,
                                      const std::string& event, int window);
 kg_compiler::Explanation WhyNotPlace(const PlannedWorld& world,
-                                     const kg_core::Agent& agent,
-                                     kg_core::LonLat place, int window);
+                                     const kg_mission::Agent& agent,
+                                     kg_base::LonLat place, int window);
 
 // By IRI or "ex:seep"; null = unknown.
-const kg_core::Event* FindEvent(const PlannedWorld& world,
-                                const std::string& name);
+const kg_mission::Event* FindEvent(const PlannedWorld& world,
+                                   const std::string& name);
 
 }  // namespace kg_selector
 

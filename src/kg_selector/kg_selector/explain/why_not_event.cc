@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/units.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/units.h"
 #include "kg_core/facts/literals.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_selector/explain/explain_via.h"
@@ -14,21 +14,21 @@
 namespace kg_selector {
 namespace {
 
+using kg_base::InputError;
 using kg_compiler::Explanation;
 using kg_compiler::Facts;
 using kg_compiler::Short;
 using kg_compiler::Waypoint;
 using kg_core::AbbreviateIri;
-using kg_core::Agent;
-using kg_core::Event;
-using kg_core::InputError;
+using kg_mission::Agent;
+using kg_mission::Event;
 
 std::string EventWindowName(int window) {
   return "window " + std::to_string(window);
 }
 
 std::string Hours(double seconds) {
-  return Short(seconds / kg_core::kSecondsPerHour) + " h";
+  return Short(seconds / kg_base::kSecondsPerHour) + " h";
 }
 
 class EventQuestion {
@@ -149,7 +149,7 @@ class EventQuestion {
 
   // Time ----------------------------------------------------------------------
 
-  const kg_core::TimeWindow& Window(int index) const {
+  const kg_mission::TimeWindow& Window(int index) const {
     return world_.compilation->mission.windows.at(index);
   }
   // As stated, or the end of its last window.

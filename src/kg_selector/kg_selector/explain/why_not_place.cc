@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "kg_base/geo/geodesy.h"
+#include "kg_base/geo/wkt.h"
 #include "kg_compiler/control_plane/proximal_recurrence.h"
 #include "kg_compiler/explain/explain_place.h"
-#include "kg_core/geo/geodesy.h"
-#include "kg_core/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_selector {
@@ -19,10 +19,10 @@ using kg_compiler::Explanation;
 using kg_compiler::Facts;
 using kg_compiler::NavGraph;
 using kg_compiler::operator+;
+using kg_base::LonLat;
 using kg_compiler::Short;
 using kg_compiler::Waypoint;
-using kg_core::Agent;
-using kg_core::LonLat;
+using kg_mission::Agent;
 
 // What keeps a place that can be flown to from being a waypoint.
 class NotSampled {
@@ -41,7 +41,7 @@ class NotSampled {
     const double spacing_m =
         rules_.spacing_m > 0.0 ? rules_.spacing_m : rules_.sensor_radius_m;
     const double away_m =
-        near ? kg_core::Distance_m(near->position, place_) : spacing_m;
+        near ? kg_base::Distance_m(near->position, place_) : spacing_m;
     return away_m < spacing_m ? TooNear(*near, spacing_m, away_m)
                               : LessResponse();
   }
@@ -51,7 +51,7 @@ class NotSampled {
     Explanation explanation;
     explanation.verdict = "not_sampled";
     explanation.unit = unit;
-    explanation.text = kg_core::PointWkt(place_) + " is no waypoint of " +
+    explanation.text = kg_base::PointWkt(place_) + " is no waypoint of " +
                        agent_.id + " in " + "window " +
                        std::to_string(graph_.window) + ": " + why;
     return explanation;
@@ -61,7 +61,7 @@ class NotSampled {
     const Waypoint* nearest = nullptr;
     double least_m = 0.0;
     for (const Waypoint& waypoint : graph_.waypoints) {
-      const double away_m = kg_core::Distance_m(waypoint.position, place_);
+      const double away_m = kg_base::Distance_m(waypoint.position, place_);
       if (nearest && !(away_m < least_m)) continue;
       nearest = &waypoint;
       least_m = away_m;

@@ -6,16 +6,16 @@
 
 #include <cstddef>
 
+#include "kg_base/geo/lon_lat.h"
 #include "kg_compiler/explain/explanation.h"
-#include "kg_core/geo/lon_lat.h"
 #include "kg_selector/explain/planned_world.h"
 
 namespace kg_selector {
 
 // No waypoint of the stage lies there.
 kg_compiler::Explanation NoWaypointThere(const PlannedWorld& world,
-                                         const kg_core::Agent& agent,
-                                         kg_core::LonLat place,
+                                         const kg_mission::Agent& agent,
+                                         kg_base::LonLat place,
                                          std::size_t stage);
 
 }  // namespace kg_selector

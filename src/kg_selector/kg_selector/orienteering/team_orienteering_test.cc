@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/temporary_folder.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/temporary_folder.h"
 #include "kg_selector/orienteering/top_instance.h"
 #include "kg_selector/orienteering/top_report.h"
 #include "kg_selector/team/team_modes.h"
@@ -164,13 +164,13 @@ class TopFiles : public ::testing::Test {
   std::string ErrorOf(const std::string& text) {
     try {
       ReadTopInstance(Write("bad.txt", text));
-    } catch (const kg_core::InputError& error) {
+    } catch (const kg_base::InputError& error) {
       return error.what();
     }
     return "";
   }
   std::filesystem::path Folder() const { return folder_ / "."; }
-  kg_core::TemporaryFolder folder_;
+  kg_base::TemporaryFolder folder_;
 };
 
 constexpr char kSmall[] = "n 3\nm 1\ntmax 4\n0 0 0\n1 0 5\n2 0 0\n";
@@ -214,11 +214,11 @@ TEST_F(TopFiles, AreRefusedWithFileAndLine) {
         << bad.text << "\ngave: " << ErrorOf(bad.text);
   }
   EXPECT_THROW(ReadTopInstance((Folder() / "none").string()),
-               kg_core::InputError);
-  EXPECT_THROW(ReadTopReferences(Write("r", "a 1 2\n")), kg_core::InputError);
-  EXPECT_THROW(ReadTopReferences(Write("r", "a -1\n")), kg_core::InputError);
+               kg_base::InputError);
+  EXPECT_THROW(ReadTopReferences(Write("r", "a 1 2\n")), kg_base::InputError);
+  EXPECT_THROW(ReadTopReferences(Write("r", "a -1\n")), kg_base::InputError);
   EXPECT_THROW(ReadTopReferences(Write("r", "a 1\na 2\n")),
-               kg_core::InputError);
+               kg_base::InputError);
 }
 
 TEST_F(TopFiles, AreScoredBySetAndThoseWithoutReferenceNotCounted) {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/text.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/text.h"
 
 namespace kg_selector {
 namespace {
@@ -51,18 +51,18 @@ class InstanceReader {
  public:
   explicit InstanceReader(const std::string& path)
       : path_(path),
-        text_(kg_core::ReadFile(path, kMaxBytes)),
+        text_(kg_base::ReadFile(path, kMaxBytes)),
         lines_(SplitLines(text_)) {}
 
   const std::vector<FileLine>& lines() const { return lines_; }
 
   [[noreturn]] void Refuse(const FileLine& line,
                            const std::string& expected) const {
-    throw kg_core::InputError(path_ + ":" + std::to_string(line.number) +
+    throw kg_base::InputError(path_ + ":" + std::to_string(line.number) +
                               ": expected " + expected);
   }
   [[noreturn]] void RefuseEnd(const std::string& expected) const {
-    throw kg_core::InputError(path_ + ": ends too soon, expected " + expected);
+    throw kg_base::InputError(path_ + ": ends too soon, expected " + expected);
   }
 
   double Number(const FileLine& line, std::size_t field,

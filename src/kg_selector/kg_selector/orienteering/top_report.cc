@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_selector/orienteering/top_instance.h"
 
 namespace kg_selector {
@@ -101,11 +101,11 @@ std::vector<std::string> ListInstances(const std::string& folder,
     names.push_back(name);
   }
   if (error) {
-    throw kg_core::InputError(folder + ": expected a folder of instances (" +
+    throw kg_base::InputError(folder + ": expected a folder of instances (" +
                               error.message() + ")");
   }
   if (names.empty()) {
-    throw kg_core::InputError(folder + ": expected instances, found no file");
+    throw kg_base::InputError(folder + ": expected instances, found no file");
   }
   std::sort(names.begin(), names.end());
   return names;

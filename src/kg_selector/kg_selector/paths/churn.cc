@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/geo/geodesy.h"
 
 namespace kg_selector {
 namespace {
@@ -22,12 +22,12 @@ double Share(const SeamRules& rules, double distance_m) {
 }  // namespace
 
 double ChurnCost(const SeamRules& rules, const int window,
-                 const kg_core::LonLat& place) {
+                 const kg_base::LonLat& place) {
   if (!(rules.churn_weight > 0.0)) return 0.0;
   for (const kg_compiler::WindowRules& known : rules.windows) {
     if (known.window != window || !known.committed) continue;
     return rules.churn_weight *
-           Share(rules, kg_core::Distance_m(*known.committed, place));
+           Share(rules, kg_base::Distance_m(*known.committed, place));
   }
   return 0.0;
 }

@@ -11,16 +11,16 @@
 #ifndef KG_SELECTOR_PATHS_CHURN_H_
 #define KG_SELECTOR_PATHS_CHURN_H_
 
+#include "kg_base/geo/lon_lat.h"
 #include "kg_compiler/control_plane/nav_graphs.h"
 #include "kg_compiler/control_plane/seam_rules.h"
-#include "kg_core/geo/lon_lat.h"
 #include "kg_planner/trellis/trellis.h"
 
 namespace kg_selector {
 
 // 0 if the window is not committed, not of `rules`, or the weight is 0.
 double ChurnCost(const kg_compiler::SeamRules& rules, int window,
-                 const kg_core::LonLat& place);
+                 const kg_base::LonLat& place);
 
 // Adds it to the cost of every seam of a trellis of these graphs. Nothing at
 // all changes without commitments.

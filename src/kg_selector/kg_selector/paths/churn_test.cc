@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "gtest/gtest.h"
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/geo/geodesy.h"
 #include "kg_planner/k_best/k_best.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/team/plan_team.h"
@@ -31,11 +31,11 @@ TEST(ChurnTest, CostsInProportionToTheDistanceUpToASpacing) {
   SeamRules rules;
   rules.windows.resize(2);
   rules.windows[1].window = 1;
-  rules.windows[1].committed = kg_core::LonLat{-90.0, 25.0};
+  rules.windows[1].committed = kg_base::LonLat{-90.0, 25.0};
   rules.spacing_m = 10e3;
   rules.churn_weight = 4.0;
-  const kg_core::LonLat near = {-90.05, 25.0}, far = {-91.0, 25.0};
-  const double near_m = kg_core::Distance_m(near, {-90.0, 25.0});
+  const kg_base::LonLat near = {-90.05, 25.0}, far = {-91.0, 25.0};
+  const double near_m = kg_base::Distance_m(near, {-90.0, 25.0});
   ASSERT_LT(near_m, 10e3);
   EXPECT_EQ(ChurnCost(rules, 1, {-90.0, 25.0}), 0.0);
   EXPECT_DOUBLE_EQ(ChurnCost(rules, 1, near), 4.0 * near_m / 10e3);
@@ -49,14 +49,14 @@ TEST(ChurnTest, CostsInProportionToTheDistanceUpToASpacing) {
 TEST(ChurnTest, WithoutASpacingTheSensorsRadiusCounts) {
   SeamRules rules;
   rules.windows.resize(1);
-  rules.windows[0].committed = kg_core::LonLat{-90.0, 25.0};
+  rules.windows[0].committed = kg_base::LonLat{-90.0, 25.0};
   rules.churn_weight = 1.0;
-  const kg_core::LonLat other = {-90.01, 25.0};
+  const kg_base::LonLat other = {-90.01, 25.0};
   EXPECT_EQ(ChurnCost(rules, 0, other), 1.0);
   EXPECT_EQ(ChurnCost(rules, 0, {-90.0, 25.0}), 0.0);
   rules.sensor_radius_m = 5e3;
   EXPECT_DOUBLE_EQ(ChurnCost(rules, 0, other),
-                   kg_core::Distance_m({-90.0, 25.0}, other) / 5e3);
+                   kg_base::Distance_m({-90.0, 25.0}, other) / 5e3);
 }
 
 TEST(ChurnTest, CommitmentsWithoutAWeightChangeNoBit) {
@@ -123,7 +123,7 @@ TEST(ChurnTest, IsChargedOnTheWayAndLeavesRewardsAlone) {
   member.rules.churn_weight = 2.0;
   const auto free = ToTrellis(member.rules, member.graphs);
   for (auto& window : member.rules.windows) {
-    window.committed = kg_core::LonLat{-89.9, 25.1};
+    window.committed = kg_base::LonLat{-89.9, 25.1};
   }
   const auto charged = ToTrellis(member.rules, member.graphs);
   for (std::size_t s = 0; s < free.stages.size(); ++s) {

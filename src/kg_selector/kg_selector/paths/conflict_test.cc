@@ -3,18 +3,18 @@
 #include <cmath>
 
 #include "gtest/gtest.h"
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/geo/geodesy.h"
 
 namespace kg_selector {
 namespace {
 
-using kg_core::LonLat;
+using kg_base::LonLat;
 
 constexpr double kWindow_s = 1000.0;
 const LonLat kPort = {-90.0, 25.0};
 
 LonLat East(double metres) {
-  return kg_core::Destination(kPort, 1.5707963267948966, metres);
+  return kg_base::Destination(kPort, 1.5707963267948966, metres);
 }
 
 // Begins at `start`; arrives half way through every window and stays.

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "kg_core/base/units.h"
+#include "kg_base/common/units.h"
 #include "kg_planner/k_best/diverse_paths.h"
 
 namespace kg_selector {
@@ -23,9 +23,9 @@ struct BudgetUnit {
   const char* of;  // Behind the budget's unit.
   double size;
 };
-constexpr BudgetUnit kEnergy = {"thriftiest", "Wh", "", kg_core::kJoulesPerWh};
+constexpr BudgetUnit kEnergy = {"thriftiest", "Wh", "", kg_base::kJoulesPerWh};
 constexpr BudgetUnit kHazard = {"safest", "h", " of hazard",
-                                kg_core::kSecondsPerHour};
+                                kg_base::kSecondsPerHour};
 
 std::string Number(double value, int decimals) {
   char text[64];

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kg_core/base/units.h"
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/common/units.h"
+#include "kg_base/geo/geodesy.h"
 
 namespace kg_selector {
 namespace {
 
+using kg_base::LonLat;
 using kg_compiler::TimedPoint;
-using kg_core::LonLat;
 using Track = std::vector<TimedPoint>;
 
 // In [-180, 180]; std::remainder is slow and hardly ever needed.
@@ -40,13 +40,13 @@ struct PlaneOffset {
 };
 
 PlaneOffset ComputeOffset(LonLat a, LonLat b,
-                          const kg_core::DegreesPerMetre& scale) {
+                          const kg_base::DegreesPerMetre& scale) {
   return {Wrapped(b.lon_deg - a.lon_deg) / scale.lon_deg,
           (b.lat_deg - a.lat_deg) / scale.lat_deg};
 }
 
 double MidLatitudeDistance_m(LonLat a, LonLat b) {
-  const auto scale = kg_core::LocalScale(0.5 * (a.lat_deg + b.lat_deg));
+  const auto scale = kg_base::LocalScale(0.5 * (a.lat_deg + b.lat_deg));
   return ComputeOffset(a, b, scale).length_m();
 }
 
@@ -60,7 +60,7 @@ struct TrackInterval {
 
 // The plane's minimum, measured again at its own middle latitude.
 TrackApproach ApproachWithin(const TrackInterval& interval) {
-  const auto scale = kg_core::LocalScale(
+  const auto scale = kg_base::LocalScale(
       0.25 * (interval.a_begin.lat_deg + interval.a_end.lat_deg +
               interval.b_begin.lat_deg + interval.b_end.lat_deg));
   const PlaneOffset begin =
@@ -92,7 +92,7 @@ double LeastPossible_m(const TrackInterval& interval) {
   const double east_deg = SmallestMagnitude(
       Wrapped(interval.b_begin.lon_deg - interval.a_begin.lon_deg),
       Wrapped(interval.b_end.lon_deg - interval.a_end.lon_deg));
-  const double lat_rad = kg_core::DegToRad(std::max(
+  const double lat_rad = kg_base::DegToRad(std::max(
       {std::abs(interval.a_begin.lat_deg), std::abs(interval.a_end.lat_deg),
        std::abs(interval.b_begin.lat_deg), std::abs(interval.b_end.lat_deg)}));
   const double cos_lat = std::max(0.0, 1.0 - 0.5 * lat_rad * lat_rad);

@@ -8,22 +8,22 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/geo/lon_lat.h"
 #include "kg_compiler/control_plane/edge_cost.h"
 #include "kg_compiler/traversal/traversal.h"
-#include "kg_core/geo/lon_lat.h"
 
 namespace kg_selector {
 
 struct Stop {
   int waypoint = 0;  // Id in the agent's NavGraph of the window.
-  kg_core::LonLat position;
+  kg_base::LonLat position;
 };
 
 // One window: stops on the way, then the place where it ends.
 struct Visit {
   int window = 0;
   int waypoint = 0;  // Id in the agent's NavGraph of that window.
-  kg_core::LonLat position;
+  kg_base::LonLat position;
   double reward = 0.0;              // Of the window, stops included.
   std::vector<std::string> events;  // IRIs of events that reward the window.
   std::vector<Stop> via = {};

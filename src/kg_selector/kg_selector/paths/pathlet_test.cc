@@ -5,13 +5,13 @@
 #include <random>
 
 #include "gtest/gtest.h"
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/geo/geodesy.h"
 
 namespace kg_selector {
 namespace {
 
+using kg_base::LonLat;
 using kg_compiler::TimedPoint;
-using kg_core::LonLat;
 using Track = std::vector<TimedPoint>;
 
 LonLat At(const Track& track, double time_s) {
@@ -39,7 +39,7 @@ TrackApproach Sampled(const Track& a, const Track& b) {
     for (int i = 0; i <= 2000; ++i) {
       const double time_s = from_s + i * step_s;
       const double distance_m =
-          kg_core::Distance_m(At(a, time_s), At(b, time_s));
+          kg_base::Distance_m(At(a, time_s), At(b, time_s));
       if (distance_m < best.distance_m) best = {distance_m, time_s};
     }
     from_s = std::max(from_s, best.time_s - 2.0 * step_s);
@@ -89,7 +89,7 @@ TEST(ClosestApproachTest,
     ASSERT_NEAR(found->distance_m, sampled.distance_m,
                 1e-4 * sampled.distance_m + 0.05);
     ASSERT_NEAR(found->distance_m,
-                kg_core::Distance_m(At(a, found->time_s), At(b, found->time_s)),
+                kg_base::Distance_m(At(a, found->time_s), At(b, found->time_s)),
                 1e-5 * sampled.distance_m + 1e-6);
   }
 }
@@ -163,7 +163,7 @@ TEST(ClosestApproachTest, OfThoseWhoMeetHeadOnIsZeroHalfWay) {
 TEST(ClosestApproachTest, OfThoseWhoRestIsTheirDistance) {
   const auto rest = ClosestApproach({{kHere, 0.0}, {kHere, 9.0}},
                                     {{kThere, 3.0}, {kThere, 5.0}});
-  EXPECT_NEAR(rest->distance_m, kg_core::Distance_m(kHere, kThere), 0.1);
+  EXPECT_NEAR(rest->distance_m, kg_base::Distance_m(kHere, kThere), 0.1);
   EXPECT_EQ(rest->time_s, 3.0);
 }
 
@@ -179,7 +179,7 @@ TEST(ClosestApproachTest, LooksOnlyAtTheSpan) {
   const Track b = {{kThere, 0.0}, {kHere, 1000.0}};
   const auto late = ClosestApproach(a, b, {750.0, 1e9});
   EXPECT_EQ(late->time_s, 750.0);
-  EXPECT_NEAR(late->distance_m, 0.5 * kg_core::Distance_m(kHere, kThere), 0.1);
+  EXPECT_NEAR(late->distance_m, 0.5 * kg_base::Distance_m(kHere, kThere), 0.1);
   EXPECT_FALSE(ClosestApproach(a, b, {1001.0, 1e9}));
 }
 

@@ -8,9 +8,9 @@
 #include <tuple>
 #include <utility>
 
+#include "kg_base/geo/geodesy.h"
 #include "kg_compiler/control_plane/nav_graph.h"
 #include "kg_compiler/control_plane/window_traversal.h"
-#include "kg_core/geo/geodesy.h"
 #include "kg_planner/tours/micro_paths.h"
 
 namespace kg_selector {
@@ -44,7 +44,7 @@ enum class TravelPace { kPriced, kCruise };
 double Length_m(const FlownPath& flight) {
   double length_m = 0.0;
   for (std::size_t i = 1; i < flight.track.size(); ++i) {
-    length_m += kg_core::Distance_m(flight.track[i - 1].position,
+    length_m += kg_base::Distance_m(flight.track[i - 1].position,
                                     flight.track[i].position);
   }
   return length_m;
@@ -311,7 +311,7 @@ class WindowWalks {
 
   const WalkInputs& in_;  // Its graph's flights are pointed to.
   const kg_compiler::SeamWeights& weights_;
-  std::vector<kg_core::LonLat> places_;
+  std::vector<kg_base::LonLat> places_;
   kg_compiler::WindowTraversal traversal_;
   std::map<Ends, WalkLeg> entries_;
   std::map<Ends, WalkLeg> inner_;
@@ -360,7 +360,7 @@ NavGraphs CompileWalkedGraphs(const SeamRules& rules,
   }
   NavGraphs walked;
   int searched = 0;
-  std::vector<kg_core::LonLat> sources = {rules.start};
+  std::vector<kg_base::LonLat> sources = {rules.start};
   for (std::size_t t = 0; t < plain.size(); ++t) {
     // The hash names the graph without walks, which decides them.
     const auto known =

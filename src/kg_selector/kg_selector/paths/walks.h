@@ -43,7 +43,7 @@ struct WalkInputs {
   const kg_compiler::WindowRules* window = nullptr;
   kg_compiler::WindowWorld world;
   const kg_compiler::NavGraph* graph = nullptr;  // Without walks.
-  std::vector<kg_core::LonLat> sources;          // By TraverseEdge::from.
+  std::vector<kg_base::LonLat> sources;          // By TraverseEdge::from.
 };
 
 // How many walks there are of one pair of ends, at most.

@@ -42,9 +42,9 @@ struct AgentWorld {
   NavGraphs Compile(GraphCache* cache = nullptr) const {
     return CompileWalkedGraphs(rules, worlds, cache);
   }
-  std::vector<kg_core::LonLat> StageSources(const NavGraphs& graphs,
+  std::vector<kg_base::LonLat> StageSources(const NavGraphs& graphs,
                                             std::size_t t) const {
-    return t == 0 ? std::vector<kg_core::LonLat>{rules.start}
+    return t == 0 ? std::vector<kg_base::LonLat>{rules.start}
                   : kg_compiler::PositionsOf(graphs[t - 1].waypoints);
   }
   WalkInputs Inputs(const NavGraphs& graphs, std::size_t t) const {
@@ -131,7 +131,7 @@ bool IsFlownAt(const kg_compiler::TestFlowWorld& sea,
 }
 
 // Metres made through the water by holding station, by trapezoids.
-double Held_m(const kg_compiler::TestFlowWorld& sea, kg_core::LonLat place,
+double Held_m(const kg_compiler::TestFlowWorld& sea, kg_base::LonLat place,
               double from_s, double to_s) {
   const auto at = sea.field.grid.Locate(place);
   const int steps = 2000;
@@ -391,7 +391,7 @@ TEST(WalksTest, TheSameBitsWithWhatWasKeptAsFromNothing) {
       if (change == 2) mission.events[0].value += 1.0;
       if (change == 3) {
         mission.constraints.push_back(kg_compiler::AreaConstraint(
-            "ex:new", kg_core::ConstraintKind::kNoGo,
+            "ex:new", kg_mission::ConstraintKind::kNoGo,
             kg_compiler::Box(-90.45, 24.6, -90.4, 24.65)));
       }
       if (change == 4) mission.coordination.movement_mode = "hops";

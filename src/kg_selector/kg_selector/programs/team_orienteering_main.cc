@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_selector/orienteering/top_report.h"
 #include "kg_selector/team/team_modes.h"
 
@@ -49,7 +49,7 @@ double ParseSeconds(const std::string& text) {
   const auto parsed = std::from_chars(text.data(), end, seconds);
   if (parsed.ec != std::errc() || parsed.ptr != end ||
       !(seconds >= 0.0 && std::isfinite(seconds))) {
-    throw kg_core::InputError(
+    throw kg_base::InputError(
         "--seconds: expected a number not below 0, got '" + text + "'");
   }
   return seconds;
@@ -58,7 +58,7 @@ double ParseSeconds(const std::string& text) {
 TourPlanner FindPlanner(const std::string& text) {
   const TeamMode* mode = FindTeamMode(text);
   if (mode == nullptr) {
-    throw kg_core::InputError("--mode: expected " + TeamModeChoices() +
+    throw kg_base::InputError("--mode: expected " + TeamModeChoices() +
                               ", got '" + text + "'");
   }
   return mode->plan_tours;
@@ -83,11 +83,11 @@ ProgramArguments Parse(const std::vector<std::string>& words) {
       continue;
     }
     if (words[i] != "--mode" && words[i] != "--seconds") {
-      throw kg_core::InputError(words[i] + ": no such option; see --help");
+      throw kg_base::InputError(words[i] + ": no such option; see --help");
     }
     // Every option has a value.
     if (i + 1 == words.size()) {
-      throw kg_core::InputError(words[i] + ": expected a value after it");
+      throw kg_base::InputError(words[i] + ": expected a value after it");
     }
     if (words[i] == "--mode") {
       arguments.options.planner = FindPlanner(words[i + 1]);
@@ -97,7 +97,7 @@ ProgramArguments Parse(const std::vector<std::string>& words) {
     ++i;
   }
   if (places.size() != 2) {
-    throw kg_core::InputError("expected FOLDER and REFERENCE_FILE; see --help");
+    throw kg_base::InputError("expected FOLDER and REFERENCE_FILE; see --help");
   }
   arguments.folder = places[0];
   arguments.reference_file = places[1];
@@ -113,7 +113,7 @@ void Run(const std::vector<std::string>& words) {
     all.Add(score);
   }
   if (all.instances == 0) {
-    throw kg_core::InputError(arguments.reference_file +
+    throw kg_base::InputError(arguments.reference_file +
                               ": no reference above 0 for any instance");
   }
   std::printf("share of reference %.2f %%\n", all.share());

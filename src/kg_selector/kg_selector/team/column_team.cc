@@ -4,7 +4,7 @@
 #include <sstream>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_selector/team/screening.h"
 
 namespace kg_selector {
@@ -25,7 +25,7 @@ Fairness ParseFairness(const TeamRules& rules) {
   if (rules.fairness == "scarcity") return Fairness::kNone;
   if (rules.fairness == "balance") return Fairness::kBalance;
   if (rules.fairness == "max_min") return Fairness::kMaxMin;
-  throw kg_core::InputError("fairness '" + rules.fairness +
+  throw kg_base::InputError("fairness '" + rules.fairness +
                             "': expected 'scarcity', 'balance' or 'max_min'");
 }
 

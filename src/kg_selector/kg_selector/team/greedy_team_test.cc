@@ -8,7 +8,7 @@ namespace {
 // Rests at one of many places, 10 km apart, through one window.
 Pathlet At(int place, double score) {
   Pathlet pathlet;
-  const kg_core::LonLat position = {-90.0 + 0.1 * place, 25.0};
+  const kg_base::LonLat position = {-90.0 + 0.1 * place, 25.0};
   pathlet.reward = score;
   pathlet.visits = {{0, place, position, score, {}}};
   pathlet.track = {{position, 0.0}, {position, 1000.0}};

@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "kg_core/base/input_error.h"
-#include "kg_core/base/parallel.h"
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/parallel.h"
 
 namespace kg_selector {
 namespace {
@@ -57,7 +57,7 @@ class RasterIndex {
   }
 
   ByHash<kg_compiler::MissionTensor> tensors_;
-  ByHash<kg_core::VectorField> fields_;
+  ByHash<kg_base::VectorField> fields_;
 };
 
 AgentGraphs CompileGraphs(const SeamRules& rules,
@@ -70,7 +70,7 @@ AgentGraphs CompileGraphs(const SeamRules& rules,
   }
   try {
     made.graphs = CompileWalkedGraphs(rules, worlds, &made.cache);
-  } catch (const kg_core::InputError& error) {
+  } catch (const kg_base::InputError& error) {
     made.trouble = error.what();
   }
   return made;
@@ -80,7 +80,7 @@ std::vector<AgentGraphs> CompileAll(const Compilation& compilation,
                                     const PlannedMission* previous) {
   const RasterIndex rasters(compilation);
   std::vector<AgentGraphs> made(compilation.rules.size());
-  kg_core::ForEachInParallel(made.size(), [&](std::size_t i) {
+  kg_base::ForEachInParallel(made.size(), [&](std::size_t i) {
     const SeamRules& rules = compilation.rules[i];
     made[i] = CompileGraphs(rules, rasters.FindWorlds(rules), previous);
   });
@@ -121,7 +121,7 @@ const Pathlet* PlannedMission::FindPath(const std::string& agent) const {
 }
 
 TeamRules ToTeamRules(const Compilation& compilation) {
-  const kg_core::CoordinationFacts& facts = compilation.coordination.facts;
+  const kg_mission::CoordinationFacts& facts = compilation.coordination.facts;
   TeamRules team;
   team.event_capacity = compilation.coordination.event_capacity;
   team.event_windows = compilation.coordination.event_windows;
@@ -138,7 +138,7 @@ TeamRules ToTeamRules(const Compilation& compilation) {
   for (const SeamRules& rules : compilation.rules) {
     team.energy_budget_j[rules.agent_id] = rules.energy_budget_j;
   }
-  for (const kg_core::TimeWindow& window : compilation.mission.windows) {
+  for (const kg_mission::TimeWindow& window : compilation.mission.windows) {
     // Windows before are over.
     if (window.index >= compilation.first_window) {
       team.window_end_s[window.index] = window.end_s;

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_selector/team/priced_replanning.h"
 #include "kg_selector/testing/every_path.h"
 #include "kg_selector/testing/random_team.h"
@@ -124,17 +124,17 @@ TEST(PlanUnderTest, RefusesPricesOfNonsense) {
   for (const double price : {-1.0, nan, infinity}) {
     PlanRequest request;
     request.waypoint_prices = {{0, 1, price}};
-    EXPECT_THROW(PlanPriced({}, member, request), kg_core::InputError);
+    EXPECT_THROW(PlanPriced({}, member, request), kg_base::InputError);
     request = {};
     request.event_prices["ex:event0"] = price;
-    EXPECT_THROW(PlanPriced({}, member, request), kg_core::InputError);
+    EXPECT_THROW(PlanPriced({}, member, request), kg_base::InputError);
   }
   for (const WaypointPrice& price :
        {WaypointPrice{3, 0, 1.0}, WaypointPrice{0, 4, 1.0},
         WaypointPrice{0, -1, 1.0}}) {
     PlanRequest request;
     request.waypoint_prices = {price};
-    EXPECT_THROW(PlanPriced({}, member, request), kg_core::InputError);
+    EXPECT_THROW(PlanPriced({}, member, request), kg_base::InputError);
   }
 }
 

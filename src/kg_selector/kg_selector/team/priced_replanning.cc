@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/paths/path_rules.h"
 
@@ -27,7 +27,7 @@ double FindPrice(const std::map<std::string, double>& prices,
 
 void CheckPrice(const std::string& of, double price) {
   if (std::isfinite(price) && price >= 0.0) return;
-  throw kg_core::InputError("price of " + of + " is " + std::to_string(price) +
+  throw kg_base::InputError("price of " + of + " is " + std::to_string(price) +
                             ": expected a finite number >= 0");
 }
 
@@ -41,7 +41,7 @@ std::size_t FindPricedStage(const NavGraphs& graphs,
     const int count = static_cast<int>(graphs[s].waypoints.size());
     if (price.waypoint >= 0 && price.waypoint < count) return s;
   }
-  throw kg_core::InputError("price of " + name + ": there is none");
+  throw kg_base::InputError("price of " + name + ": there is none");
 }
 
 bool HasPrices(const PlanRequest& request) {

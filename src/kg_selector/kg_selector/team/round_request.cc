@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 
 namespace kg_selector {
 namespace {
@@ -19,9 +19,9 @@ void AddPrices(const std::string& agent, const PlanRequest& ask,
   }
 }
 
-void TakePrice(const VisitPrice& price, Ask* ask) {
+void TakePrice(const VisitPrice& price, PlanRequest* ask) {
   if (!std::isfinite(price.price) || !(price.price >= 0.0)) {
-    throw kg_core::InputError("Price.price must be a finite number >= 0");
+    throw kg_base::InputError("Price.price must be a finite number >= 0");
   }
   if (!price.event.empty()) {
     ask->event_prices[price.event] = price.price;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 
 namespace kg_selector {
 namespace {
@@ -69,7 +69,7 @@ TEST(RoundRequest, APriceWithoutAnAgentIsForAllWhoAreAsked) {
   EXPECT_EQ(AskOf(request, "bravo")->ask.waypoint_prices.size(), 1u);
   for (const double bad : {-1.0, static_cast<double>(NAN)}) {
     request.prices[1].price = bad;
-    EXPECT_THROW(AskOf(request, "bravo"), kg_core::InputError);
+    EXPECT_THROW(AskOf(request, "bravo"), kg_base::InputError);
     EXPECT_NO_THROW(AskOf(request, "alpha"));
   }
 }

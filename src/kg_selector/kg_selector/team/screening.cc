@@ -9,7 +9,7 @@ namespace {
 
 using kg_compiler::TimedPoint;
 
-bool IsFinite(kg_core::LonLat place) {
+bool IsFinite(kg_base::LonLat place) {
   return std::isfinite(place.lon_deg) && std::isfinite(place.lat_deg);
 }
 

@@ -4,14 +4,14 @@
 #include <string>
 #include <utility>
 
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/geo/geodesy.h"
 #include "kg_selector/paths/conflict.h"
 
 namespace kg_selector {
 
 PlanStability ComputeStability(const std::vector<Pathlet>& before,
                                const std::vector<Pathlet>& now) {
-  std::map<std::pair<std::string, int>, kg_core::LonLat> places;
+  std::map<std::pair<std::string, int>, kg_base::LonLat> places;
   for (const Pathlet& pathlet : before) {
     for (const Visit& visit : pathlet.visits) {
       places[{pathlet.agent, visit.window}] = visit.position;
@@ -24,7 +24,7 @@ PlanStability ComputeStability(const std::vector<Pathlet>& before,
     for (const Visit& visit : pathlet.visits) {
       const auto place = places.find({pathlet.agent, visit.window});
       if (place == places.end()) continue;
-      const double moved_m = kg_core::Distance_m(place->second, visit.position);
+      const double moved_m = kg_base::Distance_m(place->second, visit.position);
       ++common;
       if (moved_m <= kSamePlace_m) ++same;
       sum_m += moved_m;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "gtest/gtest.h"
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/geo/geodesy.h"
 
 namespace kg_selector {
 namespace {
@@ -27,7 +27,7 @@ TEST(StabilityTest, APlanIsAsStableAsItsWindowsThatStay) {
       {Path("b", 0, {-80, -81, -82}), Path("a", 0, {-90, -91, -92.5})});
   EXPECT_DOUBLE_EQ(found.share, 5.0 / 6.0);
   EXPECT_DOUBLE_EQ(found.displacement_m,
-                   kg_core::Distance_m({-92, 25}, {-92.5, 25}) / 6.0);
+                   kg_base::Distance_m({-92, 25}, {-92.5, 25}) / 6.0);
 }
 
 TEST(StabilityTest, OnlyWindowsThatBothHaveCount) {
@@ -39,7 +39,7 @@ TEST(StabilityTest, OnlyWindowsThatBothHaveCount) {
 }
 
 TEST(StabilityTest, AMetreIsTheSamePlaceAndALittleMoreIsNot) {
-  const double metre_deg = 1.0 / kg_core::Distance_m({-90, 25}, {-89, 25});
+  const double metre_deg = 1.0 / kg_base::Distance_m({-90, 25}, {-89, 25});
   for (const double metres : {0.9, 1.1}) {
     const PlanStability found = ComputeStability(
         {Path("a", 0, {-90})}, {Path("a", 0, {-90 + metres * metre_deg})});

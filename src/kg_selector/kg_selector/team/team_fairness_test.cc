@@ -1,7 +1,7 @@
 // Cases in which fairness, or soft separation, changes who gets what.
 
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_selector/team/team_modes.h"
 
 namespace kg_selector {
@@ -10,7 +10,7 @@ namespace {
 // Rests at one of many places, 10 km apart, through one window.
 Pathlet At(int place, double score, double energy_j = 0.0) {
   Pathlet pathlet;
-  const kg_core::LonLat position = {-90.0 + 0.1 * place, 25.0};
+  const kg_base::LonLat position = {-90.0 + 0.1 * place, 25.0};
   pathlet.reward = score;
   pathlet.energy_j = energy_j;
   pathlet.visits = {{0, place, position, score, {}}};
@@ -91,7 +91,7 @@ TEST_P(FairnessOfMode, SoftSeparationMovesApart) {
 
 TEST_P(FairnessOfMode, AnotherFairnessIsRefused) {
   EXPECT_THROW(MakeCoordinator(RulesOf(GetParam(), "envy"), {"a"}),
-               kg_core::InputError);
+               kg_base::InputError);
 }
 
 INSTANTIATE_TEST_SUITE_P(ModesWithColumns, FairnessOfMode,
@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(ModesWithColumns, FairnessOfMode,
 
 TEST(CoordinatorTest, AnotherModeIsRefused) {
   EXPECT_THROW(MakeCoordinator(RulesOf("lottery", "scarcity"), {"a"}),
-               kg_core::InputError);
+               kg_base::InputError);
 }
 
 }  // namespace

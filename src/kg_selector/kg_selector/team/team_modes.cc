@@ -1,6 +1,6 @@
 #include "kg_selector/team/team_modes.h"
 
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_selector/team/auction_search.h"
 #include "kg_selector/team/column_team.h"
 #include "kg_selector/team/exact_search.h"
@@ -63,7 +63,7 @@ std::unique_ptr<Coordinator> MakeCoordinator(
     const TeamRules& rules, const std::vector<std::string>& agents) {
   const TeamMode* mode = FindTeamMode(rules.mode);
   if (mode == nullptr) {
-    throw kg_core::InputError("team mode '" + rules.mode + "': expected " +
+    throw kg_base::InputError("team mode '" + rules.mode + "': expected " +
                               TeamModeChoices("'"));
   }
   return mode->make_coordinator(rules, agents);

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "gtest/gtest.h"
-#include "kg_core/base/input_error.h"
+#include "kg_base/common/input_error.h"
 #include "kg_selector/team/plan_team.h"
 #include "kg_selector/testing/every_path.h"
 #include "kg_selector/testing/random_team.h"
@@ -169,11 +169,8 @@ TEST_P(OfMode, StaysBetweenWhatIsPossibleAndItsBound) {
 
 // The shapes check ex:teamMode of a mission: their list and the table are one.
 TEST(TeamModes, AreThoseThatTheShapesAllow) {
-  std::string text;
-  for (const char* folder : {"../kg_mission", "../kg_core"}) {
-    std::ifstream file(std::string(folder) + "/ontology/shapes.ttl");
-    text += std::string(std::istreambuf_iterator<char>(file), {});
-  }
+  std::ifstream file("../kg_mission/ontology/shapes.ttl");
+  const std::string text(std::istreambuf_iterator<char>(file), {});
   ASSERT_FALSE(text.empty());
   std::string list = "sh:in ( ";
   for (const std::string& name : TeamModeNames()) list += "\"" + name + "\" ";

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/geo/geodesy.h"
 
 namespace kg_selector {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr double kSafetyFactor = 0.999;
 constexpr double kSamePosition_deg = 1e-9;
 
-bool SamePosition(kg_core::LonLat a, kg_core::LonLat b) {
+bool SamePosition(kg_base::LonLat a, kg_base::LonLat b) {
   return std::abs(a.lon_deg - b.lon_deg) <= kSamePosition_deg &&
          std::abs(a.lat_deg - b.lat_deg) <= kSamePosition_deg;
 }
@@ -49,7 +49,7 @@ bool TeamRows::HoldsStation(const Pathlet& pathlet, const Visit& visit) const {
 
 bool TeamRows::AreClose(int window, int a, int b) const {
   const std::vector<Place>& places = places_.at(window);
-  return a == b || kg_core::Distance_m(places[a].position, places[b].position) <
+  return a == b || kg_base::Distance_m(places[a].position, places[b].position) <
                        separation_m_;
 }
 
@@ -100,7 +100,7 @@ void TeamRows::AddMissingRows(int window, int place) {
   }
 }
 
-int TeamRows::AddPlace(int window, kg_core::LonLat position) {
+int TeamRows::AddPlace(int window, kg_base::LonLat position) {
   std::vector<Place>& places = places_[window];
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (SamePosition(places[i].position, position)) return static_cast<int>(i);

@@ -39,7 +39,7 @@ class TeamRows {
 
  private:
   struct Place {
-    kg_core::LonLat position;
+    kg_base::LonLat position;
     std::vector<int> rows;
     // Who has it as which waypoint.
     std::set<std::pair<std::string, int>> waypoints;
@@ -50,7 +50,7 @@ class TeamRows {
   };
   // The place where a visit holds station; nothing if it is elsewhere then.
   bool HoldsStation(const Pathlet& pathlet, const Visit& visit) const;
-  int AddPlace(int window, kg_core::LonLat position);
+  int AddPlace(int window, kg_base::LonLat position);
   void JoinCliques(int window, int place);
   void AddMissingRows(int window, int place);
   bool AreClose(int window, int a, int b) const;

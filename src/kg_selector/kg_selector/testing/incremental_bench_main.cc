@@ -12,9 +12,9 @@
 #include <cstdio>
 #include <cstring>
 
+#include "kg_base/common/testing/bench_report.h"
 #include "kg_compiler/compile/same_compilation.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/base/testing/bench_report.h"
 #include "kg_selector/team/plan_mission.h"
 
 namespace kg_selector {
@@ -41,24 +41,25 @@ kg_compiler::WorkField MakeField(int window, const BenchTeam& team) {
   const double step_s = kWindow_s / team.slices;
   const double end_s = team.slices > 1 ? kWindow_s : 0.5 * kWindow_s;
   made.field = kg_compiler::GulfLikeFlow(window % kRings, 0.0, end_s, step_s);
-  for (kg_core::FieldSlice& slice : made.field.slices) {
+  for (kg_base::FieldSlice& slice : made.field.slices) {
     slice.time_s += window * kWindow_s;
   }
   return made;
 }
 
 kg_compiler::RasterReaders ReadersFor(const BenchTeam& team) {
-  return {[team](const kg_core::Mission&, const kg_core::WorkFieldRef& ref) {
-            return MakeField(ref.window, team).field;
-          },
-          [](const kg_core::Mission&, const kg_core::ValueLayer& layer,
-             const kg_core::Grid& grid) {
-            std::mt19937 rng(layer.time_index);
-            return kg_compiler::RandomRaster(rng, grid.size(), 0.0, 1.0);
-          }};
+  return {
+      [team](const kg_mission::Mission&, const kg_mission::WorkFieldRef& ref) {
+        return MakeField(ref.window, team).field;
+      },
+      [](const kg_mission::Mission&, const kg_mission::ValueLayer& layer,
+         const kg_base::Grid& grid) {
+        std::mt19937 rng(layer.time_index);
+        return kg_compiler::RandomRaster(rng, grid.size(), 0.0, 1.0);
+      }};
 }
 
-void AddWindow(int t, kg_core::Mission* mission) {
+void AddWindow(int t, kg_mission::Mission* mission) {
   const std::string name = std::to_string(t);
   mission->windows.push_back(kg_compiler::TestWindow(t, std::exp(-0.02 * t)));
   mission->work_fields.push_back({"ex:field" + name, t, "ex:file", t, t + 1});
@@ -66,8 +67,8 @@ void AddWindow(int t, kg_core::Mission* mission) {
       {"ex:value" + name, t, "delta_sst", "ex:file", t + 1, t});
 }
 
-kg_core::Agent MakeAgent(int i, const BenchTeam& team) {
-  kg_core::Agent agent = kg_compiler::TestAgent("a" + std::to_string(i));
+kg_mission::Agent MakeAgent(int i, const BenchTeam& team) {
+  kg_mission::Agent agent = kg_compiler::TestAgent("a" + std::to_string(i));
   const int kind = i % team.classes;
   agent.policy.iri = "ex:policy" + std::to_string(kind);
   agent.policy.alpha_base = 1.0 - 0.1 * kind;
@@ -81,8 +82,8 @@ kg_core::Agent MakeAgent(int i, const BenchTeam& team) {
   return agent;
 }
 
-kg_core::Mission MakeMission(const BenchTeam& team) {
-  kg_core::Mission mission;
+kg_mission::Mission MakeMission(const BenchTeam& team) {
+  kg_mission::Mission mission;
   mission.iri = "ex:mission";
   mission.files["ex:file"] = {"ex:file", "/file.nc", "sha"};
   for (int t = 0; t < team.windows; ++t) AddWindow(t, &mission);
@@ -98,22 +99,22 @@ kg_core::Mission MakeMission(const BenchTeam& team) {
 // Where an area comes to lie.
 enum class ChangePlace { kAnywhere, kInTheWay };
 
-kg_core::LonLat MiddleOf(ChangePlace where, const kg_core::Mission& mission,
+kg_base::LonLat MiddleOf(ChangePlace where, const kg_mission::Mission& mission,
                          std::mt19937* rng) {
   if (where == ChangePlace::kAnywhere) {  // In the grid.
     return {kg_compiler::Uniform(*rng, -97.0, -77.5),
             kg_compiler::Uniform(*rng, 19.0, 32.5)};
   }
   const std::size_t agent = (*rng)() % mission.agents.size();
-  const kg_core::LonLat start = mission.agents[agent].start;
+  const kg_base::LonLat start = mission.agents[agent].start;
   return {start.lon_deg + kg_compiler::Uniform(*rng, -0.5, 0.5),
           start.lat_deg + kg_compiler::Uniform(*rng, -0.5, 0.5)};
 }
 
 // 40 x 40 cells at 0.04 degree, in the middle window.
-kg_core::Mission WithArea(kg_core::Mission mission, kg_core::LonLat at) {
+kg_mission::Mission WithArea(kg_mission::Mission mission, kg_base::LonLat at) {
   mission.constraints.push_back(kg_compiler::AreaConstraint(
-      "ex:area", kg_core::ConstraintKind::kSoft,
+      "ex:area", kg_mission::ConstraintKind::kSoft,
       kg_compiler::Box(at.lon_deg - 0.8, at.lat_deg - 0.8, at.lon_deg + 0.8,
                        at.lat_deg + 0.8)));
   mission.constraints[0].attenuation = 0.5;
@@ -128,7 +129,7 @@ struct BenchWorld {
   PlannedMission planned;
 };
 
-BenchWorld PlanAll(MissionCompiler compiler, const kg_core::Mission& mission,
+BenchWorld PlanAll(MissionCompiler compiler, const kg_mission::Mission& mission,
                    const PlannedMission* previous) {
   BenchWorld world{std::move(compiler), nullptr, {}};
   world.compilation = world.compiler.Compile(mission, 1, 0);
@@ -204,13 +205,13 @@ class TimeRatios {
     graphs_.push_back(a.graphs_s / b.graphs_s);
     team_.push_back(a.team_s / b.team_s);
   }
-  double whole() const { return kg_core::Median(whole_); }
+  double whole() const { return kg_base::Median(whole_); }
   void Show(const char* where) const {
     std::printf(
         "  areas %s: all %.1f x, compile %.1f x, graphs %.1f x, stitch + "
         "select %.1f x\n",
-        where, whole(), kg_core::Median(compile_), kg_core::Median(graphs_),
-        kg_core::Median(team_));
+        where, whole(), kg_base::Median(compile_), kg_base::Median(graphs_),
+        kg_base::Median(team_));
   }
 
  private:
@@ -227,11 +228,11 @@ struct BenchTrial {
 bool Measure(const BenchTrial& trial, const BenchWorld& base,
              TimeRatios* ratios) {
   const MissionCompiler empty(ReadersFor(trial.team));
-  const kg_core::Mission before = MakeMission(trial.team);
+  const kg_mission::Mission before = MakeMission(trial.team);
   std::mt19937 rng(7);
   bool same = true;
   for (int i = 0; i < trial.rounds; ++i) {
-    const kg_core::Mission after =
+    const kg_mission::Mission after =
         WithArea(before, MiddleOf(trial.where, before, &rng));
     // Once from nothing, once with what the mission before left.
     const BenchWorld full = PlanAll(empty, after, nullptr);
@@ -245,7 +246,7 @@ bool Measure(const BenchTrial& trial, const BenchWorld& base,
 }
 
 bool CompareTeam(const BenchTeam& team, double goal, int rounds) {
-  const kg_core::Mission mission = MakeMission(team);
+  const kg_mission::Mission mission = MakeMission(team);
   const BenchWorld base =
       PlanAll(MissionCompiler(ReadersFor(team)), mission, nullptr);
   std::printf("%d agents x %d windows, %zu cells, %d waypoints\n", team.agents,
@@ -261,7 +262,7 @@ bool CompareTeam(const BenchTeam& team, double goal, int rounds) {
   const std::string what = "full against incremental, " +
                            std::to_string(team.agents) + " x " +
                            std::to_string(team.windows);
-  kg_core::Report({13, what, goal, true, "x"}, anywhere.whole());
+  kg_base::Report({13, what, goal, true, "x"}, anywhere.whole());
   return same;
 }
 
@@ -282,8 +283,8 @@ double Cpu_s() {
 }
 
 // One agent of a policy of its own, so that all rasters are there.
-kg_core::Mission Scout(const BenchTeam& team) {
-  kg_core::Mission mission = MakeMission(team);
+kg_mission::Mission Scout(const BenchTeam& team) {
+  kg_mission::Mission mission = MakeMission(team);
   mission.agents.resize(1);
   mission.agents[0].policy.alpha_base = 0.123;
   return mission;
@@ -300,12 +301,12 @@ bool Scale(const BenchTeam& team) {
   std::printf("%s, %d classes: %zu tensors, %zu distinct, %zu compiled\n",
               name.c_str(), team.classes, all->counts.tensors,
               all->counts.distinct, all->counts.compiled);
-  kg_core::Report({15, name + ": compiled less distinct", 0, false, ""},
+  kg_base::Report({15, name + ": compiled less distinct", 0, false, ""},
                   static_cast<double>(all->counts.compiled) -
                       static_cast<double>(team.classes) * team.windows);
-  kg_core::Report({15, name + ": compile, seconds of a core", 10, false, "s"},
+  kg_base::Report({15, name + ": compile, seconds of a core", 10, false, "s"},
                   cpu_s);
-  kg_core::Report({15, name + ": peak memory", 1024, false, "MB"},
+  kg_base::Report({15, name + ": peak memory", 1024, false, "MB"},
                   PeakMemory_mb());
   return all->counts.compiled == all->counts.distinct;
 }

@@ -51,12 +51,12 @@ class PlannedTestWorld {
   }
 
   std::mt19937& rng() { return rng_; }
-  kg_core::LonLat AnyPlace() {
+  kg_base::LonLat AnyPlace() {
     return {kg_compiler::Uniform(rng_, -90.98, -90.02),
             kg_compiler::Uniform(rng_, 24.02, 24.98)};
   }
 
-  kg_core::Mission mission;
+  kg_mission::Mission mission;
 
  private:
   void AddWindow(int t) {
@@ -69,7 +69,7 @@ class PlannedTestWorld {
 
   void AddAgents() {
     for (const char* id : {"alpha", "bravo", "charlie"}) {
-      kg_core::Agent agent = kg_compiler::TestAgent(id);
+      kg_mission::Agent agent = kg_compiler::TestAgent(id);
       agent.policy.iri = std::string("ex:policy_of_") + id;
       agent.policy.beta_poi = kg_compiler::Uniform(rng_, 0.0, 0.6);
       agent.policy.gamma_front = kg_compiler::Uniform(rng_, 0.0, 0.8);
@@ -89,7 +89,7 @@ class PlannedTestWorld {
   }
 
   void AddAreas() {
-    using kg_core::ConstraintKind;
+    using kg_mission::ConstraintKind;
     mission.constraints = {
         kg_compiler::AreaConstraint("ex:no", ConstraintKind::kNoGo,
                                     kg_compiler::Box(-90.2, 24.1, -90.1, 24.3)),
@@ -101,7 +101,7 @@ class PlannedTestWorld {
 
   void AddEvents() {
     for (int i = 0; i < 4; ++i) {
-      kg_core::Event event;
+      kg_mission::Event event;
       event.iri = "ex:e" + std::to_string(i);
       event.position = {kg_compiler::Uniform(rng_, -90.8, -90.25),
                         kg_compiler::Uniform(rng_, 24.3, 24.7)};
@@ -116,17 +116,19 @@ class PlannedTestWorld {
 
   kg_compiler::RasterReaders Readers() const {
     const unsigned seed = seed_;
-    return {[seed](const kg_core::Mission&, const kg_core::WorkFieldRef& ref) {
-              std::mt19937 rng(seed + ref.first_time_index);
-              return kg_compiler::RandomFlow(
-                  rng, kg_compiler::EvenGrid(-91, 24, 0.04, 26, 26), 0.15,
-                  21600, 3 * 86400);
-            },
-            [seed](const kg_core::Mission&, const kg_core::ValueLayer& layer,
-                   const kg_core::Grid& grid) {
-              std::mt19937 rng(seed + 1000 + layer.time_index);
-              return kg_compiler::RandomRaster(rng, grid.size(), 0, 1);
-            }};
+    return {
+        [seed](const kg_mission::Mission&,
+               const kg_mission::WorkFieldRef& ref) {
+          std::mt19937 rng(seed + ref.first_time_index);
+          return kg_compiler::RandomFlow(
+              rng, kg_compiler::EvenGrid(-91, 24, 0.04, 26, 26), 0.15, 21600,
+              3 * 86400);
+        },
+        [seed](const kg_mission::Mission&, const kg_mission::ValueLayer& layer,
+               const kg_base::Grid& grid) {
+          std::mt19937 rng(seed + 1000 + layer.time_index);
+          return kg_compiler::RandomRaster(rng, grid.size(), 0, 1);
+        }};
   }
 
   static TeamMember Member(const kg_compiler::Compilation& compilation,

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/geo/geodesy.h"
 #include "kg_selector/team/plan_team.h"
 
 namespace kg_selector {
@@ -46,13 +46,13 @@ class RandomTeam {
 
   std::vector<TeamMember> MakeMembers() {
     std::vector<TeamMember> members;
-    std::vector<kg_core::LonLat> starts(options_.agents, AnyPlace());
+    std::vector<kg_base::LonLat> starts(options_.agents, AnyPlace());
     for (int i = 1; i < options_.agents && !options_.same_start; ++i) {
       const auto taken = starts.begin() + i;
       do {
         *taken = AnyPlace();
-      } while (std::any_of(starts.begin(), taken, [&](kg_core::LonLat other) {
-        return kg_core::Distance_m(*taken, other) < kLeastApart_m;
+      } while (std::any_of(starts.begin(), taken, [&](kg_base::LonLat other) {
+        return kg_base::Distance_m(*taken, other) < kLeastApart_m;
       }));
     }
     for (int i = 0; i < options_.agents; ++i) {
@@ -75,11 +75,11 @@ class RandomTeam {
 
   static std::string Event(int i) { return "ex:event" + std::to_string(i); }
 
-  kg_core::LonLat AnyPlace() {
+  kg_base::LonLat AnyPlace() {
     return {Number(-90.0, -89.75), Number(25.0, 25.23)};
   }
 
-  TeamMember MakeMember(int number, kg_core::LonLat start) {
+  TeamMember MakeMember(int number, kg_base::LonLat start) {
     TeamMember member;
     member.rules.agent_iri = "ex:agent" + std::to_string(number);
     member.rules.candidates = 5;
@@ -133,7 +133,7 @@ class RandomTeam {
     const int from_count = w == 0 ? 1 : static_cast<int>(before.size());
     for (int u = 0; u < from_count; ++u) {
       for (const kg_compiler::Waypoint& to : graph->waypoints) {
-        const kg_core::LonLat from =
+        const kg_base::LonLat from =
             w == 0 ? member.rules.start : before[u].position;
         if (Whole(0, 9) > 0) {
           graph->edges.push_back(
@@ -164,17 +164,17 @@ class RandomTeam {
   // Half way with a bend, at 2.5 to 4 m/s, then holding station: no distance
   // takes longer than the shortest window.
   kg_compiler::TraverseEdge MakeEdge(int u, const kg_compiler::Waypoint& to,
-                                     kg_core::LonLat from,
+                                     kg_base::LonLat from,
                                      const kg_compiler::WindowRules& window) {
     kg_compiler::TraverseEdge edge;
     edge.from = u;
     edge.to = to.id;
-    const double distance_m = kg_core::Distance_m(from, to.position);
+    const double distance_m = kg_base::Distance_m(from, to.position);
     edge.flight.travel_s = distance_m / Number(2.5, 4.0);
     edge.flight.energy_j = distance_m * Number(0.05, 0.2);
     edge.seam_cost = distance_m * 1e-4;
     const double bend_deg = distance_m > 0.0 ? 0.02 : 0.0;
-    const kg_core::LonLat bend = {
+    const kg_base::LonLat bend = {
         0.5 * (from.lon_deg + to.position.lon_deg) + bend_deg * Number(-1, 1),
         0.5 * (from.lat_deg + to.position.lat_deg) + bend_deg * Number(-1, 1)};
     edge.flight.track = {{from, window.begin_s},
@@ -186,7 +186,7 @@ class RandomTeam {
 
   RandomTeamOptions options_;
   std::mt19937 prng_;
-  std::vector<kg_core::LonLat> places_;
+  std::vector<kg_base::LonLat> places_;
 };
 
 }  // namespace kg_selector

@@ -8,12 +8,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "kg_core/geo/geodesy.h"
+#include "kg_base/geo/geodesy.h"
 #include "kg_selector/paths/pathlet.h"
 
 namespace kg_selector {
 
-inline kg_core::LonLat PlaceAt(
+inline kg_base::LonLat PlaceAt(
     const std::vector<kg_compiler::TimedPoint>& track, double time_s) {
   std::size_t i = 1;
   while (i + 1 < track.size() && track[i].time_s < time_s) ++i;
@@ -36,7 +36,7 @@ inline double LeastDistance_m(const Pathlet& a, const Pathlet& b,
   double least_m = 1e12;
   const double end_s = a.track.back().time_s;
   for (double t_s = sampling.from_s; t_s <= end_s; t_s += sampling.step_s) {
-    least_m = std::min(least_m, kg_core::Distance_m(PlaceAt(a.track, t_s),
+    least_m = std::min(least_m, kg_base::Distance_m(PlaceAt(a.track, t_s),
                                                     PlaceAt(b.track, t_s)));
   }
   return least_m;

@@ -14,7 +14,7 @@
 #include <sstream>
 #include <string>
 
-#include "kg_core/base/testing/bench_report.h"
+#include "kg_base/common/testing/bench_report.h"
 #include "kg_selector/orienteering/top_report.h"
 #include "kg_selector/team/team_modes.h"
 
@@ -63,7 +63,7 @@ void Measure(const BenchData& data, double seconds, std::size_t step,
   char what[64];
   std::snprintf(what, sizeof what, "Team Orienteering, exact, %g s an instance",
                 seconds);
-  kg_core::Report({12, what, goal, true, "%"},
+  kg_base::Report({12, what, goal, true, "%"},
                   MeasureShare(data, options, step));
 }
 

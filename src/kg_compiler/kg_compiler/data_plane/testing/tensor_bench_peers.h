@@ -15,8 +15,8 @@
 #include <emmintrin.h>
 #endif
 
+#include "kg_base/geo/geodesy.h"
 #include "kg_compiler/data_plane/testing/tensor_bench_world.h"
-#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 
@@ -66,11 +66,11 @@ class Triad {
 class OpenCvSteps {
  public:
   explicit OpenCvSteps(const World& world) : w_(world) {
-    const kg_core::Grid& grid = w_.grid;
+    const kg_base::Grid& grid = w_.grid;
     value_ = Of(w_.rasters.value);
     prior_ = Of(*w_.rasters.prior_rasters.at("ex:p"));
-    const kg_core::Mask& soft = *w_.rasters.constraint_masks.at("ex:soft");
-    const kg_core::Mask& hard = *w_.rasters.constraint_masks.at("ex:hard");
+    const kg_base::Mask& soft = *w_.rasters.constraint_masks.at("ex:soft");
+    const kg_base::Mask& hard = *w_.rasters.constraint_masks.at("ex:hard");
     soft_ = cv::Mat(grid.rows(), grid.cols(), CV_32F);
     open_ = cv::Mat(grid.rows(), grid.cols(), CV_8U);
     east_ = cv::Mat(grid.rows(), grid.cols(), CV_32F);
@@ -82,7 +82,7 @@ class OpenCvSteps {
         open_.at<unsigned char>(r, c) = hard[i] ? 0 : 255;
         if (c == 0 || c + 1 == grid.cols()) continue;
         east_.at<float>(r, c) =
-            static_cast<float>(1e3 * kg_core::LocalScale(lat_deg).lon_deg /
+            static_cast<float>(1e3 * kg_base::LocalScale(lat_deg).lon_deg /
                                (grid.lon_deg()[c + 1] - grid.lon_deg()[c - 1]));
       }
     }
@@ -91,7 +91,7 @@ class OpenCvSteps {
       double km = 0.0;
       for (const int s : {r - 1, r}) {
         const double a = grid.lat_deg()[s], b = grid.lat_deg()[s + 1];
-        km += (b - a) / kg_core::LocalScale(0.5 * (a + b)).lat_deg / 1e3;
+        km += (b - a) / kg_base::LocalScale(0.5 * (a + b)).lat_deg / 1e3;
       }
       north_.row(r) = static_cast<float>(1.0 / km);
     }
@@ -120,7 +120,7 @@ class OpenCvSteps {
   }
 
  private:
-  cv::Mat Of(const kg_core::Raster& raster) const {
+  cv::Mat Of(const kg_base::Raster& raster) const {
     return cv::Mat(w_.grid.rows(), w_.grid.cols(), CV_32F,
                    const_cast<float*>(raster.data()));
   }

@@ -31,8 +31,8 @@ struct World {
   explicit World(Size size)
       : grid(EvenGrid(-98.0, 18.1, 21.6 / size.cols, size.rows, size.cols)) {
     std::mt19937 rng(1);
-    kg_core::Raster value(grid.size()), prior(grid.size());
-    kg_core::Mask hard(grid.size(), 0), soft(grid.size(), 0);
+    kg_base::Raster value(grid.size()), prior(grid.size());
+    kg_base::Mask hard(grid.size(), 0), soft(grid.size(), 0);
     for (int r = 0; r < size.rows; ++r) {
       for (int c = 0; c < size.cols; ++c) {
         const std::size_t i = grid.Index({r, c});
@@ -45,32 +45,33 @@ struct World {
         soft[i] = (r / 30 + c / 50) % 3 == 0;
       }
     }
-    rasters = TestRasters(grid, value, kg_core::Mask(grid.size(), 0));
+    rasters = TestRasters(grid, value, kg_base::Mask(grid.size(), 0));
     rasters.prior_rasters["ex:p"] =
-        std::make_shared<kg_core::Raster>(std::move(prior));
+        std::make_shared<kg_base::Raster>(std::move(prior));
     rasters.constraint_masks["ex:hard"] =
-        std::make_shared<kg_core::Mask>(std::move(hard));
+        std::make_shared<kg_base::Mask>(std::move(hard));
     rasters.constraint_masks["ex:soft"] =
-        std::make_shared<kg_core::Mask>(std::move(soft));
+        std::make_shared<kg_base::Mask>(std::move(soft));
     mission.windows = {TestWindow(0, 0.8)};
     mission.agents = {TestAgent("alpha")};
-    kg_core::Policy& policy = mission.agents[0].policy;
+    kg_mission::Policy& policy = mission.agents[0].policy;
     policy.gamma_front = 0.5;
     policy.beta = {{"ex:p", 0.7}};
-    policy.front_operator = kg_core::FrontOperator::kCentral;
+    policy.front_operator = kg_mission::FrontOperator::kCentral;
     mission.priors.push_back({"ex:p",
                               "p",
                               std::nullopt,
                               0.0,
                               {},
                               {},
-                              kg_core::RasterRef{"ex:file", "p", 0}});
+                              kg_mission::RasterRef{"ex:file", "p", 0}});
     for (const char* iri : {"ex:hard", "ex:soft"}) {
-      kg_core::Constraint zone;
+      kg_mission::Constraint zone;
       zone.iri = iri;
-      zone.mask = kg_core::RasterRef{"ex:file", iri, 0};
-      zone.kind = mission.constraints.empty() ? kg_core::ConstraintKind::kNoGo
-                                              : kg_core::ConstraintKind::kSoft;
+      zone.mask = kg_mission::RasterRef{"ex:file", iri, 0};
+      zone.kind = mission.constraints.empty()
+                      ? kg_mission::ConstraintKind::kNoGo
+                      : kg_mission::ConstraintKind::kSoft;
       zone.attenuation = 0.4;
       mission.constraints.push_back(zone);
     }
@@ -109,12 +110,12 @@ struct World {
     StreamEnd();
   }
 
-  kg_core::Grid grid;
-  kg_core::Mission mission;
+  kg_base::Grid grid;
+  kg_mission::Mission mission;
   WindowRasters rasters;
   MissionTensor tensor;
   BlendedField field;
-  kg_core::Raster fused;
+  kg_base::Raster fused;
 };
 
 }  // namespace kg_compiler

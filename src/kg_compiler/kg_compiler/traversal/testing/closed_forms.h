@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "kg_base/geo/geodesy.h"
+#include "kg_base/raster/vector_field.h"
 #include "kg_compiler/testing/test_world.h"
-#include "kg_core/geo/geodesy.h"
-#include "kg_core/raster/vector_field.h"
 
 namespace kg_compiler {
 
@@ -22,14 +22,14 @@ struct Metres {
   double x = 0.0, y = 0.0;
 };
 
-inline kg_core::LonLat OnPlane(Metres at) {
-  const kg_core::DegreesPerMetre scale = kg_core::LocalScale(0.0);
+inline kg_base::LonLat OnPlane(Metres at) {
+  const kg_base::DegreesPerMetre scale = kg_base::LocalScale(0.0);
   return {at.x * scale.lon_deg, at.y * scale.lat_deg};
 }
 
 struct ClosedForm {
   std::string name;
-  kg_core::VectorField field;
+  kg_base::VectorField field;
   // Earliest arrival [s]; infinite where one cannot get to within a day.
   std::function<double(Metres from, Metres to)> optimum_s;
 };
@@ -54,17 +54,17 @@ inline double First(const std::function<double(double)>& late_m) {
   return std::numeric_limits<double>::infinity();
 }
 
-inline kg_core::VectorField Field(
+inline kg_base::VectorField Field(
     const std::vector<double>& times_s,
     const std::function<Metres(Metres, double)>& flow) {
-  kg_core::VectorField field;
+  kg_base::VectorField field;
   field.grid = EvenGrid(-0.27, -0.192, 0.001, 385, 541);
-  const kg_core::DegreesPerMetre scale = kg_core::LocalScale(0.0);
+  const kg_base::DegreesPerMetre scale = kg_base::LocalScale(0.0);
   for (const double time_s : times_s) {
-    kg_core::Raster east_mps, north_mps;
+    kg_base::Raster east_mps, north_mps;
     for (int r = 0; r < 385; ++r) {
       for (int c = 0; c < 541; ++c) {
-        const kg_core::LonLat at = field.grid.Centre({r, c});
+        const kg_base::LonLat at = field.grid.Centre({r, c});
         const Metres v = flow(
             {at.lon_deg / scale.lon_deg, at.lat_deg / scale.lat_deg}, time_s);
         east_mps.push_back(static_cast<float>(v.x));
@@ -146,7 +146,7 @@ inline ClosedForm Vortex() {
 
 // |x_f - x_0 - int c| = V T; c linear between slices, its integral too.
 inline ClosedForm Tide() {
-  const double turn = 2.0 * kg_core::kPi / 43200.0, step_s = 3600.0;
+  const double turn = 2.0 * kg_base::kPi / 43200.0, step_s = 3600.0;
   const auto flow = [=](double t) {
     return Metres{0.6 * std::cos(turn * t), 0.6 * std::sin(turn * t)};
   };

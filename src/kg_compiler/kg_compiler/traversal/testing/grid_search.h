@@ -14,9 +14,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "kg_base/geo/geodesy.h"
 #include "kg_compiler/traversal/leg.h"
 #include "kg_compiler/traversal/traversal.h"
-#include "kg_core/geo/geodesy.h"
 
 namespace kg_compiler {
 
@@ -41,9 +41,9 @@ struct GridReach {
     return at != cells.end() && at->index == index ? &*at : nullptr;
   }
   // From cell centre to cell centre, the departure first.
-  std::vector<kg_core::LonLat> Track(const kg_core::Grid& grid,
-                                     kg_core::LonLat from, int index) const {
-    std::vector<kg_core::LonLat> track;
+  std::vector<kg_base::LonLat> Track(const kg_base::Grid& grid,
+                                     kg_base::LonLat from, int index) const {
+    std::vector<kg_base::LonLat> track;
     for (const GridReachedCell* cell = Find(index); cell != nullptr;
          cell = cell->parent < 0 ? nullptr : Find(cell->parent)) {
       track.push_back(
@@ -61,11 +61,11 @@ struct Move {
   int cols = 0;
   // Offsets of all cells that the segment touches, both beside a corner, but
   // for the one it starts in.
-  std::vector<kg_core::Cell> touched;
+  std::vector<kg_base::Cell> touched;
   // Where the current is sampled: in the middle of equal parts, each no longer
   // than a cell. The south-west centre of four and the shares of the others.
   struct Sample {
-    kg_core::Cell corner;
+    kg_base::Cell corner;
     double north = 0.0;
     double east = 0.0;
   };
@@ -81,26 +81,26 @@ class Mover {
 
   // Arrival of a move from `from` [s after the departure's time], as
   // `depart_s`; nothing if it cannot be made (kSearch's slack) in time.
-  std::optional<double> Arrival(const Move& move, kg_core::Cell from,
+  std::optional<double> Arrival(const Move& move, kg_base::Cell from,
                                 double depart_s) const;
-  bool MayEnter(kg_core::Cell cell) const;  // On the grid, open, known.
+  bool MayEnter(kg_base::Cell cell) const;  // On the grid, open, known.
 
  private:
   struct TimedCourse {
     double length_m, east, north;  // East and north: of the unit vector.
   };
-  TimedCourse CourseOf(const Move& move, kg_core::Cell from) const;
+  TimedCourse CourseOf(const Move& move, kg_base::Cell from) const;
   // boost_gain current; no data counts as no flow.
-  kg_core::Velocity Current(const Move::Sample& sample, kg_core::Cell from,
+  kg_base::Velocity Current(const Move::Sample& sample, kg_base::Cell from,
                             double time_s) const;
 
-  const kg_core::VectorField& field_;
-  const kg_core::Mask& open_;
+  const kg_base::VectorField& field_;
+  const kg_base::Mask& open_;
   double speed_mps_;
   double boost_gain_;
   double latest_s_;
   std::vector<double> slice_s_;                  // After the departure's time.
-  std::vector<kg_core::DegreesPerMetre> scale_;  // By row.
+  std::vector<kg_base::DegreesPerMetre> scale_;  // By row.
 };
 
 namespace grid_search {
@@ -110,7 +110,7 @@ namespace grid_search {
 inline constexpr int kPoints = 840;
 inline constexpr double kTouch = 0.5 + 1e-6;
 
-inline bool Touches(int rows, int cols, kg_core::Cell cell) {
+inline bool Touches(int rows, int cols, kg_base::Cell cell) {
   for (int k = 0; k <= kPoints; ++k) {
     const double share = static_cast<double>(k) / kPoints;
     if (std::abs(share * rows - cell.row) <= kTouch &&
@@ -169,37 +169,37 @@ inline Mover::Mover(const VoyageRequest& voyage)
       speed_mps_(voyage.motion.cruise_mps),
       boost_gain_(voyage.motion.boost_gain),
       latest_s_(LatestArrival_s(voyage.motion, voyage.departure)) {
-  for (const kg_core::FieldSlice& slice : field_.slices) {
+  for (const kg_base::FieldSlice& slice : field_.slices) {
     slice_s_.push_back(slice.time_s - voyage.departure.time_s);
   }
   for (const double lat_deg : field_.grid.lat_deg()) {
-    scale_.push_back(kg_core::LocalScale(lat_deg));
+    scale_.push_back(kg_base::LocalScale(lat_deg));
   }
 }
 
-inline bool Mover::MayEnter(kg_core::Cell cell) const {
+inline bool Mover::MayEnter(kg_base::Cell cell) const {
   if (!field_.grid.Contains(cell)) return false;
   const std::size_t i = field_.grid.Index(cell);
   return open_[i] == 1 && !std::isnan(field_.slices.front().east_mps[i]);
 }
 
 inline Mover::TimedCourse Mover::CourseOf(const Move& move,
-                                          kg_core::Cell from) const {
-  const kg_core::Grid& grid = field_.grid;
+                                          kg_base::Cell from) const {
+  const kg_base::Grid& grid = field_.grid;
   const int row = from.row + move.rows;
   const double lon_deg =
       grid.lon_deg()[from.col + move.cols] - grid.lon_deg()[from.col];
   const double lat_deg = grid.lat_deg()[row] - grid.lat_deg()[from.row];
-  const kg_core::DegreesPerMetre& a = scale_[from.row];
-  const kg_core::DegreesPerMetre& b = scale_[row];
+  const kg_base::DegreesPerMetre& a = scale_[from.row];
+  const kg_base::DegreesPerMetre& b = scale_[row];
   const double east_m = lon_deg * 2.0 / (a.lon_deg + b.lon_deg);
   const double north_m = lat_deg * 2.0 / (a.lat_deg + b.lat_deg);
   const double length_m = std::sqrt(east_m * east_m + north_m * north_m);
   return {length_m, east_m / length_m, north_m / length_m};
 }
 
-inline kg_core::Velocity Mover::Current(const Move::Sample& sample,
-                                        kg_core::Cell from,
+inline kg_base::Velocity Mover::Current(const Move::Sample& sample,
+                                        kg_base::Cell from,
                                         double time_s) const {
   std::size_t k = 0;
   while (k + 2 < slice_s_.size() && slice_s_[k + 1] <= time_s) ++k;
@@ -213,7 +213,7 @@ inline kg_core::Velocity Mover::Current(const Move::Sample& sample,
       {from.row + sample.corner.row, from.col + sample.corner.col});
   const std::size_t east = sample.east > 0.0 ? 1 : 0;
   const std::size_t north = sample.north > 0.0 ? cols : 0;
-  const auto mean = [&](const kg_core::Raster& values) {
+  const auto mean = [&](const kg_base::Raster& values) {
     const double s = grid_search::OrCalm(values[sw]) * (1.0 - sample.east) +
                      grid_search::OrCalm(values[sw + east]) * sample.east;
     const double n =
@@ -221,10 +221,10 @@ inline kg_core::Velocity Mover::Current(const Move::Sample& sample,
         grid_search::OrCalm(values[sw + north + east]) * sample.east;
     return s * (1.0 - sample.north) + n * sample.north;
   };
-  const kg_core::FieldSlice& a = field_.slices[k];
-  const kg_core::FieldSlice& b = field_.slices[l];
+  const kg_base::FieldSlice& a = field_.slices[k];
+  const kg_base::FieldSlice& b = field_.slices[l];
   const double early = boost_gain_ * (1.0 - late);
-  kg_core::Velocity c{early * mean(a.east_mps), early * mean(a.north_mps)};
+  kg_base::Velocity c{early * mean(a.east_mps), early * mean(a.north_mps)};
   if (late > 0.0) {
     c.east_mps += boost_gain_ * late * mean(b.east_mps);
     c.north_mps += boost_gain_ * late * mean(b.north_mps);
@@ -233,9 +233,9 @@ inline kg_core::Velocity Mover::Current(const Move::Sample& sample,
 }
 
 inline std::optional<double> Mover::Arrival(const Move& move,
-                                            kg_core::Cell from,
+                                            kg_base::Cell from,
                                             double depart_s) const {
-  for (const kg_core::Cell& offset : move.touched) {
+  for (const kg_base::Cell& offset : move.touched) {
     if (!MayEnter({from.row + offset.row, from.col + offset.col})) {
       return std::nullopt;
     }
@@ -246,7 +246,7 @@ inline std::optional<double> Mover::Arrival(const Move& move,
   double time_s = depart_s;
   double half_s = 0.0;  // To the middle of the next part, by the last rate.
   for (const Move::Sample& sample : move.samples) {
-    const kg_core::Velocity c = Current(sample, from, time_s + half_s);
+    const kg_base::Velocity c = Current(sample, from, time_s + half_s);
     const double along = c.east_mps * course.east + c.north_mps * course.north;
     const double across = c.east_mps * course.north - c.north_mps * course.east;
     if (!(std::abs(across) <= (1.0 - kSearch.slack) * speed_mps_)) {
@@ -277,12 +277,12 @@ struct Node {
 // stays near its source costs nothing for the rest of the grid.
 class Nodes {
  public:
-  explicit Nodes(const kg_core::Grid& grid)
+  explicit Nodes(const kg_base::Grid& grid)
       : columns_((grid.cols() + kTile - 1) / kTile),
         tiles_(static_cast<std::size_t>(columns_) *
                ((grid.rows() + kTile - 1) / kTile)) {}
 
-  Node& At(kg_core::Cell cell) {
+  Node& At(kg_base::Cell cell) {
     auto& tile = tiles_[static_cast<std::size_t>(cell.row / kTile) * columns_ +
                         cell.col / kTile];
     if (!tile) tile = std::make_unique<Node[]>(kTile * kTile);
@@ -309,7 +309,7 @@ class Search {
     while (!queue_.empty()) {
       const auto [arrival_s, index] = queue_.top();
       queue_.pop();
-      const kg_core::Cell cell{index / grid_.cols(), index % grid_.cols()};
+      const kg_base::Cell cell{index / grid_.cols(), index % grid_.cols()};
       Node& node = nodes_.At(cell);
       if (node.settled) continue;
       node.settled = true;
@@ -325,9 +325,9 @@ class Search {
 
  private:
   void Start() {
-    const std::optional<kg_core::GridPoint> at = grid_.Locate(from_);
+    const std::optional<kg_base::GridPoint> at = grid_.Locate(from_);
     if (!at) return;
-    const kg_core::Cell cell = flyer_.CellOf(*at);
+    const kg_base::Cell cell = flyer_.CellOf(*at);
     if (!flyer_.IsOpen(cell)) return;
     for (int dr = -kSourceRadius_cells; dr <= kSourceRadius_cells; ++dr) {
       for (int dc = -kSourceRadius_cells; dc <= kSourceRadius_cells; ++dc) {
@@ -335,20 +335,20 @@ class Search {
       }
     }
   }
-  void TryLeg(kg_core::Cell to) {
+  void TryLeg(kg_base::Cell to) {
     if (!mover_.MayEnter(to)) return;
     const auto end = flyer_.Fly({from_, grid_.Centre(to), 0.0}, kSearch);
     if (end) Improve(to, end->arrive_s, -1);
   }
-  void TryMove(const Move& move, kg_core::Cell from, double depart_s) {
-    const kg_core::Cell to{from.row + move.rows, from.col + move.cols};
+  void TryMove(const Move& move, kg_base::Cell from, double depart_s) {
+    const kg_base::Cell to{from.row + move.rows, from.col + move.cols};
     if (!mover_.MayEnter(to) || nodes_.At(to).settled) return;
     const auto arrival_s = mover_.Arrival(move, from, depart_s);
     if (arrival_s) {
       Improve(to, *arrival_s, static_cast<int>(grid_.Index(from)));
     }
   }
-  void Improve(kg_core::Cell cell, double arrival_s, int parent) {
+  void Improve(kg_base::Cell cell, double arrival_s, int parent) {
     Node& node = nodes_.At(cell);
     if (!(arrival_s < node.arrival_s)) return;
     node.arrival_s = arrival_s;
@@ -359,10 +359,10 @@ class Search {
   using Entry = std::pair<double, int>;
   LegFlyer flyer_;
   Mover mover_;
-  const kg_core::Grid& grid_;
+  const kg_base::Grid& grid_;
   Nodes nodes_;
   std::vector<Move> moves_;
-  kg_core::LonLat from_;
+  kg_base::LonLat from_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
   GridReach reach_;
 };

@@ -74,7 +74,7 @@ struct SeamTruth {
 // neighbours reaches from one place, flown again by the independent integrator.
 inline void AddTruth(const VoyageRequest& voyage, const TestFlowWorld& sea,
                      int every, SeamTruth* truth) {
-  const kg_core::Grid& grid = sea.field.grid;
+  const kg_base::Grid& grid = sea.field.grid;
   const ReachMap reach = ComputeReach(voyage);
   const GridReach peers[] = {GridSearch(voyage, 16), GridSearch(voyage, 32)};
   const Refly refly(sea, voyage.motion);
@@ -85,14 +85,14 @@ inline void AddTruth(const VoyageRequest& voyage, const TestFlowWorld& sea,
   }
   for (const int index : cells) {
     if (index % every != 0) continue;
-    const kg_core::LonLat to =
+    const kg_base::LonLat to =
         grid.Centre({index / grid.cols(), index % grid.cols()});
     const auto flight = Traverse(voyage, reach, to);
     double flown_s = std::numeric_limits<double>::infinity();
     for (const GridReach& peer : peers) {
       if (!peer.Find(index)) continue;
       FlownPath track;
-      for (const kg_core::LonLat at :
+      for (const kg_base::LonLat at :
            peer.Track(grid, voyage.departure.from, index)) {
         track.track.push_back({at, 0.0});
       }
@@ -124,12 +124,12 @@ struct TruthSample {
 inline SeamTruth TruthOn(const TestFlowWorld& sea, double cruise_mps,
                          const TruthSample& sample) {
   std::mt19937 rng(sample.seed);
-  const kg_core::Grid& grid = sea.field.grid;
+  const kg_base::Grid& grid = sea.field.grid;
   SeamTruth truth;
   for (int i = 0; i < sample.sources;) {
-    const kg_core::GridPoint at{Uniform(rng, 2, grid.rows() - 3),
+    const kg_base::GridPoint at{Uniform(rng, 2, grid.rows() - 3),
                                 Uniform(rng, 2, grid.cols() - 3)};
-    const kg_core::LonLat from = grid.Position(at);
+    const kg_base::LonLat from = grid.Position(at);
     if (!sea.open[grid.Index(*grid.CellAt(from))]) continue;
     AddTruth(sea.From(Glider(cruise_mps), {from, 0.0, kDay_s}), sea,
              sample.every, &truth);

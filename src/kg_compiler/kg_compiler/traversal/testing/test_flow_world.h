@@ -14,9 +14,9 @@
 #include <string>
 #include <utility>
 
+#include "kg_base/geo/geodesy.h"
+#include "kg_base/raster/read_field_file.h"
 #include "kg_compiler/traversal/traversal.h"
-#include "kg_core/geo/geodesy.h"
-#include "kg_core/raster/read_field_file.h"
 
 namespace kg_compiler {
 
@@ -33,20 +33,20 @@ inline MotionModel Glider(double cruise_mps) {
 
 // A field with everything open and no hazard, unless changed.
 struct TestFlowWorld {
-  explicit TestFlowWorld(kg_core::VectorField flow)
+  explicit TestFlowWorld(kg_base::VectorField flow)
       : field(std::move(flow)), open(field.grid.size(), 1) {}
   VoyageRequest From(const MotionModel& motion,
                      const VoyageDeparture& departure) const {
     return {{&field, &open, hazard.get()}, motion, departure, {}};
   }
-  std::optional<FlownPath> Go(const MotionModel& motion, kg_core::LonLat from,
-                              kg_core::LonLat to,
+  std::optional<FlownPath> Go(const MotionModel& motion, kg_base::LonLat from,
+                              kg_base::LonLat to,
                               double deadline_s = kDay_s) const {
     const VoyageRequest voyage = From(motion, {from, 0.0, deadline_s});
     return Traverse(voyage, ComputeReach(voyage), to);
   }
-  kg_core::VectorField field;
-  kg_core::Mask open;
+  kg_base::VectorField field;
+  kg_base::Mask open;
   std::unique_ptr<HazardMap> hazard;  // None unless set.
 };
 
@@ -61,8 +61,8 @@ class Refly {
   std::optional<double> Fly(const FlownPath& flight) const {
     double t = flight.track.front().time_s;
     for (std::size_t i = 0; i + 1 < flight.track.size(); ++i) {
-      const kg_core::LonLat a = flight.track[i].position;
-      const kg_core::LonLat b = flight.track[i + 1].position;
+      const kg_base::LonLat a = flight.track[i].position;
+      const kg_base::LonLat b = flight.track[i + 1].position;
       if (a == b) continue;  // At rest.
       const std::optional<double> end = TrackLeg(a, b, t);
       if (!end) return std::nullopt;
@@ -72,11 +72,11 @@ class Refly {
   }
 
  private:
-  static kg_core::LonLat On(kg_core::LonLat a, kg_core::LonLat b, double s) {
+  static kg_base::LonLat On(kg_base::LonLat a, kg_base::LonLat b, double s) {
     return {a.lon_deg + s * (b.lon_deg - a.lon_deg),
             a.lat_deg + s * (b.lat_deg - a.lat_deg)};
   }
-  std::optional<double> TrackLeg(kg_core::LonLat a, kg_core::LonLat b,
+  std::optional<double> TrackLeg(kg_base::LonLat a, kg_base::LonLat b,
                                  double t) const {
     double s = 0.0;
     while (s < 1.0) {
@@ -97,9 +97,9 @@ class Refly {
     }
     return t;
   }
-  double Rate(kg_core::LonLat a, kg_core::LonLat b, double s, double t) const {
-    const kg_core::LonLat p = On(a, b, std::min(s, 1.0));
-    const kg_core::DegreesPerMetre scale = kg_core::LocalScale(p.lat_deg);
+  double Rate(kg_base::LonLat a, kg_base::LonLat b, double s, double t) const {
+    const kg_base::LonLat p = On(a, b, std::min(s, 1.0));
+    const kg_base::DegreesPerMetre scale = kg_base::LocalScale(p.lat_deg);
     const double x = (b.lon_deg - a.lon_deg) / scale.lon_deg;
     const double y = (b.lat_deg - a.lat_deg) / scale.lat_deg;
     const double length = std::hypot(x, y);
@@ -111,7 +111,7 @@ class Refly {
     if (!(own > 0)) return -1.0;
     return (along + std::sqrt(own)) / length;
   }
-  void Current(kg_core::LonLat p, double t, double* u, double* v) const {
+  void Current(kg_base::LonLat p, double t, double* u, double* v) const {
     const auto& slices = sea_.field.slices;
     std::size_t k = 0;
     while (k + 2 < slices.size() && slices[k + 1].time_s <= t) ++k;
@@ -124,8 +124,8 @@ class Refly {
     *v = m_.boost_gain * ((1 - f) * At(slices[k].north_mps, p) +
                           f * At(slices[l].north_mps, p));
   }
-  double At(const kg_core::Raster& raster, kg_core::LonLat p) const {
-    const kg_core::Grid& grid = sea_.field.grid;
+  double At(const kg_base::Raster& raster, kg_base::LonLat p) const {
+    const kg_base::Grid& grid = sea_.field.grid;
     const auto locate = [](const std::vector<double>& axis, double x, int* i) {
       *i = 0;
       while (*i + 2 < static_cast<int>(axis.size()) && axis[*i + 1] <= x) ++*i;
@@ -153,10 +153,10 @@ inline std::optional<TestFlowWorld> RealSea(const std::string& file) {
   const std::string path =
       std::string(folder ? folder : "../../../shared/data") + "/" + file;
   if (!std::ifstream(path)) return std::nullopt;
-  kg_core::FieldFile ocean = kg_core::ReadFieldFile(
-      path, {kg_core::FieldQuantity::kEastwardVelocity,
-             kg_core::FieldQuantity::kNorthwardVelocity});
-  kg_core::VectorField field;
+  kg_base::FieldFile ocean = kg_base::ReadFieldFile(
+      path, {kg_base::FieldQuantity::kEastwardVelocity,
+             kg_base::FieldQuantity::kNorthwardVelocity});
+  kg_base::VectorField field;
   field.grid = ocean.grid;
   for (std::size_t i = 0; i < ocean.time_s.size(); ++i) {
     field.slices.push_back({ocean.time_s[i] - ocean.time_s[0],
@@ -164,7 +164,7 @@ inline std::optional<TestFlowWorld> RealSea(const std::string& file) {
                             std::move(ocean.series[1].at_time[i])});
   }
   TestFlowWorld sea(std::move(field));
-  const kg_core::Mask land = sea.field.NoData();
+  const kg_base::Mask land = sea.field.NoData();
   for (std::size_t i = 0; i < land.size(); ++i) sea.open[i] = !land[i];
   return sea;
 }

@@ -1,0 +1,24 @@
+// An error in what the outside world handed us: a file, a message, a fact.
+
+#ifndef KG_BASE_COMMON_INPUT_ERROR_H_
+#define KG_BASE_COMMON_INPUT_ERROR_H_
+
+#include <stdexcept>
+#include <string>
+
+#include "kg_base/common/one_line.h"
+
+namespace kg_base {
+
+// Thrown where input is read, caught only in a node's callbacks or a program's
+// main(). Its text is one line, whatever is quoted in it, that says where the
+// mistake is (file, line, subject, property) and what was expected.
+class InputError : public std::runtime_error {
+ public:
+  explicit InputError(const std::string& text)
+      : std::runtime_error(OneLine(text)) {}
+};
+
+}  // namespace kg_base
+
+#endif  // KG_BASE_COMMON_INPUT_ERROR_H_

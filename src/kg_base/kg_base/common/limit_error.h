@@ -1,0 +1,19 @@
+// Input that may well be right, but asks for more than its limits.
+
+#ifndef KG_BASE_COMMON_LIMIT_ERROR_H_
+#define KG_BASE_COMMON_LIMIT_ERROR_H_
+
+#include "kg_base/common/input_error.h"
+
+namespace kg_base {
+
+// Too much time, memory, rows, steps or text. Tried again, or with less, it may
+// succeed.
+class LimitError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+}  // namespace kg_base
+
+#endif  // KG_BASE_COMMON_LIMIT_ERROR_H_

@@ -1,0 +1,43 @@
+// The grammar of well-known text, with caps, into plain values. Every error
+// says at which character and what was expected there.
+
+#ifndef KG_BASE_GEO_WKT_PARSER_H_
+#define KG_BASE_GEO_WKT_PARSER_H_
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "kg_base/geo/lon_lat.h"
+
+namespace kg_base {
+
+inline constexpr std::size_t kMaxWktBytes = 1 << 20;
+inline constexpr std::size_t kMaxWktVertices = 100000;
+inline constexpr int kMaxWktNesting = 8;  // Collections in collections.
+
+enum class WktKind {
+  kPoint,
+  kLineString,
+  kPolygon,
+  kMultiPoint,
+  kMultiLineString,
+  kMultiPolygon,
+  kCollection
+};
+
+struct WktNode {
+  WktKind kind = WktKind::kPoint;
+  // Of a point one list with one vertex, of a line one list, of a polygon its
+  // closed rings, shell first.
+  std::vector<std::vector<LonLat>> chains;
+  std::vector<WktNode> members;  // Of the others.
+};
+
+// Finite coordinates, |latitude| <= 90, |longitude| <= 360, nothing empty,
+// rings closed with at least four vertices. Throws InputError.
+WktNode ParseWkt(std::string_view text);
+
+}  // namespace kg_base
+
+#endif  // KG_BASE_GEO_WKT_PARSER_H_

@@ -1,0 +1,184 @@
+#include "kg_base/raster/netcdf_file.h"
+
+#include <sys/stat.h>
+
+#include <fstream>
+
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/text.h"
+#include "kg_base/raster/classic_length.h"
+
+namespace kg_base {
+namespace {
+
+constexpr std::size_t kMaxAttributeLength = 64 * 1024;
+// Of one read: a slice of the largest grid believed.
+constexpr std::size_t kMaxValues = std::size_t{1} << 26;
+
+// Only a regular file with the right first bytes reaches the library, which
+// would take other things, addresses for one, for data sets too.
+void CheckKind(const std::string& path) {
+  struct stat status;
+  if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
+    throw InputError(path + ": expected a file that exists");
+  }
+  char first[4] = {};
+  std::ifstream(path, std::ios::binary).read(first, sizeof(first));
+  const std::string magic(first, sizeof(first));
+  if (magic != "\x89HDF" && magic != std::string("CDF\1") &&
+      magic != std::string("CDF\2") && magic != std::string("CDF\5")) {
+    throw InputError(path + ": expected a NetCDF file (classic or 4)");
+  }
+}
+
+std::string Stripped(const std::string& text) {
+  return std::string(StripAsciiSpace(text.substr(0, text.find('\0'))));
+}
+
+bool IsNumber(int type) {
+  return type >= netCDF::NcType::nc_BYTE && type <= netCDF::NcType::nc_UINT64 &&
+         type != netCDF::NcType::nc_CHAR;
+}
+
+// The text of an attribute of type string, which holds exactly one.
+std::string StringOf(const netCDF::NcVarAtt& attribute) {
+  char* text = nullptr;
+  attribute.getValues(&text);
+  const std::string copy = text == nullptr ? "" : text;
+  // The C library allocated it, and netcdf-c++ has no call that frees it.
+  nc_free_string(1, &text);
+  return copy;
+}
+
+// Long attributes, and those of types that mean nothing here, are left out.
+void ReadAttribute(const netCDF::NcVarAtt& attribute,
+                   NetcdfVariable* variable) {
+  const std::string name = attribute.getName();
+  const netCDF::NcType type = attribute.getType();
+  const std::size_t length = attribute.getAttLength();
+  if (type.isNull() || length > kMaxAttributeLength) return;
+  const int kind = type.getId();
+  if (kind == netCDF::NcType::nc_CHAR) {
+    std::string text;
+    attribute.getValues(text);
+    variable->texts[name] = Stripped(text);
+  } else if (kind == netCDF::NcType::nc_STRING && length == 1) {
+    variable->texts[name] = Stripped(StringOf(attribute));
+  } else if (IsNumber(kind)) {
+    std::vector<double> values(length);
+    attribute.getValues(values.data());
+    variable->numbers[name] = values;
+  }
+}
+
+}  // namespace
+
+std::string NetcdfVariable::Text(const std::string& attribute) const {
+  const auto found = texts.find(attribute);
+  return found == texts.end() ? "" : found->second;
+}
+
+NetcdfFile::NetcdfFile(const std::string& path) : path_(path) {
+  CheckKind(path);
+  CheckClassicLength(path);
+  try {
+    file_.open(path, netCDF::NcFile::read);
+    ReadDimensions();
+    ReadVariables();
+  } catch (const netCDF::exceptions::NcException& error) {
+    Refuse(error);
+  }
+}
+
+void NetcdfFile::Refuse(const std::string& what) const {
+  std::string line = path_ + ": " + what;
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';  // Of names in the file.
+  }
+  throw InputError(line);
+}
+
+void NetcdfFile::Refuse(const NetcdfVariable& variable,
+                        const std::string& what) const {
+  Refuse("variable " + variable.name + ": " + what);
+}
+
+// The first line of the exception's text is the library's own message; the
+// second names a line of netcdf-c++'s source.
+void NetcdfFile::Refuse(const netCDF::exceptions::NcException& error) const {
+  const std::string text = error.what();
+  Refuse("damaged, the NetCDF library says: " +
+         text.substr(0, text.find('\n')));
+}
+
+void NetcdfFile::ReadDimensions() {
+  const int count = file_.getDimCount();
+  // The root group's dimensions have the identifiers 0, 1, ...; by identifier,
+  // because getDims() sorts them by name.
+  for (int i = 0; i < count; ++i) {
+    const netCDF::NcDim dimension(file_, i);
+    dimensions_.push_back({dimension.getName(), dimension.getSize()});
+  }
+}
+
+void NetcdfFile::ReadVariables() {
+  const int count = file_.getVarCount();
+  for (int i = 0; i < count; ++i) {
+    variables_.push_back(ReadVariable(netCDF::NcVar(file_, i)));
+  }
+}
+
+NetcdfVariable NetcdfFile::ReadVariable(const netCDF::NcVar& source) const {
+  NetcdfVariable variable;
+  variable.id = source.getId();
+  variable.name = source.getName();
+  variable.type = source.getType().getId();
+  for (const netCDF::NcDim& dimension : source.getDims()) {
+    const int id = dimension.getId();
+    if (id < 0 || id >= static_cast<int>(dimensions_.size())) {
+      Refuse(variable, "damaged, it has a dimension that the file has not");
+    }
+    variable.dimensions.push_back(id);
+  }
+  const int attributes = source.getAttCount();
+  for (int i = 0; i < attributes; ++i) {
+    ReadAttribute(netCDF::NcVarAtt(file_, source, i), &variable);
+  }
+  return variable;
+}
+
+std::vector<double> NetcdfFile::Values(const NetcdfVariable& variable) const {
+  std::vector<std::size_t> count;
+  for (const int d : variable.dimensions) count.push_back(dimensions_[d].size);
+  return Values(variable, std::vector<std::size_t>(count.size(), 0), count);
+}
+
+std::vector<double> NetcdfFile::Values(
+    const NetcdfVariable& variable, const std::vector<std::size_t>& start,
+    const std::vector<std::size_t>& count) const {
+  if (!IsNumber(variable.type)) Refuse(variable, "expected numbers");
+  std::size_t size = 1;
+  for (const std::size_t n : count) {
+    // n first: the product of two numbers within the limit cannot overflow.
+    if (n > kMaxValues || size * n > kMaxValues) {
+      Refuse(variable, "expected at most " + std::to_string(kMaxValues) +
+                           " values at a time");
+    }
+    size *= n;
+  }
+  std::vector<double> values(size);
+  if (size == 0) return values;
+  try {
+    const netCDF::NcVar source(file_, variable.id);
+    if (count.empty()) {  // A scalar, which has no first index to point to.
+      source.getVar(values.data());
+    } else {
+      source.getVar(start, count, values.data());
+    }
+  } catch (const netCDF::exceptions::NcException& error) {
+    Refuse(error);
+  }
+  return values;
+}
+
+}  // namespace kg_base

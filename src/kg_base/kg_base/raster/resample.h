@@ -1,0 +1,28 @@
+// Rasters from one grid to another.
+
+#ifndef KG_BASE_RASTER_RESAMPLE_H_
+#define KG_BASE_RASTER_RESAMPLE_H_
+
+#include "kg_base/raster/grid.h"
+
+namespace kg_base {
+
+// How a raster comes to another grid; kNone: not at all.
+enum class Resampling { kNone, kBilinear, kNearest };
+
+// At each centre of `to` the bilinear mean of the four centres around it; the
+// nearest one's value where one of the four is NaN, NaN where the nearest is
+// NaN and outside of `from` (its edges, half a cell beyond the outer centres).
+Raster ResampleBilinear(const Grid& from, const Raster& values, const Grid& to);
+
+// At each centre of `to` the value of the cell of `from` that it lies in, NaN
+// outside: values stay what they were, so masks stay masks.
+Raster ResampleNearest(const Grid& from, const Raster& values, const Grid& to);
+
+// By name. Throws std::logic_error for kNone.
+Raster Resample(const Grid& from, const Raster& values, const Grid& to,
+                Resampling how);
+
+}  // namespace kg_base
+
+#endif  // KG_BASE_RASTER_RESAMPLE_H_

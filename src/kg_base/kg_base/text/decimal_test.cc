@@ -1,0 +1,69 @@
+#include "kg_base/text/decimal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace kg_base {
+namespace {
+
+Decimal Of(const std::string& text) { return *ParseDecimal(text); }
+
+std::string Text(const std::optional<Decimal>& value) {
+  return value ? ToString(*value) : "none";
+}
+
+// Checked in whole hundredths, with the compiler's integers.
+TEST(Decimal, CalculatesAsIntegersDo) {
+  std::mt19937_64 random(7);
+  std::uniform_int_distribution<long long> hundredths(-1000000, 1000000);
+  for (int i = 0; i < 20000; ++i) {
+    const long long a = hundredths(random);
+    const long long b = hundredths(random);
+    const Decimal x{a, 2};
+    const Decimal y{b, 2};
+    EXPECT_EQ(Compare(*Add(x, y), Decimal{a + b, 2}), 0);
+    EXPECT_EQ(Compare(*Subtract(x, y), Decimal{a - b, 2}), 0);
+    EXPECT_EQ(Compare(*Multiply(x, y), Decimal{a * b, 4}), 0);
+    EXPECT_EQ(Compare(x, y), a < b ? -1 : a > b ? 1 : 0);
+    EXPECT_EQ(Compare(Of(ToString(x)), x), 0);
+    if (b == 0) continue;
+    EXPECT_NEAR(ToDouble(*Divide(x, y)),
+                static_cast<double>(a) / static_cast<double>(b),
+                1e-12 * std::fabs(static_cast<double>(a)));
+  }
+}
+
+TEST(Decimal, RoundsToWholeNumbers) {
+  EXPECT_EQ(Text(Floor(Of("-1.1"))), "-2");
+  EXPECT_EQ(Text(Ceil(Of("-1.9"))), "-1");
+  EXPECT_EQ(Text(Round(Of("2.5"))), "3");
+  EXPECT_EQ(Text(Round(Of("-2.5"))), "-2");
+  EXPECT_EQ(Text(Truncate(Of("-2.9"))), "-2");
+}
+
+TEST(Decimal, HasNoAnswerForWhatDoesNotFit) {
+  const Decimal big = Of("99999999999999999999999999999999999999");
+  EXPECT_EQ(Text(Multiply(big, big)), "none");
+  EXPECT_EQ(Text(Add(big, big)), "none");
+  EXPECT_EQ(Text(Divide(big, Of("0"))), "none");
+  EXPECT_EQ(Text(FromDouble(1e300)), "none");
+  EXPECT_EQ(Text(FromDouble(std::nan(""))), "none");
+  for (const char* text : {"", "-", ".", "1e3", "1.2.3", " 1", "0x1"}) {
+    EXPECT_EQ(Text(ParseDecimal(text)), "none") << text;
+  }
+}
+
+TEST(Decimal, WritesTheShortestForm) {
+  EXPECT_EQ(Text(Of("+001.500")), "1.5");
+  EXPECT_EQ(Text(Of("-.05")), "-0.05");
+  EXPECT_EQ(Text(Of("-0")), "0");
+  EXPECT_EQ(Text(Divide(Of("1"), Of("3"))), "0.333333333333333333");
+  EXPECT_EQ(Text(FromDouble(0.1)), "0.1");
+  EXPECT_EQ(Text(FromDouble(1e-7)), "0.0000001");
+}
+
+}  // namespace
+}  // namespace kg_base

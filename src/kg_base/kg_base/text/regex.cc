@@ -1,0 +1,204 @@
+#include "kg_base/text/regex.h"
+
+#define PCRE2_CODE_UNIT_WIDTH 8
+#include <pcre2.h>
+
+#include <cstdint>
+#include <utility>
+
+#include "kg_base/common/limit_error.h"
+
+namespace kg_base {
+namespace {
+
+constexpr std::uint32_t kMatchLimit = 200000;  // Some milliseconds of work.
+constexpr std::uint32_t kHeapLimit_KiB = 20000;
+constexpr std::size_t kPatternLimit_bytes = 4096;
+constexpr std::size_t kReplacedLimit_bytes = 1u << 20;
+
+// https://www.w3.org/TR/xpath-functions/#flags
+std::optional<std::uint32_t> ParseOptions(const std::string& flags) {
+  std::uint32_t options = PCRE2_UTF | PCRE2_NEVER_BACKSLASH_C;
+  bool literal = false;
+  for (const char flag : flags) {
+    switch (flag) {
+      case 's':
+        options |= PCRE2_DOTALL;
+        break;
+      case 'm':
+        options |= PCRE2_MULTILINE;
+        break;
+      case 'i':
+        options |= PCRE2_CASELESS;
+        break;
+      case 'x':  // See WithoutSpace.
+        break;
+      case 'q':
+        literal = true;
+        break;
+      default:
+        return std::nullopt;
+    }
+  }
+  if (!literal) return options | PCRE2_DOLLAR_ENDONLY;
+  return PCRE2_LITERAL | PCRE2_UTF | (options & PCRE2_CASELESS);
+}
+
+bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+// The pattern of flag x: white space is taken out, but for that within
+// character classes. PCRE2's own flag would also read comments and keep spaces
+// behind a backslash.
+std::string WithoutSpace(const std::string& pattern) {
+  std::string out;
+  int classes = 0;
+  bool is_escaped = false;
+  for (const char c : pattern) {
+    if (classes == 0 && IsSpace(c)) continue;
+    if (!is_escaped && c == '[') ++classes;
+    if (!is_escaped && c == ']' && classes > 0) --classes;
+    is_escaped = !is_escaped && c == '\\';
+    out.push_back(c);
+  }
+  return out;
+}
+
+bool Has(const std::string& flags, char flag) {
+  return flags.find(flag) != std::string::npos;
+}
+
+PCRE2_SPTR Bytes(const std::string& text) {
+  return reinterpret_cast<PCRE2_SPTR>(text.data());
+}
+
+}  // namespace
+
+class CompiledRegex {
+ public:
+  CompiledRegex(const std::string& pattern, std::uint32_t options) {
+    int error = 0;
+    std::size_t offset = 0;
+    code_.reset(pcre2_compile(Bytes(pattern), pattern.size(), options, &error,
+                              &offset, nullptr));
+    if (code_ == nullptr) return;
+    data_.reset(pcre2_match_data_create_from_pattern(code_.get(), nullptr));
+    context_.reset(pcre2_match_context_create(nullptr));
+    pcre2_set_match_limit(context_.get(), kMatchLimit);
+    pcre2_set_depth_limit(context_.get(), kMatchLimit);
+    pcre2_set_heap_limit(context_.get(), kHeapLimit_KiB);
+  }
+  bool ok() const { return code_ != nullptr; }
+
+  // The number of groups + 1 of the first match from `start`, 0 for none.
+  int Match(const std::string& text, std::size_t start) const {
+    const int found = pcre2_match(code_.get(), Bytes(text), text.size(), start,
+                                  0, data_.get(), context_.get());
+    if (found == PCRE2_ERROR_MATCHLIMIT || found == PCRE2_ERROR_DEPTHLIMIT ||
+        found == PCRE2_ERROR_HEAPLIMIT) {
+      throw LimitError(
+          "a regular expression took more steps than the limit of " +
+          std::to_string(kMatchLimit));
+    }
+    return found < 0 ? 0 : found;
+  }
+  // Begin and end of group i of the last match.
+  std::pair<std::size_t, std::size_t> Group(int i) const {
+    const PCRE2_SIZE* bounds = pcre2_get_ovector_pointer(data_.get());
+    return {bounds[2 * i], bounds[2 * i + 1]};
+  }
+
+ private:
+  struct Deleter {
+    void operator()(pcre2_code* p) const { pcre2_code_free(p); }
+    void operator()(pcre2_match_data* p) const { pcre2_match_data_free(p); }
+    void operator()(pcre2_match_context* p) const {
+      pcre2_match_context_free(p);
+    }
+  };
+
+  std::unique_ptr<pcre2_code, Deleter> code_;
+  std::unique_ptr<pcre2_match_data, Deleter> data_;
+  std::unique_ptr<pcre2_match_context, Deleter> context_;
+};
+
+namespace {
+
+// Appends `replacement` with its groups filled in; false if it is malformed.
+// https://www.w3.org/TR/xpath-functions/#func-replace
+bool AppendReplacement(const CompiledRegex& regex, int groups,
+                       const std::string& text, const std::string& replacement,
+                       std::string* out) {
+  for (std::size_t i = 0; i < replacement.size(); ++i) {
+    const char c = replacement[i];
+    if (c != '$' && c != '\\') {
+      out->push_back(c);
+      continue;
+    }
+    if (++i == replacement.size()) return false;
+    const char next = replacement[i];
+    if (c == '\\') {
+      if (next != '\\' && next != '$') return false;
+      out->push_back(next);
+      continue;
+    }
+    if (next < '0' || next > '9') return false;
+    // $N of a group that the pattern does not have is empty.
+    if (next - '0' >= groups) continue;
+    const auto [begin, end] = regex.Group(next - '0');
+    if (begin != PCRE2_UNSET) out->append(text, begin, end - begin);
+  }
+  return true;
+}
+
+}  // namespace
+
+RegexCache::RegexCache() = default;
+RegexCache::~RegexCache() = default;
+
+const CompiledRegex* RegexCache::Compile(const std::string& pattern,
+                                         const std::string& flags) {
+  const std::string key = flags + "/" + pattern;
+  const auto found = compiled_.find(key);
+  if (found != compiled_.end()) return found->second.get();
+  std::unique_ptr<CompiledRegex> regex;
+  const std::optional<std::uint32_t> options = ParseOptions(flags);
+  if (options && pattern.size() <= kPatternLimit_bytes) {
+    const bool is_spaced = Has(flags, 'x') && !Has(flags, 'q');
+    regex = std::make_unique<CompiledRegex>(
+        is_spaced ? WithoutSpace(pattern) : pattern, *options);
+    if (!regex->ok()) regex.reset();
+  }
+  if (compiled_.size() >= 1000) compiled_.clear();
+  return compiled_.emplace(key, std::move(regex)).first->second.get();
+}
+
+std::optional<bool> RegexCache::Matches(const std::string& text,
+                                        const std::string& pattern,
+                                        const std::string& flags) {
+  const CompiledRegex* regex = Compile(pattern, flags);
+  if (regex == nullptr) return std::nullopt;
+  return regex->Match(text, 0) > 0;
+}
+
+std::optional<std::string> RegexCache::Replace(const std::string& text,
+                                               const std::string& pattern,
+                                               const std::string& replacement,
+                                               const std::string& flags) {
+  const CompiledRegex* regex = Compile(pattern, flags);
+  if (regex == nullptr || regex->Match("", 0) > 0) return std::nullopt;
+  std::string out;
+  std::size_t at = 0;
+  while (const int groups = regex->Match(text, at)) {
+    const auto [begin, end] = regex->Group(0);
+    if (end <= begin) return std::nullopt;
+    out.append(text, at, begin - at);
+    if (!AppendReplacement(*regex, groups, text, replacement, &out)) {
+      return std::nullopt;
+    }
+    if (out.size() > kReplacedLimit_bytes) return std::nullopt;
+    at = end;
+  }
+  return out.append(text, at);
+}
+
+}  // namespace kg_base

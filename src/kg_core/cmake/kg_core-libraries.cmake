@@ -1,6 +1,0 @@
-# Libraries that the headers of kg_core use: linked to every target of a package
-# that finds kg_core. catkin cannot export imported targets.
-
-find_package(absl REQUIRED)
-link_libraries(absl::btree absl::flat_hash_map absl::flat_hash_set
-               absl::function_ref absl::hash absl::span absl::strings)

@@ -1,0 +1,37 @@
+// Enumerations whose values facts name by strings.
+
+#ifndef KG_MISSION_MISSION_CHOICE_H_
+#define KG_MISSION_MISSION_CHOICE_H_
+
+#include <string>
+#include <vector>
+
+#include "kg_base/common/join_strings.h"
+#include "kg_mission/mission/entity.h"
+
+namespace kg_mission {
+
+// One value of an enumeration and its name in the facts.
+template <typename Value>
+struct NamedChoice {
+  const char* name;
+  Value value;
+};
+// The value that `property` names; `fallback` if it is absent.
+template <typename Table, typename Value>
+Value Choice(const FactEntity& entity, const kg_core::Term& property,
+             const Table& table, Value fallback) {
+  if (!entity.One(property)) return fallback;
+  const std::string name = entity.Text(property);
+  std::vector<std::string> names;
+  for (const auto& row : table) {
+    if (name == row.name) return row.value;
+    names.push_back(row.name);
+  }
+  entity.Refuse(property, "one of " + kg_base::JoinStrings(names) + ", not \"" +
+                              name + "\"");
+}
+
+}  // namespace kg_mission
+
+#endif  // KG_MISSION_MISSION_CHOICE_H_

@@ -1,0 +1,22 @@
+// Does an ex:GridSpec agree with itself? SHACL Core cannot calculate.
+//
+//   ex:rows * ex:pixelSizeKm  =  height of geo:asWKT, to 5 %
+//   width of geo:asWKT / ex:cols  =  1/4 to 4 times ex:pixelSizeKm
+//
+// The cell size is the mean distance of two rows. Columns may be narrower (one
+// step in degrees for both axes, away from the equator) or wider (the ocean
+// models that have half as many), but not by much.
+
+#ifndef KG_MISSION_MISSION_GRID_CHECK_H_
+#define KG_MISSION_MISSION_GRID_CHECK_H_
+
+#include "kg_mission/mission/entity.h"
+
+namespace kg_mission {
+
+// Throws InputError "ex:grid ex:pixelSizeKm: expected ...".
+void CheckGrid(const FactEntity& grid);
+
+}  // namespace kg_mission
+
+#endif  // KG_MISSION_MISSION_GRID_CHECK_H_

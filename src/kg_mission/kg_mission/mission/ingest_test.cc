@@ -1,0 +1,546 @@
+#include "kg_mission/mission/ingest.h"
+
+#include <gtest/gtest.h>
+#include <netcdf.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "kg_base/common/input_error.h"
+#include "kg_base/common/sha256.h"
+#include "kg_core/facts/terms.h"
+#include "kg_mission/mission/ingested_facts.h"
+#include "kg_mission/mission/layer_files.h"
+#include "kg_mission/mission/mission_reader.h"
+#include "kg_mission/mission/testing/mission_world.h"
+#include "kg_mission/mission/validator.h"
+
+namespace kg_mission {
+namespace {
+
+using kg_base::FieldQuantity;
+using kg_base::VectorField;
+using kg_core::Ex;
+using kg_core::FactUpdate;
+using kg_core::FirstObject;
+using kg_core::Has;
+using kg_core::Literal;
+using kg_core::Prov;
+using kg_core::RdfType;
+using kg_core::Term;
+using kg_core::Transaction;
+
+namespace fs = std::filesystem;
+
+constexpr int kDays = 4;  // Noons of 2026-06-01 to 04.
+constexpr float kFill = 1e30f;
+
+// What to write: currents of (0.1 + t, -0.2) m/s, temperature 20 + t * t.
+struct Ocean {
+  int days = kDays;
+  double first_lon_deg = -94.0;
+  bool has_north = true;
+  bool is_wind = false;
+  bool is_land = false;
+};
+
+void Check(int status) {
+  if (status != NC_NOERR) throw std::runtime_error(nc_strerror(status));
+}
+
+class OceanWriter {
+ public:
+  OceanWriter(const std::string& path, const Ocean& spec) : spec_(spec) {
+    Check(nc_create(path.c_str(), NC_CLOBBER, &nc_));
+    const int time =
+        Axis(0, "time", spec.days, "hours since 2026-06-01 12:00:00");
+    const int lat = Axis(1, "lat", kRows, "degrees_north");
+    const int lon = Axis(2, "lon", kCols, "degrees_east");
+    const std::string medium = spec.is_wind ? "wind" : "sea_water_velocity";
+    const int u = Variable("water_u", "eastward_" + medium, "m/s");
+    const int v =
+        spec.has_north ? Variable("water_v", "northward_" + medium, "m/s") : -1;
+    const int t = Variable("water_temp", "sea_surface_temperature", "degC");
+    Check(nc_enddef(nc_));
+    Fill(time, spec.days, [](int i) { return 24.0 * i; });
+    Fill(lat, kRows, [](int i) { return 26.0 + 0.1 * i; });
+    Fill(lon, kCols, [&](int i) { return spec_.first_lon_deg + 0.1 * i; });
+    FillField(u, [](int day) { return 0.1 + day; });
+    if (v >= 0) FillField(v, [](int) { return -0.2; });
+    FillField(t, [](int day) { return 20.0 + day * day; });
+    Check(nc_close(nc_));
+  }
+
+ private:
+  static constexpr int kRows = 12, kCols = 10;
+
+  int Axis(int place, const char* name, int size, const std::string& units) {
+    int id = 0;
+    Check(nc_def_dim(nc_, name, size, &dims_[place]));
+    Check(nc_def_var(nc_, name, NC_DOUBLE, 1, &dims_[place], &id));
+    Check(nc_put_att_text(nc_, id, "units", units.size(), units.c_str()));
+    return id;
+  }
+  int Variable(const char* name, const std::string& standard,
+               const std::string& units) {
+    int id = 0;
+    Check(nc_def_var(nc_, name, NC_FLOAT, 3, dims_, &id));
+    Check(nc_put_att_text(nc_, id, "standard_name", standard.size(),
+                          standard.c_str()));
+    Check(nc_put_att_text(nc_, id, "units", units.size(), units.c_str()));
+    Check(nc_put_att_float(nc_, id, "_FillValue", NC_FLOAT, 1, &kFill));
+    return id;
+  }
+  void Fill(int id, int size, const std::function<double(int)>& value) {
+    std::vector<double> values(size);
+    for (int i = 0; i < size; ++i) values[i] = value(i);
+    Check(nc_put_var_double(nc_, id, values.data()));
+  }
+  // The western column is land.
+  void FillField(int id, const std::function<double(int)>& value) {
+    std::vector<float> values;
+    for (int day = 0; day < spec_.days; ++day) {
+      for (int cell = 0; cell < kRows * kCols; ++cell) {
+        const bool is_land = spec_.is_land || cell % kCols == 0;
+        values.push_back(is_land ? kFill : static_cast<float>(value(day)));
+      }
+    }
+    Check(nc_put_var_float(nc_, id, values.data()));
+  }
+
+  const Ocean spec_;
+  int nc_ = 0;
+  int dims_[3] = {0, 0, 0};
+};
+
+constexpr char kSources[] = R"ttl(
+ex:currents a ex:DataSource ; ex:file "ocean.nc" ; ex:provides "current" .
+ex:sst a ex:DataSource ; ex:file "sst.nc" ; ex:provides "temperature" .
+)ttl";
+
+// All that have the property.
+std::vector<Term> SubjectsWith(const kg_core::GraphView& view,
+                               const char* graph, const Term& property) {
+  std::set<Term> subjects;
+  kg_core::Quad pattern;
+  pattern.predicate = view.Find(property);
+  pattern.graph = view.Find(kg_core::Iri(graph));
+  if (pattern.predicate == kg_core::kNoTerm ||
+      pattern.graph == kg_core::kNoTerm)
+    return {};
+  view.Match(pattern, [&](const kg_core::Quad& quad) {
+    subjects.insert(view.Get(quad.subject));
+    return true;
+  });
+  return {subjects.begin(), subjects.end()};
+}
+
+class IngestTest : public testing::Test {
+ protected:
+  IngestTest() {
+    char name[] = "/tmp/ingest_test_XXXXXX";
+    folder_ = mkdtemp(name);
+    Write("ocean.nc", {});
+    Write("sst.nc", {});
+  }
+  ~IngestTest() override { fs::remove_all(folder_); }
+
+  std::string Path(const std::string& name) const {
+    return folder_ + "/" + name;
+  }
+  void Write(const std::string& name, const Ocean& spec) const {
+    OceanWriter(Path(name), spec);
+  }
+
+  // Stages facts and their ingest; commits if nothing speaks against it.
+  std::vector<std::string> Ingest(const std::string& turtle) {
+    return IngestInto(&world_, turtle);
+  }
+  std::vector<std::string> IngestInto(MissionWorld* world,
+                                      const std::string& turtle) {
+    Transaction transaction = world->store.Begin();
+    FactUpdate update;
+    update.turtle = turtle;
+    std::vector<std::string> reasons = StageUpdate(update, transaction);
+    EXPECT_EQ(Joined(reasons), "");
+    EXPECT_TRUE(IngestIsDue(transaction));
+    FileCache cache(folder_, "");
+    reasons = StageIngest(cache, transaction);
+    if (reasons.empty()) transaction.Commit(kg_core::WorldChange::kYes);
+    return reasons;
+  }
+  std::string Refusal() { return Joined(Ingest(kSources)); }
+
+  MissionWorld world_;
+  std::string folder_;
+};
+
+TEST_F(IngestTest, StatesLayersThatConformAndCanBeRead) {
+  ASSERT_EQ(Refusal(), "");
+  const auto view = world_.store.Read();
+  const auto violations = Validate(*view);
+  EXPECT_TRUE(violations.empty()) << violations[0].Line();
+  const Mission mission = ReadMission(*view);
+  ASSERT_EQ(mission.work_fields.size(), 2u);
+  EXPECT_EQ(mission.work_fields[0].first_time_index, 0);  // Noon, day before.
+  EXPECT_EQ(mission.work_fields[0].last_time_index, 2);
+  ASSERT_EQ(mission.value_layers.size(), 2u);
+  EXPECT_EQ(mission.value_layers[1].time_index, 2);
+  EXPECT_EQ(mission.value_layers[1].previous_time_index, 1);
+  EXPECT_EQ(mission.value_layers[1].time_s, 1780488000.0);  // 06-03, noon.
+}
+
+TEST_F(IngestTest, LeavesProvenanceFromLayerToFileToActivity) {
+  ASSERT_EQ(Refusal(), "");
+  const auto view = world_.store.Read();
+  const Term file = Ex("sst/file");
+  EXPECT_TRUE(Has(*view, kg_core::kFactsGraph, Ex("sst/w1"),
+                  Prov("wasDerivedFrom"), file));
+  EXPECT_TRUE(Has(*view, kg_core::kFactsGraph, file, Ex("sha256"),
+                  Literal(kg_base::Sha256HexOfFile(Path("sst.nc")))));
+  EXPECT_TRUE(Has(*view, kg_core::kFactsGraph, Ex("sst/w1"), Ex("gridRef"),
+                  Literal(Path("sst.nc") + "#water_temp@2,1")));
+  const auto activity = FirstObject(*view, kg_core::kProvGraph, Ex("sst/w1"),
+                                    Prov("wasGeneratedBy"));
+  ASSERT_TRUE(activity);
+  EXPECT_TRUE(Has(*view, kg_core::kProvGraph, *activity, Prov("used"), file));
+  EXPECT_TRUE(Has(*view, kg_core::kProvGraph, *activity, Prov("generated"),
+                  Ex("sst/w1")));
+}
+
+TEST_F(IngestTest, LayersFieldsAndGridLeadToTheirFileAndIngest) {
+  ASSERT_EQ(Refusal(), "");
+  const auto view = world_.store.Read();
+  const std::vector<Term> stated =
+      SubjectsWith(*view, kg_core::kFactsGraph, Ex("ingestedFrom"));
+  EXPECT_GE(stated.size(), 7u);  // Two windows' layers and fields, grid, files.
+  for (const Term& entity : stated) {
+    const bool is_file =
+        Has(*view, kg_core::kFactsGraph, entity, RdfType(), Ex("SourceFile"));
+    const auto file = FirstObject(*view, kg_core::kFactsGraph, entity,
+                                  Prov("wasDerivedFrom"));
+    const auto activity =
+        FirstObject(*view, kg_core::kProvGraph, entity, Prov("wasGeneratedBy"));
+    EXPECT_EQ(file.has_value(), !is_file) << entity;
+    EXPECT_EQ(activity.has_value(), !is_file) << entity;
+    if (is_file) continue;
+    EXPECT_TRUE(FirstObject(*view, kg_core::kFactsGraph, *file, Ex("sha256")))
+        << entity;
+    EXPECT_TRUE(Has(*view, kg_core::kProvGraph, *activity, Prov("used"), *file))
+        << entity;
+    EXPECT_TRUE(
+        Has(*view, kg_core::kProvGraph, *activity, RdfType(), Ex("Ingest")));
+  }
+}
+
+TEST_F(IngestTest, LoadsWhatItStated) {
+  ASSERT_EQ(Refusal(), "");
+  const Mission mission = ReadMission(*world_.store.Read());
+  FileCache cache(folder_, "");
+  const VectorField field =
+      LoadWorkField(cache, mission, mission.work_fields[1]);
+  ASSERT_EQ(field.slices.size(), 3u);
+  EXPECT_NEAR(field.slices[0].east_mps[1], 1.1, 1e-6);
+  EXPECT_NEAR(field.slices[0].north_mps[1], -0.2, 1e-6);
+  EXPECT_TRUE(std::isnan(field.slices[0].east_mps[0]));
+  const GriddedRaster delta =
+      LoadValueLayer(cache, mission, mission.value_layers[1]);
+  EXPECT_TRUE(delta.grid == field.grid);
+  EXPECT_NEAR(delta.values[1], 3.0, 1e-5);  // |4 - 1|
+  EXPECT_TRUE(std::isnan(delta.values[0]));
+}
+
+TEST_F(IngestTest, OtherKindsAreOfTheFieldItself) {
+  for (const std::string kind : {"sst", "frontness"}) {
+    MissionWorld world;
+    ASSERT_EQ(Joined(IngestInto(
+                  &world, kSources + ("ex:sst ex:kind \"" + kind + "\" ."))),
+              "");
+    const Mission mission = ReadMission(*world.store.Read());
+    FileCache cache(folder_, "");
+    const ValueLayer& layer = mission.value_layers[1];
+    EXPECT_EQ(layer.kind, kind);
+    EXPECT_EQ(layer.previous_time_index, layer.time_index);
+    EXPECT_NEAR(LoadValueLayer(cache, mission, layer).values[1], 24.0, 1e-5);
+  }
+}
+
+TEST_F(IngestTest, TheWindIsAWorkFieldAndNoCurrent) {
+  Ocean windy;
+  windy.is_wind = true;
+  Write("ocean.nc", windy);
+  EXPECT_NE(Refusal().find("expected eastward_wind where ex:provides is "
+                           "\"wind\", and only there"),
+            std::string::npos);
+  ASSERT_EQ(Joined(Ingest("ex:breeze a ex:DataSource ; ex:file \"ocean.nc\" ; "
+                          "ex:provides \"wind\" .")),
+            "");
+  const auto view = world_.store.Read();
+  EXPECT_TRUE(Validate(*view).empty());
+  const Term field = Ex("breeze/w1");
+  EXPECT_TRUE(
+      Has(*view, kg_core::kFactsGraph, field, RdfType(), Ex("WorkField")));
+  EXPECT_FALSE(
+      Has(*view, kg_core::kFactsGraph, field, RdfType(), Ex("CurrentField")));
+  EXPECT_TRUE(
+      Has(*view, kg_core::kFactsGraph, field,
+          kg_core::Iri(std::string(kg_core::kSosa) + "observedProperty"),
+          Ex("windVelocity")));
+  const Mission mission = ReadMission(*view);
+  ASSERT_EQ(mission.work_fields.size(), 2u);
+  FileCache cache(folder_, "");
+  const VectorField loaded =
+      LoadWorkField(cache, mission, mission.work_fields[1]);
+  EXPECT_NEAR(loaded.slices[0].east_mps[1], 1.1, 1e-6);
+}
+
+TEST_F(IngestTest, CurrentsAreNoWind) {
+  EXPECT_NE(Joined(Ingest("ex:breeze a ex:DataSource ; ex:file \"ocean.nc\" ; "
+                          "ex:provides \"wind\" ."))
+                .find("variable water_u has standard_name"),
+            std::string::npos);
+}
+
+TEST_F(IngestTest, WindowsShareTheTimeStepsOfAFile) {
+  ASSERT_EQ(Refusal(), "");
+  const Mission mission = ReadMission(*world_.store.Read());
+  FileCache cache(folder_, "");
+  const VectorField a = LoadWorkField(cache, mission, mission.work_fields[0]);
+  const VectorField b = LoadWorkField(cache, mission, mission.work_fields[1]);
+  int shared = 0;
+  for (const kg_base::FieldSlice& early : a.slices) {
+    for (const kg_base::FieldSlice& late : b.slices) {
+      if (early.time_s != late.time_s) continue;
+      ++shared;
+      EXPECT_EQ(early.east_mps.data(), late.east_mps.data());
+      EXPECT_EQ(early.north_mps.data(), late.north_mps.data());
+    }
+  }
+  EXPECT_EQ(shared, 2);
+}
+
+TEST_F(IngestTest, WhatASourceSaysOfItsLayersIsSaidOfEach) {
+  ASSERT_EQ(Joined(Ingest(std::string(kSources) +
+                          "ex:sst ex:fullScale 2.5 ; ex:frontFullScale 0.1 ; "
+                          "ex:resampling \"nearest\" .")),
+            "");
+  const auto view = world_.store.Read();
+  EXPECT_TRUE(Validate(*view).empty());
+  const Mission mission = ReadMission(*view);
+  ASSERT_EQ(mission.value_layers.size(), 2u);
+  for (const ValueLayer& layer : mission.value_layers) {
+    EXPECT_EQ(layer.full_scale, 2.5);
+    EXPECT_EQ(layer.front_full_scale, 0.1);
+    EXPECT_EQ(layer.resampling, kg_base::Resampling::kNearest);
+  }
+  Transaction change = world_.store.Begin();
+  FactUpdate update;
+  update.set = {{"ex:sst", "ex:fullScale", "3"}};
+  ASSERT_EQ(Joined(StageUpdate(update, change)), "");
+  EXPECT_TRUE(IngestIsDue(change));
+}
+
+TEST_F(IngestTest, AnotherGridIsRefusedUnlessItIsDeclared) {
+  Ocean shifted;
+  shifted.first_lon_deg = -94.05;
+  Write("sst.nc", shifted);
+  EXPECT_EQ(Refusal(),
+            "ex:sst: " + Path("sst.nc") +
+                ": ex:sst ex:resampling: expected \"nearest\", or "
+                "\"bilinear\" unless it is a mask, because its grid (12 x 10 "
+                "cells, -94.1 to -93.1 E, 25.95 to 27.15 N) is not the "
+                "mission's, that of the work fields (12 x 10 cells, -94.05 to "
+                "-93.05 E, 25.95 to 27.15 N)\n");
+  shifted.first_lon_deg = -60.0;
+  Write("sst.nc", shifted);
+  const std::string far = Joined(
+      Ingest(std::string(kSources) + "ex:sst ex:resampling \"nearest\" ."));
+  EXPECT_NE(far.find("no place in common"), std::string::npos) << far;
+}
+
+TEST_F(IngestTest, AnotherGridIsResampledAsDeclared) {
+  Ocean shifted;
+  shifted.first_lon_deg = -94.05;
+  Write("sst.nc", shifted);
+  ASSERT_EQ(Joined(Ingest(std::string(kSources) +
+                          "ex:sst ex:resampling \"bilinear\" .")),
+            "");
+  const auto view = world_.store.Read();
+  EXPECT_TRUE(Has(*view, kg_core::kFactsGraph, Ex("sst/w0"), Ex("onGrid"),
+                  Ex("sst/grid")));
+  EXPECT_TRUE(Has(*view, kg_core::kFactsGraph, Ex("sst/w0"), Ex("resampling"),
+                  Literal("bilinear")));
+  const Mission mission = ReadMission(*view);
+  FileCache cache(folder_, "");
+  const kg_base::Grid grid =
+      LoadWorkField(cache, mission, mission.work_fields[0]).grid;
+  const ValueLayer& layer = mission.value_layers[1];
+  const kg_base::SharedRaster delta = OnGrid(
+      layer.iri, LoadValueLayer(cache, mission, layer), grid, layer.resampling);
+  EXPECT_EQ(delta.size(), grid.size());
+  EXPECT_NEAR(delta[5], 3.0, 1e-4);
+}
+
+TEST_F(IngestTest, RefusesTooFewDaysAndSaysWhatIsThere) {
+  Ocean brief;
+  brief.days = 1;
+  Write("sst.nc", brief);
+  const std::string said = Refusal();
+  EXPECT_NE(said.find("ex:sst: " + Path("sst.nc") +
+                      ": too few days: has 1 steps from 2026-06-01T12:00:00Z"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("window 0"), std::string::npos) << said;
+}
+
+TEST_F(IngestTest, RefusesAllLandMissingVariablesAndMissingFiles) {
+  Ocean land;
+  land.is_land = true;
+  Write("ocean.nc", land);
+  EXPECT_NE(Refusal().find("ex:currents: "), std::string::npos) << Refusal();
+  Ocean no_north;
+  no_north.has_north = false;
+  Write("ocean.nc", no_north);
+  EXPECT_NE(Refusal().find("northward"), std::string::npos) << Refusal();
+  fs::remove(Path("ocean.nc"));
+  EXPECT_NE(Refusal().find("looked for " + Path("ocean.nc")), std::string::npos)
+      << Refusal();
+}
+
+TEST_F(IngestTest, ARefusedIngestLeavesNothingBehind) {
+  fs::remove(Path("sst.nc"));
+  const auto quads = world_.store.quad_count();
+  EXPECT_NE(Refusal(), "");
+  EXPECT_EQ(world_.store.quad_count(), quads);
+}
+
+TEST_F(IngestTest, ASecondIngestReplacesTheFirst) {
+  ASSERT_EQ(Refusal(), "");
+  Transaction transaction = world_.store.Begin();
+  FileCache cache(folder_, "");
+  ASSERT_EQ(Joined(StageIngest(cache, transaction)), "");
+  for (const kg_core::Statement& statement : transaction.added()) {
+    EXPECT_NE(statement.graph, kg_core::Facts())
+        << kg_core::ToTurtle(statement.subject);
+  }
+  EXPECT_TRUE(transaction.removed().empty());
+}
+
+TEST_F(IngestTest, AWindowThatGoesTakesItsLayersWithIt) {
+  ASSERT_EQ(Refusal(), "");
+  Transaction transaction = world_.store.Begin();
+  FactUpdate update;
+  update.remove = {{"ex:m", "ex:hasWindow", "ex:w1"},
+                   {"ex:w1", "", ""},
+                   {"ex:cool", "", ""}};
+  update.set = {{"ex:w0", "ex:durationHours", "24"}};
+  ASSERT_EQ(Joined(StageUpdate(update, transaction)), "");
+  FileCache cache(folder_, "");
+  ASSERT_EQ(Joined(StageIngest(cache, transaction)), "");
+  EXPECT_EQ(ReadMission(transaction.view()).value_layers.size(), 1u);
+}
+
+TEST_F(IngestTest, RefusesAFileThatChangedSinceItWasIngested) {
+  ASSERT_EQ(Refusal(), "");
+  const Mission mission = ReadMission(*world_.store.Read());
+  Ocean other;
+  other.days = kDays + 1;
+  Write("ocean.nc", other);
+  FileCache cache(folder_, "");
+  EXPECT_THROW(LoadWorkField(cache, mission, mission.work_fields[0]),
+               kg_base::InputError);
+}
+
+TEST_F(IngestTest, TheDataFolderComesFirst) {
+  fs::create_directory(Path("data"));
+  fs::copy(Path("ocean.nc"), Path("data/ocean.nc"));
+  const FileCache cache(folder_, Path("data"));
+  EXPECT_EQ(cache.Resolve("ocean.nc"), Path("data/ocean.nc"));
+  EXPECT_EQ(cache.Resolve("sst.nc"), Path("sst.nc"));
+  EXPECT_EQ(cache.Resolve(Path("sst.nc")), Path("sst.nc"));
+  EXPECT_THROW(cache.Resolve("none.nc"), kg_base::InputError);
+}
+
+TEST_F(IngestTest, AFileIsReadOnce) {
+  FileCache cache(folder_, "");
+  const auto first = cache.Read(Path("sst.nc"), {FieldQuantity::kTemperature});
+  EXPECT_EQ(first, cache.Read(Path("sst.nc"), {FieldQuantity::kTemperature}));
+}
+
+TEST_F(IngestTest, AFileWrittenAnewTakesThePlaceOfTheOldOne) {
+  FileCache cache(folder_, "");
+  auto first = cache.Read(Path("sst.nc"), {FieldQuantity::kTemperature});
+  const std::weak_ptr<const kg_base::FieldFile> old = first;
+  Ocean longer;
+  longer.days = kDays + 1;
+  Write("sst.nc", longer);
+  const auto second = cache.Read(Path("sst.nc"), {FieldQuantity::kTemperature});
+  EXPECT_EQ(second->time_s.size(), first->time_s.size() + 1);
+  first.reset();
+  EXPECT_TRUE(old.expired());
+}
+
+double GetBuffer(const Mission& mission) {
+  for (const Constraint& constraint : mission.constraints) {
+    if (constraint.is_land) return constraint.buffer_cells;
+  }
+  return 0.0;
+}
+
+// From the cell of `position` to the nearest without data, by looking at all.
+double CellsToLand(const VectorField& field, kg_base::LonLat position) {
+  const auto cell = field.grid.CellAt(position);
+  if (!cell) return -1.0;
+  const kg_base::Mask land = field.NoData();
+  double nearest = 1e9;
+  for (int row = 0; row < field.grid.rows(); ++row) {
+    for (int col = 0; col < field.grid.cols(); ++col) {
+      if (land[field.grid.Index({row, col})] == 0) continue;
+      nearest = std::min(nearest, std::hypot(row - cell->row, col - cell->col));
+    }
+  }
+  return nearest;
+}
+
+// The shipped missions with their own data, where the data is there.
+TEST(ShippedIngestTest, MissionsIngestTheirData) {
+  const char* data = std::getenv("KG_DATA");
+  const std::string gom = data ? data : "../../../shared/data/gom_2020";
+  const std::vector<std::pair<std::string, std::string>> missions = {
+      {"gulf", "../../config/missions/gulf/gulf_ocean.nc"},
+      {"wildfire", "../../config/missions/wildfire/wildfire_weather.nc"},
+      {"tampico", gom + "/currents_hycom_gomu_2020-11-01-15_5h.nc4"}};
+  int count = 0;
+  for (const auto& [name, file] : missions) {
+    if (!fs::exists(file)) continue;
+    ++count;
+    MissionWorld world("");
+    const std::string folder = "../../config/missions/" + name;
+    Transaction transaction = world.store.Begin();
+    ASSERT_EQ(Joined(StageFactsFile(folder + "/mission.ttl", transaction)), "");
+    FileCache cache(folder, gom);
+    ASSERT_EQ(Joined(StageIngest(cache, transaction)), "") << name;
+    EXPECT_TRUE(Validate(transaction.view()).empty());
+    const Mission mission = ReadMission(transaction.view());
+    EXPECT_EQ(mission.work_fields.size(), mission.windows.size());
+    EXPECT_EQ(mission.value_layers.size(), mission.windows.size());
+    EXPECT_GE(mission.windows.size(), 6u);
+    const VectorField field =
+        LoadWorkField(cache, mission, mission.work_fields[0]);
+    for (const Agent& agent : mission.agents) {
+      EXPECT_GT(CellsToLand(field, agent.start), GetBuffer(mission))
+          << name << " " << agent.id;
+    }
+  }
+  if (count == 0) GTEST_SKIP() << "no ocean data beside the missions";
+}
+
+}  // namespace
+}  // namespace kg_mission

@@ -1,0 +1,18 @@
+// The parts of an agent: its policy and its capabilities, in SI.
+
+#ifndef KG_MISSION_MISSION_POLICY_READER_H_
+#define KG_MISSION_MISSION_POLICY_READER_H_
+
+#include "kg_core/rdf/graph_view.h"
+#include "kg_mission/mission/entity.h"
+#include "kg_mission/mission/mission.h"
+
+namespace kg_mission {
+
+// Both throw InputError.
+Policy ReadPolicy(const kg_core::GraphView& view, const FactEntity& entity);
+Capabilities ReadCapabilities(const FactEntity& entity);
+
+}  // namespace kg_mission
+
+#endif  // KG_MISSION_MISSION_POLICY_READER_H_
