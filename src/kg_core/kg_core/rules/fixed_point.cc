@@ -1,13 +1,13 @@
 #include "kg_core/rules/fixed_point.h"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "kg_base/common/input_error.h"
 #include "kg_base/common/sha256.h"
+#include "kg_base/common/stopwatch.h"
 #include "kg_core/facts/terms.h"
 #include "kg_core/rules/rule_world.h"
 #include "kg_core/rules/strata.h"
@@ -21,8 +21,6 @@ namespace kg_core {
 namespace {
 
 using kg_base::InputError;
-
-using Clock = std::chrono::steady_clock;
 using sparql::Row;
 
 // What one solution of a rule's WHERE gives, by ids of the RuleWorld.
@@ -130,11 +128,7 @@ class RuleRun {
 class FixedPoint {
  public:
   FixedPoint(const GraphView& view, const InferenceLimits& limits)
-      : world_(view),
-        limits_(limits),
-        end_(Clock::now() +
-             std::chrono::duration_cast<Clock::duration>(
-                 std::chrono::duration<double>(limits.seconds))) {}
+      : world_(view), limits_(limits) {}
 
   std::vector<Inference> Run(const std::vector<Rule>& rules) {
     for (const Stratum& stratum : Stratify(rules)) Complete(stratum);
@@ -186,13 +180,15 @@ class FixedPoint {
 
   std::vector<RuleDerivation> RunRule(const Rule& rule) {
     QueryLimits limits;
-    limits.seconds = std::chrono::duration<double>(end_ - Clock::now()).count();
+    limits.seconds = limits_.seconds - watch_.Elapsed_s();
     limits.working_bytes = limits_.working_bytes;
     try {
       return RuleRun(rule, &world_, limits).Run();
     } catch (const InputError& error) {
       const std::string name = ToTurtle(rule.iri) + ": ";
-      if (Clock::now() < end_) throw InputError(name + error.what());
+      if (watch_.Elapsed_s() < limits_.seconds) {
+        throw InputError(name + error.what());
+      }
       throw InputError(name + "the rules took longer than the limit of " +
                        XsdNumber(limits_.seconds) + " s");
     }
@@ -241,7 +237,7 @@ class FixedPoint {
 
   RuleWorld world_;
   const InferenceLimits& limits_;
-  const Clock::time_point end_;
+  const kg_base::Stopwatch watch_;
   std::map<TripleKey, std::map<std::string, Inference>> reasons_;  // By IRI.
 };
 

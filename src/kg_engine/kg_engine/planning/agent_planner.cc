@@ -1,11 +1,11 @@
 #include "kg_engine/planning/agent_planner.h"
 
-#include <chrono>
 #include <limits>
 #include <utility>
 
 #include "kg_base/common/clock.h"
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/stopwatch.h"
 #include "kg_planner/k_best/staging.h"
 #include "kg_selector/paths/masking.h"
 #include "kg_selector/team/plan_team.h"
@@ -17,11 +17,6 @@ using kg_base::InputError;
 using kg_compiler::NavGraph;
 using kg_compiler::NavGraphs;
 using kg_selector::AgentCandidates;
-
-double SecondsSince(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-      .count();
-}
 
 std::size_t CountEdges(const NavGraphs& graphs) {
   std::size_t count = 0;
@@ -117,7 +112,7 @@ AgentCandidates AgentPlanner::Stitch(const kg_selector::AskedOf& asked,
   for (const kg_compiler::WindowRules& window : rules_.windows) {
     team.window_end_s[window.window] = window.end_s;
   }
-  const auto begin = std::chrono::steady_clock::now();
+  const kg_base::Stopwatch watch;
   AgentCandidates candidates = Header(round);
   candidates.found =
       kg_selector::PlanPriced(team, {rules_, graphs_, memory_}, asked.ask);
@@ -126,7 +121,7 @@ AgentCandidates AgentPlanner::Stitch(const kg_selector::AskedOf& asked,
     candidates.found.bound = -std::numeric_limits<double>::infinity();
   }
   candidates.stages = {
-      {"stitch", SecondsSince(begin), candidates.found.pathlets.size()}};
+      {"stitch", watch.Elapsed_s(), candidates.found.pathlets.size()}};
   return candidates;
 }
 
@@ -153,7 +148,7 @@ std::vector<AgentGraph> AgentPlanner::Graphs(
 PlannerAnswer AgentPlanner::Plan() {
   due_ = false;
   PlannerAnswer answer;
-  const auto begin = std::chrono::steady_clock::now();
+  const kg_base::Stopwatch watch;
   try {
     graphs_ = kg_selector::CompileWalkedGraphs(rules_, Worlds(), &cache_);
   } catch (const InputError& error) {
@@ -163,7 +158,7 @@ PlannerAnswer AgentPlanner::Plan() {
     answer.candidates.found.note = trouble_;
     return answer;
   }
-  const double graphs_s = SecondsSince(begin);
+  const double graphs_s = watch.Elapsed_s();
   answer.candidates = Stitch({}, 0);
   answer.candidates.stages.insert(
       answer.candidates.stages.begin(),

@@ -1,7 +1,6 @@
 #include "kg_engine/server/mission_server.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <limits>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "kg_base/common/clock.h"
 #include "kg_base/common/input_error.h"
 #include "kg_base/common/sha256.h"
+#include "kg_base/common/stopwatch.h"
 #include "kg_core/facts/terms.h"
 #include "kg_core/facts/update_log.h"
 #include "kg_core/rdf/namespaces.h"
@@ -28,19 +28,6 @@ using kg_core::Transaction;
 using kg_core::WorldChange;
 
 constexpr double kLongAgo_s = -std::numeric_limits<double>::infinity();
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
-                                         begin_)
-        .count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ =
-      std::chrono::steady_clock::now();
-};
 
 std::string JoinLines(const std::vector<std::string>& lines) {
   std::string joined;
@@ -149,7 +136,7 @@ void MissionServer::Restore(const MissionState& state) {
 }
 
 Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
-  const Stopwatch watch;
+  const kg_base::Stopwatch watch;
   Decision decision;
   Transaction transaction = store_->Begin();
   try {
@@ -174,7 +161,7 @@ Decision MissionServer::Apply(const kg_core::FactUpdate& update) {
     decision.reasons.push_back(error.what());
   }
   decision.world_version = store_->world_version();
-  decision.facts_s = watch.seconds() - decision.ingest_s;
+  decision.facts_s = watch.Elapsed_s() - decision.ingest_s;
   return decision;
 }
 

@@ -1,10 +1,10 @@
 #include "kg_engine/server/world_check.h"
 
-#include <chrono>
 #include <stdexcept>
 #include <string>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/stopwatch.h"
 #include "kg_compiler/compile/same_compilation.h"
 #include "kg_engine/facts/artifact_facts.h"
 #include "kg_engine/terms/artifact_names.h"
@@ -17,17 +17,6 @@ using kg_compiler::Compilation;
 using kg_compiler::Difference;
 using kg_compiler::MissionCompiler;
 using CompilationPtr = std::shared_ptr<const Compilation>;
-
-class CheckTimer {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(Clock::now() - begin_).count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point begin_ = Clock::now();
-};
 
 std::string Text(const CheckAnswer& answer) {
   if (!answer.errors.empty()) return "not checked: " + answer.errors.front();
@@ -65,15 +54,15 @@ Task TaskOf(const kg_core::GraphView& view, StartState start) {
 template <typename Compare>
 CheckAnswer Check(const kg_core::GraphView& view, const StartState& start,
                   kg_mission::FileCache* files, const Compare& compare) {
-  const CheckTimer watch;
+  const kg_base::Stopwatch watch;
   CheckAnswer answer;
   answer.world_version = view.world_version();
   try {
     const Task task = TaskOf(view, start);
-    const CheckTimer compiling;
+    const kg_base::Stopwatch compiling;
     MissionCompiler fresh(files);
     const CompilationPtr anew = task.By(&fresh);
-    answer.compile_s = compiling.seconds();
+    answer.compile_s = compiling.Elapsed_s();
     const Difference found = compare(task, *anew);
     answer.compared = found.compared;
     answer.differs = found.differs;
@@ -81,7 +70,7 @@ CheckAnswer Check(const kg_core::GraphView& view, const StartState& start,
     answer.errors.push_back(error.what());
   }
   answer.ok = answer.errors.empty() && answer.differs.empty();
-  answer.total_s = watch.seconds();
+  answer.total_s = watch.Elapsed_s();
   answer.text = Text(answer);
   return answer;
 }

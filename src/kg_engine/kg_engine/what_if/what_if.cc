@@ -1,12 +1,12 @@
 #include "kg_engine/what_if/what_if.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 #include <vector>
 
 #include "kg_base/common/input_error.h"
 #include "kg_base/common/sha256.h"
+#include "kg_base/common/stopwatch.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_core/sparql/results.h"
@@ -19,14 +19,9 @@
 namespace kg_engine {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using kg_base::InputError;
 
 constexpr double kDefaultLimit_s = 60.0;
-
-double SecondsSince(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 // Of all but the facts that a plan leaves from.
 std::string KeyOf(const Present& present) {
@@ -151,7 +146,7 @@ class WhatIf::Inquiry {
 
   void RunQuery() {
     kg_core::QueryLimits limits;
-    limits.seconds = std::max(0.1, limit_s_ - SecondsSince(begin_));
+    limits.seconds = std::max(0.1, limit_s_ - watch_.Elapsed_s());
     const kg_core::QueryResult result =
         kg_core::RunQuery(*fork_->Read(), question_.query,
                           kg_core::DefaultDataset(kg_core::kPlanGraphPrefix +
@@ -166,7 +161,7 @@ class WhatIf::Inquiry {
   }
 
   void EndStage(const std::string& stage, std::size_t count) {
-    const double now_s = SecondsSince(begin_);
+    const double now_s = watch_.Elapsed_s();
     answer_.stages.push_back({stage, now_s - last_s_, count});
     last_s_ = now_s;
     if (!(now_s <= limit_s_)) {
@@ -180,7 +175,7 @@ class WhatIf::Inquiry {
   const Present& present_;
   const WhatIfQuestion& question_;
   double limit_s_ = kDefaultLimit_s;
-  const Clock::time_point begin_ = Clock::now();
+  const kg_base::Stopwatch watch_;
   double last_s_ = 0.0;
   std::unique_ptr<kg_core::Store> fork_;
   kg_mission::Mission mission_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/stopwatch.h"
 #include "kg_core/rdf/same_state.h"
 #include "kg_core/sparql/results.h"
 #include "kg_core/watch/watch_facts.h"
@@ -20,12 +21,6 @@ namespace {
 
 constexpr double kRest_s = 0.1;  // At least, between two looks.
 constexpr unsigned kManyAnswers = 1000;
-
-double Steady_s() {
-  return std::chrono::duration<double>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
 
 }  // namespace
 
@@ -108,9 +103,9 @@ void WatchServer::Run() {
     if (seen != nullptr && kg_core::IsSameState(*seen, *server_->Read()))
       continue;
     seen = server_->Read();
-    const double begin_s = Steady_s();
+    const kg_base::Stopwatch watch;
     LookAtAll();
-    rest_s = std::max(kRest_s, Steady_s() - begin_s);
+    rest_s = std::max(kRest_s, watch.Elapsed_s());
   }
 }
 

@@ -1,10 +1,10 @@
 #include "kg_selector/team/exact_search.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
+#include "kg_base/common/stopwatch.h"
 #include "kg_selector/packing/packing.h"
 
 namespace kg_selector {
@@ -14,11 +14,6 @@ namespace {
 constexpr double kNoGap = 1e-9;
 // Up to this many columns all pairs are compared.
 constexpr int kFewColumns = 300;
-
-double SecondsSince(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-      .count();
-}
 
 // Everything a choice may take, the pool's number of each column aside.
 struct ChoiceProblem {
@@ -129,7 +124,7 @@ void AddAllConflicts(const TeamColumns& pool, ChoiceProblem* problem) {
 ExactChoice ChooseExactly(const TeamColumns& pool, const TeamChoice& start,
                           const std::vector<double>& prices,
                           double time_limit_s) {
-  const auto begin = std::chrono::steady_clock::now();
+  const kg_base::Stopwatch watch;
   ChoiceProblem problem =
       ToProblem(pool, ColumnFilter(pool, prices, start), start);
   if (ToStart(problem, start).size() == problem.pool_columns.size()) {
@@ -141,7 +136,7 @@ ExactChoice ChooseExactly(const TeamColumns& pool, const TeamChoice& start,
   PackingOptions options;
   options.start = ToStart(problem, start);
   while (true) {
-    options.time_limit_s = time_limit_s - SecondsSince(begin);
+    options.time_limit_s = time_limit_s - watch.Elapsed_s();
     if (!(options.time_limit_s > 0.0)) return {start, false};
     const PackingChoice found = SolvePacking(problem.packing, options);
     if (AddConflicts(pool, found.chosen, &problem)) continue;

@@ -1,6 +1,5 @@
 #include "kg_selector/team/plan_mission.h"
 
-#include <chrono>
 #include <stdexcept>
 #include <string_view>
 #include <unordered_map>
@@ -8,6 +7,7 @@
 
 #include "kg_base/common/input_error.h"
 #include "kg_base/common/parallel.h"
+#include "kg_base/common/stopwatch.h"
 
 namespace kg_selector {
 namespace {
@@ -87,11 +87,6 @@ std::vector<AgentGraphs> CompileAll(const Compilation& compilation,
   return made;
 }
 
-double ElapsedSeconds(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-      .count();
-}
-
 // A planner that finds no path says so in its own words, which go before the
 // selector's.
 void AddReasons(const std::map<std::string, std::string>& unplannable,
@@ -155,10 +150,10 @@ std::vector<WindowWorld> FindWorlds(const Compilation& compilation,
 PlannedMission PlanMission(const Compilation& compilation,
                            const PlannedMission* previous) {
   PlannedMission planned;
+  kg_base::Stopwatch watch;
   // Waypoints and seams of all agents, in parallel.
-  const auto begin = std::chrono::steady_clock::now();
   std::vector<AgentGraphs> graphs = CompileAll(compilation, previous);
-  planned.stage_seconds["graphs"] = ElapsedSeconds(begin);
+  planned.stage_seconds["graphs"] = watch.Elapsed_s();
   planned.rules = ToTeamRules(compilation);
   for (const SeamRules& rules : compilation.rules) {
     AgentGraphs& made = graphs[planned.members.size()];
@@ -168,9 +163,9 @@ PlannedMission PlanMission(const Compilation& compilation,
     planned.members.push_back({rules, std::move(made.graphs)});
     planned.caches[rules.agent_id] = std::move(made.cache);
   }
-  const auto graphs_made = std::chrono::steady_clock::now();
+  watch.Lap_s();  // The loop above belongs to neither stage.
   planned.plan = PlanTeam(planned.rules, planned.members);
-  planned.stage_seconds["team"] = ElapsedSeconds(graphs_made);
+  planned.stage_seconds["team"] = watch.Elapsed_s();
   AddReasons(planned.unplannable, &planned.plan);
   return planned;
 }
