@@ -1,4 +1,5 @@
-// Strings in one, with a separator between them: for names in messages.
+// Strings or texts of values in one, with a separator between them: for names
+// in messages and for lists.
 
 #ifndef KG_BASE_COMMON_JOIN_STRINGS_H_
 #define KG_BASE_COMMON_JOIN_STRINGS_H_
@@ -11,6 +12,15 @@ namespace kg_base {
 
 std::string JoinStrings(const std::vector<std::string>& parts,
                         std::string_view separator = ", ");
+
+// The same of what `to_text` makes of each value.
+template <typename Values, typename ToText>
+std::string JoinStrings(const Values& values, std::string_view separator,
+                        const ToText& to_text) {
+  std::vector<std::string> parts;
+  for (const auto& value : values) parts.push_back(to_text(value));
+  return JoinStrings(parts, separator);
+}
 
 }  // namespace kg_base
 

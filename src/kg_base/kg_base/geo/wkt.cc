@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kg_base/common/join_strings.h"
 #include "kg_base/geo/geos.h"
 #include "kg_base/geo/wkt_locate.h"
 #include "kg_base/geo/wkt_parser.h"
@@ -87,21 +88,17 @@ void FindBoxes(const GEOSGeometry* geometry) {
 }
 
 std::string List(const std::vector<LonLat>& chain) {
-  std::string text = "(";
-  for (const LonLat& vertex : chain) {
-    if (text.size() > 1) text += ", ";
-    text += Digits(vertex.lon_deg) + " " + Digits(vertex.lat_deg);
-  }
-  return text + ")";
+  const auto to_text = [](const LonLat& vertex) {
+    return Digits(vertex.lon_deg) + " " + Digits(vertex.lat_deg);
+  };
+  return "(" + JoinStrings(chain, ", ", to_text) + ")";
 }
 
 std::string List(const std::vector<std::vector<LonLat>>& rings) {
-  std::string text = "(";
-  for (const std::vector<LonLat>& ring : rings) {
-    if (text.size() > 1) text += ", ";
-    text += List(ring);
-  }
-  return text + ")";
+  const auto to_text = [](const std::vector<LonLat>& ring) {
+    return List(ring);
+  };
+  return "(" + JoinStrings(rings, ", ", to_text) + ")";
 }
 
 const char* Keyword(int type) {

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "kg_base/common/join_strings.h"
+
 namespace kg_compiler {
 namespace {
 
@@ -29,12 +31,7 @@ std::string Short(double value) { return Format("%.4g", value); }
 std::string Signed(double value) { return Format("%+.4g", value); }
 
 std::string JoinFacts(const std::vector<std::string>& facts) {
-  std::string joined;
-  for (const std::string& fact : facts) {
-    if (!joined.empty()) joined += " . ";
-    joined += fact;
-  }
-  return joined;
+  return kg_base::JoinStrings(facts, " . ");
 }
 
 std::string ToText(const Explanation& explanation) {

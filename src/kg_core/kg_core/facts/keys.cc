@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "kg_base/common/join_strings.h"
 #include "kg_core/facts/changed_subjects.h"
 #include "kg_core/facts/class_tree.h"
 #include "kg_core/facts/terms.h"
@@ -45,10 +46,8 @@ class KeyCheck {
   }
 
   std::string Line(const Term& node, const Term& twin) const {
-    std::string names;
-    for (const Term& property : key_) {
-      names += (names.empty() ? "" : " and ") + ToTurtle(property);
-    }
+    const std::string names = kg_base::JoinStrings(
+        key_, " and ", [](const Term& property) { return ToTurtle(property); });
     return ToTurtle(node) + ": expected one " + ToTurtle(type_) + " for each " +
            names + ", but " + ToTurtle(twin) + " has the same";
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "kg_base/common/join_strings.h"
 #include "kg_base/text/utf8.h"
 #include "kg_core/rdf/namespaces.h"
 
@@ -51,14 +52,13 @@ std::string JsonTerm(const Term& term) {
 }
 
 std::string JsonRow(const QueryResult& result, std::size_t row) {
-  std::string out;
+  std::vector<std::string> members;
   for (std::size_t i = 0; i < result.variables.size(); ++i) {
     const std::optional<Term>& term = result.rows[row][i];
     if (!term) continue;
-    if (!out.empty()) out += ",";
-    out += JsonString(result.variables[i]) + ":" + JsonTerm(*term);
+    members.push_back(JsonString(result.variables[i]) + ":" + JsonTerm(*term));
   }
-  return "{" + out + "}";
+  return "{" + kg_base::JoinStrings(members, ",") + "}";
 }
 
 using TextRows = std::vector<std::vector<std::string>>;

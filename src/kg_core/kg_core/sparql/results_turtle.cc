@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "kg_base/common/join_strings.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/results.h"
 
@@ -41,12 +42,8 @@ std::string Property(const Term& predicate) {
 std::string PropertyLines(const PropertyObjects& properties) {
   std::string out;
   for (const auto& [property, objects] : properties) {
-    out += (out.empty() ? " " : " ;\n    ") + property;
-    const char* separator = " ";
-    for (const std::string& object : objects) {
-      out += separator + object;
-      separator = ", ";
-    }
+    out += (out.empty() ? " " : " ;\n    ") + property + " " +
+           kg_base::JoinStrings({objects.begin(), objects.end()});
   }
   return out;
 }

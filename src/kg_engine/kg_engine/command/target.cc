@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/join_strings.h"
 #include "kg_engine/state/mission_state.h"
 #include "kg_mission/mission/ingest.h"
 #include "kg_mission/mission/stage_update.h"
@@ -52,20 +53,13 @@ void StageOntology(kg_core::Store* store) {
   if (!transaction.empty()) transaction.Commit(WorldChange::kYes);
 }
 
-std::string Joined(const std::vector<std::string>& reasons) {
-  std::string joined;
-  for (const std::string& reason : reasons) {
-    joined += (joined.empty() ? "" : "; ") + reason;
-  }
-  return joined;
-}
-
 // What the files of the mission say, if they are there.
 void Ingest(kg_mission::FileCache files, kg_core::Store* store) {
   Transaction transaction = store->Begin();
   std::string reason;
   try {
-    reason = Joined(kg_mission::StageIngest(files, transaction));
+    reason =
+        kg_base::JoinStrings(kg_mission::StageIngest(files, transaction), "; ");
   } catch (const InputError& error) {
     reason = error.what();
   }
@@ -87,7 +81,7 @@ Target ReadMissionFolder(const fs::path& folder,
     Transaction transaction = target.store->Begin();
     const auto reasons =
         kg_mission::StageFactsFile(folder / kMissionName, transaction);
-    if (!reasons.empty()) throw InputError(Joined(reasons));
+    if (!reasons.empty()) throw InputError(kg_base::JoinStrings(reasons, "; "));
     transaction.Commit(WorldChange::kYes);
   }
   Ingest({folder, data_folder}, target.store.get());
@@ -115,14 +109,12 @@ std::string OntologyFolder() {
   for (const fs::path& place : OntologyPlaces()) {
     if (IsOntology(place)) return place;
   }
-  std::string looked_at;
-  for (const fs::path& place : OntologyPlaces()) {
-    looked_at += (looked_at.empty() ? "" : ", ") + place.string();
-  }
   throw InputError(
       "the ontology of kg_core (mission.ttl, shapes.ttl) is not found; looked "
       "in " +
-      looked_at);
+      kg_base::JoinStrings(OntologyPlaces(), ", ", [](const fs::path& place) {
+        return place.string();
+      }));
 }
 
 Target OpenStore(const std::string& path) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/join_strings.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/shacl/shapes.h"
@@ -28,11 +29,9 @@ Term Sh(const char* local) { return Iri(std::string(kg_core::kSh) + local); }
 using Lines = std::multiset<std::string>;
 
 std::string Line(const std::vector<std::string>& parts) {
-  std::string line;
-  for (const std::string& part : parts) {
-    line += (line.empty() ? "" : " | ") + (part.empty() ? "-" : part);
-  }
-  return line;
+  return kg_base::JoinStrings(parts, " | ", [](const std::string& part) {
+    return part.empty() ? "-" : part;
+  });
 }
 
 Lines FormatLines(const std::vector<Violation>& violations) {

@@ -1,5 +1,6 @@
 #include "kg_engine/facts/nav_graph_facts.h"
 
+#include "kg_base/common/join_strings.h"
 #include "kg_base/common/units.h"
 #include "kg_core/facts/terms.h"
 #include "kg_engine/facts/artifact_facts.h"
@@ -62,12 +63,12 @@ Term EdgeBegin(const TraverseEdge& edge, const NavGraphPlace& place) {
 
 void WriteStops(const TraverseEdge& edge, const Term& graph,
                 FactWriter* write) {
-  std::string order;
-  for (const int stop : edge.via) {
-    write->Link("via", WaypointOf(graph, stop));
-    order += (order.empty() ? "" : " ") + std::to_string(stop);
-  }
-  if (!order.empty()) write->Text("stopOrder", order);
+  for (const int stop : edge.via) write->Link("via", WaypointOf(graph, stop));
+  if (edge.via.empty()) return;
+  write->Text("stopOrder",
+              kg_base::JoinStrings(edge.via, " ", [](const int stop) {
+                return std::to_string(stop);
+              }));
 }
 
 void WriteEdgeCost(const Term& edge, const std::string& agent_iri,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kg_base/common/join_strings.h"
 #include "kg_base/common/units.h"
 #include "kg_base/geo/wkt.h"
 #include "kg_core/rdf/namespaces.h"
@@ -159,12 +160,11 @@ class PlanWriter {
   // The stops on the way, in their order.
   static std::string StopsWkt(const kg_selector::Visit& visit) {
     const std::size_t name = std::string("POINT").size();
-    std::string points;
-    for (const kg_selector::Stop& stop : visit.via) {
-      points += (points.empty() ? "" : ", ") +
-                kg_base::PointWkt(stop.position).substr(name);
-    }
-    return "MULTIPOINT(" + points + ")";
+    const auto to_point = [&](const kg_selector::Stop& stop) {
+      return kg_base::PointWkt(stop.position).substr(name);
+    };
+    return "MULTIPOINT(" + kg_base::JoinStrings(visit.via, ", ", to_point) +
+           ")";
   }
 
   // What every assignment says.

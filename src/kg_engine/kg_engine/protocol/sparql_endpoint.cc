@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/join_strings.h"
 #include "kg_base/common/limit_error.h"
 #include "kg_engine/protocol/access.h"
 #include "kg_engine/protocol/operations.h"
@@ -103,11 +104,7 @@ UpdateVerdict Write(const RequestContext& context, kg_core::FactUpdate update) {
     case UpdateVerdict::Outcome::kRefused:
       break;
   }
-  std::string reasons;
-  for (const std::string& reason : verdict.reasons) {
-    reasons += (reasons.empty() ? "" : "\n") + reason;
-  }
-  throw HttpError(kUnprocessable, reasons);
+  throw HttpError(kUnprocessable, kg_base::JoinStrings(verdict.reasons, "\n"));
 }
 
 HttpResponse Accepted(int status, const UpdateVerdict& verdict) {

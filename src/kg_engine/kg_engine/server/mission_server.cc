@@ -7,6 +7,7 @@
 
 #include "kg_base/common/clock.h"
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/join_strings.h"
 #include "kg_base/common/sha256.h"
 #include "kg_base/common/stopwatch.h"
 #include "kg_core/facts/terms.h"
@@ -28,15 +29,6 @@ using kg_core::Transaction;
 using kg_core::WorldChange;
 
 constexpr double kLongAgo_s = -std::numeric_limits<double>::infinity();
-
-std::string JoinLines(const std::vector<std::string>& lines) {
-  std::string joined;
-  for (const std::string& line : lines) {
-    if (!joined.empty()) joined += "; ";
-    joined += line;
-  }
-  return joined;
-}
 
 std::string StorePath(const std::string& state_folder) {
   return state_folder + "/store.db";
@@ -109,7 +101,7 @@ void MissionServer::LoadMission() {
   std::vector<std::string> reasons =
       kg_mission::StageFactsFile(path, transaction);
   if (reasons.empty()) reasons = kg_mission::StageIngest(files_, transaction);
-  if (!reasons.empty()) throw InputError(JoinLines(reasons));
+  if (!reasons.empty()) throw InputError(kg_base::JoinStrings(reasons, "; "));
   mission_ = kg_mission::ReadMission(transaction.view());
   kg_core::LogUpdate(origin, kg_base::Now_s(), transaction);
   transaction.Commit(WorldChange::kYes);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/join_strings.h"
 #include "kg_base/geo/geodesy.h"
 
 namespace kg_engine {
@@ -66,13 +67,11 @@ std::string Text(const char* format, double value) {
 }
 
 std::string Coordinates(const Track& part) {
-  std::string text = "(";
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    if (i > 0) text += ", ";
-    text += Text("%.7f", part[i].position.lon_deg) + " " +
-            Text("%.7f", part[i].position.lat_deg);
-  }
-  return text + ")";
+  const auto to_text = [](const TimedPoint& point) {
+    return Text("%.7f", point.position.lon_deg) + " " +
+           Text("%.7f", point.position.lat_deg);
+  };
+  return "(" + kg_base::JoinStrings(part, ", ", to_text) + ")";
 }
 
 // Takes a number off the front; nothing if there is none.

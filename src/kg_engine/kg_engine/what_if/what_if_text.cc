@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <map>
 
+#include "kg_base/common/join_strings.h"
 #include "kg_base/common/units.h"
 
 namespace kg_engine {
@@ -46,16 +47,16 @@ bool SamePlace(const kg_selector::Visit& a, const kg_selector::Visit& b) {
 
 // "windows 2, 3", where the stops differ.
 std::string OtherStops(const PathChange& change) {
-  std::string windows;
+  std::vector<std::string> windows;
   for (const kg_selector::Visit& visit : change.after.visits) {
     bool known = false;
     for (const kg_selector::Visit& old : change.before.visits) {
       known = known || SamePlace(visit, old);
     }
-    if (known) continue;
-    windows += (windows.empty() ? "" : ", ") + std::to_string(visit.window);
+    if (!known) windows.push_back(std::to_string(visit.window));
   }
-  return windows.empty() ? "same stops" : "other stops in windows " + windows;
+  if (windows.empty()) return "same stops";
+  return "other stops in windows " + kg_base::JoinStrings(windows);
 }
 
 std::string PathLine(const PathChange& change) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/join_strings.h"
 #include "kg_base/geo/wkt.h"
 #include "kg_core/facts/changed_subjects.h"
 #include "kg_core/facts/literals.h"
@@ -25,11 +26,8 @@ std::string Where(const Statement& statement) {
 }
 
 std::string List(const std::vector<Term>& terms) {
-  std::string text;
-  for (const Term& term : terms) {
-    text += (text.empty() ? "" : " or ") + ToTurtle(term);
-  }
-  return text;
+  return kg_base::JoinStrings(terms, " or ",
+                              [](const Term& term) { return ToTurtle(term); });
 }
 
 bool IsFiniteNumber(const Term& literal) {

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "kg_base/common/join_strings.h"
 #include "kg_base/geo/wkt.h"
 #include "kg_compiler/explain/explain_seam.h"
 #include "kg_compiler/explain/explain_tensor.h"
@@ -24,10 +25,9 @@ std::string WindowName(int window) {
 }
 
 std::string PlannedAround(const PlannedWorld& world, const Agent& agent) {
-  std::string names;
-  for (const Pathlet& other : CommittedBefore(world, agent.iri)) {
-    names += (names.empty() ? "" : ", ") + AbbreviateIri(other.agent);
-  }
+  const std::string names = kg_base::JoinStrings(
+      CommittedBefore(world, agent.iri), ", ",
+      [](const Pathlet& other) { return AbbreviateIri(other.agent); });
   return names.empty() ? " It was chosen first, before all others."
                        : " It was planned around " + names + ".";
 }

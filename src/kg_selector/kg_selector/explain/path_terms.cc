@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "kg_base/common/join_strings.h"
 #include "kg_compiler/control_plane/seam_cost.h"
 #include "kg_compiler/explain/explain_seam.h"
 #include "kg_compiler/explain/explain_tensor.h"
@@ -24,19 +25,15 @@ using kg_compiler::Short;
 
 // "waypoint 3", "waypoints 1, 3".
 std::string StopNames(const std::vector<int>& stops) {
-  std::string names;
-  for (const int stop : stops) {
-    names += (names.empty() ? "" : ", ") + std::to_string(stop);
-  }
-  return (stops.size() == 1 ? "waypoint " : "waypoints ") + names;
+  return (stops.size() == 1 ? "waypoint " : "waypoints ") +
+         kg_base::JoinStrings(
+             stops, ", ", [](const int stop) { return std::to_string(stop); });
 }
 
 std::string EventNames(const Visit& visit) {
-  std::string names;
-  for (const std::string& event : visit.events) {
-    names += (names.empty() ? "" : ", ") + kg_core::AbbreviateIri(event);
-  }
-  return names;
+  return kg_base::JoinStrings(visit.events, ", ", [](const std::string& event) {
+    return kg_core::AbbreviateIri(event);
+  });
 }
 
 // A term of a field that costs is told apart by `where`.

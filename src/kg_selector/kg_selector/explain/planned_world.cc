@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/join_strings.h"
 #include "kg_core/rdf/namespaces.h"
 
 namespace kg_selector {
@@ -41,15 +42,16 @@ void NameAgentsByIri(PlannedWorld* world) {
 
 const kg_mission::Agent& FindAgent(const PlannedWorld& world,
                                    const std::string& name) {
-  std::string known;
+  std::vector<std::string> known;
   for (const kg_mission::Agent& agent : world.compilation->mission.agents) {
     if (name == agent.id || name == agent.iri ||
         name == kg_core::AbbreviateIri(agent.iri)) {
       return agent;
     }
-    known += (known.empty() ? "" : ", ") + agent.id;
+    known.push_back(agent.id);
   }
-  throw InputError("agent '" + name + "' is not known; there are " + known);
+  throw InputError("agent '" + name + "' is not known; there are " +
+                   kg_base::JoinStrings(known));
 }
 
 const TeamMember& FindMember(const PlannedWorld& world,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/join_strings.h"
 #include "kg_base/common/units.h"
 #include "kg_core/facts/literals.h"
 #include "kg_core/rdf/namespaces.h"
@@ -130,12 +131,12 @@ class EventQuestion {
     const Facts facts = facts_.Event(event_.iri);
     explanation.parts = {{static_cast<double>(event_.capacity), "capacity",
                           facts, name_ + " rewards that many agents"}};
-    std::string names;
+    std::vector<std::string> names;
     for (const Holder& holder : Holders()) {
       const std::string name = AbbreviateIri(holder.agent);
       explanation.parts.push_back(
           {-1.0, "- " + name, holder.facts, name + " has it, " + holder.when});
-      names += (names.empty() ? "" : ", ") + name + " " + holder.when;
+      names.push_back(name + " " + holder.when);
     }
     // With the agent itself one too many: the margin is negative.
     explanation.parts.push_back({-1.0, "- itself",
@@ -143,7 +144,8 @@ class EventQuestion {
                                  agent_.id + " would be one more"});
     explanation.value = explanation.Sum();
     explanation.text += "it rewards " + std::to_string(event_.capacity) +
-                        " and is used up by " + names + ".";
+                        " and is used up by " + kg_base::JoinStrings(names) +
+                        ".";
     return explanation;
   }
 
@@ -269,10 +271,9 @@ Explanation WhyNotEvent(const PlannedWorld& world, const Agent& agent,
   if (event != nullptr) {
     return EventQuestion(world, agent, *event).Explain(window);
   }
-  std::string known;
-  for (const Event& one : world.compilation->mission.events) {
-    known += (known.empty() ? "" : ", ") + AbbreviateIri(one.iri);
-  }
+  const std::string known = kg_base::JoinStrings(
+      world.compilation->mission.events, ", ",
+      [](const Event& one) { return AbbreviateIri(one.iri); });
   throw InputError("event '" + name + "' is not known; there are " +
                    (known.empty() ? "none" : known));
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/join_strings.h"
 #include "kg_selector/orienteering/top_report.h"
 #include "kg_selector/team/team_modes.h"
 
@@ -65,13 +66,7 @@ TourPlanner FindPlanner(const std::string& text) {
 }
 
 // The names of all modes, parted by '|'.
-std::string ModeNames() {
-  std::string names;
-  for (const std::string& name : TeamModeNames()) {
-    names += (names.empty() ? "" : "|") + name;
-  }
-  return names;
-}
+std::string ModeNames() { return kg_base::JoinStrings(TeamModeNames(), "|"); }
 
 ProgramArguments Parse(const std::vector<std::string>& words) {
   ProgramArguments arguments;
