@@ -19,14 +19,18 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/common/testing/bench_report.h"
 #include "kg_planner/k_best/diverse_paths.h"
 #include "kg_planner/k_best/k_best.h"
-#include "kg_planner/testing/bench_report.h"
 #include "kg_planner/testing/list_viterbi.h"
 #include "kg_planner/trellis/trellis.h"
 
 namespace kg_planner {
 namespace {
+
+using kg_base::Median;
+using kg_base::Milliseconds;
+using kg_base::Report;
 
 struct BenchCase {
   int nodes;
