@@ -1,8 +1,7 @@
 #include "kg_engine/export/cf_trajectory.h"
 
-#include <netcdf.h>
-
 #include <algorithm>
+#include <netcdf>
 #include <vector>
 
 #include "kg_base/common/input_error.h"
@@ -39,113 +38,80 @@ Ragged Flatten(const PlanTracks& plan) {
   return all;
 }
 
-// An open file; closed, and if it is not Finish()ed, given up.
-class NetcdfWriter {
- public:
-  explicit NetcdfWriter(std::string path) : path_(std::move(path)) {
-    Check(nc_create(path_.c_str(), NC_CLOBBER, &file_));
-    is_open_ = true;
-  }
-  ~NetcdfWriter() {
-    if (is_open_) nc_abort(file_);
-  }
-  NetcdfWriter(const NetcdfWriter&) = delete;
-  NetcdfWriter& operator=(const NetcdfWriter&) = delete;
-
-  void Check(int status) const {
-    if (status == NC_NOERR) return;
-    throw kg_base::InputError(path_ +
-                              ": cannot be written: " + nc_strerror(status));
-  }
-  int Dimension(const char* name, std::size_t size) const {
-    int id = 0;
-    Check(nc_def_dim(file_, name, size, &id));
-    return id;
-  }
-  int Variable(const char* name, nc_type type,
-               const std::vector<int>& dimensions) const {
-    int id = 0;
-    Check(nc_def_var(file_, name, type, static_cast<int>(dimensions.size()),
-                     dimensions.data(), &id));
-    return id;
-  }
-  void Text(int variable, const char* name, const std::string& text) const {
-    Check(nc_put_att_text(file_, variable, name, text.size(), text.c_str()));
-  }
-  void EndDefinitions() const { Check(nc_enddef(file_)); }
-  int file() const { return file_; }
-  void Finish() {
-    is_open_ = false;
-    Check(nc_close(file_));
-  }
-
- private:
-  std::string path_;
-  int file_ = 0;
-  bool is_open_ = false;
+struct TrajectoryVariables {
+  netCDF::NcVar id, size, time, lat, lon;
 };
 
-struct Variables {
-  int id = 0;
-  int size = 0;
-  int time = 0;
-  int lon = 0;
-  int lat = 0;
-};
-
-int Coordinate(const NetcdfWriter& file, const char* name, int dimension,
-               const char* standard_name, const char* units) {
-  const int variable = file.Variable(name, NC_DOUBLE, {dimension});
-  file.Text(variable, "standard_name", standard_name);
-  file.Text(variable, "units", units);
+netCDF::NcVar DefineCoordinate(const netCDF::NcFile& file, const char* name,
+                               const netCDF::NcDim& dimension,
+                               const char* standard_name, const char* units) {
+  const netCDF::NcVar variable = file.addVar(name, netCDF::ncDouble, dimension);
+  variable.putAtt("standard_name", standard_name);
+  variable.putAtt("units", units);
   return variable;
 }
 
-Variables Define(const NetcdfWriter& file, const Ragged& all,
-                 std::size_t id_length) {
-  const int obs = file.Dimension("obs", all.time_s.size());
-  const int agents = file.Dimension("trajectory", all.ids.size());
-  const int letters = file.Dimension("id_length", id_length);
-  Variables var;
-  var.id = file.Variable("trajectory_id", NC_CHAR, {agents, letters});
-  file.Text(var.id, "cf_role", "trajectory_id");
-  file.Text(var.id, "long_name", "agent");
-  var.size = file.Variable("row_size", NC_INT, {agents});
-  file.Text(var.size, "long_name", "number of points of this trajectory");
-  file.Text(var.size, "sample_dimension", "obs");
-  var.time = Coordinate(file, "time", obs, "time",
-                        "seconds since 1970-01-01 00:00:00 UTC");
-  file.Text(var.time, "calendar", "standard");
-  file.Text(var.time, "axis", "T");
-  var.lat = Coordinate(file, "lat", obs, "latitude", "degrees_north");
-  file.Text(var.lat, "axis", "Y");
-  var.lon = Coordinate(file, "lon", obs, "longitude", "degrees_east");
-  file.Text(var.lon, "axis", "X");
+TrajectoryVariables DefineVariables(const netCDF::NcFile& file,
+                                    const Ragged& all, std::size_t id_length) {
+  const netCDF::NcDim obs = file.addDim("obs", all.time_s.size());
+  const netCDF::NcDim agents = file.addDim("trajectory", all.ids.size());
+  const netCDF::NcDim letters = file.addDim("id_length", id_length);
+  TrajectoryVariables var;
+  var.id = file.addVar("trajectory_id", netCDF::ncChar,
+                       std::vector<netCDF::NcDim>{agents, letters});
+  var.id.putAtt("cf_role", "trajectory_id");
+  var.id.putAtt("long_name", "agent");
+  var.size = file.addVar("row_size", netCDF::ncInt, agents);
+  var.size.putAtt("long_name", "number of points of this trajectory");
+  var.size.putAtt("sample_dimension", "obs");
+  var.time = DefineCoordinate(file, "time", obs, "time",
+                              "seconds since 1970-01-01 00:00:00 UTC");
+  var.time.putAtt("calendar", "standard");
+  var.time.putAtt("axis", "T");
+  var.lat = DefineCoordinate(file, "lat", obs, "latitude", "degrees_north");
+  var.lat.putAtt("axis", "Y");
+  var.lon = DefineCoordinate(file, "lon", obs, "longitude", "degrees_east");
+  var.lon.putAtt("axis", "X");
   return var;
 }
 
-void DescribeFile(const NetcdfWriter& file, const PlanTracks& plan) {
-  file.Text(NC_GLOBAL, "Conventions", "CF-1.8");
-  file.Text(NC_GLOBAL, "featureType", "trajectory");
-  file.Text(NC_GLOBAL, "title",
-            "planned tracks of mission " + plan.mission_name);
-  file.Text(NC_GLOBAL, "source", "kg/export");
-  file.Text(NC_GLOBAL, "plan_run", plan.run_iri);
-  file.Text(NC_GLOBAL, "world_version", std::to_string(plan.world_version));
+void DescribeFile(const netCDF::NcFile& file, const PlanTracks& plan) {
+  file.putAtt("Conventions", "CF-1.8");
+  file.putAtt("featureType", "trajectory");
+  file.putAtt("title", "planned tracks of mission " + plan.mission_name);
+  file.putAtt("source", "kg/export");
+  file.putAtt("plan_run", plan.run_iri);
+  file.putAtt("world_version", std::to_string(plan.world_version));
 }
 
-void PutValues(const NetcdfWriter& file, const Variables& var,
-               const Ragged& all, std::size_t id_length) {
+void PutValues(const TrajectoryVariables& var, const Ragged& all,
+               std::size_t id_length) {
   std::string ids;
   for (std::string id : all.ids) {
     id.resize(id_length, '\0');
     ids += id;
   }
-  file.Check(nc_put_var_text(file.file(), var.id, ids.data()));
-  file.Check(nc_put_var_int(file.file(), var.size, all.sizes.data()));
-  file.Check(nc_put_var_double(file.file(), var.time, all.time_s.data()));
-  file.Check(nc_put_var_double(file.file(), var.lat, all.lat_deg.data()));
-  file.Check(nc_put_var_double(file.file(), var.lon, all.lon_deg.data()));
+  var.id.putVar(ids.data());
+  var.size.putVar(all.sizes.data());
+  var.time.putVar(all.time_s.data());
+  var.lat.putVar(all.lat_deg.data());
+  var.lon.putVar(all.lon_deg.data());
+}
+
+// Throws netCDF::exceptions::NcException.
+void WriteFile(const PlanTracks& plan, const Ragged& all,
+               const std::string& path) {
+  std::size_t id_length = 1;
+  for (const std::string& id : all.ids) {
+    id_length = std::max(id_length, id.size());
+  }
+  netCDF::NcFile file(path, netCDF::NcFile::replace, netCDF::NcFile::classic);
+  const TrajectoryVariables variables = DefineVariables(file, all, id_length);
+  DescribeFile(file, plan);
+  file.enddef();
+  PutValues(variables, all, id_length);
+  // The destructor would close it, too, but could not throw.
+  file.close();
 }
 
 }  // namespace
@@ -155,16 +121,14 @@ void WriteCfTrajectory(const PlanTracks& plan, const std::string& path) {
   if (all.ids.empty()) {
     throw kg_base::InputError(plan.run_iri + " holds no track");
   }
-  std::size_t id_length = 1;
-  for (const std::string& id : all.ids) {
-    id_length = std::max(id_length, id.size());
+  try {
+    WriteFile(plan, all, path);
+  } catch (const netCDF::exceptions::NcException& error) {
+    // The second line of the text names a line of netcdf-c++'s source.
+    const std::string text = error.what();
+    throw kg_base::InputError(
+        path + ": cannot be written: " + text.substr(0, text.find('\n')));
   }
-  NetcdfWriter file(path);
-  const Variables variables = Define(file, all, id_length);
-  DescribeFile(file, plan);
-  file.EndDefinitions();
-  PutValues(file, variables, all, id_length);
-  file.Finish();
 }
 
 }  // namespace kg_engine

@@ -3,13 +3,13 @@
 
 #include "kg_engine/export/export_server.h"
 
-#include <netcdf.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <netcdf>
 
 #include "gtest/gtest.h"
 #include "kg_base/common/date_time.h"
@@ -108,17 +108,13 @@ TEST(CfTrajectory, RefusesAPlanWithoutATrackAndLeavesNoFile) {
 TEST(CfTrajectory, AtTheAntimeridianATrackGoesOn) {
   const kg_base::TemporaryFolder folder;
   WriteCfTrajectory(Crossing(), folder / "a.nc");
-  int file = 0, variable = 0;
-  ASSERT_EQ(nc_open((folder / "a.nc").c_str(), NC_NOWRITE, &file), NC_NOERR);
+  const netCDF::NcFile file(folder / "a.nc", netCDF::NcFile::read);
   int size = 0;
-  ASSERT_EQ(nc_inq_varid(file, "row_size", &variable), NC_NOERR);
-  ASSERT_EQ(nc_get_var_int(file, variable, &size), NC_NOERR);
-  EXPECT_EQ(size, 3);  // Begin, cut, end.
+  file.getVar("row_size").getVar(&size);
+  ASSERT_EQ(size, 3);  // Begin, cut, end.
   double time_s[3] = {};
-  ASSERT_EQ(nc_inq_varid(file, "time", &variable), NC_NOERR);
-  ASSERT_EQ(nc_get_var_double(file, variable, time_s), NC_NOERR);
+  file.getVar("time").getVar(time_s);
   EXPECT_EQ(time_s[1], 150.0);
-  nc_close(file);
 }
 
 TEST(AtomicFile, IsThereWholeOrNotAtAll) {
@@ -265,22 +261,15 @@ Track TrackOfGpx(const std::string& text) {
 }
 
 Track TrackOfNetCdf(const std::string& path) {
-  int file = 0;
-  EXPECT_EQ(nc_open(path.c_str(), NC_NOWRITE, &file), NC_NOERR);
-  int dimension = 0;
-  std::size_t size = 0;
-  EXPECT_EQ(nc_inq_dimid(file, "obs", &dimension), NC_NOERR);
-  EXPECT_EQ(nc_inq_dimlen(file, dimension, &size), NC_NOERR);
+  const netCDF::NcFile file(path, netCDF::NcFile::read);
+  const std::size_t size = file.getDim("obs").getSize();
   const auto read = [&](const char* name) {
     std::vector<double> values(size);
-    int variable = 0;
-    EXPECT_EQ(nc_inq_varid(file, name, &variable), NC_NOERR);
-    EXPECT_EQ(nc_get_var_double(file, variable, values.data()), NC_NOERR);
+    file.getVar(name).getVar(values.data());
     return values;
   };
   const std::vector<double> lon = read("lon"), lat = read("lat");
   const std::vector<double> time_s = read("time");
-  nc_close(file);
   Track track;
   for (std::size_t i = 0; i < size; ++i) {
     track.push_back({{lon[i], lat[i]}, time_s[i]});

@@ -5,13 +5,11 @@
 #ifndef KG_ENGINE_SERVER_TEST_MISSION_H_
 #define KG_ENGINE_SERVER_TEST_MISSION_H_
 
-#include <netcdf.h>
-
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
+#include <netcdf>
 #include <string>
 #include <vector>
 
@@ -60,14 +58,18 @@ class TestOcean {
   static constexpr float kFill = -1e30F;
 
   explicit TestOcean(const std::string& path) {
-    Check(nc_create(path.c_str(), NC_CLOBBER, &file_));
-    const int time = Axis(0, "time", kDays, "hours since 2026-06-01 12:00:00");
-    const int lat = Axis(1, "lat", kRows, "degrees_north");
-    const int lon = Axis(2, "lon", kCols, "degrees_east");
-    const int u = Variable("water_u", "eastward_sea_water_velocity", "m/s");
-    const int v = Variable("water_v", "northward_sea_water_velocity", "m/s");
-    const int t = Variable("water_temp", "sea_water_temperature", "degC");
-    Check(nc_enddef(file_));
+    file_.create(path, NC_CLOBBER);
+    const netCDF::NcVar time =
+        Axis("time", kDays, "hours since 2026-06-01 12:00:00");
+    const netCDF::NcVar lat = Axis("lat", kRows, "degrees_north");
+    const netCDF::NcVar lon = Axis("lon", kCols, "degrees_east");
+    const netCDF::NcVar u =
+        Variable("water_u", "eastward_sea_water_velocity", "m/s");
+    const netCDF::NcVar v =
+        Variable("water_v", "northward_sea_water_velocity", "m/s");
+    const netCDF::NcVar t =
+        Variable("water_temp", "sea_water_temperature", "degC");
+    file_.enddef();
     Fill(time, 0.0, 24.0, kDays);
     Fill(lat, 25.0, 0.05, kRows);
     Fill(lon, -92.0, 0.05, kCols);
@@ -78,39 +80,33 @@ class TestOcean {
       const double y = (row - 15.0) / 5.0;
       return 25.0 + 3.0 * std::exp(-x * x - y * y);
     });
-    Check(nc_close(file_));
+    file_.close();
   }
 
-  static void Check(int status) {
-    if (status != NC_NOERR) throw std::runtime_error(nc_strerror(status));
+  netCDF::NcVar Axis(const char* name, std::size_t size,
+                     const std::string& units) {
+    dims_.push_back(file_.addDim(name, size));
+    const netCDF::NcVar axis =
+        file_.addVar(name, netCDF::ncDouble, dims_.back());
+    axis.putAtt("units", units);
+    return axis;
   }
-  void Text(int variable, const char* name, const std::string& text) {
-    Check(nc_put_att_text(file_, variable, name, text.size(), text.c_str()));
-  }
-  int Axis(int place, const char* name, std::size_t size,
-           const std::string& units) {
-    int variable = 0;
-    Check(nc_def_dim(file_, name, size, &dims_[place]));
-    Check(nc_def_var(file_, name, NC_DOUBLE, 1, &dims_[place], &variable));
-    Text(variable, "units", units);
+  netCDF::NcVar Variable(const char* name, const std::string& standard,
+                         const std::string& units) {
+    const netCDF::NcVar variable = file_.addVar(name, netCDF::ncFloat, dims_);
+    variable.putAtt("standard_name", standard);
+    variable.putAtt("units", units);
+    variable.putAtt("_FillValue", netCDF::ncFloat, kFill);
     return variable;
   }
-  int Variable(const char* name, const std::string& standard,
-               const std::string& units) {
-    int variable = 0;
-    Check(nc_def_var(file_, name, NC_FLOAT, 3, dims_, &variable));
-    Text(variable, "standard_name", standard);
-    Text(variable, "units", units);
-    Check(nc_put_att_float(file_, variable, "_FillValue", NC_FLOAT, 1, &kFill));
-    return variable;
-  }
-  void Fill(int variable, double begin, double step, std::size_t size) {
+  static void Fill(const netCDF::NcVar& axis, double begin, double step,
+                   std::size_t size) {
     std::vector<double> values;
     for (std::size_t i = 0; i < size; ++i) values.push_back(begin + i * step);
-    Check(nc_put_var_double(file_, variable, values.data()));
+    axis.putVar(values.data());
   }
   template <typename Function>
-  void Put(int variable, Function value) {
+  static void Put(const netCDF::NcVar& variable, Function value) {
     std::vector<float> values;
     for (std::size_t day = 0; day < kDays; ++day) {
       for (std::size_t row = 0; row < kRows; ++row) {
@@ -121,11 +117,11 @@ class TestOcean {
         }
       }
     }
-    Check(nc_put_var_float(file_, variable, values.data()));
+    variable.putVar(values.data());
   }
 
-  int file_ = 0;
-  int dims_[3] = {};
+  netCDF::NcFile file_;
+  std::vector<netCDF::NcDim> dims_;
 };
 
 inline void WriteTestMission(const std::string& folder) {

@@ -1,7 +1,6 @@
 #include "kg_mission/mission/ingest.h"
 
 #include <gtest/gtest.h>
-#include <netcdf.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <netcdf>
 #include <set>
 #include <string>
 #include <vector>
@@ -51,60 +51,56 @@ struct Ocean {
   bool is_land = false;
 };
 
-void Check(int status) {
-  if (status != NC_NOERR) throw std::runtime_error(nc_strerror(status));
-}
-
 class OceanWriter {
  public:
   OceanWriter(const std::string& path, const Ocean& spec) : spec_(spec) {
-    Check(nc_create(path.c_str(), NC_CLOBBER, &nc_));
-    const int time =
-        Axis(0, "time", spec.days, "hours since 2026-06-01 12:00:00");
-    const int lat = Axis(1, "lat", kRows, "degrees_north");
-    const int lon = Axis(2, "lon", kCols, "degrees_east");
+    nc_.create(path, NC_CLOBBER);
+    const netCDF::NcVar time =
+        Axis("time", spec.days, "hours since 2026-06-01 12:00:00");
+    const netCDF::NcVar lat = Axis("lat", kRows, "degrees_north");
+    const netCDF::NcVar lon = Axis("lon", kCols, "degrees_east");
     const std::string medium = spec.is_wind ? "wind" : "sea_water_velocity";
-    const int u = Variable("water_u", "eastward_" + medium, "m/s");
-    const int v =
-        spec.has_north ? Variable("water_v", "northward_" + medium, "m/s") : -1;
-    const int t = Variable("water_temp", "sea_surface_temperature", "degC");
-    Check(nc_enddef(nc_));
+    const netCDF::NcVar u = Variable("water_u", "eastward_" + medium, "m/s");
+    netCDF::NcVar v;
+    if (spec.has_north) v = Variable("water_v", "northward_" + medium, "m/s");
+    const netCDF::NcVar t =
+        Variable("water_temp", "sea_surface_temperature", "degC");
+    nc_.enddef();
     Fill(time, spec.days, [](int i) { return 24.0 * i; });
     Fill(lat, kRows, [](int i) { return 26.0 + 0.1 * i; });
     Fill(lon, kCols, [&](int i) { return spec_.first_lon_deg + 0.1 * i; });
     FillField(u, [](int day) { return 0.1 + day; });
-    if (v >= 0) FillField(v, [](int) { return -0.2; });
+    if (!v.isNull()) FillField(v, [](int) { return -0.2; });
     FillField(t, [](int day) { return 20.0 + day * day; });
-    Check(nc_close(nc_));
+    nc_.close();
   }
 
  private:
   static constexpr int kRows = 12, kCols = 10;
 
-  int Axis(int place, const char* name, int size, const std::string& units) {
-    int id = 0;
-    Check(nc_def_dim(nc_, name, size, &dims_[place]));
-    Check(nc_def_var(nc_, name, NC_DOUBLE, 1, &dims_[place], &id));
-    Check(nc_put_att_text(nc_, id, "units", units.size(), units.c_str()));
-    return id;
+  netCDF::NcVar Axis(const char* name, int size, const std::string& units) {
+    dims_.push_back(nc_.addDim(name, size));
+    const netCDF::NcVar axis = nc_.addVar(name, netCDF::ncDouble, dims_.back());
+    axis.putAtt("units", units);
+    return axis;
   }
-  int Variable(const char* name, const std::string& standard,
-               const std::string& units) {
-    int id = 0;
-    Check(nc_def_var(nc_, name, NC_FLOAT, 3, dims_, &id));
-    Check(nc_put_att_text(nc_, id, "standard_name", standard.size(),
-                          standard.c_str()));
-    Check(nc_put_att_text(nc_, id, "units", units.size(), units.c_str()));
-    Check(nc_put_att_float(nc_, id, "_FillValue", NC_FLOAT, 1, &kFill));
-    return id;
+  netCDF::NcVar Variable(const char* name, const std::string& standard,
+                         const std::string& units) {
+    const netCDF::NcVar variable = nc_.addVar(name, netCDF::ncFloat, dims_);
+    variable.putAtt("standard_name", standard);
+    variable.putAtt("units", units);
+    variable.putAtt("_FillValue", netCDF::ncFloat, kFill);
+    return variable;
   }
-  void Fill(int id, int size, const std::function<double(int)>& value) {
+  static void Fill(const netCDF::NcVar& axis, int size,
+                   const std::function<double(int)>& value) {
     std::vector<double> values(size);
     for (int i = 0; i < size; ++i) values[i] = value(i);
-    Check(nc_put_var_double(nc_, id, values.data()));
+    axis.putVar(values.data());
   }
   // The western column is land.
-  void FillField(int id, const std::function<double(int)>& value) {
+  void FillField(const netCDF::NcVar& field,
+                 const std::function<double(int)>& value) {
     std::vector<float> values;
     for (int day = 0; day < spec_.days; ++day) {
       for (int cell = 0; cell < kRows * kCols; ++cell) {
@@ -112,12 +108,12 @@ class OceanWriter {
         values.push_back(is_land ? kFill : static_cast<float>(value(day)));
       }
     }
-    Check(nc_put_var_float(nc_, id, values.data()));
+    field.putVar(values.data());
   }
 
   const Ocean spec_;
-  int nc_ = 0;
-  int dims_[3] = {0, 0, 0};
+  netCDF::NcFile nc_;
+  std::vector<netCDF::NcDim> dims_;
 };
 
 constexpr char kSources[] = R"ttl(
