@@ -1,5 +1,6 @@
 // From facts in Turtle and files on disk to tensors: rasters of priors, masks,
-// other grids, and policies of every kind, through the compiler's own door.
+// other grids, and policies of every kind, through the compiler's public
+// interface.
 
 #include <gtest/gtest.h>
 

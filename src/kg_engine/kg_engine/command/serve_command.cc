@@ -10,7 +10,7 @@
 #include "kg_engine/command/change.h"
 #include "kg_engine/command/command.h"
 #include "kg_engine/command/target.h"
-#include "kg_engine/http/http_door.h"
+#include "kg_engine/http/sparql_http_server.h"
 #include "kg_engine/state/mission_state.h"
 
 namespace kg_engine::command {
@@ -58,7 +58,7 @@ sigset_t BlockEndSignals() {
 
 int RunServe(const Arguments& arguments) {
   arguments.ExpectWords(1, 1, "TARGET");
-  HttpDoorOptions options;
+  SparqlHttpOptions options;
   options.port = ReadPort(arguments);
   options.token_file = arguments.One("--token-file").value_or("");
   options.writable = arguments.Has("--writable");
@@ -76,8 +76,8 @@ int RunServe(const Arguments& arguments) {
     return Decide(update, data, target);
   };
   const sigset_t signals = BlockEndSignals();
-  const HttpDoor door(options, std::move(store));
-  std::cout << "http://127.0.0.1:" << door.port() << "/sparql" << std::endl;
+  const SparqlHttpServer server(options, std::move(store));
+  std::cout << "http://127.0.0.1:" << server.port() << "/sparql" << std::endl;
   int signal = 0;
   sigwait(&signals, &signal);
   return kDone;

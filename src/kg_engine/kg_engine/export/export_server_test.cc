@@ -24,8 +24,8 @@
 #include "kg_engine/export/cf_trajectory.h"
 #include "kg_engine/export/plan_formats.h"
 #include "kg_engine/export/plan_tracks.h"
-#include "kg_engine/server/test_mission.h"
-#include "kg_engine/server/test_team.h"
+#include "kg_engine/server/testing/test_mission.h"
+#include "kg_engine/server/testing/test_team.h"
 #include "kg_engine/simulation/track_position.h"
 #include "kg_engine/terms/plan_names.h"
 

@@ -9,8 +9,8 @@
 #include "gtest/gtest.h"
 #include "kg_base/common/temporary_folder.h"
 #include "kg_core/sparql/query_engine.h"
-#include "kg_engine/server/test_mission.h"
-#include "kg_engine/server/test_team.h"
+#include "kg_engine/server/testing/test_mission.h"
+#include "kg_engine/server/testing/test_team.h"
 #include "kg_selector/team/plan_mission.h"
 
 namespace kg_engine {

@@ -13,7 +13,7 @@
 #include "kg_core/sparql/query_engine.h"
 #include "kg_engine/planning/agent_planner.h"
 #include "kg_engine/planning/team_selector.h"
-#include "kg_engine/server/test_mission.h"
+#include "kg_engine/server/testing/test_mission.h"
 #include "kg_engine/terms/plan_names.h"
 #include "kg_mission/mission/validator.h"
 

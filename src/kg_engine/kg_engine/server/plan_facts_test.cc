@@ -15,8 +15,8 @@
 #include "kg_core/facts/terms.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/sparql/query_engine.h"
-#include "kg_engine/server/test_mission.h"
-#include "kg_engine/server/test_team.h"
+#include "kg_engine/server/testing/test_mission.h"
+#include "kg_engine/server/testing/test_team.h"
 #include "kg_engine/terms/plan_names.h"
 #include "kg_mission/mission/validator.h"
 

@@ -15,8 +15,8 @@
 #include "kg_base/common/text.h"
 #include "kg_core/sparql/query_engine.h"
 #include "kg_core/sparql/results.h"
-#include "kg_engine/server/test_mission.h"
-#include "kg_engine/server/test_team.h"
+#include "kg_engine/server/testing/test_mission.h"
+#include "kg_engine/server/testing/test_team.h"
 #include "kg_engine/terms/plan_names.h"
 
 namespace kg_engine {
@@ -52,9 +52,9 @@ const Case kCases[] = {
 };
 
 // A planned mission; made once, as it is only read.
-class House {
+class PlannedTestMission {
  public:
-  House() {
+  PlannedTestMission() {
     server_ = StartTestServer(folder_);
     kg_core::FactUpdate join;
     join.id = "join";
@@ -89,9 +89,9 @@ class House {
   std::unique_ptr<MissionServer> server_;
 };
 
-House& TheHouse() {
-  static House house;
-  return house;
+PlannedTestMission& SharedMission() {
+  static PlannedTestMission mission;
+  return mission;
 }
 
 // Three significant digits.
@@ -138,11 +138,11 @@ std::string Normalise(std::string text, const std::string& folder) {
 TEST(ShippedQueries, AnswerAsTheyDidWhenTheyWereLookedAt) {
   for (const Case& one : kCases) {
     const std::string path = std::string(kQueries) + "/" + one.query + ".rq";
-    const kg_core::QueryResult result =
-        TheHouse().Ask(kg_base::ReadFile(path, kMaxBytes) + "\n" + one.values);
+    const kg_core::QueryResult result = SharedMission().Ask(
+        kg_base::ReadFile(path, kMaxBytes) + "\n" + one.values);
     EXPECT_GT(result.rows.size(), 0u) << one.golden;
     const std::string answer =
-        Normalise(kg_core::ToCsv(result), TheHouse().folder());
+        Normalise(kg_core::ToCsv(result), SharedMission().folder());
     const std::string golden = std::string(kGolden) + "/" + one.golden + ".csv";
     if (std::getenv("KG_WRITE_GOLDEN") != nullptr) {
       std::ofstream(golden) << answer;
@@ -165,9 +165,9 @@ TEST(ShippedQueries, SayWhatTheyAnswerAndForWhichParameters) {
 TEST(ShippedQueries, EveryFactHasSomebodyWhoSaidIt) {
   const std::string text =
       kg_base::ReadFile(std::string(kQueries) + "/who_said.rq", kMaxBytes);
-  const kg_core::QueryResult said = TheHouse().Ask(text);
+  const kg_core::QueryResult said = SharedMission().Ask(text);
   const kg_core::QueryResult facts =
-      TheHouse().Ask("SELECT ?s ?p ?o { GRAPH graph:facts { ?s ?p ?o } }");
+      SharedMission().Ask("SELECT ?s ?p ?o { GRAPH graph:facts { ?s ?p ?o } }");
   EXPECT_EQ(said.rows.size(), facts.rows.size());
 }
 

@@ -7,7 +7,7 @@
 #include "gtest/gtest.h"
 #include "kg_base/common/temporary_folder.h"
 #include "kg_engine/server/mission_server.h"
-#include "kg_engine/server/test_mission.h"
+#include "kg_engine/server/testing/test_mission.h"
 
 namespace kg_engine {
 namespace {

@@ -19,7 +19,7 @@
 #include "kg_engine/planning/agent_planner.h"
 #include "kg_engine/planning/team_selector.h"
 #include "kg_engine/server/mission_server.h"
-#include "kg_engine/server/test_mission.h"
+#include "kg_engine/server/testing/test_mission.h"
 
 namespace kg_engine {
 namespace {

@@ -19,8 +19,8 @@ namespace {
 
 using kg_engine::Decision;
 using kg_engine::Expired;
-using kg_engine::HttpDoorOptions;
 using kg_engine::MissionFolders;
+using kg_engine::SparqlHttpOptions;
 using kg_msgs::UpdateReport;
 using kg_msgs::World;
 
@@ -41,7 +41,7 @@ kg_msgs::StageTime Stage(const std::string& name, double seconds,
 
 }  // namespace
 
-KgNode::KgNode(const MissionFolders& folders, const HttpDoorOptions& http,
+KgNode::KgNode(const MissionFolders& folders, const SparqlHttpOptions& http,
                const ros::NodeHandle& node, const ros::NodeHandle& own)
     : node_(node),
       own_(own),
@@ -76,12 +76,12 @@ KgNode::KgNode(const MissionFolders& folders, const HttpDoorOptions& http,
   ExpectFirstPlan();
   ExpireFacts();
   PublishWorld();
-  if (http.port != 0) OpenHttpDoor(http);
+  if (http.port != 0) StartHttpServer(http);
 }
 
 KgNode::~KgNode() { main_thread_.Close(); }
 
-void KgNode::OpenHttpDoor(const HttpDoorOptions& options) {
+void KgNode::StartHttpServer(const SparqlHttpOptions& options) {
   kg_engine::EndpointStore store;
   store.read = [this] { return server_.Read(); };
   store.dataset = kg_engine::CurrentDataset;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "diagnostic_updater/diagnostic_updater.h"
-#include "kg_engine/http/http_door.h"
+#include "kg_engine/http/sparql_http_server.h"
 #include "kg_engine/server/mission_server.h"
 #include "kg_engine/server/plan_progress.h"
 #include "kg_msgs/AgentState.h"
@@ -43,7 +43,7 @@ class KgNode {
  public:
   // Opens the mission: throws kg_core::InputError.
   KgNode(const kg_engine::MissionFolders& folders,
-         const kg_engine::HttpDoorOptions& http, const ros::NodeHandle& node,
+         const kg_engine::SparqlHttpOptions& http, const ros::NodeHandle& node,
          const ros::NodeHandle& own);
   ~KgNode();
 
@@ -66,7 +66,7 @@ class KgNode {
   void HandleRejections(const kg_msgs::Rejections& message);
 
   kg_msgs::UpdateReport Decide(const kg_core::FactUpdate& update);
-  void OpenHttpDoor(const kg_engine::HttpDoorOptions& options);
+  void StartHttpServer(const kg_engine::SparqlHttpOptions& options);
   // From any thread but the main one, where it is decided.
   kg_engine::UpdateVerdict DecideForHttp(const kg_core::FactUpdate& update);
   kg_msgs::UpdateReport Report(const kg_core::FactUpdate& update,
@@ -128,7 +128,7 @@ class KgNode {
   std::string plan_note_;
 
   MainThread main_thread_;
-  std::optional<kg_engine::HttpDoor>
+  std::optional<kg_engine::SparqlHttpServer>
       http_;  // Ends first: its threads use the others.
 };
 

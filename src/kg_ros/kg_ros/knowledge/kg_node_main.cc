@@ -23,7 +23,7 @@ constexpr double kPoll_s = 0.1;
 
 struct Parameters {
   kg_engine::MissionFolders folders;
-  kg_engine::HttpDoorOptions http;
+  kg_engine::SparqlHttpOptions http;
 };
 
 Parameters ReadParameters(const ros::NodeHandle& own) {

@@ -47,7 +47,7 @@ struct BinarySolution {
 BinarySolution SolveBinary(const LinearProgram& program,
                            const BinaryOptions& options);
 
-// Time that counts against a limit: of this process, or on the wall [s].
+// Time that counts against a limit: of this process, or wall-clock time [s].
 double ClockNow_s(bool processor_time);
 
 }  // namespace kg_selector

@@ -55,7 +55,7 @@ struct Packing {
 
 struct PackingOptions {
   double time_limit_s = std::numeric_limits<double>::infinity();
-  // The limit is processor time of this process, else time on the wall.
+  // The limit is processor time of this process, else wall-clock time.
   bool processor_time = false;
   std::vector<int> start = {};  // Columns to start from; must be a packing.
 };

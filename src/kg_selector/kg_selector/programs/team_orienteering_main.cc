@@ -28,7 +28,7 @@ for rounding; each score once) and compares with the values of REFERENCE_FILE
 
 constexpr char kHelpEnd[] = R"(   how the team comes about (exact)
   --seconds S   processor time of the search for each instance, one thread,
-                CBC's part included (0.5); not time on the wall
+                CBC's part included (0.5); not wall-clock time
 
 A line a set (a file's name up to its first dot): instances with a reference
 above 0; share, the sum of values over the sum of references; mean of the

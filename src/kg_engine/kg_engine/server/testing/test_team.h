@@ -1,14 +1,14 @@
 // For tests: a server of the test mission, and a second agent beside its own.
 
-#ifndef KG_ENGINE_SERVER_TEST_TEAM_H_
-#define KG_ENGINE_SERVER_TEST_TEAM_H_
+#ifndef KG_ENGINE_SERVER_TESTING_TEST_TEAM_H_
+#define KG_ENGINE_SERVER_TESTING_TEST_TEAM_H_
 
 #include <memory>
 
 #include "kg_base/common/temporary_folder.h"
 #include "kg_engine/server/mission_planning.h"
 #include "kg_engine/server/mission_server.h"
-#include "kg_engine/server/test_mission.h"
+#include "kg_engine/server/testing/test_mission.h"
 
 namespace kg_engine {
 
@@ -35,4 +35,4 @@ inline std::unique_ptr<MissionServer> StartTestServer(
 
 }  // namespace kg_engine
 
-#endif  // KG_ENGINE_SERVER_TEST_TEAM_H_
+#endif  // KG_ENGINE_SERVER_TESTING_TEST_TEAM_H_

@@ -2,8 +2,8 @@
 // of 40 x 30 cells: a coast in the west, a weak current, a warm patch that
 // moves.
 
-#ifndef KG_ENGINE_SERVER_TEST_MISSION_H_
-#define KG_ENGINE_SERVER_TEST_MISSION_H_
+#ifndef KG_ENGINE_SERVER_TESTING_TEST_MISSION_H_
+#define KG_ENGINE_SERVER_TESTING_TEST_MISSION_H_
 
 #include <cmath>
 #include <cstddef>
@@ -132,4 +132,4 @@ inline void WriteTestMission(const std::string& folder) {
 
 }  // namespace kg_engine
 
-#endif  // KG_ENGINE_SERVER_TEST_MISSION_H_
+#endif  // KG_ENGINE_SERVER_TESTING_TEST_MISSION_H_
