@@ -289,12 +289,4 @@ std::string TensorHash(const Mission& mission, const Agent& agent,
   return HashOf(inputs, FindActiveFacts(mission, agent, window));
 }
 
-std::vector<std::string> TensorSources(const Mission& mission,
-                                       const Agent& agent,
-                                       const TimeWindow& window,
-                                       const WindowRasters& rasters) {
-  const TensorInputs inputs{&mission, &agent, &window, &rasters, nullptr};
-  return SourcesOf(inputs, FindActiveFacts(mission, agent, window));
-}
-
 }  // namespace kg_compiler

@@ -70,8 +70,15 @@ TensorBlend BlendTensor(const kg_mission::Agent& agent,
 struct TensorRequest {
   TensorInputs inputs;
   ActiveFacts active;
-  std::string hash;                  // As TensorHash.
-  std::vector<std::string> sources;  // The horizon's, else as TensorSources.
+  std::string hash;  // As TensorHash.
+  // The horizon's, else the IRIs of the facts and files that are read, sorted:
+  // the policy, the window and the field whose gaps are land always; the value
+  // layer and its file if alpha or gamma is not 0; every constraint, weighted
+  // prior and bumping event in force, with the policy's ex:SoftOverride or
+  // ex:PriorWeight of it, and for each that the agent must avoid what says so
+  // (an inference, or the agent); the agent itself only if one of them is in
+  // force for naming it.
+  std::vector<std::string> sources;
 };
 TensorRequest PrepareTensor(const TensorInputs& inputs);
 
@@ -99,17 +106,6 @@ std::string TensorHash(const kg_mission::Mission& mission,
                        const kg_mission::TimeWindow& window,
                        const WindowRasters& rasters,
                        const HorizonScale* horizon = nullptr);
-
-// The IRIs of the facts and files that it reads, sorted: the policy, the window
-// and the field whose gaps are land always; the value layer and its file if
-// alpha or gamma is not 0; every constraint, weighted prior and bumping event
-// in force, with the policy's ex:SoftOverride or ex:PriorWeight of it, and for
-// each that the agent must avoid what says so (an inference, or the agent); the
-// agent itself only if one of them is in force for naming it.
-std::vector<std::string> TensorSources(const kg_mission::Mission& mission,
-                                       const kg_mission::Agent& agent,
-                                       const kg_mission::TimeWindow& window,
-                                       const WindowRasters& rasters);
 
 }  // namespace kg_compiler
 

@@ -9,7 +9,7 @@
 #include "kg_base/common/temporary_folder.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/isomorphism.h"
-#include "kg_core/sparql/vector_view.h"
+#include "kg_core/sparql/testing/vector_view.h"
 
 namespace kg_core {
 namespace {

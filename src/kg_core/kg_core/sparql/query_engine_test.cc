@@ -14,7 +14,7 @@
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/sparql/isomorphism.h"
 #include "kg_core/sparql/results.h"
-#include "kg_core/sparql/vector_view.h"
+#include "kg_core/sparql/testing/vector_view.h"
 
 namespace kg_core {
 namespace {

@@ -42,7 +42,6 @@ class HttpError : public std::runtime_error {
 // The statuses that are used here.
 inline constexpr int kOk = 200;
 inline constexpr int kCreated = 201;
-inline constexpr int kNoContent = 204;
 inline constexpr int kBadRequest = 400;
 inline constexpr int kUnauthorized = 401;
 inline constexpr int kForbidden = 403;

@@ -24,7 +24,7 @@
 #include "kg_core/sparql/query_engine.h"
 #include "kg_core/sparql/results.h"
 #include "kg_core/sparql/testing/random_query.h"
-#include "kg_core/sparql/vector_view.h"
+#include "kg_core/sparql/testing/vector_view.h"
 
 namespace kg_core::brute {
 namespace {

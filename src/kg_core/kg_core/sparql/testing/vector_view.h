@@ -1,8 +1,8 @@
 // A GraphView over a plain list of quads, for tests: every question is answered
 // by looking at every quad, so there is nothing in it that could be wrong.
 
-#ifndef KG_CORE_SPARQL_VECTOR_VIEW_H_
-#define KG_CORE_SPARQL_VECTOR_VIEW_H_
+#ifndef KG_CORE_SPARQL_TESTING_VECTOR_VIEW_H_
+#define KG_CORE_SPARQL_TESTING_VECTOR_VIEW_H_
 
 #include <cstddef>
 #include <cstdint>
@@ -69,4 +69,4 @@ class VectorView : public GraphView {
 
 }  // namespace kg_core
 
-#endif  // KG_CORE_SPARQL_VECTOR_VIEW_H_
+#endif  // KG_CORE_SPARQL_TESTING_VECTOR_VIEW_H_
