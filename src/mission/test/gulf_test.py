@@ -39,6 +39,7 @@ TOPICS = {
     'kg/nav_graphs': 'kg_msgs/NavGraph',
     'kg/candidates': 'kg_msgs/Candidates',
     'kg/assignments': 'kg_msgs/Assignments',
+    'kg/round_requests': 'kg_msgs/RoundRequest',
     'kg/rejections': 'kg_msgs/Rejections',
     'kg/watched': 'kg_msgs/WatchedAnswer',
     'kg/markers': 'visualization_msgs/MarkerArray',

@@ -14,9 +14,9 @@
 namespace kg_compiler {
 namespace {
 
-using kg_core::Median;
-using kg_core::Report;
-using kg_core::Seconds;
+using kg_base::Median;
+using kg_base::Report;
+using kg_base::Seconds;
 
 constexpr int kPicks = 20;
 constexpr double kCell_m = 100.0;

@@ -31,11 +31,11 @@
 namespace kg_compiler {
 namespace {
 
-using kg_core::Median;
-using kg_core::PairedRatio;
-using kg_core::PairedRatioBy;
-using kg_core::Report;
-using kg_core::Seconds;
+using kg_base::Median;
+using kg_base::PairedRatio;
+using kg_base::PairedRatioBy;
+using kg_base::Report;
+using kg_base::Seconds;
 
 constexpr double kBytesPerCell = 17.0;
 

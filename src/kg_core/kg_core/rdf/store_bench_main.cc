@@ -42,6 +42,9 @@
 namespace kg_core {
 namespace {
 
+using kg_base::Median;
+using kg_base::Seconds;
+
 struct Query {
   const char* name;
   const char* text;
@@ -87,6 +90,10 @@ const char kShapes[] = R"ttl(
                   sh:datatype xsd:double ; sh:minInclusive 0 ] ;
     sh:property [ sh:path ex:toWaypoint ; sh:class ex:Waypoint ] .
 )ttl";
+
+double Milliseconds(const std::function<void()>& work) {
+  return 1e3 * Seconds(work);
+}
 
 double MedianMilliseconds(const std::function<void()>& work) {
   std::vector<double> times;

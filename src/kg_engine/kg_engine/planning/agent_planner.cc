@@ -172,6 +172,9 @@ std::optional<PlannerAnswer> AgentPlanner::PlanAgain(
   if (request.cycle != cycle_ || request.round == 0 || due_) {
     return std::nullopt;
   }
+  if (last_end_ && kg_selector::HasEnded(request, *last_end_)) {
+    return std::nullopt;
+  }
   const std::optional<kg_selector::AskedOf> asked =
       kg_selector::AskOf(request, rules_.agent_id);
   if (!asked) return std::nullopt;

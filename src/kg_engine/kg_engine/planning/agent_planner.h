@@ -39,6 +39,8 @@ class AgentPlanner {
   void Take(const kg_compiler::SeamRules& rules, std::uint64_t cycle);
   void Take(TensorPointer tensor);
   void Take(FieldPointer field);
+  // Requests of the run that has ended are not answered any more.
+  void Take(const kg_selector::RunEnd& end) { last_end_ = end; }
   // Is the raster of this window and hash here already?
   bool HasTensor(int window, const std::string& hash) const;
   bool HasField(int window, const std::string& hash) const;
@@ -55,8 +57,8 @@ class AgentPlanner {
   PlannerAnswer Plan();
 
   // Plans under what `request` asks of this agent: around those committed, at
-  // its prices. Nothing if it does not ask, or is of another cycle. Throws
-  // kg_core::InputError for prices that make no sense.
+  // its prices. Nothing if it does not ask, is of another cycle, or of a run
+  // that has ended. Throws kg_core::InputError for prices that make no sense.
   std::optional<PlannerAnswer> PlanAgain(
       const kg_selector::RoundRequest& request);
 
@@ -73,6 +75,7 @@ class AgentPlanner {
   kg_compiler::SeamRules rules_;
   std::uint64_t cycle_ = 0;
   bool due_ = false;
+  std::optional<kg_selector::RunEnd> last_end_;
   std::map<int, TensorPointer> tensors_;  // By window.
   std::map<int, FieldPointer> fields_;
   kg_compiler::NavGraphs graphs_;  // Of the last plan.

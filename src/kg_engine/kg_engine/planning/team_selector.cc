@@ -45,10 +45,17 @@ Value TeamSelector::Header() const {
 
 SelectorAnswer TeamSelector::KnowRun(const std::uint64_t run) {
   last_run_ = std::max(last_run_, run);
-  if (team_ && !finished_) run_ = std::max(run_, last_run_ + 1);
+  SelectorAnswer answer;
+  if (team_ && !finished_ && run_ <= last_run_) {
+    run_ = last_run_ + 1;
+    if (round_ > 0) {
+      request_.run = run_;
+      answer.request = request_;
+    }
+  }
   const bool was_waiting_for_it = !knows_last_run_;
   knows_last_run_ = true;
-  return was_waiting_for_it ? Step() : SelectorAnswer{};
+  return was_waiting_for_it ? Step() : answer;
 }
 
 SelectorAnswer TeamSelector::Take(const TeamTask& task) {
@@ -137,6 +144,7 @@ RoundRequest TeamSelector::Ask() {
     kg_selector::AddAsk(agent, team_->RequestFor(agent), task_->rules,
                         &request);
   }
+  request_ = request;
   return request;
 }
 

@@ -45,7 +45,9 @@ class TeamSelector {
   // In any order, also before the task of their cycle is here.
   SelectorAnswer Take(const kg_selector::AgentCandidates& candidates);
   // Runs get numbers above this one: the number of the last run known. Nothing
-  // is decided before it is.
+  // is decided before it is. If the run under way gets another number by this,
+  // its last request is repeated under it: the requests and the end of a run
+  // are matched by number.
   SelectorAnswer KnowRun(std::uint64_t run);
 
   // Who is waited for, since when nothing has come [unix s]; empty = nobody.
@@ -75,6 +77,7 @@ class TeamSelector {
   // Round 0 of the newest cycle heard of, by agent: kept for a fresh start.
   std::map<std::string, kg_selector::AgentCandidates> unmasked_;
   std::map<std::string, Offered> offered_;  // By agent.
+  kg_selector::RoundRequest request_;       // Last.
   std::uint32_t round_ = 0;
   std::uint64_t run_ = 0;       // Under way or just finished.
   std::uint64_t last_run_ = 0;  // The highest finished one heard of.

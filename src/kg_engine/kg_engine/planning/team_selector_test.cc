@@ -168,6 +168,32 @@ TEST(TeamSelectorTest, DecidesNothingBeforeItKnowsTheLastRun) {
   EXPECT_EQ(answer.plan->run, 42u);
 }
 
+// Otherwise the end of the run has another number than its requests.
+TEST(TeamSelectorTest, ARunThatGetsAnotherNumberRepeatsItsRequestUnderIt) {
+  TeamSelector server;
+  server.KnowRun(0);
+  server.Take(Rules(1));
+  server.Take(Offer("alpha", 1, 0, StayAt(-90, 5)));
+  const SelectorAnswer asked =
+      server.Take(Offer("bravo", 1, 0, StayAt(-90, 4)));
+  ASSERT_TRUE(asked.request);
+  EXPECT_EQ(asked.request->run, 1u);
+  EXPECT_FALSE(server.KnowRun(0).request);
+  const SelectorAnswer again = server.KnowRun(3);
+  ASSERT_TRUE(again.request);
+  EXPECT_EQ(again.request->run, 4u);
+  EXPECT_EQ(again.request->round, 1u);
+  EXPECT_EQ(again.request->time_s, asked.request->time_s);
+  EXPECT_EQ(again.request->asked, asked.request->asked);
+  EXPECT_EQ(again.request->cooling.size(), 1u);
+  EXPECT_FALSE(server.KnowRun(3).request);
+  const SelectorAnswer done = server.Take(Offer("bravo", 1, 1, StayAt(-80, 3)));
+  ASSERT_TRUE(done.plan);
+  EXPECT_EQ(done.plan->run, 4u);
+  EXPECT_EQ(done.end->run, 4u);
+  EXPECT_FALSE(server.KnowRun(5).request);  // Finished.
+}
+
 TEST(TeamSelectorTest, GoesOnWithoutTheDeadAndTakesThemBack) {
   TeamSelector server;
   server.KnowRun(0);

@@ -11,9 +11,8 @@ void PlanProgress::Begin(const std::uint64_t cycle) {
   cycle_ = cycle;
   plan_.reset();
   end_ = {};
-  cooling_.clear();
-  prices_.clear();
-  priced_round_ = 0;
+  requests_.clear();
+  last_asked_run_ = 0;
   graphs_.clear();
   unrecorded_.clear();
 }
@@ -25,17 +24,6 @@ bool PlanProgress::IsCurrent(const Value& value) {
   return false;
 }
 
-// A selector that began anew asks under another run: what an earlier one had
-// asked no longer counts.
-void PlanProgress::NoteRun(const std::uint64_t run) {
-  if (run != asking_run_) {
-    cooling_.clear();
-    prices_.clear();
-    priced_round_ = 0;
-  }
-  asking_run_ = run;
-}
-
 bool PlanProgress::Take(const CommittedPlan& plan) {
   if (!IsCurrent(plan)) return false;
   plan_ = plan;
@@ -44,28 +32,28 @@ bool PlanProgress::Take(const CommittedPlan& plan) {
 
 bool PlanProgress::Take(const RoundRequest& request) {
   if (!IsCurrent(request)) return false;
-  NoteRun(request.run);
-  if (request.round > priced_round_) {
-    priced_round_ = request.round;
-    prices_ = request.prices;
+  last_asked_run_ = request.run;
+  RunRequests& run = requests_[request.run];
+  if (request.round > run.last_round) {
+    run.last_round = request.round;
+    run.prices = request.prices;
   }
   for (const CoolingConstraint& one : request.cooling) {
-    cooling_[{one.agent, one.by_agent}] = one;
+    run.cooling[{one.agent, one.by_agent}] = one;
   }
   return true;
 }
 
 bool PlanProgress::Take(const RunEnd& end) {
   if (!IsCurrent(end)) return false;
-  NoteRun(end.run);
   end_ = end;
   return true;
 }
 
-std::vector<CoolingConstraint> PlanProgress::cooling() const {
-  std::vector<CoolingConstraint> all;
-  for (const auto& [pair, one] : cooling_) all.push_back(one);
-  return all;
+PlanProgress::RunRequests PlanProgress::RequestsOf(
+    const std::uint64_t run) const {
+  const auto known = requests_.find(run);
+  return known == requests_.end() ? RunRequests() : known->second;
 }
 
 bool PlanProgress::Take(const AgentGraph& graph) {
@@ -76,8 +64,16 @@ bool PlanProgress::Take(const AgentGraph& graph) {
   return true;
 }
 
+bool PlanProgress::IsFinished() const {
+  if (!plan_ || end_.run != plan_->run) return false;
+  // The plan and its end may overtake requests, which arrive in their own
+  // order: with that of the last round, or of a later run, all are here.
+  return last_asked_run_ > plan_->run ||
+         static_cast<int>(RequestsOf(plan_->run).last_round) >= plan_->rounds;
+}
+
 std::optional<CommittedPlan> PlanProgress::TakeFinishedPlan() {
-  if (!plan_ || end_.run != plan_->run) return std::nullopt;
+  if (!IsFinished()) return std::nullopt;
   std::optional<CommittedPlan> plan;
   plan.swap(plan_);
   return plan;
@@ -87,8 +83,12 @@ PlanRecord PlanProgress::MakeRecord(const CommittedPlan& plan) const {
   PlanRecord record;
   record.plan = plan;
   record.rejections = rejections();
-  record.cooling = cooling();
-  record.prices = prices();
+  // Not those of other runs in this cycle.
+  const RunRequests requests = RequestsOf(plan.run);
+  for (const auto& [pair, one] : requests.cooling) {
+    record.cooling.push_back(one);
+  }
+  record.prices = requests.prices;
   for (const auto& [key, graph] : graphs_) {
     record.nav_graphs[key] = ToStamp(*graph.graph, graph.made_s);
   }

@@ -31,7 +31,8 @@ class PlanProgress {
   bool Take(const kg_selector::RunEnd& end);
   bool Take(const AgentGraph& graph);
 
-  // The plan, once, when it and the end of the same run are both here.
+  // The plan, once, when it, the end of the same run and the request of its
+  // last round are here, in whichever order they came.
   std::optional<kg_selector::CommittedPlan> TakeFinishedPlan();
   // All that is recorded of it: of a plan that was taken, what has arrived
   // beside it. Times and executed stops are the caller's.
@@ -40,10 +41,10 @@ class PlanProgress {
   const std::vector<kg_selector::RecordedRejection>& rejections() const {
     return end_.rejections;
   }
-  // What agents were asked to plan around: of each pair of agents the last.
-  std::vector<kg_selector::CoolingConstraint> cooling() const;
-  // At which they were asked to plan, in the last round; as they were told.
-  const std::vector<kg_selector::VisitPrice>& prices() const { return prices_; }
+  // At which agents were last asked to plan; as they were told.
+  std::vector<kg_selector::VisitPrice> prices() const {
+    return RequestsOf(last_asked_run_).prices;
+  }
 
   // Graphs of this cycle, by agent and window.
   const std::map<Key, AgentGraph>& graphs() const { return graphs_; }
@@ -54,20 +55,30 @@ class PlanProgress {
   std::uint64_t dropped() const { return dropped_; }
 
  private:
+  // What the agents were asked in one run.
+  struct RunRequests {
+    std::uint32_t last_round = 0;
+    // What they were to plan around, by who is cooled, and by whom: the last.
+    std::map<std::pair<std::string, std::string>,
+             kg_selector::CoolingConstraint>
+        cooling;
+    std::vector<kg_selector::VisitPrice> prices;  // Of the last round.
+  };
+
   template <typename Value>
   bool IsCurrent(const Value& value);
-  void NoteRun(std::uint64_t run);
+  bool IsFinished() const;
+  // Empty if nobody was asked.
+  RunRequests RequestsOf(std::uint64_t run) const;
 
   std::uint64_t cycle_ = 0;
   std::uint64_t dropped_ = 0;
   std::optional<kg_selector::CommittedPlan> plan_;
   kg_selector::RunEnd end_;
-  std::uint64_t asking_run_ = 0;
-  // By who is cooled, and by whom.
-  std::map<std::pair<std::string, std::string>, kg_selector::CoolingConstraint>
-      cooling_;
-  std::uint32_t priced_round_ = 0;
-  std::vector<kg_selector::VisitPrice> prices_;
+  // Of this cycle, by run: a selector that is started anew, or a planner that
+  // comes back, begins another run in it.
+  std::map<std::uint64_t, RunRequests> requests_;
+  std::uint64_t last_asked_run_ = 0;
   std::map<Key, AgentGraph> graphs_;
   std::vector<Key> unrecorded_;
 };

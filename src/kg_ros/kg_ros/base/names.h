@@ -17,6 +17,7 @@ inline constexpr char kCoordinationTopic[] = "kg/coordination";
 inline constexpr char kNavGraphsTopic[] = "kg/nav_graphs";
 inline constexpr char kCandidatesTopic[] = "kg/candidates";
 inline constexpr char kAssignmentsTopic[] = "kg/assignments";
+inline constexpr char kRoundRequestsTopic[] = "kg/round_requests";
 inline constexpr char kRejectionsTopic[] = "kg/rejections";
 inline constexpr char kWatchedTopic[] = "kg/watched";
 inline constexpr char kMarkersTopic[] = "kg/markers";

@@ -304,9 +304,9 @@ TEST(ConversionTest, ARequestComesBackAsItWas) {
   request.round = 2;
   kg_selector::AddAsk("bravo", ask, rules, &request);
   kg_selector::AddAsk("charlie", {}, rules, &request);
-  const kg_msgs::Rejections message = ToMessage(request);
-  ASSERT_FALSE(IsEndOfRun(message));
-  const kg_selector::RoundRequest same = RequestFromMessage(message);
+  const kg_msgs::RoundRequest message = ToMessage(request);
+  EXPECT_EQ(message.asked, request.asked);
+  const kg_selector::RoundRequest same = FromMessage(message);
   EXPECT_EQ(same.time_s, 1.75e9);
   EXPECT_EQ(same.world_version, 5u);
   EXPECT_EQ(same.cycle, 6u);
@@ -336,6 +336,9 @@ TEST(ConversionTest, ARequestComesBackAsItWas) {
 
 TEST(ConversionTest, TheEndOfARunComesBackWithItsRejections) {
   kg_selector::RunEnd end;
+  end.time_s = 1.75e9;
+  end.world_version = 5;
+  end.cycle = 6;
   end.run = 7;
   end.rejections.resize(1);
   end.rejections[0].agent_iri = "ex:bravo";
@@ -352,9 +355,11 @@ TEST(ConversionTest, TheEndOfARunComesBackWithItsRejections) {
   lost.conflict.event = "ex:e";
   lost.conflict.margin = -2.0;
   const kg_msgs::Rejections message = ToMessage(end);
-  ASSERT_TRUE(IsEndOfRun(message));
   EXPECT_EQ(message.rejections.at(0).kind, "energy");
-  const kg_selector::RunEnd back = EndFromMessage(message);
+  const kg_selector::RunEnd back = FromMessage(message);
+  EXPECT_EQ(back.time_s, 1.75e9);
+  EXPECT_EQ(back.world_version, 5u);
+  EXPECT_EQ(back.cycle, 6u);
   EXPECT_EQ(back.run, 7u);
   ASSERT_EQ(back.rejections.size(), 1u);
   EXPECT_EQ(back.rejections[0].agent_iri, "ex:bravo");

@@ -427,8 +427,8 @@ kg_selector::AgentCandidates FromMessage(const kg_msgs::Candidates& message) {
   return candidates;
 }
 
-kg_msgs::Rejections ToMessage(const kg_selector::RoundRequest& request) {
-  kg_msgs::Rejections message;
+kg_msgs::RoundRequest ToMessage(const kg_selector::RoundRequest& request) {
+  kg_msgs::RoundRequest message;
   SetHeader(request, &message);
   message.round = request.round;
   message.asked = request.asked;
@@ -441,18 +441,7 @@ kg_msgs::Rejections ToMessage(const kg_selector::RoundRequest& request) {
   return message;
 }
 
-kg_msgs::Rejections ToMessage(const kg_selector::RunEnd& end) {
-  kg_msgs::Rejections message;
-  SetHeader(end, &message);
-  message.round = 0;
-  for (const auto& one : end.rejections) {
-    message.rejections.push_back(ToMessage(one));
-  }
-  return message;
-}
-
-kg_selector::RoundRequest RequestFromMessage(
-    const kg_msgs::Rejections& message) {
+kg_selector::RoundRequest FromMessage(const kg_msgs::RoundRequest& message) {
   auto request = FromHeader<kg_selector::RoundRequest>(message);
   request.round = message.round;
   request.asked = message.asked;
@@ -465,7 +454,16 @@ kg_selector::RoundRequest RequestFromMessage(
   return request;
 }
 
-kg_selector::RunEnd EndFromMessage(const kg_msgs::Rejections& message) {
+kg_msgs::Rejections ToMessage(const kg_selector::RunEnd& end) {
+  kg_msgs::Rejections message;
+  SetHeader(end, &message);
+  for (const auto& one : end.rejections) {
+    message.rejections.push_back(ToMessage(one));
+  }
+  return message;
+}
+
+kg_selector::RunEnd FromMessage(const kg_msgs::Rejections& message) {
   auto end = FromHeader<kg_selector::RunEnd>(message);
   for (const kg_msgs::Rejection& one : message.rejections) {
     end.rejections.push_back(FromMessage(one));

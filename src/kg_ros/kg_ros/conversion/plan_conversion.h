@@ -17,6 +17,7 @@
 #include "kg_msgs/NavGraph.h"
 #include "kg_msgs/Pathlet.h"
 #include "kg_msgs/Rejections.h"
+#include "kg_msgs/RoundRequest.h"
 #include "kg_msgs/StageTime.h"
 #include "kg_msgs/TimedPoint.h"
 #include "kg_selector/paths/pathlet.h"
@@ -51,16 +52,11 @@ kg_selector::Pathlet FromMessage(const kg_msgs::Pathlet& message,
 kg_msgs::Candidates ToMessage(const kg_selector::AgentCandidates& candidates);
 kg_selector::AgentCandidates FromMessage(const kg_msgs::Candidates& message);
 
-// A Rejections message of a round above 0 is a request, one of round 0 the end
-// of a run.
-inline bool IsEndOfRun(const kg_msgs::Rejections& message) {
-  return message.round == 0;
-}
-kg_msgs::Rejections ToMessage(const kg_selector::RoundRequest& request);
+kg_msgs::RoundRequest ToMessage(const kg_selector::RoundRequest& request);
+kg_selector::RoundRequest FromMessage(const kg_msgs::RoundRequest& message);
+
 kg_msgs::Rejections ToMessage(const kg_selector::RunEnd& end);
-kg_selector::RoundRequest RequestFromMessage(
-    const kg_msgs::Rejections& message);
-kg_selector::RunEnd EndFromMessage(const kg_msgs::Rejections& message);
+kg_selector::RunEnd FromMessage(const kg_msgs::Rejections& message);
 
 kg_msgs::Assignments ToMessage(const kg_selector::CommittedPlan& plan);
 kg_selector::CommittedPlan FromMessage(const kg_msgs::Assignments& message);

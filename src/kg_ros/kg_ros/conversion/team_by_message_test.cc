@@ -8,6 +8,7 @@
 #include <random>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "gtest/gtest.h"
@@ -56,6 +57,17 @@ class Wire {
     while (!letters_.empty()) Deliver();
   }
 
+  // After the end of the run, how many requests would still be answered.
+  int AnsweredTooLate() {
+    int answered = 0;
+    for (const kg_msgs::RoundRequest& request : requests_) {
+      for (auto& [agent, planner] : planners_) {
+        answered += planner.PlanAgain(FromMessage(request)).has_value();
+      }
+    }
+    return answered;
+  }
+
   const kg_msgs::Assignments& plan() const { return plan_; }
   int asked() const { return asked_; }
   int plans() const { return plans_; }
@@ -63,8 +75,9 @@ class Wire {
  private:
   struct Letter {
     std::string to;  // Empty: the selector.
-    kg_msgs::Candidates candidates;
-    kg_msgs::Rejections rejections;
+    std::variant<kg_msgs::Candidates, kg_msgs::RoundRequest,
+                 kg_msgs::Rejections>
+        message;
   };
 
   void Prepare(const Compilation& compilation,
@@ -89,12 +102,13 @@ class Wire {
 
   void Post(const kg_msgs::Candidates& candidates) {
     for (unsigned i = 0; i <= random_() % 2; ++i) {
-      letters_.push_back({"", ByWire(candidates), {}});
+      letters_.push_back({"", ByWire(candidates)});
     }
   }
-  void Post(const kg_msgs::Rejections& rejections) {
+  template <typename Message>
+  void PostToPlanners(const Message& message) {
     for (const auto& [agent, planner] : planners_) {
-      letters_.push_back({agent, {}, ByWire(rejections)});
+      letters_.push_back({agent, ByWire(message)});
       if (random_() % 3 == 0) letters_.push_back(letters_.back());
     }
   }
@@ -103,13 +117,19 @@ class Wire {
     std::swap(letters_[random_() % letters_.size()], letters_.back());
     const Letter letter = std::move(letters_.back());
     letters_.pop_back();
-    if (letter.to.empty()) {
-      Hear(selector_.Take(FromMessage(letter.candidates)));
-      return;
-    }
-    if (IsEndOfRun(letter.rejections)) return;
-    const auto answer = planners_.at(letter.to).PlanAgain(
-        RequestFromMessage(letter.rejections));
+    std::visit([&](const auto& message) { Read(letter.to, message); },
+               letter.message);
+  }
+
+  void Read(const std::string& /*selector*/,
+            const kg_msgs::Candidates& candidates) {
+    Hear(selector_.Take(FromMessage(candidates)));
+  }
+  void Read(const std::string& agent, const kg_msgs::Rejections& rejections) {
+    planners_.at(agent).Take(FromMessage(rejections));
+  }
+  void Read(const std::string& agent, const kg_msgs::RoundRequest& request) {
+    const auto answer = planners_.at(agent).PlanAgain(FromMessage(request));
     if (!answer) return;
     EXPECT_TRUE(answer->graphs.empty());
     Post(ToMessage(answer->candidates));
@@ -119,8 +139,11 @@ class Wire {
     if (said.plan) plan_ = ByWire(ToMessage(*said.plan));
     plans_ += said.plan.has_value();
     asked_ += said.request.has_value();
-    if (said.request) Post(ToMessage(*said.request));
-    if (said.end) Post(ToMessage(*said.end));
+    if (said.request) {
+      requests_.push_back(ByWire(ToMessage(*said.request)));
+      PostToPlanners(requests_.back());
+    }
+    if (said.end) PostToPlanners(ToMessage(*said.end));
   }
 
   std::mt19937 random_;
@@ -128,6 +151,7 @@ class Wire {
   kg_engine::TeamSelector selector_;
   kg_msgs::CoordinationRules rules_;
   std::deque<Letter> letters_;
+  std::vector<kg_msgs::RoundRequest> requests_;
   kg_msgs::Assignments plan_;
   int asked_ = 0;
   int plans_ = 0;
@@ -184,10 +208,11 @@ TEST_P(TeamByMessageTest, CommitsWhatOneProcessPlans) {
       ToMessage(kg_selector::ToCommittedPlan(planned));
   ASSERT_EQ(expected.assignments.size(), 2u);
   for (unsigned seed = 0; seed < 10; ++seed) {
-    const Wire wire(*compilation, server_->cycle(), seed);
+    Wire wire(*compilation, server_->cycle(), seed);
     const kg_msgs::Assignments& plan = wire.plan();
     EXPECT_EQ(wire.plans(), 1);
     EXPECT_GT(wire.asked(), 0);
+    EXPECT_EQ(wire.AnsweredTooLate(), 0);
     EXPECT_EQ(plan.mode, GetParam());
     EXPECT_EQ(plan.rounds, expected.rounds);
     EXPECT_EQ(plan.unassigned, expected.unassigned);

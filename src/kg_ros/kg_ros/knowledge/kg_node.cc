@@ -116,6 +116,8 @@ void KgNode::Subscribe() {
                       this),
       node_.subscribe(kCandidatesTopic, kManyGraphs, &KgNode::HandleCandidates,
                       this),
+      node_.subscribe(kRoundRequestsTopic, 100, &KgNode::HandleRoundRequest,
+                      this),
       node_.subscribe(kRejectionsTopic, 100, &KgNode::HandleRejections, this),
       node_.subscribe(kAssignmentsTopic, 10, &KgNode::HandleAssignments, this)};
   services_ = {
@@ -327,12 +329,17 @@ void KgNode::HandleCandidates(const kg_msgs::Candidates& message) {
   });
 }
 
+// Requests, rejections and assignments come on three topics: whichever is the
+// last of a run completes its plan.
+void KgNode::HandleRoundRequest(const kg_msgs::RoundRequest& message) {
+  Guarded([&] {
+    if (progress_.Take(FromMessage(message))) CommitFinishedPlan();
+  });
+}
+
 void KgNode::HandleRejections(const kg_msgs::Rejections& message) {
   Guarded([&] {
-    const bool is_taken = IsEndOfRun(message)
-                              ? progress_.Take(EndFromMessage(message))
-                              : progress_.Take(RequestFromMessage(message));
-    if (is_taken) CommitFinishedPlan();
+    if (progress_.Take(FromMessage(message))) CommitFinishedPlan();
   });
 }
 

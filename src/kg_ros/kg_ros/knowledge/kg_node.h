@@ -21,6 +21,7 @@
 #include "kg_msgs/FactUpdate.h"
 #include "kg_msgs/NavGraph.h"
 #include "kg_msgs/Rejections.h"
+#include "kg_msgs/RoundRequest.h"
 #include "kg_msgs/UpdateFacts.h"
 #include "kg_msgs/UpdateReport.h"
 #include "kg_msgs/Validate.h"
@@ -63,6 +64,7 @@ class KgNode {
   void HandleNavGraph(const kg_msgs::NavGraph& message);
   void HandleCandidates(const kg_msgs::Candidates& message);
   void HandleAssignments(const kg_msgs::Assignments& message);
+  void HandleRoundRequest(const kg_msgs::RoundRequest& message);
   void HandleRejections(const kg_msgs::Rejections& message);
 
   kg_msgs::UpdateReport Decide(const kg_core::FactUpdate& update);

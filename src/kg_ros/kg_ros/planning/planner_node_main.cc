@@ -14,6 +14,7 @@
 #include "kg_msgs/MissionTensor.h"
 #include "kg_msgs/NavGraph.h"
 #include "kg_msgs/Rejections.h"
+#include "kg_msgs/RoundRequest.h"
 #include "kg_msgs/SeamRules.h"
 #include "kg_msgs/WorkField.h"
 #include "kg_ros/base/names.h"
@@ -42,8 +43,9 @@ class PlannerNode {
         });
     SubscribeRasters();
     rules_ = Subscribe<kg_msgs::SeamRules>(AgentTopic(agent_, kSeamRules), 1);
-    rejections_ = node_.subscribe(kRejectionsTopic, 8,
-                                  &PlannerNode::HandleRejections, this);
+    rejections_ = Subscribe<kg_msgs::Rejections>(kRejectionsTopic, 8);
+    requests_ = node_.subscribe(kRoundRequestsTopic, 8,
+                                &PlannerNode::HandleRequest, this);
     patience_ = node_.createWallTimer(
         ros::WallDuration(kPatience_s),
         [this](const ros::WallTimerEvent&) { AskAgain(); });
@@ -68,6 +70,10 @@ class PlannerNode {
 
   void Take(const kg_msgs::SeamRules& message) {
     planner_.Take(FromMessage(message), message.cycle);
+  }
+  // The requests of this run are void, also one that is still on its way.
+  void Take(const kg_msgs::Rejections& message) {
+    planner_.Take(FromMessage(message));
   }
   void Take(const kg_msgs::MissionTensor& message) {
     if (planner_.HasTensor(message.window, message.hash)) return;
@@ -121,11 +127,8 @@ class PlannerNode {
     PlanAgain();  // It may have been asked before it had planned.
   }
 
-  void HandleRejections(const kg_msgs::Rejections& message) {
-    Guarded([&] {
-      asked_ = IsEndOfRun(message) ? kg_selector::RoundRequest()
-                                   : RequestFromMessage(message);
-    });
+  void HandleRequest(const kg_msgs::RoundRequest& message) {
+    Guarded([&] { asked_ = FromMessage(message); });
     PlanAgain();
   }
 
@@ -145,6 +148,7 @@ class PlannerNode {
   ros::Subscriber fields_;
   ros::Subscriber rules_;
   ros::Subscriber rejections_;
+  ros::Subscriber requests_;
   ros::WallTimer patience_;
   kg_selector::RoundRequest asked_;  // Last.
   kg_msgs::Candidates last_;         // Of round 0.

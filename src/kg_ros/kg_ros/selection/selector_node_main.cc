@@ -12,6 +12,7 @@
 #include "kg_msgs/Candidates.h"
 #include "kg_msgs/CoordinationRules.h"
 #include "kg_msgs/Rejections.h"
+#include "kg_msgs/RoundRequest.h"
 #include "kg_msgs/World.h"
 #include "kg_ros/base/names.h"
 #include "kg_ros/base/parameter_reader.h"
@@ -29,6 +30,8 @@ class SelectorNode {
     assignments_ =
         node_.advertise<kg_msgs::Assignments>(kAssignmentsTopic, 1, kLatched);
     // Latched: a selector that was just started is heard by all.
+    requests_ = node_.advertise<kg_msgs::RoundRequest>(kRoundRequestsTopic, 64,
+                                                       kLatched);
     rejections_ =
         node_.advertise<kg_msgs::Rejections>(kRejectionsTopic, 64, kLatched);
     subscribers_ = {
@@ -69,7 +72,7 @@ class SelectorNode {
   void Answer(const std::function<kg_engine::SelectorAnswer()>& step) {
     try {
       const kg_engine::SelectorAnswer answer = step();
-      if (answer.request) rejections_.publish(ToMessage(*answer.request));
+      if (answer.request) requests_.publish(ToMessage(*answer.request));
       if (answer.end) rejections_.publish(ToMessage(*answer.end));
       if (answer.plan) assignments_.publish(ToMessage(*answer.plan));
     } catch (const kg_base::InputError& error) {
@@ -81,6 +84,7 @@ class SelectorNode {
   double deadline_s_;
   kg_engine::TeamSelector selector_;
   ros::Publisher assignments_;
+  ros::Publisher requests_;
   ros::Publisher rejections_;
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer watch_;

@@ -43,6 +43,11 @@ void TakeCooling(const CoolingConstraint& cooling, AskedOf* asked) {
 
 }  // namespace
 
+bool HasEnded(const RoundRequest& request, const RunEnd& end) {
+  return end.cycle == request.cycle && end.run >= request.run &&
+         end.time_s >= request.time_s;
+}
+
 void AddAsk(const std::string& agent, const PlanRequest& ask,
             const TeamRules& rules, RoundRequest* request) {
   request->asked.push_back(agent);

@@ -60,6 +60,11 @@ struct RunEnd {
   std::vector<RecordedRejection> rejections;
 };
 
+// Is the request of a run that this end, or the end of a later run, has closed?
+// They may arrive in either order. A selector that was started anew may use a
+// run number again; what it asks is stamped later than the end.
+bool HasEnded(const RoundRequest& request, const RunEnd& end);
+
 // Adds who is asked, and what for, to a request whose time is set.
 void AddAsk(const std::string& agent, const PlanRequest& ask,
             const TeamRules& rules, RoundRequest* request);

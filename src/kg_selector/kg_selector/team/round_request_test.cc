@@ -74,5 +74,28 @@ TEST(RoundRequest, APriceWithoutAnAgentIsForAllWhoAreAsked) {
   }
 }
 
+// Requests and ends come on two topics: they may overtake each other.
+TEST(RoundRequest, AnEndClosesTheRequestsOfItsRunAndOfEarlierOnes) {
+  RoundRequest request;
+  request.time_s = 100.0;
+  request.cycle = 6;
+  request.run = 7;
+  RunEnd end;
+  end.time_s = 101.0;
+  end.cycle = 6;
+  end.run = 7;
+  EXPECT_TRUE(HasEnded(request, end));
+  end.run = 8;  // A run without requests of its own.
+  EXPECT_TRUE(HasEnded(request, end));
+  end.run = 6;  // Late: the next run is under way already.
+  EXPECT_FALSE(HasEnded(request, end));
+  end.run = 7;
+  end.cycle = 5;
+  EXPECT_FALSE(HasEnded(request, end));
+  end.cycle = 6;
+  end.time_s = 99.0;  // Of a selector before, that used this number.
+  EXPECT_FALSE(HasEnded(request, end));
+}
+
 }  // namespace
 }  // namespace kg_selector

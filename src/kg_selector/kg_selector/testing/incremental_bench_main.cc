@@ -205,13 +205,13 @@ class TimeRatios {
     graphs_.push_back(a.graphs_s / b.graphs_s);
     team_.push_back(a.team_s / b.team_s);
   }
-  double whole() const { return kg_core::Median(whole_); }
+  double whole() const { return kg_base::Median(whole_); }
   void Show(const char* where) const {
     std::printf(
         "  areas %s: all %.1f x, compile %.1f x, graphs %.1f x, stitch + "
         "select %.1f x\n",
-        where, whole(), kg_core::Median(compile_), kg_core::Median(graphs_),
-        kg_core::Median(team_));
+        where, whole(), kg_base::Median(compile_), kg_base::Median(graphs_),
+        kg_base::Median(team_));
   }
 
  private:
@@ -262,7 +262,7 @@ bool CompareTeam(const BenchTeam& team, double goal, int rounds) {
   const std::string what = "full against incremental, " +
                            std::to_string(team.agents) + " x " +
                            std::to_string(team.windows);
-  kg_core::Report({13, what, goal, true, "x"}, anywhere.whole());
+  kg_base::Report({13, what, goal, true, "x"}, anywhere.whole());
   return same;
 }
 
@@ -301,12 +301,12 @@ bool Scale(const BenchTeam& team) {
   std::printf("%s, %d classes: %zu tensors, %zu distinct, %zu compiled\n",
               name.c_str(), team.classes, all->counts.tensors,
               all->counts.distinct, all->counts.compiled);
-  kg_core::Report({15, name + ": compiled less distinct", 0, false, ""},
+  kg_base::Report({15, name + ": compiled less distinct", 0, false, ""},
                   static_cast<double>(all->counts.compiled) -
                       static_cast<double>(team.classes) * team.windows);
-  kg_core::Report({15, name + ": compile, seconds of a core", 10, false, "s"},
+  kg_base::Report({15, name + ": compile, seconds of a core", 10, false, "s"},
                   cpu_s);
-  kg_core::Report({15, name + ": peak memory", 1024, false, "MB"},
+  kg_base::Report({15, name + ": peak memory", 1024, false, "MB"},
                   PeakMemory_mb());
   return all->counts.compiled == all->counts.distinct;
 }

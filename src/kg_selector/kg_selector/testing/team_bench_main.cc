@@ -148,7 +148,7 @@ void Homogeneous(const TeamSize& size) {
     search.gap_goal = 1e-4;
     Print("priced", RunMode<PricedSearch>(team, search), plan.value);
   } else {
-    kg_core::Report({10, "exact flow, " + NameOf(options), 1.0, false, "s"},
+    kg_base::Report({10, "exact flow, " + NameOf(options), 1.0, false, "s"},
                     seconds);
   }
 }
@@ -173,7 +173,7 @@ void Heterogeneous(const TeamSize& size) {
   if (size.team.agents <= 20) {
     Print("exact", RunMode<ExactSearch>(team, options), priced.bound);
   }
-  kg_core::Report(
+  kg_base::Report(
       {11, "priced, of own bound, " + NameOf(size.team), size.goal, true, "%"},
       100.0 * priced.score / priced.bound);
 }

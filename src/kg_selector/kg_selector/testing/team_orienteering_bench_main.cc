@@ -63,7 +63,7 @@ void Measure(const BenchData& data, double seconds, std::size_t step,
   char what[64];
   std::snprintf(what, sizeof what, "Team Orienteering, exact, %g s an instance",
                 seconds);
-  kg_core::Report({12, what, goal, true, "%"},
+  kg_base::Report({12, what, goal, true, "%"},
                   MeasureShare(data, options, step));
 }
 
