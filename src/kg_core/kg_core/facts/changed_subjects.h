@@ -1,4 +1,4 @@
-// What a transaction changes in the facts, by subject.
+// The subjects of the facts that a transaction changes.
 
 #ifndef KG_CORE_FACTS_CHANGED_SUBJECTS_H_
 #define KG_CORE_FACTS_CHANGED_SUBJECTS_H_
@@ -10,17 +10,18 @@
 
 namespace kg_core {
 
-// kAll: every fact there is counts as changed, too.
+// kAll: every existing fact also counts as changed.
 enum class ChangeScope { kChanged, kAll };
 
-// Subjects of any fact that came or went; those of `property` only.
+// Subjects of all added or removed facts; the overload considers `property`
+// only.
 std::set<Term> ChangedSubjects(const Transaction& transaction);
 std::set<Term> ChangedSubjects(const Transaction& transaction,
                                const Term& property,
                                ChangeScope scope = ChangeScope::kChanged);
 
-// Objects of (subject, link) among the facts, also those that the transaction
-// takes away.
+// Objects of (subject, link) in the facts, including those removed by the
+// transaction.
 std::set<Term> Linked(const Transaction& transaction, const Term& subject,
                       const Term& link);
 

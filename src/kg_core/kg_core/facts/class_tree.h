@@ -1,4 +1,4 @@
-// Classes and their instances, through rdfs:subClassOf of the vocabulary.
+// Classes and their instances, by rdfs:subClassOf in the vocabulary.
 
 #ifndef KG_CORE_FACTS_CLASS_TREE_H_
 #define KG_CORE_FACTS_CLASS_TREE_H_
@@ -12,10 +12,10 @@
 
 namespace kg_core {
 
-// `top` and every class below it.
+// `top` and all its subclasses.
 std::set<Term> ClassAndSubclasses(const GraphView& view, const Term& top);
 
-// What `graph` types with `top` or a class below it; sorted, each once.
+// The instances of `top` or a subclass in `graph`; sorted, without duplicates.
 std::vector<Term> FindInstances(const GraphView& view, std::string_view graph,
                                 const Term& top);
 

@@ -1,4 +1,4 @@
-// One transaction of fact changes, as kg_msgs/FactUpdate carries it.
+// One transaction of fact changes, as transported by kg_msgs/FactUpdate.
 
 #ifndef KG_CORE_FACTS_FACT_UPDATE_H_
 #define KG_CORE_FACTS_FACT_UPDATE_H_
@@ -12,10 +12,10 @@
 
 namespace kg_core {
 
-// Three strings in Turtle's term syntax with the usual prefixes known. Plain
-// strings become geo:wktLiteral where that is the property's range, and other
-// names of classes and properties (ex:BaseLayer, ssn:observedProperty) those
-// that they stand for.
+// Three strings in Turtle term syntax with predefined prefixes. Plain strings
+// become geo:wktLiteral if that is the property's range; alternative names of
+// classes and properties (ex:BaseLayer, ssn:observedProperty) are replaced by
+// the canonical ones.
 struct Fact {
   std::string subject;
   std::string property;
@@ -24,18 +24,19 @@ struct Fact {
 
 struct FactUpdate {
   std::string id;         // Chosen by the sender, may be empty.
-  std::string author;     // Who asks; kept in the log.
+  std::string author;     // Name of the sender, recorded in the log.
   std::vector<Fact> set;  // Replaces all values of (subject, property).
   std::vector<Fact> add;
-  std::vector<Fact> remove;  // Empty value: all values; empty property, too:
-                             // everything about the subject.
-  std::string turtle;        // Facts in bulk, added.
+  std::vector<Fact> remove;  // Empty value: all values; if the property is
+                             // empty too: all facts about the subject.
+  std::string turtle;        // Facts to add, as Turtle text.
   std::string sparql{};      // SPARQL 1.1 Update on the facts graph.
-  // What the patterns of `sparql` see; nothing: what queries see.
+  // Dataset read by the patterns of `sparql`; nullopt: the default dataset of
+  // queries.
   std::optional<Dataset> sparql_reads{};
-  // Take the place of all facts that an operator stated, before `remove`.
+  // If true, all facts stated by operators are removed first, before `remove`.
   bool replaces_facts = false;
-  // The files that its facts were read from, for the log: path and sha256.
+  // The files from which the facts were read, for the log: path and sha256.
   std::vector<SourceFile> files{};
 };
 

@@ -1,5 +1,5 @@
-// Collects statements about one subject after the other, in one graph; among
-// them the activities of PROV-O. https://www.w3.org/TR/prov-o/
+// Builder for statements about a sequence of subjects in one graph, including
+// PROV-O activities. https://www.w3.org/TR/prov-o/
 //
 //   FactWriter write(Iri(kProvGraph));
 //   write.Activity(run, "PlanRun", begin_s, end_s).Integer("rounds", 2);
@@ -47,7 +47,7 @@ class FactWriter {
     return Add(property, DateTimeLiteral(time_s));
   }
 
-  // A prov:Activity of a class in ex:, with its times.
+  // Adds a prov:Activity of a class in ex:, with start and end time.
   FactWriter& Activity(const Term& subject, const std::string& type,
                        double started_s, double ended_s) {
     return About(subject, type)

@@ -14,7 +14,7 @@ namespace {
 
 using kg_base::InputError;
 
-// A fact without its graph, in an order.
+// A fact without its graph, with ordering.
 using Fact3 = std::tuple<Term, Term, Term>;
 using Facts3 = std::set<Fact3>;
 
@@ -24,7 +24,8 @@ std::string GetText(const GraphView& view, const Term& subject,
   return value ? value->text : std::string();
 }
 
-// The update that an ex:UpdateFacts activity stands for, without its changes.
+// Reads the update described by an ex:UpdateFacts activity, without its
+// changes.
 LoggedUpdate ReadActivity(const GraphView& view, const Term& activity) {
   LoggedUpdate update;
   const auto version =
@@ -98,7 +99,7 @@ Statement MakeStatement(const Fact3& fact) {
   return {std::get<0>(fact), std::get<1>(fact), std::get<2>(fact), Facts()};
 }
 
-// By subject and property: the last update of those after `from` up to `to`.
+// For each subject and property, the last update in (from, to].
 using LastUpdates = std::map<std::pair<Term, Term>, const LoggedUpdate*>;
 
 LastUpdates FindLastUpdates(const std::vector<LoggedUpdate>& log,
@@ -130,7 +131,8 @@ std::vector<LoggedUpdate> ReadLog(const GraphView& view) {
     found->second.changes.push_back(ReadChange(view, view.Get(quad.subject)));
     return true;
   });
-  // By world version; the changes of each by subject and property.
+  // Sort updates by world version, and the changes of each by subject and
+  // property.
   std::vector<LoggedUpdate> log;
   for (auto& [activity, update] : updates) {
     std::sort(update.changes.begin(), update.changes.end(), IsEarlier);
@@ -159,7 +161,7 @@ std::vector<FactDifference> FindDifferences(const GraphView& view,
   const Facts3 new_facts = Rewind(view, log, after);
   const LastUpdates last_updates =
       FindLastUpdates(log, std::min(before, after), std::max(before, after));
-  std::map<Fact3, bool> differing;  // Is it added?
+  std::map<Fact3, bool> differing;  // True: added, false: removed.
   for (const Fact3& fact : old_facts) {
     if (new_facts.count(fact) == 0) differing[fact] = false;
   }

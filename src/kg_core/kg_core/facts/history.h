@@ -1,9 +1,9 @@
-// Past states of the facts: the log (update_log.h) keeps what every update
+// Past states of the facts. The log (update_log.h) records what every update
 // removed and added, so any version of the facts can be restored by undoing the
-// later ones.
+// later updates.
 //
 //   FactsAt(*store.Read(), 12)            the facts graph at world version 12
-//   FindDifferences(*store.Read(), 12, 15)   what came and went, by whom, when
+//   FindDifferences(*store.Read(), 12, 15)   changes, with author and time
 
 #ifndef KG_CORE_FACTS_HISTORY_H_
 #define KG_CORE_FACTS_HISTORY_H_
@@ -17,7 +17,7 @@
 
 namespace kg_core {
 
-// The values of one property of one subject that an update took and gave.
+// The values of one property of one subject that an update removed and added.
 struct FactChange {
   Term subject;
   Term property;
@@ -26,7 +26,7 @@ struct FactChange {
 };
 
 struct LoggedUpdate {
-  std::uint64_t world_version = 0;  // That it made.
+  std::uint64_t world_version = 0;  // World version after the update.
   std::string time;                 // xsd:dateTime, UTC.
   std::string author;
   std::string id;  // Chosen by the sender, may be empty.
@@ -36,23 +36,23 @@ struct LoggedUpdate {
 // Every logged update, oldest first; changes by subject and property.
 std::vector<LoggedUpdate> ReadLog(const GraphView& view);
 
-// The facts graph as of a world version, sorted. Throws InputError for a
-// version that is yet to come.
+// The facts graph at a world version, sorted. Throws InputError for a version
+// that does not exist yet.
 std::vector<Statement> FactsAt(const GraphView& view,
                                std::uint64_t world_version);
 
-// A statement that the facts of only one of two versions have, and the last
-// update between them that changed its property of its subject.
+// A statement in the facts of only one of two versions, and the last update
+// between them that changed this property of this subject.
 struct FactDifference {
   Statement statement;
-  bool is_added = false;  // Else removed.
+  bool is_added = false;  // false: removed.
   std::uint64_t world_version = 0;
   std::string time;
   std::string author;
 };
 
-// From `before` to `after`, which may be the older one; sorted. Throws
-// InputError like FactsAt.
+// The differences from version `before` to `after`, sorted; `after` may be the
+// older one. Throws InputError like FactsAt.
 std::vector<FactDifference> FindDifferences(const GraphView& view,
                                             std::uint64_t before,
                                             std::uint64_t after);

@@ -31,7 +31,7 @@ class KeyCheck {
     });
   }
 
-  // Another instance with the key of `node`.
+  // Another instance with the same key values as `node`, if any.
   std::optional<Term> FindTwin(const Term& node) const {
     const std::vector<Term> values = CollectValues(node);
     if (values.empty()) return std::nullopt;
@@ -53,7 +53,7 @@ class KeyCheck {
   }
 
  private:
-  // Empty if one is missing.
+  // The key values of `node`; empty if one is missing.
   std::vector<Term> CollectValues(const Term& node) const {
     std::vector<Term> values;
     for (const Term& property : key_) {

@@ -1,6 +1,6 @@
 // owl:hasKey of the ontology: no two instances of a class share the values of
-// its key. SHACL Core cannot say it (sh:uniqueLang apart, a shape sees one
-// focus node). https://www.w3.org/TR/owl2-syntax/#Keys
+// its key. SHACL Core cannot express this, since a shape is evaluated on one
+// focus node at a time. https://www.w3.org/TR/owl2-syntax/#Keys
 
 #ifndef KG_CORE_FACTS_KEYS_H_
 #define KG_CORE_FACTS_KEYS_H_
@@ -12,9 +12,8 @@
 
 namespace kg_core {
 
-// A line for each subject that `transaction` changed and that shares its key
-// with another. Subjects without a value for each property of the key have
-// none.
+// One line for each subject changed by `transaction` that shares its key with
+// another. Subjects that lack a value for a key property have no key.
 std::vector<std::string> CheckKeys(const Transaction& transaction);
 
 }  // namespace kg_core

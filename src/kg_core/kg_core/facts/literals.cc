@@ -13,7 +13,7 @@ bool IsXsd(const Term& term, std::string_view name) {
   return term.is_literal() && term.datatype == kXsd + std::string(name);
 }
 
-// The value of `parse`, which throws InputError for what it cannot read.
+// Calls `parse` and converts its InputError to nullopt.
 std::optional<double> Value(double (*parse)(std::string_view),
                             const Term& term) {
   try {

@@ -1,4 +1,4 @@
-// A file that facts were read from.
+// A file from which facts were read.
 
 #ifndef KG_CORE_FACTS_SOURCE_FILE_H_
 #define KG_CORE_FACTS_SOURCE_FILE_H_

@@ -1,4 +1,4 @@
-// Short names of the terms that reading and writing mission facts needs.
+// Short names for the terms used in reading and writing mission facts.
 
 #ifndef KG_CORE_FACTS_TERMS_H_
 #define KG_CORE_FACTS_TERMS_H_

@@ -16,7 +16,7 @@ struct PropertyChange {
   std::vector<Term> old_values;
   std::vector<Term> new_values;
 };
-// By subject and property.
+// Changes by subject and property.
 using PropertyChanges = std::map<std::pair<Term, Term>, PropertyChange>;
 
 PropertyChanges CollectChanges(const Transaction& transaction) {
@@ -34,8 +34,8 @@ PropertyChanges CollectChanges(const Transaction& transaction) {
   return changes;
 }
 
-// An author is a name, not an IRI: letters, digits, '-', '_' stay, other bytes
-// become %XX.
+// The author is a name, not an IRI: letters, digits, '-' and '_' are kept,
+// other bytes are percent-encoded.
 Term MakeAuthorIri(const std::string& author) {
   static constexpr char kHex[] = "0123456789ABCDEF";
   std::string local;
@@ -57,7 +57,8 @@ long long NextVersion(const Transaction& transaction) {
   return static_cast<long long>(transaction.view().world_version()) + 1;
 }
 
-// An activity of the transaction that makes `version`. It has no duration.
+// Writes the activity of the transaction that creates `version`. It has zero
+// duration.
 void WriteActivity(const Term& activity, const char* type, double time_s,
                    long long version, FactWriter* write) {
   write->Activity(activity, type, time_s, time_s)

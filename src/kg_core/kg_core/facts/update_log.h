@@ -1,8 +1,8 @@
 // The log entry of an accepted update: one ex:UpdateFacts activity
 // <graph/log/v12> in the provenance graph, and in the log graph an
-// ex:FactChange for every fact that was added or removed. Files that facts or
-// vocabulary were read from are nodes of their own, one for each path and
-// content. facts/history.h reads it.
+// ex:FactChange for every fact that was added or removed. Source files of facts
+// or vocabulary are separate nodes, one per path and content. For reading the
+// log see facts/history.h.
 
 #ifndef KG_CORE_FACTS_UPDATE_LOG_H_
 #define KG_CORE_FACTS_UPDATE_LOG_H_
@@ -18,13 +18,13 @@ namespace kg_core {
 // Adds the log entry of an accepted update (graph ex:graph/log): who, when,
 // each old and new value, and the provenance activity (ex:graph/prov), which
 // prov:used the update's files. Adds nothing if no fact changed. `time_s` is
-// unix time.
+// Unix time in seconds.
 void LogUpdate(const FactUpdate& update, double time_s,
                Transaction& transaction);
 
-// The activity (ex:LoadVocabulary in ex:graph/prov) of a vocabulary that was
-// read from `files`; its triples are not logged one by one. Adds nothing if
-// there are none.
+// Adds the activity (ex:LoadVocabulary in ex:graph/prov) of a vocabulary read
+// from `files`; its triples are not logged individually. Adds nothing if
+// `files` is empty.
 void LogVocabulary(const std::vector<SourceFile>& files, double time_s,
                    Transaction& transaction);
 

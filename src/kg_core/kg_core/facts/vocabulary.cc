@@ -48,7 +48,8 @@ std::map<Term, Term> ReadAliases(const GraphView& view) {
   return aliases;
 }
 
-// The term whose abbreviated name is nearest to that of `wanted`.
+// The term whose abbreviated name has the smallest edit distance to that of
+// `wanted`.
 template <typename Terms>
 std::string Nearest(const Terms& terms, const std::string& wanted) {
   std::string best;

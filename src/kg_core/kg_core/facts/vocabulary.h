@@ -1,5 +1,5 @@
-// What the ontology (vocabulary graph) knows about properties and classes, for
-// checks and for helpful refusals.
+// Properties and classes of the ontology (vocabulary graph), for checks and for
+// suggestions in error messages.
 
 #ifndef KG_CORE_FACTS_VOCABULARY_H_
 #define KG_CORE_FACTS_VOCABULARY_H_
@@ -15,10 +15,10 @@
 namespace kg_core {
 
 struct PropertyFacts {
-  bool is_annotation = false;   // Anything goes.
+  bool is_annotation = false;   // No restrictions.
   std::vector<Term> domains;    // ex:domainIncludes
-  std::vector<Term> datatypes;  // ex:rangeIncludes that are datatypes,
-  std::vector<Term> classes;    // and those that are classes.
+  std::vector<Term> datatypes;  // Datatypes in ex:rangeIncludes.
+  std::vector<Term> classes;    // Classes in ex:rangeIncludes.
 };
 
 class Vocabulary {
@@ -27,11 +27,11 @@ class Vocabulary {
 
   const PropertyFacts* FindProperty(const Term& property) const;
   bool HasClass(const Term& type) const { return classes_.count(type) != 0; }
-  // Is one of `types`, or a class above it, among `tops`?
+  // True if one of `types` or of their superclasses is among `tops`.
   bool IsAnyOf(const std::vector<Term>& types,
                const std::vector<Term>& tops) const;
 
-  // The name that `term` is another name of (owl:equivalentClass,
+  // The canonical name if `term` is an alias (owl:equivalentClass,
   // owl:equivalentProperty), else `term`.
   const Term& Canonical(const Term& term) const;
 
@@ -46,7 +46,8 @@ class Vocabulary {
   std::map<Term, Term> aliases_;
 };
 
-// Least number of characters to insert, delete or replace to turn a into b.
+// Levenshtein distance: minimum number of character insertions, deletions and
+// replacements that turn a into b.
 int EditDistance(const std::string& a, const std::string& b);
 
 }  // namespace kg_core

@@ -1,23 +1,24 @@
-// Terms and their ids: those of one store, or of a fork of it.
+// The term dictionary of one store or fork: interned terms and their ids.
 //
-// One writer appends terms, which nobody else can find until they are
-// published; any number of readers look terms up (a short shared lock) and
-// fetch them by id (no lock: a term never moves once it has an id). Terms are
-// only added, with rising ids, so `next_id()` at the time of a commit tells
-// what a snapshot of it knows: Find(term, end) does not see what came later,
-// and a reader gets the same answer however long it reads.
+// One writer appends terms, which readers cannot find until they are published;
+// any number of readers look terms up (a short shared lock) and fetch them by
+// id (no lock: a term never moves once it has an id). Terms are only added,
+// with ascending ids, so the `next_id()` recorded at a commit bounds the terms
+// known to that snapshot: Find(term, end) ignores terms added later, so
+// repeated look-ups through one snapshot give the same answer.
 //
-// Terms that no quad uses any more leave with their dictionary: the writer goes
-// on with a Compacted one, which has the used terms at their same ids and gives
-// the free ids to later terms; old snapshots keep the old one. It shares the
-// chunks of 256 terms that have no unused one. Cost: one look at every id and
-// one hash table entry for every term that stays (about 50 ns each), and a copy
-// of those that lay in a chunk with unused ones.
+// Terms that no quad uses any more are dropped by replacing the dictionary: the
+// writer continues with a Compacted copy, which keeps the used terms at the
+// same ids and reuses the free ids for later terms; old snapshots keep the old
+// dictionary. The copy shares every chunk of 256 terms that holds no unused
+// term. Cost: one check per id and one hash table entry per retained term
+// (about 50 ns each), and a copy of each retained term whose chunk also holds
+// unused ones.
 //
-// A layer adds its own terms to what another dictionary held when the layer
-// was made (Store::Fork). Its ids begin after all of those; what the other one
-// adds later is neither seen nor in the way, though ids of both may then have
-// the same number: they belong to different stores.
+// A layer adds its own terms to those that a base dictionary held when the
+// layer was made (Store::Fork). Its ids begin after all of the base's; terms
+// that the base adds later are not visible in the layer. The same id may then
+// denote different terms in the two, since they belong to different stores.
 
 #ifndef KG_CORE_RDF_DICTIONARY_H_
 #define KG_CORE_RDF_DICTIONARY_H_
@@ -38,8 +39,8 @@ namespace kg_core {
 
 class Dictionary {
  public:
-  // Ids are smaller. Those of a query's own terms (sparql/term_table.h) begin
-  // above.
+  // Upper bound (exclusive) of dictionary ids. The ids of query-local terms
+  // (sparql/term_table.h) lie above.
   static constexpr TermId kMaxTerms = TermId{1} << 28;
 
   Dictionary();
@@ -49,36 +50,38 @@ class Dictionary {
   Dictionary(const Dictionary&) = delete;
   Dictionary& operator=(const Dictionary&) = delete;
 
-  // Readers, from any thread. kNoTerm if it was not published when next_id()
-  // was `end`.
+  // For readers, from any thread. Returns kNoTerm if the term was not yet
+  // published when next_id() was `end`.
   TermId Find(const Term& term, TermId end) const;
   const Term& Get(TermId id) const;  // Throws std::out_of_range.
-  std::size_t size() const;          // Published ones, without layers below.
+  std::size_t size() const;          // Published terms, base layers excluded.
 
-  // The writer, one thread at a time.
+  // For the writer, one thread at a time.
   TermId next_id() const { return IdAt(given_); }
-  // One past the largest id that a term of it has or had.
+  // One past the largest id ever assigned to a term of this dictionary.
   TermId ids_end() const;
-  // The id of the term, new if needed; new ones are unpublished.
+  // Returns the id of the term; assigns one if needed. New terms are
+  // unpublished.
   TermId Intern(const Term& term);
   TermId FindUnpublished(const Term& term) const;
-  // The unpublished ones, in the order of their ids.
+  // The unpublished terms, in the order they were interned.
   std::vector<std::pair<TermId, const Term*>> Unpublished() const;
-  // Room for all that is unpublished, so that Publish cannot fail.
+  // Reserves space for all unpublished terms, so that Publish cannot fail.
   void PrepareToPublish();
   void Publish() noexcept;
-  // Forgets all that is unpublished.
+  // Drops all unpublished terms.
   void Discard();
-  // Puts the terms of the record at their ids, which rise, published; later
-  // ones get ids from `end` on.
+  // Restores recorded terms at their ids (ascending) as published; later terms
+  // get ids from `end` on.
   void Restore(std::vector<std::pair<TermId, Term>> terms, TermId end);
 
-  // The published terms of this layer of which `used`, by id, is false.
+  // The published terms of this layer for which `used`, indexed by id, is
+  // false.
   std::vector<std::pair<TermId, const Term*>> Unused(
       const std::vector<bool>& used) const;
-  // See above. It does not give the ids of which `taken` is true to new terms;
-  // `used` ones are taken. There must be nothing unpublished, and nothing may
-  // be interned here any more.
+  // A compacted copy, see above. Ids with `taken` true are not reused for new
+  // terms; used ids must be among the taken ones. Precondition: no unpublished
+  // terms; afterwards nothing may be interned in this dictionary.
   std::shared_ptr<Dictionary> Compacted(const std::vector<bool>& used,
                                         const std::vector<bool>& taken) const;
 
@@ -86,9 +89,9 @@ class Dictionary {
   struct Entry {
     TermId id;
     std::uint32_t hash : 31;
-    std::uint32_t is_old : 1;  // Older than this dictionary: always found.
+    std::uint32_t is_old : 1;  // Restored or copied: visible to every `end`.
   };
-  struct Wanted {  // A term that is looked for.
+  struct Wanted {  // Look-up key: a term and its hash.
     const Term& term;
     std::uint32_t hash;
   };
@@ -120,14 +123,14 @@ class Dictionary {
   // The id of the n-th new term of this dictionary.
   TermId IdAt(std::size_t n) const;
 
-  const std::shared_ptr<const Dictionary> base_;  // Null: no layer below.
+  const std::shared_ptr<const Dictionary> base_;  // Null: no base layer.
   const TermId base_end_;
-  const TermId first_;               // The first id of this layer.
-  TermChunks terms_;                 // By id - first_.
-  std::vector<TermId> free_ids_;     // Rising; given before those from...
-  TermId free_from_;                 // ... here on.
-  std::size_t given_ = 0;            // How many new terms there are,
-  std::size_t published_given_ = 0;  // and how many of them are published.
+  const TermId first_;               // First id of this layer.
+  TermChunks terms_;                 // Indexed by id - first_.
+  std::vector<TermId> free_ids_;     // Ascending; used up before
+  TermId free_from_;                 // ids from free_from_ on.
+  std::size_t given_ = 0;            // Number of new terms.
+  std::size_t published_given_ = 0;  // Number of them published.
   EntrySet unpublished_;
   mutable kg_base::WriterFirstMutex mutex_;  // Guards published_.
   EntrySet published_;

@@ -17,7 +17,7 @@ std::vector<TermId> GraphView::Graphs() const {
 }
 namespace {
 
-// Which place of the pattern the caller asks for.
+// One of the four components of a quad.
 using Place = TermId Quad::*;
 
 struct PatternQuery {
@@ -26,7 +26,8 @@ struct PatternQuery {
   const Term* object = nullptr;
 };
 
-// Nothing if a term that the pattern names is unknown, so matches nothing.
+// Resolves the pattern's terms to ids; nullopt if one is unknown to the view,
+// in which case nothing can match.
 std::optional<Quad> MakePattern(const GraphView& view, std::string_view graph,
                                 const PatternQuery& question) {
   Quad pattern;

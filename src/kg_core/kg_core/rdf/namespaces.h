@@ -1,5 +1,5 @@
-// The prefixes that every Turtle term, query and report of ours knows, and the
-// named graphs of the store.
+// The prefixes predefined in all Turtle terms, queries and reports of this
+// project, and the named graphs of the store.
 
 #ifndef KG_CORE_RDF_NAMESPACES_H_
 #define KG_CORE_RDF_NAMESPACES_H_
@@ -41,26 +41,27 @@ inline constexpr NamespacePrefix kPrefixes[] = {
 inline constexpr char kFactsGraph[] = "http://example.org/mission/graph/facts";
 // Ontology, shapes and rules.
 inline constexpr char kVocabGraph[] = "http://example.org/mission/graph/vocab";
-// What the rules conclude from facts and vocabulary, and from what; follows
-// them within the same transaction, is never written by hand.
+// Conclusions of the rules from facts and vocabulary, with their premises;
+// updated in the same transaction as those, never written by hand.
 inline constexpr char kInferredGraph[] =
     "http://example.org/mission/graph/inferred";
 // Activities and entities of PROV-O; append-only.
 inline constexpr char kProvGraph[] = "http://example.org/mission/graph/prov";
 // Who changed what and when, old and new value; append-only.
 inline constexpr char kLogGraph[] = "http://example.org/mission/graph/log";
-// Where agents are: mission state that arrives by itself, not by an operator.
+// Agent positions: mission state reported automatically, not entered by an
+// operator.
 inline constexpr char kStateGraph[] = "http://example.org/mission/graph/state";
 // One run's artifacts, written once: kPlanGraphPrefix + run number.
 inline constexpr char kPlanGraphPrefix[] =
     "http://example.org/mission/graph/plan/";
 
-// The IRI that `prefixed` ("ex:alpha") abbreviates; nothing if the prefix is
-// not one of ours.
+// The IRI abbreviated by `prefixed` ("ex:alpha"); nullopt if its prefix is not
+// one of kPrefixes.
 std::optional<std::string> ExpandPrefixed(std::string_view prefixed);
 
-// "ex:alpha" for its IRI where a prefix fits and the rest is a plain local
-// name, else "<iri>".
+// The abbreviated form ("ex:alpha") if a prefix matches and the rest is a plain
+// local name, else "<iri>".
 std::string AbbreviateIri(std::string_view iri);
 
 }  // namespace kg_core

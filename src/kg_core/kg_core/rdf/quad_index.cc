@@ -8,7 +8,7 @@ namespace {
 
 using Place = TermId Quad::*;
 
-// The places of a key, by QuadOrder.
+// Components of a key from most to least significant, indexed by QuadOrder.
 constexpr Place kPlaces[kQuadOrders][4] = {
     {&Quad::subject, &Quad::predicate, &Quad::object, &Quad::graph},
     {&Quad::predicate, &Quad::object, &Quad::subject, &Quad::graph},
@@ -102,7 +102,7 @@ int BoundPlaces(const Quad& pattern) {
 }
 
 QuadIndex::QuadIndex(const std::vector<Quad>& quads) {
-  // Two threads: that is what the machines have that this runs on.
+  // Two threads with two trees each: the target machines have two cores.
   const auto build = [&](int i) {
     trees_[i] =
         QuadTree::FromSorted(SortedKeys(quads, static_cast<QuadOrder>(i)));
@@ -122,6 +122,8 @@ void QuadIndex::InsertAll(std::vector<Quad> quads, std::uint64_t edit) {
     for (const Quad& quad : quads) Insert(quad, edit);
     return;
   }
+  // Merging into sorted keys and rebuilding is linear; it pays off once the
+  // batch is comparable to the index.
   const bool anew = quads.size() >= size() / 2;
   for (int i = 0; i < kQuadOrders; ++i) {
     const auto keys = SortedKeys(quads, static_cast<QuadOrder>(i));
@@ -138,7 +140,7 @@ bool QuadIndex::Insert(const Quad& quad, std::uint64_t edit) {
   for (int i = 0; i < kQuadOrders; ++i) {
     inserted =
         trees_[i].Insert(PackQuad(quad, static_cast<QuadOrder>(i)), edit);
-    if (!inserted) break;  // The first tree knows.
+    if (!inserted) break;  // Duplicate: already found in the first tree.
   }
   return inserted;
 }

@@ -22,7 +22,7 @@ Quad RandomQuad(std::mt19937* random, TermId terms) {
   return {pick(), pick(), pick(), pick()};
 }
 
-// The quad with only the places of the four bits left.
+// Keeps only the components of the quad whose bit is set.
 Quad MakePattern(Quad quad, int bits) {
   if (!(bits & 8)) quad.subject = kNoTerm;
   if (!(bits & 4)) quad.predicate = kNoTerm;
@@ -31,7 +31,7 @@ Quad MakePattern(Quad quad, int bits) {
   return quad;
 }
 
-// How many leading places of the order the pattern binds.
+// Number of leading components of the order bound by the pattern.
 int LeadingBound(const Quad& pattern, QuadOrder order) {
   const QuadKey key = PackQuad(pattern, order);
   const TermId places[] = {
@@ -132,8 +132,8 @@ std::vector<Quad> NewQuads(std::mt19937* random, std::size_t n, Model* model) {
   return quads;
 }
 
-// Few at a time, many, and so many that the trees are made anew; every order
-// has them all, and a copy made before has none of them.
+// Small batches, large ones, and batches so large that the trees are rebuilt:
+// every order contains all quads, and an earlier copy none of them.
 TEST(QuadIndex, InsertsManyAtOnceLikeOneByOne) {
   std::mt19937 random(4);
   QuadIndex index, slow;

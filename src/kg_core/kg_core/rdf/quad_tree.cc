@@ -8,22 +8,25 @@ namespace kg_core {
 namespace {
 
 constexpr std::size_t kMaxKeys = 64;
-constexpr std::size_t kFilledKeys = 56;  // In a tree made from sorted keys.
-constexpr std::size_t kMinKeys = 16;     // Below it, a node seeks a neighbour.
-constexpr std::size_t kMergedKeys = 48;  // Merged nodes have room to grow.
+// Fill of nodes built from sorted keys.
+constexpr std::size_t kFilledKeys = 56;
+// Below it, a node is merged with a neighbour.
+constexpr std::size_t kMinKeys = 16;
+// Largest merged node, so that it can grow.
+constexpr std::size_t kMergedKeys = 48;
 
 }  // namespace
 
 // Published nodes are never changed.
 struct QuadTree::Node {
-  std::uint64_t edit = 0;            // Who made it, and may change it.
-  std::vector<QuadKey> keys;         // A leaf's keys, or each child's smallest.
-  std::vector<NodePtr> children;     // Empty in a leaf.
+  std::uint64_t edit = 0;         // Edit that made the node and may change it.
+  std::vector<QuadKey> keys;      // A leaf's keys, or each child's smallest.
+  std::vector<NodePtr> children;  // Empty in a leaf.
   std::vector<std::uint32_t> sizes;  // Keys below each child.
 
   bool is_leaf() const { return children.empty(); }
 
-  // A vector that grows on its own would allocate 128.
+  // Reserves kMaxKeys: automatic vector growth would allocate 128.
   void CopyWithRoom(const Node& other) {
     keys.reserve(kMaxKeys + 1);
     keys = other.keys;
@@ -179,7 +182,7 @@ void QuadTree::EraseBelow(NodePtr* slot, const QuadKey& key,
   }
 }
 
-// Merges the child with a neighbour if both together leave room to grow.
+// Merges the child with a neighbour if the merged node leaves room to grow.
 void QuadTree::MergeChild(Node* parent, std::size_t which, std::uint64_t edit) {
   if (parent->children.size() < 2) return;
   const std::size_t at = which == 0 ? 0 : which - 1;

@@ -1,10 +1,11 @@
-// One order of the quads: a B+ tree of packed keys whose copies share nodes.
+// One sort order of the quads: a persistent B+ tree of packed keys whose copies
+// share nodes (path copying).
 //
 // Copying a tree copies one pointer. Changing a copy copies only the nodes on
-// the way down to the change (about 4 KB for a million keys), so every older
-// copy stays as it was: that is what makes a snapshot cheap, and safe to read
-// without locks while a writer goes on. Within one edit (a number from
-// NewEdit), nodes that the edit itself has made are changed in place.
+// the path from the root to the change (about 4 KB for a million keys), so
+// older copies are unaffected. This makes snapshots cheap and safe to read
+// without locks while a writer continues. Within one edit (a number from
+// NewEdit), nodes created by that edit are changed in place.
 //
 // Subtree sizes are kept in the nodes, so counting a range costs O(log n).
 
@@ -20,7 +21,8 @@
 
 namespace kg_core {
 
-// Four term ids in the order of an index, the first in the high half of `high`.
+// Four term ids in the order of an index; the first is in the high 32 bits of
+// `high`.
 struct QuadKey {
   std::uint64_t high = 0;
   std::uint64_t low = 0;
@@ -36,18 +38,19 @@ inline bool operator<(const QuadKey& a, const QuadKey& b) {
 class QuadTree {
  public:
   QuadTree() = default;
-  // `keys` are sorted and without duplicates.
+  // `keys` must be sorted and without duplicates.
   static QuadTree FromSorted(const std::vector<QuadKey>& keys);
 
-  // A number that no edit of this process has had.
+  // Returns an edit number not used before in this process.
   static std::uint64_t NewEdit();
 
-  bool Insert(const QuadKey& key, std::uint64_t edit);  // False if there.
-  bool Erase(const QuadKey& key, std::uint64_t edit);   // False if not there.
+  // False if already present.
+  bool Insert(const QuadKey& key, std::uint64_t edit);
+  bool Erase(const QuadKey& key, std::uint64_t edit);  // False if absent.
 
   bool Contains(const QuadKey& key) const;
   std::size_t size() const;
-  // How many keys lie in [first, last].
+  // Number of keys in [first, last].
   std::size_t CountBetween(const QuadKey& first, const QuadKey& last) const;
   // Visits the keys in [first, last] in order until `visit` returns false.
   void Scan(const QuadKey& first, const QuadKey& last,

@@ -1,4 +1,4 @@
-// RDF lists, read whole.
+// Reader for RDF lists.
 
 #ifndef KG_CORE_RDF_RDF_LIST_H_
 #define KG_CORE_RDF_RDF_LIST_H_
@@ -11,8 +11,8 @@
 
 namespace kg_core {
 
-// The members of the list at `node`; nothing if it is no well-formed list
-// (also if it is endless). https://www.w3.org/TR/shacl/#dfn-shacl-list
+// The members of the list at `node`; nullopt if the list is malformed or
+// cyclic. https://www.w3.org/TR/shacl/#dfn-shacl-list
 std::optional<std::vector<Term>> ReadList(const GraphView& view,
                                           const std::string& graph, Term node);
 

@@ -20,7 +20,8 @@ using kg_base::InputError;
 
 namespace fs = std::filesystem;
 
-// "KGS1"; in the file's header, where file(1) and SQLite show it too.
+// "KGS1" in ASCII: application id in the file header, also shown by file(1) and
+// SQLite.
 constexpr std::uint32_t kApplicationId = 0x4B475331;
 constexpr std::uint32_t kSchemaVersion = 1;
 constexpr char kSchema[] = R"(
@@ -41,7 +42,8 @@ constexpr char kSchema[] = R"(
 )";
 static_assert(kApplicationId == 1262965553 && kSchemaVersion == 1);
 
-// The finalizer of SplitMix64: every bit of the result hangs on every bit.
+// The finalizer of SplitMix64: every bit of the result depends on every bit of
+// the input.
 std::uint64_t Mix(std::uint64_t x) {
   x += 0x9E3779B97F4A7C15;
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9;
@@ -70,7 +72,7 @@ std::uint64_t ComputeHash(const Quad& quad) {
   return Mix(first ^ (std::uint64_t{quad.object} << 32 | quad.graph));
 }
 
-// A store of nothing in world 0 has the digest 0.
+// An empty store at world version 0 has digest 0.
 std::uint64_t ComputeDigest(std::uint64_t sum, std::uint64_t world_version) {
   return world_version == 0 ? sum : sum + Mix(world_version ^ sum);
 }
@@ -81,7 +83,8 @@ std::uint64_t ComputeDigest(std::uint64_t sum, std::uint64_t world_version) {
                    "); expected one that passes its checks, restore a copy");
 }
 
-// Fast, and before SQLite could change a file that is not ours.
+// Checks the file header before SQLite opens the file, because SQLite could
+// change a foreign file.
 void CheckHeader(const std::string& path) {
   unsigned char header[100] = {};
   std::ifstream file(path, std::ios::binary);
@@ -115,8 +118,8 @@ void SyncParentFolder(const fs::path& path) {
   close(descriptor);
 }
 
-// Made aside and then renamed, so that a crash leaves a whole store or none,
-// and an empty file is never a store.
+// Creates a temporary file and renames it, so that a crash leaves either a
+// complete store or none, and never an empty file.
 void CreateStore(const std::string& path) {
   const std::string aside = path + ".new." + std::to_string(getpid());
   fs::remove(aside);
@@ -125,13 +128,15 @@ void CreateStore(const std::string& path) {
                                RENAME_NOREPLACE);
   const int error = errno;
   if (result != 0) fs::remove(aside);
-  if (result != 0 && error != EEXIST) {  // Else another process was faster.
+  // EEXIST: another process created it first.
+  if (result != 0 && error != EEXIST) {
     throw InputError(path + ": cannot be created: " + std::strerror(error));
   }
   SyncParentFolder(path);
 }
 
-// `path`, there and with the head of a store.
+// Returns `path` after making sure that the file exists and has the header of a
+// store.
 const std::string& ReadyPath(const std::string& path) {
   try {
     if (!fs::exists(path)) {

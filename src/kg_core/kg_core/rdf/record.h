@@ -3,8 +3,9 @@
 // WAL, synchronous=FULL (an fsync per commit), locked for one process. Beside
 // SQLite's own checks, a digest of the contents is kept: the sum modulo 2^64 of
 // a hash of every term, every quad and the world version, brought up to date in
-// the same SQLite transaction as the contents. A changed, lost or invented row
-// shows as a wrong sum when the store is opened, however well-formed the file.
+// the same SQLite transaction as the contents. A changed, lost or spurious row
+// is detected as a digest mismatch when the store is opened, even if the file
+// is well-formed.
 
 #ifndef KG_CORE_RDF_RECORD_H_
 #define KG_CORE_RDF_RECORD_H_
@@ -23,39 +24,39 @@
 namespace kg_core {
 
 struct RecordContent {
-  std::vector<std::pair<TermId, Term>> terms;  // Used ones, by rising id.
-  TermId terms_end = 1;                        // All ids are smaller.
+  std::vector<std::pair<TermId, Term>> terms;  // Used terms, ascending by id.
+  TermId terms_end = 1;  // Upper bound (exclusive) of the ids.
   std::vector<Quad> quads;
   std::uint64_t world_version = 0;
 };
 
-// What one transaction changes.
+// The changes of one transaction.
 struct RecordChange {
-  std::vector<std::pair<TermId, const Term*>> terms;  // New ones.
+  std::vector<std::pair<TermId, const Term*>> terms;  // New terms.
   std::vector<Quad> added;
   std::vector<Quad> removed;
-  std::uint64_t world_version = 0;  // After it.
+  std::uint64_t world_version = 0;  // Version after the change.
 };
 
 class StoreRecord {
  public:
-  // Opens or creates. Throws InputError that names the file if it is no store
-  // of ours, is damaged or is in use.
+  // Opens or creates the file. Throws InputError with the file name if it is
+  // not a store of this program, is damaged or is in use.
   explicit StoreRecord(const std::string& path);
 
-  // Everything that is recorded. Terms that no quad uses are left out, as if
-  // Forget had been called for them.
+  // Reads the whole record. Terms that no quad uses are left out and treated as
+  // if Forget had been called for them.
   RecordContent Load();
 
-  // Durable when it returns. Throws std::runtime_error; then the record is as
-  // it was.
+  // Writes one transaction, durable on return. On failure throws
+  // std::runtime_error and leaves the record unchanged.
   void Write(const RecordChange& change);
 
-  // These terms are not used any more. Their rows leave with the next writes, a
-  // few more with each than it writes itself, so no write is held up by them;
-  // until then their ids are not free.
+  // Schedules the rows of unused terms for removal. Each later Write() removes
+  // at most 64 rows more than it writes itself, so that none of them is slow;
+  // until its row is removed, an id is not free.
   void Forget(const std::vector<std::pair<TermId, const Term*>>& terms);
-  // By id: sets where there is such a row.
+  // Sets `ids`, indexed by id, to true for each row still to be removed.
   void MarkForgotten(std::vector<bool>* ids) const;
   struct Queries {
     explicit Queries(SqliteDatabase* database);
@@ -79,7 +80,7 @@ class StoreRecord {
   const std::string path_;
   SqliteDatabase database_;
   std::optional<Queries> queries_;
-  std::uint64_t sum_ = 0;  // Of the hashes of terms and quads.
+  std::uint64_t sum_ = 0;  // Sum of the hashes of terms and quads.
   std::map<TermId, std::uint64_t> forgotten_;  // Hashes of rows to remove.
 };
 

@@ -1,4 +1,4 @@
-// Has anything been committed between two snapshots of a store?
+// Test whether two snapshots show the same committed state of a store.
 
 #ifndef KG_CORE_RDF_SAME_STATE_H_
 #define KG_CORE_RDF_SAME_STATE_H_
@@ -7,8 +7,9 @@
 
 namespace kg_core {
 
-// Are both (of Store::Read()) one and the same committed state? Also changes
-// that are none of the world's count. False for views of other kinds.
+// True if both are snapshots (from Store::Read()) of the same committed
+// version. Commits with WorldChange::kNo also make a difference. False for
+// other kinds of view.
 bool IsSameState(const GraphView& a, const GraphView& b);
 
 }  // namespace kg_core

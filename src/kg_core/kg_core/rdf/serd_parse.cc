@@ -1,4 +1,4 @@
-// Reading by serd: what syntax.h and turtle.h promise of reading.
+// The serd-based parser behind the read functions of syntax.h and turtle.h.
 
 #include <algorithm>
 #include <atomic>
@@ -31,7 +31,7 @@ std::string Hex16(std::uint64_t value) {
 
 // A prefix for the blank node labels of one parse: the time (never the same
 // twice in a process, so labels sort in the order of the parses) and a random
-// number that keeps processes apart.
+// number that distinguishes processes.
 std::string FreshBlankPrefix() {
   static const std::uint64_t process = [] {
     std::random_device device;
@@ -77,11 +77,11 @@ SerdSyntax ToSerdSyntax(RdfSyntax syntax) {
   return SERD_TURTLE;
 }
 
-// One parse: serd calls back into it. No exception may cross serd (it is C),
-// so the first one is kept and thrown when serd has returned.
+// State of one parse, with the callbacks for serd. No exception may cross serd
+// (it is C), so it is stored and rethrown after serd returns.
 class SerdParse {
  public:
-  // `labels`: where blank node labels begin in `text`.
+  // `labels`: byte offsets in `text` where blank node labels begin.
   SerdParse(std::string_view text, const RdfSource& source,
             std::vector<std::size_t> labels)
       : text_(text),
@@ -118,9 +118,9 @@ class SerdParse {
   }
 
  private:
-  // serd reads byte by byte, so that `at_` is the place of an error. It calls
-  // nodes without a label b1, b2, ..., and would take _:b1 for one of them, so
-  // it is given every label with a letter before it.
+  // serd reads byte by byte, so that `at_` is the position of an error. It
+  // names nodes without a label b1, b2, ..., which would collide with _:b1 in
+  // the text; so each label is passed to serd with the letter 'u' prepended.
   static std::size_t NextByte(void* buffer, std::size_t, std::size_t,
                               void* handle) {
     auto& parse = *static_cast<SerdParse*>(handle);
@@ -231,7 +231,7 @@ class SerdParse {
                      "'; expected one declared with @prefix, or one of ours");
   }
 
-  // Absolute IRIs stay as they are written; others need a base.
+  // Absolute IRIs are kept as written; relative ones need a base.
   std::string ResolveIri(const SerdNode& node) {
     if (HasScheme(GetText(node))) return std::string(GetText(node));
     SerdNode resolved = serd_env_expand_node(env_.get(), &node);

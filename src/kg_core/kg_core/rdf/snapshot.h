@@ -14,11 +14,11 @@
 
 namespace kg_core {
 
-// Never changed once it is published.
+// Immutable once published.
 struct StoreVersion {
   QuadIndex index;
   std::shared_ptr<const Dictionary> dictionary;
-  TermId terms_end = 1;  // dictionary->next_id() then.
+  TermId terms_end = 1;  // dictionary->next_id() at publication.
   std::uint64_t world_version = 0;
 };
 

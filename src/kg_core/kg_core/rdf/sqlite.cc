@@ -43,7 +43,7 @@ SqliteQuery& SqliteQuery::Bind(int parameter, std::int64_t value) {
 }
 
 SqliteQuery& SqliteQuery::Bind(int parameter, std::string_view bytes) {
-  // A null pointer would bind NULL.
+  // A null pointer would bind NULL instead of an empty blob.
   const char* data = bytes.empty() ? "" : bytes.data();
   Check(sqlite3_bind_blob64(statement_.get(), parameter, data, bytes.size(),
                             SQLITE_STATIC));

@@ -1,5 +1,6 @@
-// As much of SQLite as the store's record needs, with errors as exceptions. A
-// database and its queries are for one thread at a time.
+// Thin wrapper of the part of SQLite that the store's record needs; errors
+// become exceptions. A database and its queries may be used by one thread at a
+// time.
 
 #ifndef KG_CORE_RDF_SQLITE_H_
 #define KG_CORE_RDF_SQLITE_H_
@@ -25,16 +26,16 @@ class SqliteError : public std::runtime_error {
   int code_;
 };
 
-// A prepared statement. One use: Bind..., Step until false (or Run), Reset.
+// A prepared statement. Usage: Bind..., Step until false (or Run), Reset.
 class SqliteQuery {
  public:
   SqliteQuery(sqlite3* database, const char* sql);
 
-  // Parameters and columns count from 1 and from 0, as in SQLite. Bound bytes
-  // must live until the query is reset.
+  // Parameters count from 1 and columns from 0, as in SQLite. Bound bytes must
+  // live until the query is reset.
   SqliteQuery& Bind(int parameter, std::int64_t value);
   SqliteQuery& Bind(int parameter, std::string_view bytes);
-  bool Step();  // True: there is a row.
+  bool Step();  // True: a row is available.
   void Run();   // Steps to the end and resets, also on an error.
   void Reset();
 
@@ -49,12 +50,12 @@ class SqliteQuery {
 
 class SqliteDatabase {
  public:
-  // Opens a file that is there, or creates it if `create`.
+  // Opens an existing file; also creates it if `create`.
   SqliteDatabase(const std::string& path, bool create);
 
   void Execute(const char* sql);
   SqliteQuery Prepare(const char* sql);
-  std::int64_t changed_rows() const;  // By the last statement.
+  std::int64_t changed_rows() const;  // By the most recent statement.
   bool in_transaction() const;
 
  private:

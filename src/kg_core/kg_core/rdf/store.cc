@@ -48,7 +48,7 @@ class QuadStore {
     }
     current_ = WithTerms(std::move(version));
   }
-  // In memory, from `origin` on.
+  // In-memory fork that starts from `origin`.
   explicit QuadStore(const StoreVersion& origin)
       : dictionary_(
             std::make_shared<Dictionary>(origin.dictionary, origin.terms_end)) {
@@ -77,7 +77,7 @@ class QuadStore {
     lock->unlock();
   }
 
-  // Durable first, then visible. Only the durable step may fail.
+  // Makes the change durable, then visible. Only the durable step can fail.
   void Commit(const RecordChange& change, std::shared_ptr<StoreVersion> next) {
     dictionary_->PrepareToPublish();
     std::shared_ptr<const StoreVersion> version = WithTerms(std::move(next));
@@ -86,8 +86,8 @@ class QuadStore {
     Exchange(std::move(version));
   }
 
-  // The writer says how many quads it has removed. What is done about their
-  // terms may fail for want of memory: then it is done another time.
+  // Counts the quads removed by a commit and compacts the dictionary if due.
+  // Compaction may run out of memory; it is then retried later.
   void NoteRemoved(std::size_t quads) noexcept {
     removed_ += quads;
     const std::size_t enough =
@@ -102,7 +102,8 @@ class QuadStore {
   }
 
  private:
-  // With all terms that the dictionary has, also unpublished ones.
+  // Completes a version with the dictionary and its term range, including
+  // unpublished terms.
   std::shared_ptr<const StoreVersion> WithTerms(
       std::shared_ptr<StoreVersion> version) const {
     version->dictionary = dictionary_;
@@ -115,7 +116,7 @@ class QuadStore {
     current_.swap(version);
   }
 
-  // Goes on with the terms that are used now.
+  // Replaces the dictionary by one with only the terms in use.
   void Compact() {
     const std::vector<bool> used =
         current_->index.UsedTerms(dictionary_->ids_end());
@@ -130,11 +131,12 @@ class QuadStore {
 
   const StoreOptions options_;
   std::shared_ptr<Dictionary> dictionary_;
-  std::size_t removed_ = 0;  // Quads, since it was compacted.
+  std::size_t removed_ = 0;  // Quads removed since the last compaction.
   std::optional<StoreRecord> record_;
   std::mutex writer_mutex_;
   std::atomic<std::thread::id> writer_{};
-  mutable std::mutex current_mutex_;  // Guards current_; held for a copy.
+  // Guards current_; held only while copying it.
+  mutable std::mutex current_mutex_;
   std::shared_ptr<const StoreVersion> current_;
 };
 
@@ -149,7 +151,7 @@ struct Transaction::State : GraphView {
         terms_end(dictionary->next_id()) {}
   ~State() override { Finish(); }
 
-  // Ends it; what was not committed is forgotten.
+  // Ends the transaction; discards uncommitted terms.
   void Finish() {
     if (!lock.owns_lock()) return;
     dictionary->Discard();
@@ -161,8 +163,8 @@ struct Transaction::State : GraphView {
     if (!lock.owns_lock()) throw std::logic_error("the transaction is over");
   }
 
-  // An addition goes to the index when somebody asks: many at once cost less,
-  // and leave fuller nodes.
+  // Additions are buffered and go to the index on the next read: bulk insertion
+  // is cheaper and leaves fuller nodes.
   void Add(const Quad& quad) {
     const QuadKey key = PackQuad(quad, QuadOrder::kSpog);
     if (removed.erase(key) == 0) {
@@ -189,8 +191,8 @@ struct Transaction::State : GraphView {
     return dictionary->FindUnpublished(term);
   }
   const Term& Get(TermId id) const override { return dictionary->Get(id); }
-  // `visit` may change the transaction: the match keeps to its own copy, and
-  // the nodes of it are no longer changed in place.
+  // `visit` may change the transaction: the match runs on its own copy of the
+  // index, whose nodes are no longer changed in place.
   void Match(const Quad& pattern,
              absl::FunctionRef<bool(const Quad&)> visit) const override {
     InsertWaiting();
@@ -246,16 +248,16 @@ struct Transaction::State : GraphView {
   std::unique_lock<std::mutex> lock;  // Held while the transaction is open.
   const std::shared_ptr<Dictionary> dictionary;
   const std::shared_ptr<const StoreVersion> base;
-  // The version that Commit would publish, but for the quads that wait.
+  // The index that Commit would publish, without the quads in `waiting`.
   mutable QuadIndex index;
   mutable std::mutex waiting_mutex;
-  mutable std::vector<Quad> waiting;  // Added, but not yet to the index.
+  mutable std::vector<Quad> waiting;  // Added, not yet in the index.
   mutable std::atomic<std::uint64_t> edit;
-  Quad last;         // The statement before this one.
-  TermId terms_end;  // Of what is published and known here.
-  KeySet added;      // In SPOG order; against `base`.
+  Quad last;         // Ids of the previous statement.
+  TermId terms_end;  // Upper bound of the published ids visible here.
+  KeySet added;      // Net changes against `base`, in SPOG order.
   KeySet removed;
-  std::size_t removals = 0;  // Also of quads that were added here.
+  std::size_t removals = 0;  // Including quads added in this transaction.
 };
 
 Transaction::Transaction(std::unique_ptr<State> state)
@@ -268,7 +270,7 @@ void Transaction::Add(const Statement& s) {
   state_->CheckOpen();
   CheckIsRdf(s);
   Dictionary& terms = *state_->dictionary;
-  // Those often follow each other with the same one: no look-up then.
+  // Consecutive statements often repeat a term: reuse its id without look-up.
   const auto intern = [&](const Term& term, TermId* last) {
     const bool same = *last != kNoTerm && terms.Get(*last) == term;
     return same ? *last : *last = terms.Intern(term);

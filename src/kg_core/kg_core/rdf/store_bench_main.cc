@@ -1,5 +1,5 @@
-// Benchmark: the store, its queries, updates and validation on a graph like
-// that of a mission, beside other stores in the same run.
+// Benchmark of the store, its queries, updates and validation on a mission-like
+// graph, compared with other stores in the same run.
 //
 //   store_bench [--quick] [--triples=100000,1000000]
 //
@@ -7,12 +7,13 @@
 // ";" between; scripts/bench.sh sets it. A command gets the N-Triples file and
 // the file of queries ("name<TAB>query"), and prints "name<TAB>milliseconds
 // <TAB>rows" for load, each query and update, and "memory<TAB>bytes<TAB>0".
-// Ends with 1 if a peer has another number of rows: then one of us is wrong.
+// Exits with 1 if a peer returns a different number of rows, since one of the
+// two must then be wrong.
 //
-// Prints a line a target: name, goal, measured, the peers' figures, met or
-// missed. All times are medians but those of load and reopening; a durable
-// update is measured in turn with an fsync of the same file system; the update
-// that is compared with peers is one in memory, as theirs.
+// Prints one line per target: name, goal, measured value, the peers' values,
+// met or missed. All times are medians except load and reopening. A durable
+// update is measured alternating with an fsync on the same file system; the
+// update compared with peers is in memory, as theirs are.
 
 #include <fcntl.h>
 #include <malloc.h>
@@ -48,7 +49,7 @@ using kg_base::Seconds;
 struct Query {
   const char* name;
   const char* text;
-  double goal_ms;  // 0: only not slower than the fastest peer.
+  double goal_ms;  // 0: no slower than the fastest peer.
 };
 
 const char kPrologue[] =
@@ -142,7 +143,7 @@ std::vector<Peer> PeersOfEnvironment() {
   return peers;
 }
 
-// What a peer measured; nothing that it did not print.
+// Runs a peer and parses its output; figures that it did not print are absent.
 Figures AskPeer(const Peer& peer, const std::string& graph,
                 const std::string& queries) {
   Figures figures;
@@ -161,7 +162,7 @@ Figures AskPeer(const Peer& peer, const std::string& graph,
   return figures;
 }
 
-// One size: all measurements, then the table.
+// All measurements for one graph size, then the table.
 class Bench {
  public:
   Bench(std::size_t triples, std::vector<Peer> peers)
@@ -175,7 +176,7 @@ class Bench {
     peers_ = std::move(peers);
   }
 
-  // False if answers differ.
+  // Returns false if answers differ from those of a peer.
   bool Run() {
     std::printf("store, %zu triples, load of the machine %.1f\n", triples_,
                 Load());
@@ -236,6 +237,8 @@ class Bench {
       before = HeapBytes();
       Transaction change = store_->Begin();
       std::string line, text;
+      // Parse in blocks of 4 MiB, so that the text stays far below the parser's
+      // limit.
       const auto add = [&] {
         for (const Statement& s :
              ParseTurtle(text, "graph", Iri(kFactsGraph))) {
@@ -276,7 +279,7 @@ class Bench {
     }
   }
 
-  // Another cost for one edge.
+  // Changes the cost of one edge.
   static void Update(Store* store, int i) {
     const Term edge = Iri(kEx + ("edge/0_" + std::to_string(i % 1000)));
     const Term cost = Iri(kEx + std::string("cost"));
@@ -304,7 +307,7 @@ class Bench {
     const double sync = Median(sync_ms), update = Median(update_ms);
     std::printf("  (fsync %.3f ms, durable update %.3f ms)\n", sync, update);
     Print("durable update", "fsync times", 2.0, update / sync);
-    // The peers keep their stores in memory: so does a fork.
+    // The peers keep their stores in memory; a fork is in memory too.
     const auto fork = Store::Fork(store_->Read());
     int i = 0;
     Print("update", "ms, in memory", 0.0,
@@ -321,6 +324,7 @@ class Bench {
     const auto shapes = shacl::LoadShapes(shapes_change.view(), kVocabGraph);
     const Transaction change = ChangedEdge();
     const shacl::DataGraph data{change.view(), kFactsGraph, {kFactsGraph}};
+    // The whole-graph time is normalized by the number of focus nodes.
     std::size_t nodes = 0;
     for (const auto& [id, shape] : shapes) {
       nodes += shacl::ShapeValidation(data, shapes).FocusNodes(shape).size();

@@ -1,5 +1,5 @@
-// Terms that no quad uses leave memory and record while the store is open, and
-// nobody can tell otherwise.
+// Terms that no quad uses are removed from memory and record while the store is
+// open, without any other visible effect.
 
 #include <set>
 
@@ -31,7 +31,7 @@ TEST(StoreCompaction, BehavesLikeASetOnDisk) {
 
 constexpr int kPlanQuads = 100;
 
-// Writes the plan of a run and drops the one before it: 201 new terms.
+// Writes the plan of a run and drops the previous one: 201 new terms.
 void Replan(Store* store, int run) {
   Transaction change = store->Begin();
   const auto graph = [](int n) { return Ex("plan/" + std::to_string(n)); };
@@ -53,7 +53,7 @@ TermId FindLargestId(const GraphView& view) {
   return largest;
 }
 
-// What 1,000 rounds leave is bounded by what a few hold.
+// After 1,000 rounds, memory and record are bounded by the size of a few plans.
 void ExpectBounded(const Store& store) {
   EXPECT_EQ(store.quad_count(), kPlanQuads + 1u);
   EXPECT_LE(store.term_count(), 6 * kPlanQuads + 10u);
@@ -109,7 +109,8 @@ TEST(StoreCompaction, AThousandPlansLeaveTheTermsOfAFewOnDisk) {
   EXPECT_EQ(again.quad_count(), kPlanQuads + 1u);
 }
 
-// Rows of unused terms that were there at the opening leave with small commits.
+// Rows of terms that were already unused when the store was opened are removed
+// by small commits.
 TEST(StoreCompaction, RowsLeaveWithLaterCommitsAlsoAfterReopening) {
   const TemporaryFolder folder;
   const std::string path = folder / "store.db";
@@ -149,7 +150,7 @@ TEST(StoreCompaction, AForkOfACompactedStoreDoesNotMixTerms) {
   for (int run = 1; run < 10; ++run) Replan(&store, run);
   const auto world = store.Read();
   const auto fork = Store::Fork(world);
-  Replan(&store, 10);  // Gives freed ids to new terms, which the fork may see.
+  Replan(&store, 10);  // Reuses freed ids, which must not affect the fork.
   Replan(fork.get(), 10);
   EXPECT_EQ(GetContent(*fork->Read()), GetContent(*store.Read()));
   EXPECT_EQ(world->Find(Ex("node10/0")), kNoTerm);

@@ -1,5 +1,5 @@
-// Many readers beside one writer: every reader sees whole transactions only,
-// in order, and what it holds does not change under it.
+// Many readers concurrent with one writer: every reader sees only whole
+// transactions, in order, and a snapshot does not change while held.
 
 #include <atomic>
 #include <thread>
@@ -27,14 +27,15 @@ void CommitNumber(Store* store, long long n) {
     change.RemoveMatching(&subject, &kValue, nullptr, Iri(kFactsGraph));
     change.Add({subject, kValue, IntegerLiteral(n), Iri(kFactsGraph)});
   }
-  if (n % 7 == 0) {  // A dropped one in between must never be seen.
+  if (n % 7 == 0) {  // A discarded transaction must never be visible.
     change.Add({Subject(0), kValue, Literal("never"), Iri(kFactsGraph)});
     return;
   }
   change.Commit(WorldChange::kYes);
 }
 
-// Does every subject have exactly one value, the same for all? Nothing if not.
+// The value shared by all subjects; nullopt unless each has exactly one value,
+// the same for all.
 std::optional<std::string> OnlyValue(const GraphView& view) {
   std::optional<std::string> only;
   for (int i = 0; i < kSubjects; ++i) {

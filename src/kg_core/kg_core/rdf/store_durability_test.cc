@@ -1,7 +1,7 @@
-// What the record promises: an acknowledged transaction is there after a
-// SIGKILL, whole and in order; a damaged, foreign or locked file is refused or
-// falls back to an earlier state, and nothing is ever invented; a full disk
-// refuses the transaction and keeps the state.
+// Guarantees of the record: an acknowledged transaction survives a SIGKILL,
+// whole and in order; a damaged, foreign or locked file is rejected or falls
+// back to an earlier state, without spurious facts; a full disk fails the
+// transaction and keeps the state.
 
 #include <fcntl.h>
 #include <signal.h>
@@ -32,7 +32,7 @@ using kg_base::TemporaryFolder;
 namespace fs = std::filesystem;
 
 // Transaction n leaves the facts of n, n - 1, ... n - kKept + 1 and a marker:
-// any other set of facts is half a transaction, or a lost or invented one.
+// any other set of facts is a partial, lost or spurious transaction.
 constexpr std::uint64_t kKept = 40;
 constexpr int kParts = 5;
 
@@ -88,7 +88,7 @@ std::set<std::string> ContentAfter(std::uint64_t n) {
   return lines;
 }
 
-// Is the state exactly the one after its own world version?
+// True if the content is exactly that of the store's world version.
 bool IsWhole(const Store& store) {
   return GetContent(*store.Read()) == ContentAfter(store.world_version());
 }
@@ -135,8 +135,8 @@ int GetExitCode(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-// Commits for ever; each version goes down the pipe once it is acknowledged.
-// The dictionary is compacted as often as can be.
+// Commits in an endless loop and writes each acknowledged version to the pipe.
+// The dictionary is compacted as often as possible.
 int CommitAndAcknowledge(const std::string& path, int pipe_end) {
   Store store(path, {/*compact_after=*/1});
   while (true) {
@@ -145,7 +145,7 @@ int CommitAndAcknowledge(const std::string& path, int pipe_end) {
   }
 }
 
-// Kills a committing child at a random moment; the last version it
+// Kills a committing child at a random moment; returns the last version it
 // acknowledged, or 0.
 std::uint64_t CommitUntilKilled(const std::string& path,
                                 std::mt19937_64* random) {
@@ -163,7 +163,7 @@ std::uint64_t CommitUntilKilled(const std::string& path,
   while (read(ends[0], &version, sizeof(version)) > 0) {
   }
   close(ends[0]);
-  EXPECT_EQ(GetExitCode(child), -1);  // Killed, not ended by itself.
+  EXPECT_EQ(GetExitCode(child), -1);  // Killed, not exited normally.
   return version;
 }
 
@@ -188,7 +188,7 @@ TEST(StoreDurability, KeepsEveryAcknowledgedTransactionThroughSigkill) {
   EXPECT_GT(before, static_cast<std::uint64_t>(rounds));
 }
 
-// A closed store of a few pages.
+// Creates a store of a few pages and closes it.
 std::string MakeStore(const std::string& path, int transactions) {
   Store store(path);
   for (int i = 0; i < transactions; ++i) CommitNext(&store);
@@ -230,8 +230,8 @@ TEST(StoreDurability, RefusesAFlippedBitOrIsUnharmedByIt) {
   RecordProperty("refused", refused);
 }
 
-// The files of a store as a power cut would leave them: a log that has not
-// been written back yet.
+// The files of a store as a power failure would leave them: the log is not yet
+// checkpointed.
 struct Torn {
   std::string file, log;
 };
@@ -327,8 +327,9 @@ void LimitFileSize(rlim_t bytes) {
   setrlimit(RLIMIT_FSIZE, &limit);
 }
 
-// Commits until the disk is full; then the old state must stand, and the store
-// must go on once there is room. 0 if so, else which step went wrong.
+// Commits until the disk is full; the old state must then be intact, and the
+// store must work again once there is space. Returns 0, or the number of the
+// failed step.
 int FillTheDisk(const std::string& path) {
   signal(SIGXFSZ, SIG_IGN);
   Store store(path);
@@ -382,8 +383,8 @@ TEST(StoreDurability, ARefusedCommitMayBeTriedAgain) {
   EXPECT_EQ(Store(path).quad_count(), 20000u);
 }
 
-// A refused commit has removed no rows of unused terms either: they leave with
-// the next one, and their ids are not given to others before.
+// A failed commit has not removed rows of unused terms either: the next commit
+// removes them, and their ids are not reused before.
 int FillTheDiskWithForgottenTerms(const std::string& path) {
   signal(SIGXFSZ, SIG_IGN);
   Store store(path, {/*compact_after=*/1});
@@ -409,7 +410,7 @@ TEST(StoreDurability, AFullDiskLosesNoRowsOfForgottenTerms) {
   const std::string path = folder / "store.db";
   const auto work = [&] { return FillTheDiskWithForgottenTerms(path); };
   EXPECT_EQ(GetExitCode(Fork(work)), 0);
-  const Store store(path);  // Its digest is right, or it would be refused.
+  const Store store(path);  // Opening checks the digest.
   EXPECT_TRUE(IsWhole(store));
   EXPECT_EQ(store.world_version(), 450u);
 }

@@ -1,5 +1,5 @@
-// A fork behaves like a full copy of the snapshot it began as; neither it nor
-// its origin sees what the other does next.
+// A fork behaves like a full copy of the snapshot it started from; neither it
+// nor its origin sees later changes of the other.
 
 #include <atomic>
 #include <memory>
@@ -26,10 +26,10 @@ std::unique_ptr<Store> FullCopy(const GraphView& view) {
   return copy;
 }
 
-// A store, and what must be in it.
+// A store and its expected content.
 struct Branch {
   std::unique_ptr<Store> store;
-  std::unique_ptr<Store> copy;  // Changed alike, with a dictionary of its own.
+  std::unique_ptr<Store> copy;  // Gets the same changes, own dictionary.
   Model model;
   std::uint64_t world_version = 0;
 };
@@ -42,7 +42,8 @@ void ExpectRight(const Branch& branch) {
   ASSERT_EQ(view->world_version(), branch.world_version);
 }
 
-// Every pattern of one statement's terms: the same bag in both.
+// For all 16 patterns of a statement's terms, store and copy match the same
+// multiset of quads.
 void ExpectSameMatches(const Branch& branch, const Statement& s) {
   const auto matches = [&](const GraphView& view, int bits) {
     const auto id = [&](int bit, const Term& term) {
@@ -91,8 +92,9 @@ Branch MakeFork(const Branch& origin) {
           origin.model, origin.world_version};
 }
 
-// A tree of forks, forks of forks among them, each changed at random in turn,
-// with terms that only it, its origin or its siblings know; some end early.
+// A tree of forks (including forks of forks), each changed at random in turn
+// with terms known only to itself, its origin or its siblings; some are
+// destroyed early.
 void RunForks(const std::string& path, int seed) {
   RandomFacts facts(seed);
   std::vector<Branch> branches;
@@ -139,7 +141,7 @@ TEST(StoreFork, NobodySeesTheNewTermsOfTheOther) {
   AddFact(&origin, "first");
   AddFact(fork.get(), "second");
   AddFact(&origin, "third");
-  AddFact(fork.get(), "third");  // The same term, of each its own.
+  AddFact(fork.get(), "third");  // The same term, interned separately in each.
   EXPECT_EQ(origin.Read()->Find(Ex("second")), kNoTerm);
   EXPECT_EQ(fork->Read()->Find(Ex("first")), kNoTerm);
   EXPECT_EQ(world->Find(Ex("third")), kNoTerm);
@@ -194,8 +196,8 @@ TEST(StoreFork, OnlyASnapshotCanBeForked) {
   EXPECT_THROW(Store::Fork(nullptr), std::invalid_argument);
 }
 
-// Everybody commits terms that the others commit too, or do not, while readers
-// compare what they hold with what it was.
+// Each branch commits terms, some shared with the others, while readers check
+// that their snapshots are unchanged.
 TEST(StoreFork, BranchesWriteAndReadAtTheSameTime) {
   Store origin("");
   for (int i = 0; i < 50; ++i) AddFact(&origin, "common" + std::to_string(i));

@@ -167,7 +167,7 @@ TEST(Store, WritesTurtleThatReadsBack) {
   }
   EXPECT_EQ(AsModel(read), expected);
 
-  Store other("");  // The same statements, in another order.
+  Store other("");  // The same statements in a different order.
   Transaction copy = other.Begin();
   for (auto s = read.rbegin(); s != read.rend(); ++s) copy.Add(*s);
   EXPECT_EQ(WriteTurtle(copy.view(), kFactsGraph), text);

@@ -1,5 +1,5 @@
-// The syntaxes of RDF in and out, by serd: Turtle, TriG, N-Triples and N-Quads,
-// with caps on size and nesting before serd sees the text.
+// Reading and writing RDF as Turtle, TriG, N-Triples and N-Quads. Parsing is
+// done by serd, after size and nesting of the text have been checked.
 //
 //   const RdfSyntaxName* syntax = SyntaxOfPath("facts.nq");
 //   for (const Statement& s : ParseRdf(text, syntax->syntax, {"facts.nq",
@@ -33,41 +33,43 @@ struct RdfSyntaxName {
 };
 const std::vector<RdfSyntaxName>& RdfSyntaxes();
 
-// All null if there is none such. Suffixes and media types in any case; what
-// follows a media type (";charset=utf-8") is not looked at.
+// Each returns null if there is no such syntax. Suffixes and media types are
+// case-insensitive; media type parameters (";charset=utf-8") are ignored.
 const RdfSyntaxName* SyntaxNamed(std::string_view name);
 const RdfSyntaxName* SyntaxOfPath(std::string_view path);
 const RdfSyntaxName* SyntaxOfMediaType(std::string_view media_type);
 
-// Where a text comes from and goes to.
+// Source of a text and target of its statements.
 struct RdfSource {
-  std::string name;    // Stands in errors: a file name, "update of operator".
-  Term default_graph;  // Of statements that the text puts into no graph.
-  std::string base{};  // What relative IRIs are relative to; "": refused.
+  std::string name;    // Shown in errors: a file name, "update of operator".
+  Term default_graph;  // Graph of statements outside any named graph.
+  std::string base{};  // Base IRI; "": relative IRIs are rejected.
 };
 
-// Reads a whole text. Turtle and TriG know our prefixes undeclared. Blank nodes
-// are renamed so that two texts never share one by accident; within one text a
-// label is one node in all graphs. Graphs may be blank nodes in TriG and
-// N-Quads, which a store refuses. Throws InputError
+// Parses a whole text. In Turtle and TriG the prefixes of namespaces.h need no
+// declaration. Blank nodes are renamed so that two texts never share one by
+// accident; within one text a label is one node in all graphs. TriG and N-Quads
+// allow blank nodes as graphs, which a store rejects. Throws InputError
 // "name:line:column: what was expected".
 std::vector<Statement> ParseRdf(std::string_view text, RdfSyntax syntax,
                                 const RdfSource& source,
                                 const TurtleLimits& limits = {});
 
-// A file by its suffix, relative IRIs refused. Throws InputError.
+// Parses a file; the syntax follows from its suffix. Relative IRIs are
+// rejected. Throws InputError.
 std::vector<Statement> ParseRdfFile(const std::string& path,
                                     const Term& default_graph,
                                     const TurtleLimits& limits = {});
 
-// What to write of a view.
+// The graphs of a view to write.
 struct RdfSelection {
-  std::vector<std::string> graphs;  // IRIs. One that is empty writes nothing.
-  std::string default_graph{};      // Written without its name, if chosen.
+  // Graph IRIs. An empty graph writes nothing.
+  std::vector<std::string> graphs;
+  std::string default_graph{};  // If selected, written without its name.
 };
 
-// The chosen graphs, sorted, the same every time. Turtle and N-Triples have no
-// graphs: there all are merged.
+// Writes the selected graphs, sorted and deterministic. Turtle and N-Triples
+// have no graphs: there all are merged.
 std::string WriteRdf(const GraphView& view, const RdfSelection& selection,
                      RdfSyntax syntax);
 

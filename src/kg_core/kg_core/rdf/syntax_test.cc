@@ -47,7 +47,8 @@ const auto& PickOne(const List& list, std::mt19937& random) {
   return list[random() % list.size()];
 }
 
-// What has gone wrong in some writer or reader once.
+// Literals made of character sequences that have caused errors in writers or
+// readers.
 Term RandomLiteral(std::mt19937& random) {
   static const std::vector<std::string> kPieces = {
       "",       "a",           "\"",         "\\",      "\n",     "\r",

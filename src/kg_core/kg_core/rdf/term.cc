@@ -50,7 +50,7 @@ const IntegerType* FindIntegerType(std::string_view name) {
   return nullptr;
 }
 
-// How a number is written; the forms of
+// Lexical form of a number: the forms of
 // https://www.w3.org/TR/turtle/#grammar-production-INTEGER and its neighbours,
 // with XML Schema's additional decimal "5.".
 struct NumberForm {
@@ -74,7 +74,7 @@ NumberForm FindForm(std::string_view s) {
   const std::size_t start = SkipSign(s, 0);
   std::size_t at = SkipDigits(s, start);
   std::size_t digits = at - start;
-  // Digits may stand before the point, behind it or both.
+  // Digits may come before the point, after it or both.
   if (at < s.size() && s[at] == '.') {
     form.has_point = true;
     const std::size_t end = SkipDigits(s, at + 1);
@@ -93,8 +93,8 @@ NumberForm FindForm(std::string_view s) {
   return form;
 }
 
-// `s` is a valid number. Rounds to nearest; too large is infinite, as XML
-// Schema has it. Independent of the locale.
+// Precondition: `s` is a valid number. Rounds to nearest; overflow gives
+// infinity as in XML Schema. Independent of the locale.
 double ToDouble(std::string_view s) {
   if (s[0] == '+') s.remove_prefix(1);
   double value = 0.0;
@@ -192,8 +192,8 @@ std::string IriToTurtle(std::string_view iri) {
   return short_form[0] == '<' ? AngledIri(iri) : short_form;
 }
 
-// May the literal stand bare in Turtle and read back as the same term?
-// https://www.w3.org/TR/turtle/#abbrev
+// True if the literal, written without quotes and datatype in Turtle, reads
+// back as the same term. https://www.w3.org/TR/turtle/#abbrev
 bool IsBareInTurtle(const Term& term) {
   const std::string_view type = XsdName(term);
   if (type == "boolean") return term.text == "true" || term.text == "false";

@@ -27,7 +27,7 @@ struct Term {
 
 bool operator==(const Term& a, const Term& b);
 bool operator!=(const Term& a, const Term& b);
-bool operator<(const Term& a, const Term& b);  // Any total order.
+bool operator<(const Term& a, const Term& b);  // Some total order.
 
 Term Iri(std::string iri);
 Term Blank(std::string label);
@@ -38,15 +38,15 @@ Term DoubleLiteral(double value);  // Shortest form that reads back the same.
 Term IntegerLiteral(long long value);
 Term BooleanLiteral(bool value);
 
-// The value of a numeric literal (xsd:integer and its kin, decimal, float,
-// double) or nothing. NaN and infinities are values.
+// The value of a numeric literal (xsd:integer and derived types, decimal,
+// float, double), else nullopt. NaN and infinities are values.
 std::optional<double> NumericValue(const Term& term);
 
 // N-Triples syntax, e.g. <http://...>, _:b0, "x"@en, "1"^^<...#integer>.
 std::string ToNTriples(const Term& term);
 
 // Turtle term syntax with the usual prefixes, e.g. ex:alpha, "0.4", 3, true.
-// This is what reasons, reports and text tables show.
+// Used in reasons, reports and text tables.
 std::string ToTurtle(const Term& term);
 
 std::ostream& operator<<(std::ostream& out, const Term& term);

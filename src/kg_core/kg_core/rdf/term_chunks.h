@@ -1,8 +1,8 @@
-// Slots for the terms of a dictionary, which never move and can be shared with
-// the dictionary that follows it.
+// Chunked storage for the terms of a dictionary. Terms never move, and chunks
+// can be shared with the compacted dictionary.
 //
-// One writer, any number of readers; a reader only asks for slots of which it
-// knows, through something else, that they were filled.
+// One writer, any number of readers. A reader may only access slots that it
+// knows, by other synchronization, to be filled.
 
 #ifndef KG_CORE_RDF_TERM_CHUNKS_H_
 #define KG_CORE_RDF_TERM_CHUNKS_H_
@@ -25,7 +25,7 @@ class TermChunks {
   TermChunks(const TermChunks&) = delete;
   TermChunks& operator=(const TermChunks&) = delete;
 
-  // Readers. Null if there is no chunk at this index.
+  // For readers. Null if there is no chunk at this index.
   const Term* At(std::size_t index) const {
     const Spine* spine = spine_.load(std::memory_order_acquire);
     const std::size_t chunk = index / kChunk;
@@ -34,13 +34,15 @@ class TermChunks {
     return slots == nullptr ? nullptr : slots->slot(index % kChunk);
   }
 
-  // The writer.
-  void Reserve(std::size_t index);  // Room at it, so that Fill cannot fail.
+  // For the writer.
+  // Allocates the slot, so that Fill cannot fail.
+  void Reserve(std::size_t index);
   void Fill(std::size_t index, Term term) noexcept;
   void Clear(std::size_t index) noexcept;
-  // Takes over what `other` has where `keep(index)` is true: whole chunks are
-  // shared, of others the kept terms are copied. This must be empty, and
-  // `other` is not to be written to any more.
+  // Takes the terms of `other` for which `keep(index)` is true: chunks kept as
+  // a whole are shared, from other chunks the kept terms are copied.
+  // Precondition: this object is empty; afterwards `other` must not be written
+  // to.
   void TakeOver(const TermChunks& other,
                 absl::FunctionRef<bool(std::size_t)> keep);
 
@@ -62,8 +64,8 @@ class TermChunks {
     std::bitset<kChunk> filled;  // For the writer and the destructor.
     alignas(Term) unsigned char memory[kChunk * sizeof(Term)];
   };
-  // The way to the chunks. One that has become too short is kept for readers
-  // that have it in hand.
+  // Array of chunk pointers. When it is outgrown, the old array is kept for
+  // readers that still use it.
   struct Spine {
     explicit Spine(std::size_t size)
         : size(size), chunks(new std::atomic<Chunk*>[size]()) {}

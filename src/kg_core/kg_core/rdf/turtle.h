@@ -1,5 +1,5 @@
-// Turtle in and out, by serd, with caps on size and nesting before serd sees
-// the text (serd 0.30 crashes on 50,000 nested lists).
+// Reading and writing Turtle. Parsing is done by serd, after size and nesting
+// of the text have been checked (serd 0.30 crashes on 50,000 nested lists).
 
 #ifndef KG_CORE_RDF_TURTLE_H_
 #define KG_CORE_RDF_TURTLE_H_
@@ -20,7 +20,7 @@ struct TurtleLimits {
   int nesting = 200;
 };
 
-// Reads Turtle into `graph`; our prefixes are known without being declared.
+// Parses Turtle into `graph`; the prefixes of namespaces.h need no declaration.
 // Blank node labels are renamed so that two texts never share one by accident.
 // `source` (a file name, "update of operator") is named in errors. Throws
 // InputError "source:line:column: what was expected".
@@ -35,7 +35,7 @@ std::vector<Statement> ParseTurtleFile(const std::string& path,
 // "3", "true", "\"POINT(1 2)\"^^geo:wktLiteral"); throws InputError.
 Term ParseTurtleTerm(std::string_view text);
 
-// All statements of `graph`, sorted, with our prefixes.
+// Writes all statements of `graph`, sorted, with the prefixes of namespaces.h.
 std::string WriteTurtle(const GraphView& view, std::string_view graph);
 
 }  // namespace kg_core

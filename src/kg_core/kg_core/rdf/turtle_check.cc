@@ -12,8 +12,9 @@ namespace {
 
 using kg_base::InputError;
 
-// Of a prefixed name or a label. Beyond ASCII, every character may stand there:
-// Turtle excludes only some punctuation, none of which is syntax.
+// Characters of a prefixed name or a label. All non-ASCII characters are
+// accepted: Turtle excludes only some punctuation there, none of which is
+// syntax.
 bool IsNameOrLabelChar(char c) {
   return absl::ascii_isalpha(c) || absl::ascii_isdigit(c) || c == '_' ||
          c == '-' || c == ':' || c == '%' ||
@@ -24,8 +25,7 @@ bool IsTurtleSpace(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-// Walks over the tokens. Only where they begin and end matters here: whether
-// they make sense is serd's business.
+// Scans the tokens. Only token boundaries matter here; serd checks the grammar.
 class TurtleScanner {
  public:
   TurtleScanner(std::string_view text, RdfSyntax syntax,
@@ -53,7 +53,7 @@ class TurtleScanner {
 
   void Step() {
     const char c = text_[at_];
-    // A comment reaches to the end of its line, an IRI to '>' on the same line.
+    // A comment extends to the end of its line, an IRI to '>' on the same line.
     if (c == '#') {
       at_ = std::min(text_.find('\n', at_), text_.size());
     } else if (c == '<') {
@@ -100,8 +100,8 @@ class TurtleScanner {
     at_ = std::min(at_ + end.size(), text_.size());
   }
 
-  // A point belongs to a name only if more of the name follows; a character
-  // behind a backslash is no syntax.
+  // A '.' belongs to a name only if more of the name follows; a character after
+  // a backslash is never syntax.
   void SkipName() {
     while (at_ < text_.size()) {
       std::size_t next = at_;
@@ -124,7 +124,8 @@ class TurtleScanner {
     }
   }
 
-  // One statement a line, ended by a point, of full terms only.
+  // Checks the line syntaxes: one statement per line, ended by '.', without
+  // abbreviated terms.
   void FollowLine() {
     const char c = text_[at_];
     if (c == '\n') EndLine();

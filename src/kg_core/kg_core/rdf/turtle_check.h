@@ -1,6 +1,6 @@
-// What is checked of a text before serd sees it: size, NUL, UTF-8, nesting
-// (serd 0.30 recurses per bracket and crashes on 50,000), and the lines of
-// N-Triples and N-Quads, where serd would also read Turtle.
+// Checks of a text before it is passed to serd: size, NUL, UTF-8, nesting (serd
+// 0.30 recurses per bracket and crashes on 50,000), and the lines of N-Triples
+// and N-Quads, where serd would also read Turtle.
 
 #ifndef KG_CORE_RDF_TURTLE_CHECK_H_
 #define KG_CORE_RDF_TURTLE_CHECK_H_
@@ -15,12 +15,12 @@
 
 namespace kg_core {
 
-// "source:line:column: " of a byte offset.
+// The position prefix "source:line:column: " of a byte offset.
 std::string TurtleErrorPlace(std::string_view text, const std::string& source,
                              std::size_t offset);
 
-// Throws InputError "source:line:column: what was expected". Returns where
-// blank node labels begin (behind each "_:"), in order.
+// Throws InputError "source:line:column: what was expected". Returns the byte
+// offsets at which blank node labels begin (after each "_:"), in order.
 std::vector<std::size_t> CheckRdfText(std::string_view text, RdfSyntax syntax,
                                       const std::string& source,
                                       const TurtleLimits& limits);

@@ -1,5 +1,5 @@
-// Arbitrary input as Turtle: refused with one line, or read, written and read
-// again as the same facts.
+// Fuzz test: arbitrary input as Turtle is either rejected with a one-line
+// error, or survives parse, write and parse with the same facts.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,8 @@
 namespace kg_core {
 namespace {
 
-constexpr std::size_t kManyBlanks = 6;  // More take isomorphism too long.
+// With more, the isomorphism test is too slow.
+constexpr std::size_t kManyBlanks = 6;
 
 std::size_t CountBlanks(const std::vector<Statement>& statements) {
   std::set<std::string> labels;

@@ -1,5 +1,5 @@
-// One RDF term in Turtle's term syntax, and nothing else: what arrives in a
-// message's field must never be able to say more than one term.
+// Parser for exactly one RDF term in Turtle's term syntax, so that a message
+// field can never smuggle in more than one term.
 // https://www.w3.org/TR/turtle/#sec-grammar-grammar
 
 #include <string>
@@ -21,7 +21,7 @@ int HexValue(char c) {
   return -1;
 }
 
-// Beyond ASCII, every character may stand in a name: Turtle excludes only some
+// All non-ASCII characters are accepted in a name: Turtle excludes only some
 // punctuation there, none of which is syntax.
 bool IsNameChar(char c) {
   return absl::ascii_isalpha(c) || absl::ascii_isdigit(c) || c == '_' ||
@@ -70,8 +70,8 @@ class TermParser {
     return Iri(ParsePrefixedName());
   }
 
-  // A number or a truth value: the whole rest. ToTurtle knows which datatypes
-  // may stand bare, and in which form.
+  // A number or boolean, which must be the whole rest of the text. ToTurtle
+  // decides which datatypes may be written without quotes, and in which form.
   Term ParseBare() {
     for (const char* type : {"integer", "decimal", "double", "boolean"}) {
       Term term = Literal(std::string(rest_), std::string(kXsd) + type);
@@ -89,7 +89,7 @@ class TermParser {
     return Blank(std::move(label));
   }
 
-  // Name characters, with dots inside but not at either end.
+  // Consumes name characters, with dots inside but not at either end.
   std::string TakeName() {
     std::size_t end = 0;
     for (std::size_t i = 0; i < rest_.size(); ++i) {
@@ -122,7 +122,7 @@ class TermParser {
     bool ends_with_dot = false;
     while (!rest_.empty()) {
       const char c = rest_[0];
-      // A '.' may stand inside of a local name, a '-' not at its beginning.
+      // A local name may contain '.' but not start with '.' or '-'.
       const bool plain = IsNameChar(c) || c == ':';
       const bool dot = c == '.' && !local.empty();
       if (c == '\\') {

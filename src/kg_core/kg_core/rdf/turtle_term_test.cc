@@ -139,7 +139,7 @@ TEST(TurtleTerm, ReadsWhatToTurtleAndToNTriplesWrite) {
   }
 }
 
-// serd is the independent reader.
+// serd serves as the independent parser.
 TEST(TurtleTerm, AgreesWithTheTurtleReader) {
   std::mt19937 random(4);
   for (int i = 0; i < 2000; ++i) {

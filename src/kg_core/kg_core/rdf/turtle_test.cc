@@ -31,7 +31,7 @@ std::string GetError(std::string_view text, const TurtleLimits& limits = {}) {
   return "no error";
 }
 
-// N-Triples lines, blank nodes numbered as they are first met.
+// N-Triples lines with blank nodes numbered in order of first occurrence.
 std::multiset<std::string> Lines(const std::vector<Statement>& statements) {
   std::map<Term, std::string> blanks;
   const auto shown = [&](const Term& term) {
@@ -110,7 +110,7 @@ TEST(Turtle, BlankLabelsOfOneTextStayApart) {
   EXPECT_EQ(statements[0].subject, statements[3].subject);
 }
 
-// serd calls nodes without a label b1, b2, ..., and reads _:b1 as B1.
+// serd names nodes without a label b1, b2, ..., and reads _:b1 as B1.
 TEST(Turtle, KeepsBlankLabelsApartThatSerdWouldMerge) {
   const auto statements = Read(
       "_:B1 ex:p [] .\n_:b1 ex:p [].\n_:b2 ex:p (1), ex:a._:b3, \"x\"._:b3 "

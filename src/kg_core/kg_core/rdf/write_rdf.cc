@@ -1,4 +1,4 @@
-// Writing: what syntax.h and turtle.h promise of it.
+// The writers declared in syntax.h and turtle.h.
 
 #include <algorithm>
 #include <map>
@@ -11,7 +11,8 @@
 namespace kg_core {
 namespace {
 
-// The statements about a subject: objects by property, all in Turtle.
+// The statements about a subject: objects grouped by property, all in Turtle
+// syntax.
 using PropertyTexts = std::map<std::string, std::set<std::string>>;
 using SubjectTexts = std::map<std::string, PropertyTexts>;
 

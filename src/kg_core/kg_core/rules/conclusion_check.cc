@@ -7,7 +7,7 @@ namespace kg_core {
 namespace {
 
 struct RuleTerm {
-  const char* local;  // In ex:, a property or a class.
+  const char* local;  // Local name in ex: of a property or class.
   const char* reason;
 };
 constexpr RuleTerm kRuleTerms[] = {
@@ -19,7 +19,7 @@ constexpr RuleTerm kRuleTerms[] = {
     {"conclusion", "reasons are not concluded"},
 };
 
-// Why no rule may conclude `term`, a property or a class.
+// The reason why no rule may conclude `term` (a property or class), if any.
 std::optional<std::string> FindRefusal(const Term& term,
                                        ForbiddenTerm forbidden) {
   for (const RuleTerm& row : kRuleTerms) {
@@ -48,7 +48,7 @@ void CheckWritten(const std::vector<Rule>& rules, const Vocabulary& vocabulary,
         reasons->push_back(ToTurtle(rule.iri) + ": " +
                            vocabulary.UnknownClass(*kind.type));
       }
-      // A term may be both unknown and forbidden: report each.
+      // A term may be both unknown and forbidden: report both.
       for (const auto& term : {kind.predicate, kind.type}) {
         const auto why = term ? FindRefusal(*term, forbidden) : std::nullopt;
         if (why) reasons->push_back(FormatRefusal(rule.iri, *term, *why));

@@ -1,5 +1,5 @@
-// What rules may not conclude: terms that the vocabulary does not have, rules,
-// reasons, and what the caller forbids.
+// Checks for conclusions that rules may not draw: terms not in the vocabulary,
+// rules, reasons, and terms forbidden by the caller.
 
 #ifndef KG_CORE_RULES_CONCLUSION_CHECK_H_
 #define KG_CORE_RULES_CONCLUSION_CHECK_H_
@@ -16,18 +16,17 @@
 
 namespace kg_core {
 
-// The reason why no rule may conclude this property or class; nothing if rules
-// may.
+// Returns the reason why no rule may conclude this property or class; nullopt
+// if rules may.
 using ForbiddenTerm =
     absl::FunctionRef<std::optional<std::string>(const Term& term)>;
 
-// Before a rule is run, as far as its template shows it: a reason for each
-// property or class that `vocabulary` does not have, and for each that is
-// forbidden.
+// Static check of the rules' templates: gives a reason for each property or
+// class that is not in `vocabulary`, and for each that is forbidden.
 void CheckWritten(const std::vector<Rule>& rules, const Vocabulary& vocabulary,
                   ForbiddenTerm forbidden, std::vector<std::string>* reasons);
 
-// Once a rule has concluded something: throws InputError if it is forbidden.
+// Check of an actual conclusion: throws InputError if it is forbidden.
 void CheckConclusion(const Inference& inference, ForbiddenTerm forbidden);
 
 }  // namespace kg_core

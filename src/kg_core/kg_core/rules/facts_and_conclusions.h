@@ -1,9 +1,9 @@
-// Facts and what rules conclude from them, as one graph: what the mission is
-// read from, and what the shapes must hold of.
+// Facts and the conclusions of the rules as one graph, from which the mission
+// is read and which the shapes validate.
 //
-// A view of another view, live like that one, where the facts graph also has
-// the conclusions of the inferred graph, without the reasons. Other graphs are
-// as they are.
+// A live view of another view in which the facts graph also contains the
+// conclusions of the inferred graph, without the reasons. Other graphs are
+// unchanged.
 
 #ifndef KG_CORE_RULES_FACTS_AND_CONCLUSIONS_H_
 #define KG_CORE_RULES_FACTS_AND_CONCLUSIONS_H_
@@ -34,7 +34,8 @@ class FactsAndConclusions : public GraphView {
   const GraphView& base_;
 };
 
-// The conclusions in `view`'s inferred graph, as statements of the facts graph.
+// The conclusions in the inferred graph of `view`, as statements of the facts
+// graph.
 std::vector<Statement> Conclusions(const GraphView& view);
 
 }  // namespace kg_core

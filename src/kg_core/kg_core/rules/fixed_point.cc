@@ -23,7 +23,7 @@ namespace {
 using kg_base::InputError;
 using sparql::Row;
 
-// What one solution of a rule's WHERE gives, by ids of the RuleWorld.
+// The derivation by one solution of a rule's WHERE, with ids of the RuleWorld.
 struct RuleDerivation {
   const Rule* rule = nullptr;
   Quad conclusion;
@@ -86,7 +86,7 @@ class RuleRun {
     }
   }
 
-  // The IRI in place of the template's blank node number `count`.
+  // The IRI that replaces blank node number `count` of the template.
   Term MakeNode(const Row& row, int count) const {
     kg_base::Hasher hash;
     hash.Add(rule_.iri.text);
@@ -107,7 +107,7 @@ class RuleRun {
     return (*row)[static_cast<std::size_t>(variable)];
   }
 
-  // From the query's ids to the world's, once the query is over.
+  // Converts ids of the query to ids of the world, after the query has ended.
   void Settle(Quad* quad) {
     for (TermId Quad::*place :
          {&Quad::subject, &Quad::predicate, &Quad::object}) {
@@ -154,7 +154,8 @@ class FixedPoint {
     }
   }
 
-  // All rules on the same state; then what they found. True if any was new.
+  // One round: runs all rules on the same state, then adds their conclusions.
+  // Returns true if any was new.
   bool Round(const Stratum& stratum) {
     std::vector<RuleDerivation> found;
     for (const Rule* rule : stratum.rules) {
@@ -164,7 +165,8 @@ class FixedPoint {
         if (keep) found.push_back(std::move(derivation));
       }
     }
-    // Conclude only now: every rule of the round saw the same statements.
+    // Add conclusions only now, so that every rule of the round sees the same
+    // statements.
     bool is_new = false;
     for (RuleDerivation& derivation : found) {
       is_new |= world_.Conclude(derivation.conclusion);
@@ -203,7 +205,7 @@ class FixedPoint {
     Inference inference;
     inference.rule_iri = derivation.rule->iri.text;
     inference.conclusion = MakeTriple(derivation.conclusion);
-    std::map<std::string, Triple> premises;  // By name.
+    std::map<std::string, Triple> premises;  // By statement IRI.
     for (const Quad& quad : derivation.premises) {
       Triple premise = MakeTriple(quad);
       std::string name = StatementIri(premise);
@@ -238,7 +240,8 @@ class FixedPoint {
   RuleWorld world_;
   const InferenceLimits& limits_;
   const kg_base::Stopwatch watch_;
-  std::map<TripleKey, std::map<std::string, Inference>> reasons_;  // By IRI.
+  // By conclusion, then by IRI.
+  std::map<TripleKey, std::map<std::string, Inference>> reasons_;
 };
 
 }  // namespace

@@ -1,15 +1,14 @@
-// All that rules conclude from a state, and why.
+// Fixed point of the rules on a state, with the reason for each conclusion.
 //
-// Strata are run one after another (strata.h). In one that is recursive, all
-// rules are run on what has been concluded so far, in rounds, until a round
-// brings nothing new. A blank node of a template becomes an IRI that is made of
-// the rule and of the values of the template's variables, so that a rule which
-// only says "there is one" ends.
+// Strata are evaluated in order (strata.h). In a recursive stratum, all rules
+// are run in rounds on the conclusions so far until a round adds nothing new. A
+// blank node of a template becomes an IRI derived from the rule and the values
+// of the template's variables, so that purely existential rules terminate.
 //
-// Reasons are kept of rules that are not recursive: all there are; of recursive
-// ones: those of the round that first had the conclusion. So no reason
-// rests on itself, and what is kept does not depend on the history of the
-// facts; nor does the choice, where there are more than `reasons`.
+// For non-recursive rules all reasons are kept; for recursive ones those of the
+// round that first reached the conclusion. So no reason is circular, and the
+// reasons kept do not depend on the history of the facts; neither does the
+// selection if there are more than `reasons`.
 
 #ifndef KG_CORE_RULES_FIXED_POINT_H_
 #define KG_CORE_RULES_FIXED_POINT_H_
@@ -25,16 +24,16 @@ namespace kg_core {
 
 struct InferenceLimits {
   double seconds = 2.0;
-  int rounds = 1000;                      // Of one stratum.
-  std::size_t conclusions = 50000;        // Triples.
-  std::size_t premises = 1000;            // Of one inference.
-  std::size_t statements = 1000000;       // Of conclusions and reasons.
-  std::size_t working_bytes = 256 << 20;  // Of one rule in one round.
-  std::size_t reasons = 8;                // Kept of a triple: the first by IRI.
+  int rounds = 1000;                      // Rounds per stratum.
+  std::size_t conclusions = 50000;        // Concluded triples.
+  std::size_t premises = 1000;            // Premises per inference.
+  std::size_t statements = 1000000;       // Conclusions and reasons.
+  std::size_t working_bytes = 256 << 20;  // Per rule and round.
+  std::size_t reasons = 8;                // Kept per triple: first by IRI.
 };
 
-// One or more for every conclusion. Throws InputError that names a rule, or the
-// limit that was hit.
+// Returns one or more inferences for every conclusion. Throws InputError that
+// names a rule or the exceeded limit.
 std::vector<Inference> RunRules(const std::vector<Rule>& rules,
                                 const GraphView& view,
                                 const InferenceLimits& limits);

@@ -18,7 +18,7 @@ bool IsWorld(const Statement& statement) {
          statement.graph.text == kVocabGraph;
 }
 
-// What a transaction changed in facts and vocabulary.
+// The changes of a transaction to facts and vocabulary.
 std::vector<Statement> CollectWorldChanges(const Transaction& transaction) {
   std::vector<Statement> changes;
   for (auto& statements : {transaction.added(), transaction.removed()}) {
@@ -28,7 +28,7 @@ std::vector<Statement> CollectWorldChanges(const Transaction& transaction) {
   return changes;
 }
 
-// May other rules, or other meanings of their words, have come?
+// True if the changes may affect the set of rules or the terms they use.
 bool ChangesRules(const std::vector<Statement>& changes) {
   return std::any_of(changes.begin(), changes.end(), [](const Statement& s) {
     return s.graph.text == kVocabGraph || DefinesRules(s);
@@ -46,7 +46,7 @@ bool IsRead(const std::vector<Statement>& changes, const Rule& rule) {
   return false;
 }
 
-// Makes the inferred graph hold exactly what `inferences` say.
+// Updates the inferred graph to hold exactly the given inferences.
 class InferenceWriter {
  public:
   explicit InferenceWriter(Transaction& transaction)
@@ -135,7 +135,8 @@ std::vector<std::string> StageInferences(Transaction& transaction,
   if (changes.empty()) return {};
   std::vector<std::string> reasons;
   const std::vector<Rule> rules = LoadRules(transaction.view(), &reasons);
-  // Changed rules are checked as a whole, unchanged ones were checked before.
+  // All rules are checked if rules or vocabulary changed; otherwise they have
+  // been checked before.
   const bool others = ChangesRules(changes);
   if (others) {
     CheckWritten(rules, Vocabulary(transaction.view()), forbidden, &reasons);

@@ -1,7 +1,7 @@
-// What the rules conclude, kept in step with the facts: the graph `inferred`
-// always holds the fixed point of the rules on facts and vocabulary, and the
-// reasons (reasons.h). It is brought up to date within the transaction that
-// changes the facts, so conclusions come and go with what they follow from.
+// Maintenance of the inferred graph: it always holds the fixed point of the
+// rules on facts and vocabulary, and the reasons (reasons.h). It is updated
+// within the transaction that changes the facts, so conclusions appear and
+// disappear together with their premises.
 
 #ifndef KG_CORE_RULES_INFERENCE_H_
 #define KG_CORE_RULES_INFERENCE_H_
@@ -15,11 +15,10 @@
 
 namespace kg_core {
 
-// Brings the graph `inferred` up to date with what `transaction` changed in
-// facts and vocabulary; does nothing if no rule reads any of it. Returns the
-// reasons to refuse: a rule that cannot be used, a conclusion that is
-// `forbidden` (conclusion_check.h), or a limit that was hit; the graph is then
-// as it was.
+// Updates the inferred graph for the changes of `transaction` to facts and
+// vocabulary; does nothing if no rule reads any of them. Returns the reasons
+// for rejection: an unusable rule, a `forbidden` conclusion
+// (conclusion_check.h) or an exceeded limit; the graph is then unchanged.
 std::vector<std::string> StageInferences(Transaction& transaction,
                                          ForbiddenTerm forbidden,
                                          const InferenceLimits& limits = {});

@@ -1,6 +1,6 @@
-// Random rules, facts and changes of both: the inferred graph against a naive
-// evaluation of the same rules over all assignments, against a store that
-// began with the facts as they are now, and every reason against its rule.
+// Random rules, facts and changes of both. The inferred graph is compared with
+// a naive evaluation of the rules over all assignments and with a new store
+// loaded with the current facts; every reason is checked against its rule.
 
 #include <gtest/gtest.h>
 
@@ -21,12 +21,12 @@ namespace {
 constexpr int kNodes = 5;
 constexpr int kVariables = 3;
 
-// A triple of numbers: nodes n0.., and predicates p0.. or "a C" (4).
+// A triple of numbers: nodes n0.., and predicates p0.. or, for 4, "a C".
 using Fact3 = std::array<int, 3>;
 using World = std::set<Fact3>;
 constexpr int kType = 4;
 
-// A place is a node (>= 0) or variable ~v (< 0).
+// Subject and object are a node (>= 0) or a variable v, encoded as ~v (< 0).
 struct Atom {
   int subject = 0;
   int predicate = 0;
@@ -36,7 +36,7 @@ struct Atom {
 
 struct TestRule {
   int level = 0;
-  std::vector<std::vector<Atom>> bodies;  // One, or two by UNION.
+  std::vector<std::vector<Atom>> bodies;  // One, or two joined by UNION.
   std::vector<Atom> without;
   bool minus = false;  // MINUS, not NOT EXISTS.
   Atom head;
@@ -82,7 +82,7 @@ int Value(int place, const Assignment& values) {
   return place < 0 ? values[static_cast<std::size_t>(~place)] : place;
 }
 
-// Are two nodes connected by one or more steps?
+// True if `to` is reached from `from` by one or more steps.
 bool Reaches(const World& world, int predicate, int from, int to) {
   std::set<int> seen;
   std::vector<int> open = {from};
@@ -100,7 +100,7 @@ bool Reaches(const World& world, int predicate, int from, int to) {
 
 bool Holds(const Atom& atom, const Assignment& values, const World& world) {
   const int from = Value(atom.subject, values);
-  // The classes of types are no variables.
+  // The class of a type atom is never a variable.
   const int to =
       atom.predicate == kType ? atom.object : Value(atom.object, values);
   if (atom.path == '*' && from == to) return true;
@@ -161,8 +161,8 @@ World Evaluate(const std::map<int, TestRule>& rules, const World& facts) {
   return concluded;
 }
 
-// Random worlds. Predicates p0 and p1 are of level 0, p2 and types of level 1,
-// p3 of level 2; a rule reads its level and below, and denies below.
+// Random cases. Predicates p0 and p1 are of level 0, p2 and types of level 1,
+// p3 of level 2; a rule reads its own level and below, and negates only below.
 
 class Dice {
  public:
@@ -216,7 +216,7 @@ class Dice {
   }
 
  private:
-  // Every body binds variables 0 and 1, by atoms that are no paths.
+  // Every body binds variables 0 and 1 by atoms without paths.
   std::vector<Atom> MakeBody(int level) {
     std::vector<Atom> body;
     Atom binder;
@@ -242,7 +242,7 @@ class Dice {
   std::mt19937 random_;
 };
 
-// From terms back to numbers.
+// Converts terms back to numbers.
 Fact3 ToFact(const Term& subject, const Term& predicate, const Term& object) {
   const auto digit = [](const Term& term) { return term.text.back() - '0'; };
   if (predicate == RdfType()) return {digit(subject), kType, digit(object)};
@@ -268,8 +268,8 @@ World CollectPremises(const Inference& inference) {
   return premises;
 }
 
-// Is there an assignment by which the rule concludes this from these premises,
-// all of which it needs?
+// True if some assignment lets the rule draw this conclusion from exactly these
+// premises.
 bool Follows(const TestRule& rule, const Inference& inference,
              const World& all) {
   const World premises = CollectPremises(inference);
@@ -291,8 +291,8 @@ bool Follows(const TestRule& rule, const Inference& inference,
   return follows;
 }
 
-// Do all conclusions rest on facts in the end? Those that do are taken away
-// until none is left.
+// True if all conclusions are grounded in facts: repeatedly removes grounded
+// inferences until none is left.
 bool RestOnFacts(std::vector<Inference> inferences, World grounded) {
   bool is_new = true;
   while (is_new) {
@@ -358,7 +358,8 @@ class RandomWorld {
 
   void ChangeFact(std::string* add, std::string* remove) {
     const Fact3 fact = dice_.MakeFact();
-    if (!touched_.insert(fact).second) return;  // Once in a transaction.
+    // Each fact changes once per transaction.
+    if (!touched_.insert(fact).second) return;
     const bool is_new = facts_.insert(fact).second;
     if (!is_new) facts_.erase(fact);
     (is_new ? *add : *remove) += Text(fact);

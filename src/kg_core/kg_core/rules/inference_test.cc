@@ -1,4 +1,4 @@
-// Rules case by case: what is refused, what is cited, what ends.
+// Rules case by case: rejection, cited premises, termination.
 
 #include "kg_core/rules/inference.h"
 
@@ -17,7 +17,8 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-// The first reason why a rule of this text is refused; empty if it is taken.
+// The first reason why a rule with this text is rejected; empty if it is
+// accepted.
 std::string GetRefusal(const std::string& construct) {
   RuleStore store;
   const Lines reasons = store.AddRule("r", construct);
@@ -90,7 +91,8 @@ TEST(Inference, LeavesTheGraphAloneIfNoRuleReadsWhatChanged) {
   store.Change(RuleStore::RuleTurtle(
                    "r", "CONSTRUCT { ?a ex:p1 ?b } WHERE { ?a ex:p0 ?b }") +
                "ex:a ex:p0 ex:b .");
-  // What nobody would write by hand shows that nobody else touched it.
+  // Plants a marker in the inferred graph: if it survives, the graph was not
+  // rewritten.
   Transaction mark = store.store.Begin();
   mark.Add({Ex("mark"), Ex("p3"), Ex("mark"), Iri(kInferredGraph)});
   mark.Commit(WorldChange::kYes);
@@ -228,7 +230,7 @@ TEST(Inference, NamesBlankNodesOfATemplateByWhatTheyStandFor) {
   store.Change("ex:a ex:p0 ex:b , ex:c .");
   const auto view = store.store.Read();
   const auto nodes = Objects(*view, kInferredGraph, Ex("a"), Ex("p1"));
-  ASSERT_EQ(nodes.size(), 1u);  // The template does not name ?b.
+  ASSERT_EQ(nodes.size(), 1u);  // The template does not mention ?b.
   EXPECT_TRUE(nodes[0].is_iri());
   EXPECT_TRUE(Has(*view, kInferredGraph, nodes[0], Ex("p2"), Ex("a")));
 }

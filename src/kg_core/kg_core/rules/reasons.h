@@ -1,4 +1,4 @@
-// How the graph `inferred` says why something was concluded.
+// Representation of the reasons for conclusions in the inferred graph.
 //
 //   <inference/3f..> a ex:Inference ; ex:byRule ex:escalation ;
 //       ex:conclusion <statement/a1..> ;
@@ -7,9 +7,9 @@
 //       rdf:predicate ex:mustAvoid ; rdf:object ex:sanctuary ;
 //       prov:wasDerivedFrom <inference/3f..> .
 //
-// Nodes are named by what they say, so the same reasons are the same nodes, in
-// every store and at all times. A statement that is itself concluded leads on
-// to its own inferences; prov:wasDerivedFrom+ ends at asserted ones.
+// Nodes are named by a hash of their content, so equal reasons have equal nodes
+// in every store and at all times. A concluded statement links to its own
+// inferences; prov:wasDerivedFrom+ ends at asserted statements.
 
 #ifndef KG_CORE_RULES_REASONS_H_
 #define KG_CORE_RULES_REASONS_H_
@@ -27,25 +27,26 @@ struct Inference {
   std::string iri;
   std::string rule_iri;
   Triple conclusion;
-  // What the rule's WHERE matched: facts, vocabulary, other conclusions. Sorted
-  // by StatementIri, each once.
+  // The triples matched by the rule's WHERE: facts, vocabulary, other
+  // conclusions. Sorted by StatementIri, without duplicates.
   std::vector<Triple> premises;
 };
 
-// The name of a statement as a node; that of an inference, whose `iri` does not
-// matter, from its rule and statements.
+// The node IRI of a statement, and that of an inference, computed from its rule
+// and statements (its `iri` is ignored).
 std::string StatementIri(const Triple& triple);
 std::string InferenceIri(const Inference& inference);
 
-// Is `subject` a node of reasons, not of conclusions?
+// True if `subject` is a node that describes reasons, not the subject of a
+// conclusion.
 bool IsReason(const Term& subject);
 
-// What the graph `inferred` holds of `inference`, its conclusion included;
-// statements that several share are in each.
+// The statements of `inference` in the inferred graph, including its
+// conclusion; statements shared by several inferences are returned for each.
 std::vector<Statement> CollectStatements(const Inference& inference);
 
-// All there is on why `triple` was concluded, by IRI; empty if it was not. The
-// rule's rdfs:label and rdfs:comment say it in words.
+// The inferences that concluded `triple`, sorted by IRI; empty if it was not
+// concluded. The rule's rdfs:label and rdfs:comment explain it in words.
 std::vector<Inference> WhyInferred(const GraphView& view, const Triple& triple);
 
 }  // namespace kg_core

@@ -17,7 +17,8 @@ namespace {
 
 using kg_base::InputError;
 
-// Rules keep no order of solutions, and conclude every triple once.
+// Removes the order of solutions, which is irrelevant since conclusions are a
+// set.
 void DropOrder(sparql::GraphPattern* pattern);
 void DropOrder(sparql::SelectQuery* select) {
   select->order_by.clear();
@@ -44,13 +45,13 @@ Rule Parse(const Term& iri, const std::string& construct) {
   DropOrder(&rule.query.select);
   sparql::Prepare(&rule.query.select);
   rule.writes = AnalyseTemplate(rule.query);
-  // An ASK is evaluated for whole solutions, a CONSTRUCT for those variables
-  // that its template names.
+  // An ASK yields whole solutions, a CONSTRUCT only the variables named in its
+  // template.
   if (!rule.query.select.grouped) rule.query.form = sparql::Query::Form::kAsk;
   return rule;
 }
 
-// The values in the facts, else those in the vocabulary.
+// The values in the facts if any, else those in the vocabulary.
 std::vector<Term> CollectValues(const GraphView& view, const Term& rule,
                                 const Term& property) {
   std::vector<Term> values = Objects(view, kFactsGraph, rule, property);
@@ -85,7 +86,7 @@ std::vector<Rule> LoadRules(const GraphView& view,
   }
   std::vector<Rule> rules;
   for (const Term& iri : iris) {
-    // One reason for each rule that cannot be used, then on to the next.
+    // Record one reason per unusable rule and continue with the next.
     try {
       const std::vector<Term> texts = CollectValues(view, iri, Ex("construct"));
       if (!iri.is_iri() || texts.size() != 1) {

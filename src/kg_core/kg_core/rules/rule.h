@@ -1,10 +1,11 @@
-// A rule: a SPARQL CONSTRUCT kept as a fact, and what it reads and writes.
+// A rule: a SPARQL CONSTRUCT stored as a fact, and the triples it reads and
+// writes.
 //
 //   ex:escalation a ex:Rule ;
 //       ex:construct "CONSTRUCT { ?a ex:mustAvoid ?z } WHERE { ... }" .
 //
-// What it reads and writes is known by kinds of triples only: a predicate, and
-// the class where that is rdf:type. docs/rules.md says what rules may do.
+// Reads and writes are known only as kinds of triples: a predicate, plus the
+// class if the predicate is rdf:type. See docs/rules.md for what rules may do.
 
 #ifndef KG_CORE_RULES_RULE_H_
 #define KG_CORE_RULES_RULE_H_
@@ -23,9 +24,10 @@ namespace kg_core {
 struct Rule {
   Term iri;
   sparql::Query query;  // Ready for an Evaluator that emits whole solutions.
-  // Of a new triple of this kind come more solutions, never fewer.
+  // Kinds read positively: new triples can add solutions, never remove any.
   std::vector<TripleKind> reads;
-  // Of this kind may come fewer: NOT EXISTS, MINUS, OPTIONAL, aggregates.
+  // Kinds whose new triples may remove solutions: NOT EXISTS, MINUS, OPTIONAL,
+  // aggregates.
   std::vector<TripleKind> negative_reads;
   std::vector<TripleKind> writes;
 };
@@ -33,13 +35,13 @@ struct Rule {
 // Throws InputError "ex:R ex:construct: what is wrong".
 Rule ParseRule(const Term& iri, const std::string& construct);
 
-// All rules that are enabled, by IRI; a value in the facts goes before one of
-// the vocabulary. `reasons` gets a line for each that is no rule, enabled or
+// All enabled rules, sorted by IRI; values in the facts take precedence over
+// those in the vocabulary. `reasons` gets one line per invalid rule, enabled or
 // not.
 std::vector<Rule> LoadRules(const GraphView& view,
                             std::vector<std::string>* reasons);
 
-// Does `statement` say which rules there are, and what they do?
+// True if `statement` is part of the definition of a rule.
 bool DefinesRules(const Statement& statement);
 
 }  // namespace kg_core

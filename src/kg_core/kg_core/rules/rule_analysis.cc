@@ -47,8 +47,8 @@ class RuleAnalyser {
 
  private:
   struct Place {
-    bool negative = false;  // More triples here may mean fewer solutions.
-    bool counted = false;   // Within what an aggregate sums up.
+    bool negative = false;  // New triples may remove solutions.
+    bool counted = false;   // Inside the input of an aggregate.
   };
   static Place Negative(Place place) {
     place.negative = true;
@@ -109,8 +109,8 @@ class RuleAnalyser {
           "conclude, as one graph");
     }
     for (const TriplePattern& triple : pattern.triples) Visit(triple, place);
-    // More solutions of the right part of OPTIONAL and MINUS can mean fewer of
-    // the whole.
+    // More solutions of the right part of OPTIONAL or MINUS can remove
+    // solutions of the whole.
     const bool may_take_away = pattern.kind == GraphPattern::Kind::kLeftJoin ||
                                pattern.kind == GraphPattern::Kind::kMinus;
     for (std::size_t i = 0; i < pattern.parts.size(); ++i) {
@@ -127,7 +127,8 @@ class RuleAnalyser {
     if (pattern.select != nullptr) Visit(*pattern.select, place);
   }
 
-  // EXISTS within a condition that needs it, perhaps with others, only helps.
+  // A condition of EXISTS under AND and OR only is monotonic: new triples never
+  // remove solutions.
   void VisitCondition(const Expression& condition, const Place& place) {
     switch (condition.op) {
       case Expression::Op::kAnd:
@@ -162,7 +163,7 @@ class RuleAnalyser {
 
   void Visit(const TriplePattern& triple, const Place& place) {
     if (!triple.path) return Note(GetKind(query_, triple), place);
-    // A path of length zero between two variables goes through every node.
+    // A zero-length path between two variables matches every node of the graph.
     const bool open = triple.subject.is_variable && triple.object.is_variable;
     Visit(*triple.path, open, place);
   }
@@ -187,11 +188,11 @@ std::string GetName(const Query& query, const VarOrTerm& variable) {
   return "?" + query.variables[static_cast<std::size_t>(variable.index)];
 }
 
-// Can a solution bind `node`?
+// True if a solution can bind `node`.
 bool IsGround(const Query& query, const VarOrTerm& node) {
   if (!node.is_variable) return true;
   if (sparql::IsHidden(query.variables[static_cast<std::size_t>(node.index)])) {
-    return true;  // A node of its own, see fixed_point.h.
+    return true;  // Becomes a generated IRI, see fixed_point.h.
   }
   if (!query.select.grouped) {
     return query.select.where.possible.Contains(node.index);

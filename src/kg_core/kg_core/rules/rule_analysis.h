@@ -1,6 +1,6 @@
-// What the query of a rule reads, and what a rule must not ask: whatever would
-// make its conclusions depend on chance, on the time, or on more than facts,
-// vocabulary and conclusions.
+// Static analysis of rule queries: the triples read, and rejection of
+// constructs that would make conclusions depend on chance, time, or anything
+// but facts, vocabulary and conclusions.
 
 #ifndef KG_CORE_RULES_RULE_ANALYSIS_H_
 #define KG_CORE_RULES_RULE_ANALYSIS_H_
@@ -17,10 +17,10 @@ struct RuleReads {
   std::vector<TripleKind> negative_reads;
 };
 
-// Throws InputError "what is not for rules".
+// Throws InputError that names the construct not allowed in rules.
 RuleReads AnalyseRule(const sparql::Query& query);
 
-// Likewise for what the template writes.
+// The kinds of triples written by the template; throws likewise.
 std::vector<TripleKind> AnalyseTemplate(const sparql::Query& query);
 
 }  // namespace kg_core

@@ -1,6 +1,6 @@
-// What rules see while they run: a view whose inferred graph is not that of the
-// store, but what has been concluded so far, without any reasons. Nothing is
-// written to the store before all is done.
+// The view on which rules are run: its inferred graph holds the conclusions so
+// far, without reasons, instead of the store's. Nothing is written to the store
+// before the evaluation has finished.
 
 #ifndef KG_CORE_RULES_RULE_WORLD_H_
 #define KG_CORE_RULES_RULE_WORLD_H_
@@ -26,15 +26,15 @@ class RuleWorld : public GraphView {
   std::size_t Estimate(const Quad& pattern) const override;
   std::uint64_t world_version() const override { return base_.world_version(); }
 
-  // Both must not be called while a query is under way.
+  // Neither may be called while a query is running.
   TermId Intern(const Term& term);
-  bool Conclude(const Quad& triple);  // False if it was concluded before.
+  bool Conclude(const Quad& triple);  // False if already concluded.
 
   bool IsConcluded(const Quad& triple) const;
   std::size_t size() const { return concluded_.size(); }
 
  private:
-  // Beyond the ids of a store, below those of a query's own terms.
+  // Base of local ids: above the ids of a store, below the query-local ids.
   static constexpr TermId kOwn = TermId{1} << 30;
 
   const GraphView& base_;

@@ -11,7 +11,7 @@ namespace {
 
 using Kinds = std::vector<TripleKind>;
 
-// One of `reads` that is among `writes`, or null.
+// The first of `reads` that meets one of `writes`, or null.
 const TripleKind* FirstMet(const Kinds& writes, const Kinds& reads) {
   for (const TripleKind& read : reads) {
     for (const TripleKind& write : writes) {
@@ -26,7 +26,7 @@ bool Feeds(const Rule& from, const Rule& to) {
          FirstMet(from.writes, to.negative_reads) != nullptr;
 }
 
-// Which rules need which, at any remove.
+// Transitive dependencies between rules.
 class RuleNeeds {
  public:
   explicit RuleNeeds(const std::vector<Rule>& rules)
@@ -45,7 +45,7 @@ class RuleNeeds {
   bool operator()(std::size_t i, std::size_t j) const {
     return needs_[i * count_ + j];
   }
-  // Of the rules that rule i needs, and itself.
+  // Number of rules that rule i depends on, including itself.
   std::size_t GetCount(std::size_t i) const {
     std::size_t count = 0;
     for (std::size_t j = 0; j < count_; ++j) {
@@ -84,7 +84,8 @@ void CheckDoubts(const Stratum& stratum) {
 
 std::vector<Stratum> Stratify(const std::vector<Rule>& rules) {
   const RuleNeeds needs(rules);
-  // A rule needs all that the rules it needs need, so fewer come first.
+  // Dependencies are transitive, so sorting by their number is a topological
+  // order.
   std::vector<std::size_t> order(rules.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(),
@@ -92,6 +93,8 @@ std::vector<Stratum> Stratify(const std::vector<Rule>& rules) {
                      return needs.GetCount(a) < needs.GetCount(b);
                    });
   std::vector<Stratum> strata;
+  // A stratum is one strongly connected component: `first` and all rules that
+  // it needs and that need it.
   std::vector<bool> done(rules.size(), false);
   for (const std::size_t first : order) {
     if (done[first]) continue;

@@ -1,5 +1,5 @@
-// The order in which rules are run: what a rule reads negatively must be
-// complete before.
+// Stratification of the rules: kinds that a rule reads negatively must be
+// complete before it runs.
 
 #ifndef KG_CORE_RULES_STRATA_H_
 #define KG_CORE_RULES_STRATA_H_
@@ -10,15 +10,15 @@
 
 namespace kg_core {
 
-// Rules that depend on each other only.
+// A set of mutually dependent rules (a strongly connected component).
 struct Stratum {
   std::vector<const Rule*> rules;
-  bool recursive = false;  // What they write, they read.
+  bool recursive = false;  // The rules read what they write.
 };
 
-// Each after those that write what it reads. Points into `rules`. Throws
-// InputError if a rule negatively reads what follows from its own conclusions:
-// then facts alone would not say what is true.
+// The strata in order of evaluation: each follows those that write what it
+// reads. Points into `rules`. Throws InputError if a rule negatively reads a
+// consequence of its own conclusions: the fixed point would then be ambiguous.
 std::vector<Stratum> Stratify(const std::vector<Rule>& rules);
 
 }  // namespace kg_core

@@ -1,5 +1,5 @@
-// Kinds of triples: a predicate, and the class where that is rdf:type. What a
-// rule reads and writes is known as such kinds.
+// Kinds of triples: a predicate, plus the class if the predicate is rdf:type.
+// Used to describe what a rule reads and writes.
 
 #ifndef KG_CORE_RULES_TRIPLE_KIND_H_
 #define KG_CORE_RULES_TRIPLE_KIND_H_
@@ -12,8 +12,8 @@
 
 namespace kg_core {
 
-// Triples with this predicate (nothing: any) and, of rdf:type, this class
-// (nothing: any).
+// Triples with this predicate (nullopt: any) and, for rdf:type, this class
+// (nullopt: any).
 struct TripleKind {
   std::optional<Term> predicate;
   std::optional<Term> type;

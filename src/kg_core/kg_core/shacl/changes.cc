@@ -14,10 +14,10 @@ namespace {
 
 Term SubClassOf() { return Iri(std::string(kRdfs) + "subClassOf"); }
 
-// A step that validation takes from each node that `prefix` reaches.
+// A step that validation takes from each node reached by `prefix`.
 struct PathRead {
   PropertyPath prefix;
-  std::optional<Term> predicate;  // Any if none.
+  std::optional<Term> predicate;  // nullopt: any predicate.
   Direction direction = Direction::kForward;
   bool is_class = false;  // Reads the class graphs.
 };
@@ -71,7 +71,7 @@ class ReadFinder {
         PropertyPath before = prefix;
         for (const PropertyPath& part : path.parts) {
           AddPath(part, before);
-          // The next part is read at the nodes that the parts so far lead to.
+          // The next part is read at the nodes reached by the parts so far.
           before = Then(before, part);
         }
         return;
@@ -138,7 +138,7 @@ class TouchFinder {
     return found == by_predicate_.end() ? kNone : found->second;
   }
 
-  // Where `read` would have begun to see one of the changes.
+  // The focus nodes from which `read` reaches one of the changes.
   std::set<Term> Seen(const PathRead& read) const {
     std::set<Term> nodes;
     for (const Statement* s : read.predicate ? Of(*read.predicate) : changes_) {
@@ -151,7 +151,7 @@ class TouchFinder {
     return nodes;
   }
 
-  // What the changes may have made a target.
+  // Adds the nodes that the changes may have made targets.
   void AddTargets(const Shape& shape, std::set<Term>& nodes) const {
     if (!shape.target_classes.empty()) {
       AddEnds(RdfType(), Direction::kForward, nodes);

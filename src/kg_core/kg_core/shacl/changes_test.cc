@@ -1,4 +1,4 @@
-// Validation of a change against validation of everything.
+// Compares validation of a change with full validation.
 
 #include "kg_core/shacl/changes.h"
 
@@ -74,7 +74,7 @@ class ChangesTest : public testing::Test {
     return {Node(), Ex("p" + std::to_string(predicate)), Node(), Iri(kData)};
   }
 
-  // Changes the data; some changes undo what was there.
+  // Changes the data at random; some changes undo earlier ones.
   void ChangeSomething(Transaction& transaction) {
     for (int i = Below(4); i >= 0; --i) {
       if (Below(2) == 0) {
@@ -92,7 +92,7 @@ class ChangesTest : public testing::Test {
     return {view, kData, {kData}, nullptr};
   }
 
-  // As text, with the shape whose target it was.
+  // The results as text, each with the shape that has the target.
   std::multiset<std::string> Results(const GraphView& view) const {
     std::multiset<std::string> lines;
     for (const auto& [id, shape] : shapes_) AddResults(view, shape, &lines);

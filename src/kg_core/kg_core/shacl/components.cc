@@ -18,7 +18,7 @@
 namespace kg_core::shacl {
 namespace {
 
-// A component that asks the same of each value node.
+// A component that applies the same test to each value node.
 template <bool (*Fits)(const ConstraintCheck&, const Term&)>
 void EachValue(const ConstraintCheck& check) {
   for (const Term& value : check.values) {
@@ -60,7 +60,7 @@ void CheckMaxCount(const ConstraintCheck& check) {
   if (check.values.size() > check.constraint.count) check.Report({});
 }
 
-// A time without a zone is in any from +14:00 to -14:00.
+// A time without a zone may be in any zone from +14:00 to -14:00.
 // https://www.w3.org/TR/xmlschema11-2/#dateTime-order
 bool IsDateTime(const Term& term) {
   return term.datatype == kXsd + std::string("dateTime");
@@ -74,8 +74,8 @@ Term InZone(const Term& time, const char* zone) {
   return HasZone(time) ? time : Literal(time.text + zone, time.datatype);
 }
 
-// https://www.w3.org/TR/shacl/#core-components-range: what cannot be compared
-// (NaN, a string with a number) violates.
+// https://www.w3.org/TR/shacl/#core-components-range: values that cannot be
+// compared (NaN, a string with a number) violate the constraint.
 std::optional<sparql::Order> CompareTerms(const Term& a, const Term& b) {
   if (!a.is_literal() || !b.is_literal()) return std::nullopt;
   if (!IsDateTime(a) || !IsDateTime(b) || HasZone(a) == HasZone(b)) {
@@ -121,8 +121,8 @@ bool MatchesPattern(const ConstraintCheck& check, const Term& value) {
       .value_or(false);
 }
 
-// https://www.w3.org/TR/shacl/#LanguageInConstraintComponent
-// "de" fits "de" and "de-CH". https://tools.ietf.org/html/rfc4647#section-3.3.1
+// https://www.w3.org/TR/shacl/#LanguageInConstraintComponent "de" matches "de"
+// and "de-CH". https://tools.ietf.org/html/rfc4647#section-3.3.1
 bool HasLanguage(const ConstraintCheck& check, const Term& value) {
   const std::vector<Term>& ranges = check.constraint.terms;
   return std::any_of(ranges.begin(), ranges.end(), [&](const Term& term) {

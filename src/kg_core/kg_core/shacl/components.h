@@ -10,7 +10,7 @@
 
 namespace kg_core::shacl {
 
-// The row of the table whose parameter is sh:`local`, or null.
+// The table row with the parameter sh:`local`, or null.
 const ConstraintComponent* FindComponent(std::string_view local);
 
 }  // namespace kg_core::shacl

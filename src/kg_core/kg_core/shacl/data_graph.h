@@ -1,5 +1,5 @@
-// What validation sees of the data: one graph of a view, and where the classes
-// of things stand.
+// The data graph of a validation: one graph of a view, and the graphs with
+// class information.
 
 #ifndef KG_CORE_SHACL_DATA_GRAPH_H_
 #define KG_CORE_SHACL_DATA_GRAPH_H_
@@ -15,21 +15,21 @@ namespace kg_core::shacl {
 
 struct DataGraph {
   const GraphView& view;
-  std::string graph;  // Focus nodes and their values.
-  // Where rdf:type and rdfs:subClassOf are read for sh:class; rdfs:subClassOf
-  // also for targets. Usually holds `graph`.
+  std::string graph;  // Graph with focus nodes and their values.
+  // Graphs from which rdf:type and rdfs:subClassOf are read for sh:class, and
+  // rdfs:subClassOf for targets. Usually includes `graph`.
   std::vector<std::string> class_graphs;
-  // Statements seen as if they were still in `graph`; null for none.
+  // Removed statements to treat as still in `graph`; null for none.
   const std::vector<Statement>* removed = nullptr;
 };
 
 enum class Direction { kForward, kBackward };
 
-// What one step along (or against) `predicate` reaches from `node`.
+// The nodes reached from `node` by one step along (or against) `predicate`.
 std::vector<Term> Step(const DataGraph& data, const Term& node,
                        const Term& predicate, Direction direction);
 
-// `top` and every class below it, by rdfs:subClassOf of `graphs`.
+// `top` and all its subclasses by rdfs:subClassOf in `graphs`.
 std::set<Term> ClassesBelow(const GraphView& view,
                             const std::vector<std::string>& graphs,
                             const Term& top);

@@ -23,7 +23,8 @@ constexpr char kReal[] =
 struct LexicalRow {
   const char* datatype;  // Local name in xsd:.
   const char* pattern;
-  const char* least = nullptr;  // Integers only: bounds, null for none.
+  // Integers only: inclusive bounds, null for none.
+  const char* least = nullptr;
   const char* most = nullptr;
 };
 constexpr LexicalRow kRows[] = {
@@ -71,11 +72,11 @@ constexpr LexicalRow kRows[] = {
 #undef KG_DAY
 #undef KG_TIME
 
-// Integers of any length: -1, 0, 1.
+// Compares integers of any length; returns -1, 0 or 1.
 int CompareIntegers(const std::string& a, const std::string& b) {
   struct Parts {
     bool negative;
-    std::string digits;  // None for zero.
+    std::string digits;  // Empty for zero.
   };
   const auto split = [](const std::string& text) {
     const std::size_t first = text.find_first_of("123456789");
@@ -96,7 +97,7 @@ bool IsInBounds(const LexicalRow& row, const std::string& text) {
   return !row.most || CompareIntegers(text, row.most) <= 0;
 }
 
-// For what the pattern lets through: is there such a day in that month?
+// Checks the day of the month, which the pattern cannot express.
 bool HasItsDay(const std::string& datatype, const std::string& text) {
   if (datatype != "date" && datatype.rfind("dateTime", 0) != 0) return true;
   const std::size_t dash = text.find('-', 1);

@@ -1,4 +1,4 @@
-// Does a literal's lexical form belong to its datatype? XML Schema part 2.
+// Validity of lexical forms by XML Schema part 2.
 // https://www.w3.org/TR/xmlschema11-2/#built-in-datatypes
 
 #ifndef KG_CORE_SHACL_LEXICAL_H_
@@ -9,8 +9,8 @@
 
 namespace kg_core::shacl {
 
-// True for datatypes that are not known here. `regexes` keeps the compiled
-// patterns.
+// True if the lexical form belongs to the datatype, and for unknown datatypes.
+// `regexes` caches compiled patterns.
 bool IsLexical(const Term& literal, kg_base::RegexCache& regexes);
 
 }  // namespace kg_core::shacl

@@ -33,7 +33,7 @@ bool IsPattern(const Term& term, const std::string& flags) {
          regexes.Matches("", term.text, flags).has_value();
 }
 
-// What a term must be; nothing if it is.
+// What was expected of the constraint's term; nullopt if the term is valid.
 std::optional<std::string> WhatIsWrong(const Constraint& constraint,
                                        const Term& term) {
   const auto unless = [](bool good, const char* what) {
@@ -56,7 +56,7 @@ std::optional<std::string> WhatIsWrong(const Constraint& constraint,
     case ParameterKind::kPropertyShape:
     case ParameterKind::kShapeList:
       return unless(!term.is_literal(), "a shape");
-    // Checked where they are read, or not restricted.
+    // Checked where they are read, or unrestricted.
     case ParameterKind::kAny:
     case ParameterKind::kTrue:
     case ParameterKind::kCount:

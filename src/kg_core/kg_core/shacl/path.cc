@@ -15,7 +15,7 @@ using PathKind = PropertyPath::Kind;
 
 constexpr int kMaxPathNesting = 32;
 
-// Paths of one part, by the property that holds it.
+// Kinds of path with one part, and the property that holds the part.
 struct OnePart {
   const char* property;
   PathKind kind;
@@ -44,7 +44,8 @@ class PathReader {
     if (depth > kMaxPathNesting) Refuse("nested too deeply, or in itself");
     if (node.is_iri()) return PredicatePath(node);
     if (node.is_literal()) Refuse("expected no literal: " + ToTurtle(node));
-    // A list is one whatever else it is (W3C test path-strange-001).
+    // A node with rdf:first is a sequence regardless of its other properties
+    // (W3C test path-strange-001).
     if (FirstObject(view_, graph_, node, RdfFirst())) {
       return ReadParts(PathKind::kSequence, node, depth);
     }
@@ -109,7 +110,7 @@ std::set<Term> WalkPredicate(const DataGraph& data, const Term& predicate,
   return reached;
 }
 
-// Breadth-first from `reached`, which counts.
+// Breadth-first closure, which includes the start nodes `reached`.
 std::set<Term> Closure(const DataGraph& data, const PropertyPath& part,
                        std::set<Term> reached) {
   std::set<Term> front = reached;

@@ -1,4 +1,4 @@
-// SHACL property paths: read, written, walked and turned around.
+// SHACL property paths: parsing, writing, evaluation and inversion.
 // https://www.w3.org/TR/shacl/#property-paths
 
 #ifndef KG_CORE_SHACL_PATH_H_
@@ -22,25 +22,27 @@ struct PropertyPath {
     kOneOrMore,
     kZeroOrOne
   };
-  Kind kind = Kind::kSequence;      // An empty sequence stays where it is.
+  Kind kind = Kind::kSequence;      // An empty sequence is the identity path.
   Term predicate;                   // kPredicate only.
-  std::vector<PropertyPath> parts;  // Else: one, or those of a list.
+  std::vector<PropertyPath> parts;  // Other kinds: one part, or a list.
 };
 
 PropertyPath PredicatePath(const Term& predicate);
-// `a`, then `b`.
+// The sequence of `a` and `b`.
 PropertyPath Then(const PropertyPath& a, const PropertyPath& b);
-// The path back.
+// The inverse path.
 PropertyPath Inverse(const PropertyPath& path);
 
-// In Turtle, e.g. "ex:p", "[ sh:inversePath ex:p ]", "( ex:p ex:q )".
+// Turtle syntax, e.g. "ex:p", "[ sh:inversePath ex:p ]", "( ex:p ex:q )".
 std::string ToTurtle(const PropertyPath& path);
 
-// The path that `node` describes; throws InputError "path: ..." if it is none.
+// Reads the path described by `node`; throws InputError "path: ..." if it is
+// not a valid path.
 PropertyPath ReadPath(const GraphView& view, const std::string& graph,
                       const Term& node);
 
-// Every node that the path reaches from `from`, once. Cycles end.
+// All nodes reached from `from` along the path, each once. Terminates on
+// cycles.
 std::set<Term> Walk(const DataGraph& data, const PropertyPath& path,
                     const std::set<Term>& from);
 

@@ -17,7 +17,7 @@ namespace kg_core::shacl {
 
 struct ConstraintCheck;
 
-// What the value of a component's parameter must be.
+// Required kind of a component's parameter value.
 enum class ParameterKind {
   kAny,
   kIri,
@@ -25,7 +25,7 @@ enum class ParameterKind {
   kLiteral,
   kCount,    // An integer of at least 0.
   kPattern,  // A regular expression; sh:flags belongs to it.
-  kTrue,     // A boolean; no constraint if it is false.
+  kTrue,     // A boolean; false disables the constraint.
   kList,
   kLanguages,
   kShape,
@@ -34,7 +34,7 @@ enum class ParameterKind {
   kQualified  // A count of values that conform to sh:qualifiedValueShape.
 };
 
-// Does a parameter of this kind name other shapes?
+// True if parameters of this kind refer to other shapes.
 bool RefersToShapes(ParameterKind kind);
 
 // A constraint component is a row of a table (components.cc): the name of its
@@ -44,8 +44,8 @@ struct ConstraintComponent {
   const char* name;       // "MinCountConstraintComponent"
   ParameterKind kind;
   void (*check)(const ConstraintCheck& check);
-  bool most_one = false;       // At most one value in a shape.
-  bool property_only = false;  // Not in a node shape.
+  bool most_one = false;       // At most one value per shape.
+  bool property_only = false;  // Not allowed in a node shape.
 };
 
 // One constraint of a shape. Shapes among `terms` are in the shape graph.
@@ -53,28 +53,28 @@ struct Constraint {
   const ConstraintComponent* component = nullptr;
   std::vector<Term> terms;  // The parameter's value, or its list's members.
   std::size_t count = 0;    // kCount and kQualified: its value.
-  std::string flags;        // Of sh:pattern.
-  // sh:closed: the properties that may be there;
-  // kQualified: the sibling shapes that a counted value must not conform to.
+  std::string flags;        // Flags of sh:pattern.
+  // sh:closed: the allowed properties; kQualified: the sibling shapes that a
+  // counted value must not conform to.
   std::vector<Term> others;
 };
 
 struct Shape {
   Term id;
-  Term named;  // `id` if it is an IRI, else the nearest one around it.
-  std::optional<PropertyPath> path;  // A property shape's.
-  std::vector<Term> target_classes;  // With the implicit one.
+  Term named;  // `id` if it is an IRI, else the nearest enclosing IRI.
+  std::optional<PropertyPath> path;  // Only for property shapes.
+  std::vector<Term> target_classes;  // Including the implicit class target.
   std::vector<Term> target_nodes;
   std::vector<Term> target_subjects_of;
   std::vector<Term> target_objects_of;
   Term severity;
-  std::string message;  // One of `messages` to show, may be empty.
+  std::string message;  // The one of `messages` to show; may be empty.
   std::vector<Term> messages;
   bool deactivated = false;
   std::vector<Constraint> constraints;
 };
 
-// By id, so in a stable order.
+// Shapes by id, hence in a stable order.
 using ShapeGraph = std::map<Term, Shape>;
 
 }  // namespace kg_core::shacl

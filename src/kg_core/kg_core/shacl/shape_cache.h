@@ -1,8 +1,8 @@
-// The shapes of a graph, read again only when the graph has changed.
+// Cache of the shapes of a graph, which are read again only when it changes.
 //
-// The cache keeps the statements that its shapes were read from and compares
-// all of them, term by term, so it cannot answer for another graph; that takes
-// a small part of the time that reading the shapes takes.
+// The cache keeps the statements from which its shapes were read and compares
+// all of them, term by term, so it never returns shapes of another graph; the
+// comparison takes a small fraction of the time to read the shapes.
 
 #ifndef KG_CORE_SHACL_SHAPE_CACHE_H_
 #define KG_CORE_SHACL_SHAPE_CACHE_H_
@@ -17,10 +17,10 @@
 
 namespace kg_core::shacl {
 
-// Safe from any thread.
+// Thread-safe.
 class ShapeCache {
  public:
-  // As LoadShapes; refused shapes are not kept.
+  // Like LoadShapes; rejected shapes are not cached.
   std::shared_ptr<const ShapeGraph> Get(const GraphView& view,
                                         const std::string& graph);
 

@@ -1,4 +1,4 @@
-// Shapes kept from one validation to the next.
+// Caching of shapes between validations.
 
 #include "kg_core/shacl/shape_cache.h"
 

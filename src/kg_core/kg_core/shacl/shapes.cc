@@ -18,7 +18,7 @@ namespace {
 constexpr int kMaxShapeNesting = 64;
 
 Term Sh(std::string_view local) { return Iri(kSh + std::string(local)); }
-// Properties of a shape that constrain nothing, or that are read elsewhere.
+// Properties of a shape that are not constraints or are read elsewhere.
 constexpr std::string_view kOtherProperties[] = {
     "path",
     "targetClass",
@@ -78,7 +78,8 @@ class ShapeLoader {
     return found;
   }
 
-  // The value of a property that a shape has at most once.
+  // The value of a property with at most one value; rejects the shape if there
+  // are more.
   std::optional<Term> One(const Shape& shape, std::string_view local) const {
     const std::vector<Term> values = ListObjects(shape.id, local);
     if (values.size() > 1) {
@@ -213,7 +214,7 @@ class ShapeLoader {
       RefuseShape(shape, std::string("expected no sh:") + component.parameter +
                              " in a node shape");
     }
-    // One() refuses a shape with two values.
+    // One() rejects a shape with two values.
     if (component.most_one) One(shape, component.parameter);
     Constraint constraint;
     constraint.component = &component;
@@ -272,7 +273,8 @@ class ShapeLoader {
     if (id.is_literal()) {
       RefuseShape(shape, "expected a shape, not " + kg_core::ToTurtle(id));
     }
-    // Shapes between here and the root of the recursion are open.
+    // Shapes on the current recursion path are open; meeting one again is a
+    // cycle.
     if (!open_.insert(id).second) {
       RefuseShape(shape, "it refers to itself; recursion is not available");
     }
@@ -288,7 +290,8 @@ class ShapeLoader {
     shapes_.emplace(id, std::move(shape));
   }
 
-  // A shape without statements in the graph is a misspelt name: refused.
+  // A shape without statements in the graph is taken as a misspelt name and
+  // rejected.
   void LoadProperties(Shape& shape) {
     Quad pattern;
     pattern.subject = view_.Find(shape.id);
@@ -306,7 +309,7 @@ class ShapeLoader {
     if (!any) RefuseShape(shape, "nothing describes it");
   }
 
-  // In the table's order, whatever order the store keeps.
+  // Sorts by the component table, independent of the store's order.
   static void SortConstraints(Shape& shape) {
     std::sort(shape.constraints.begin(), shape.constraints.end(),
               [](const Constraint& a, const Constraint& b) {
@@ -351,7 +354,7 @@ class ShapeLoader {
   const std::string& graph_;
   ShapeGraph shapes_;
   std::set<Term> open_;         // Shapes being read, outermost to innermost.
-  std::set<Term> class_types_;  // rdfs:Class and what is below it.
+  std::set<Term> class_types_;  // rdfs:Class and its subclasses.
 };
 
 }  // namespace

@@ -1,8 +1,7 @@
-// The shapes of a graph, read and checked once.
-// https://www.w3.org/TR/shacl/#shapes
+// Loads and checks the shapes of a graph. https://www.w3.org/TR/shacl/#shapes
 //
-// An ill-formed shape, a shape that refers to itself and a component that is
-// not known are refused: nothing is silently unchecked.
+// An ill-formed shape, a recursive shape and an unknown component are rejected,
+// so that nothing is silently left unchecked.
 
 #ifndef KG_CORE_SHACL_SHAPES_H_
 #define KG_CORE_SHACL_SHAPES_H_
@@ -14,8 +13,8 @@
 
 namespace kg_core::shacl {
 
-// All shapes with a type or a target and those they refer to. Throws InputError
-// "shape ex:S: ...".
+// All shapes with a type or a target, and the shapes they refer to. Throws
+// InputError "shape ex:S: ...".
 ShapeGraph LoadShapes(const GraphView& view, const std::string& graph);
 
 }  // namespace kg_core::shacl

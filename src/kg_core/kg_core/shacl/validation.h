@@ -20,11 +20,11 @@ class ShapeValidation {
   ShapeValidation(const DataGraph& data, const ShapeGraph& shapes)
       : data_(data), shapes_(shapes) {}
 
-  // Every focus node of every shape with a target.
+  // Validates every focus node of every shape with a target.
   std::vector<Violation> Run();
   std::vector<Term> FocusNodes(const Shape& shape);
   bool IsTarget(const Shape& shape, const Term& node);
-  // Checks `focus` against one shape, with the shapes that it refers to.
+  // Checks `focus` against one shape and the shapes that it refers to.
   void CheckShape(const Shape& shape, const Term& focus,
                   std::vector<Violation>& found);
   bool Conforms(const Term& shape_id, const Term& node);
@@ -32,7 +32,7 @@ class ShapeValidation {
   const DataGraph& data() const { return data_; }
   const Shape& shape(const Term& id) const { return shapes_.at(id); }
   kg_base::RegexCache& regexes() { return regexes_; }
-  // Is `node` of `wanted`, or of a class below it by rdfs:subClassOf?
+  // True if `node` is an instance of `wanted` or of a subclass of it.
   bool IsInstance(const Term& node, const Term& wanted);
 
  private:
@@ -46,7 +46,7 @@ class ShapeValidation {
   std::map<Term, std::set<Term>> classes_;
 };
 
-// What a component's function sees.
+// Input and output of a component's check function.
 struct ConstraintCheck {
   ShapeValidation& run;
   const Shape& shape;
@@ -56,7 +56,8 @@ struct ConstraintCheck {
   std::vector<Violation>& found;
 
   const Term& parameter() const { return constraint.terms.front(); }
-  Violation& Report(const Term& value) const;  // Empty IRI: none to blame.
+  // Empty IRI: no single value is at fault.
+  Violation& Report(const Term& value) const;
 };
 
 }  // namespace kg_core::shacl

@@ -14,14 +14,14 @@ namespace kg_core {
 
 struct Violation {
   Term focus_node;
-  std::optional<shacl::PropertyPath> path;  // None for a node shape.
-  Term value;                               // Empty IRI where none is to blame.
-  Term source_shape;                        // Often a blank node;
-  Term named_shape;            // the nearest shape around it that has a name.
+  std::optional<shacl::PropertyPath> path;  // nullopt for a node shape.
+  Term value;                               // Empty IRI: no single value.
+  Term source_shape;                        // Often a blank node.
+  Term named_shape;            // Nearest enclosing shape with an IRI.
   Term severity;               // sh:Violation, sh:Warning, sh:Info or another.
   std::string component;       // "sh:MinCountConstraintComponent"
-  std::string message;         // One to show;
-  std::vector<Term> messages;  // all that the shape has, in any language.
+  std::string message;         // The message to show.
+  std::vector<Term> messages;  // All of the shape, in any language.
 
   bool has_value() const { return value.is_literal() || !value.text.empty(); }
   std::string Line() const;  // "ex:alpha ex:usesPolicy: ... (shape ...)"

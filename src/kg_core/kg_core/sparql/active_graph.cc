@@ -26,7 +26,8 @@ ActiveGraph::ActiveGraph(const GraphView* view, std::vector<TermId> graphs,
   }
 }
 
-// Is the triple also in a graph before number `index`?
+// True if the triple is also in one of the graphs before `index`, so that it
+// has been visited already.
 bool ActiveGraph::HasBefore(const Quad& quad, std::size_t index) const {
   for (std::size_t i = 0; i < index; ++i) {
     bool found = false;

@@ -1,4 +1,5 @@
-// The graph that patterns are matched with: one named graph, or several merged.
+// The active graph against which patterns are matched: one named graph, or
+// several merged.
 // https://www.w3.org/TR/sparql11-query/#rdfDataset
 
 #ifndef KG_CORE_SPARQL_ACTIVE_GRAPH_H_
@@ -18,12 +19,13 @@ class ActiveGraph {
   ActiveGraph(const GraphView* view, std::vector<TermId> graphs,
               QueryBudget* budget);
 
-  // Every triple that matches, once, though several graphs have it. The graph
-  // of `pattern` does not count. False if `visit` was: stop.
+  // Visits every matching triple once, even if several graphs contain it. The
+  // graph of `pattern` is ignored. Returns false if `visit` returned false
+  // (stop).
   bool Match(const Quad& pattern,
              absl::FunctionRef<bool(const Quad&)> visit) const;
   std::size_t Estimate(const Quad& pattern) const;
-  // All subjects and objects, each once.
+  // All nodes (subjects and objects), each once.
   std::vector<TermId> Nodes() const;
   bool HasNode(TermId node) const;
   bool empty() const;

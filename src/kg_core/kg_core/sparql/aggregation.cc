@@ -14,13 +14,13 @@ void AggregateAccumulator::AddRow(const Row& row) {
   ++count_;
 }
 
-// An error spoils sums and averages and does not count elsewhere.
+// An error invalidates sums and averages; other aggregates skip it.
 void AggregateAccumulator::Add(TermId value) {
   if (value == kNoTerm) {
     error_ = true;
     return;
   }
-  // DISTINCT: a value that was already counted changes nothing.
+  // DISTINCT: ignore a value that was already counted.
   if (aggregate_->distinct) {
     if (!seen_.insert(value).second) return;
     budget_->UseWorkingBytes(4 * sizeof(TermId));
@@ -80,7 +80,7 @@ std::optional<Term> AggregateAccumulator::Result() const {
       return ToTerm(number);
     case AggregateKind::kAvg: {
       if (error_) return std::nullopt;
-      // The average of an empty group is 0 by the recommendation.
+      // The recommendation defines the average of an empty group as 0.
       if (count_ == 0) return IntegerLiteral(0);
       XsdNumber count;
       count.exact.digits = static_cast<__int128>(count_);

@@ -1,4 +1,4 @@
-// Set functions of one group.
+// Aggregates (SPARQL set functions) of one group.
 // https://www.w3.org/TR/sparql11-query/#setFunctions
 
 #ifndef KG_CORE_SPARQL_AGGREGATION_H_
@@ -14,18 +14,18 @@
 
 namespace kg_core::sparql {
 
-// The running value of one aggregate.
+// The running state of one aggregate.
 class AggregateAccumulator {
  public:
   AggregateAccumulator(const AggregateCall* aggregate, TermTable* terms,
                        QueryBudget* budget)
       : aggregate_(aggregate), terms_(terms), budget_(budget) {}
 
-  // Takes a value, kNoTerm for an error or unbound.
+  // Adds a value; kNoTerm stands for an error or an unbound variable.
   void Add(TermId value);
-  // Takes a solution: COUNT(*).
+  // Adds a whole solution, for COUNT(*).
   void AddRow(const Row& row);
-  // Nothing is SPARQL's error: the variable stays unbound.
+  // The value; nullopt is SPARQL's error: the variable stays unbound.
   std::optional<Term> Result() const;
 
  private:
@@ -40,7 +40,7 @@ class AggregateAccumulator {
   std::optional<XsdNumber> sum_;
   TermId best_ = kNoTerm;
   std::string text_;
-  absl::flat_hash_set<TermId> seen_;  // DISTINCT.
+  absl::flat_hash_set<TermId> seen_;  // Values seen so far, for DISTINCT.
   absl::flat_hash_set<Row> seen_rows_;
 };
 

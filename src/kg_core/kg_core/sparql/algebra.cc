@@ -74,7 +74,7 @@ VariableSet CertainValues(const GraphPattern& values) {
   return certain;
 }
 
-// Of the columns of a subquery, those that its pattern binds for certain.
+// The columns of a subquery that its pattern binds in every solution.
 VariableSet CertainColumns(const SelectQuery& select) {
   VariableSet keys;
   for (const SelectColumn& key : select.group_by) {
@@ -100,7 +100,7 @@ VariableSet CertainVariables(const GraphPattern& pattern) {
       return CertainValues(pattern);
     case PatternKind::kSelect:
       return CertainColumns(*pattern.select);
-    // Only variables that are bound in each alternative.
+    // Only variables that are bound in every alternative.
     case PatternKind::kUnion:
       certain = pattern.parts[0].certain;
       for (const GraphPattern& part : pattern.parts) {
@@ -144,7 +144,7 @@ void AnalyseExists(Expression* expression) {
   ForEachExists(expression, [](GraphPattern* pattern) { Analyse(pattern); });
 }
 
-// Sets `possible` and `certain`, inside first.
+// Sets `possible` and `certain` bottom-up.
 void Analyse(GraphPattern* pattern) {
   for (GraphPattern& part : pattern->parts) Analyse(&part);
   for (Expression& filter : pattern->filters) AnalyseExists(&filter);
@@ -156,7 +156,8 @@ void Analyse(GraphPattern* pattern) {
   pattern->certain = CertainVariables(*pattern);
 }
 
-// Moves `filter` into `pattern` if its variables are certain there.
+// Moves `filter` into `pattern` if all its variables are certain there; returns
+// whether it was moved.
 bool Push(Expression* filter, GraphPattern* pattern) {
   const VariableSet variables = CollectVariables(*filter);
   // A filter may move into a part only if the part certainly binds all of its
@@ -188,7 +189,7 @@ bool Push(Expression* filter, GraphPattern* pattern) {
   return false;
 }
 
-// A filter 'a && b' holds where a and b hold: all conjuncts, one by one.
+// Splits 'a && b' into its conjuncts, which can be pushed down separately.
 void SplitConjunction(Expression expression, std::vector<Expression>* out) {
   if (expression.op != Expression::Op::kAnd) {
     out->push_back(std::move(expression));
@@ -207,6 +208,7 @@ void PushFilters(GraphPattern* pattern) {
   for (Expression& filter : pattern->filters) {
     ForEachExists(&filter, [](GraphPattern* inner) { PushFilters(inner); });
   }
+  // Push each conjunct down on its own; the rest, and any EXISTS, stays here.
   if (pattern->kind != PatternKind::kFilter) return;
   std::vector<Expression> conjuncts;
   for (Expression& filter : pattern->filters) {
@@ -220,14 +222,15 @@ void PushFilters(GraphPattern* pattern) {
   }
 }
 
-// Does `pattern` give the same solutions whether or not it sees `seeds`?
+// True if `pattern` has the same solutions with or without the outer bindings
+// of `seeds`.
 bool SafeToSeed(const GraphPattern& pattern, const VariableSet& seeds) {
-  VariableSet seen;  // What it looks at without binding it itself.
+  VariableSet seen;  // Variables read but not bound by the pattern.
   switch (pattern.kind) {
     case PatternKind::kBasic:
     case PatternKind::kValues:
-    case PatternKind::kJoin:   // Its parts are marked one by one,
-    case PatternKind::kUnion:  // and so are these.
+    case PatternKind::kJoin:   // Parts of joins and
+    case PatternKind::kUnion:  // unions are marked separately.
     case PatternKind::kGraph:
       return true;
     case PatternKind::kSelect:
@@ -253,10 +256,10 @@ VariableSet With(VariableSet set, const VariableSet& more) {
   return set;
 }
 
-// How the variables bound outside reach a pattern.
+// Variables bound outside a pattern, and how they reach it.
 struct PatternSeeds {
   VariableSet seeds;
-  // Within EXISTS they always replace the variables.
+  // Within EXISTS, outer values always replace the variables.
   // https://www.w3.org/TR/sparql11-query/#defn_substitute
   bool substitute = false;
 };
@@ -281,7 +284,7 @@ void MarkSelect(SelectQuery* select) {
   });
 }
 
-// A right side that shares nothing with the left is evaluated once.
+// A right side that shares no variable with the left is evaluated only once.
 void MarkRight(GraphPattern* right, const PatternSeeds& seeding) {
   Mark(right, seeding);
   const bool shares = !right->possible.And(seeding.seeds).Members().empty();
@@ -293,12 +296,12 @@ void MarkRight(GraphPattern* right, const PatternSeeds& seeding) {
   }
 }
 
-// Sets `materialise`; see the header.
+// Sets `materialise` top-down; see the header.
 void Mark(GraphPattern* pattern, PatternSeeds seeding) {
   pattern->materialise =
       pattern->kind == PatternKind::kSelect ||
       (!seeding.substitute && !SafeToSeed(*pattern, seeding.seeds));
-  // A pattern that is evaluated alone sees no outer bindings.
+  // A pattern that is evaluated separately sees no outer bindings.
   if (pattern->materialise) seeding = {};
   PatternSeeds inner = seeding;
   switch (pattern->kind) {
@@ -335,7 +338,8 @@ void Mark(GraphPattern* pattern, PatternSeeds seeding) {
   }
 }
 
-// VALUES first: it is small, and its values lead into the indices.
+// Moves VALUES to the front: it is small, and its values make the index
+// look-ups selective.
 void MoveValues(GraphPattern* pattern) {
   for (GraphPattern& part : pattern->parts) MoveValues(&part);
   if (pattern->kind == PatternKind::kSelect) {

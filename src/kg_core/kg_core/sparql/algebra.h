@@ -1,11 +1,11 @@
-// What is known of a pattern before it is evaluated.
+// Static analysis of patterns, before evaluation.
 //
-// The evaluator passes the bindings found so far into the pattern that comes
-// next, so that a join is a walk along an index. This gives the bottom-up
-// semantics of the specification only where the pattern cannot tell the
-// difference (no filter, no right side of an OPTIONAL ... that would see a
-// variable it does not bind itself). Prepare() finds out, and marks the others
-// to be evaluated alone and joined: `materialise`.
+// The evaluator passes the bindings found so far into the next pattern, so that
+// a join is an index nested loop. This agrees with the bottom-up semantics of
+// the specification only if the outer bindings cannot change the pattern's own
+// solutions (no filter, no right side of an OPTIONAL ... that would see a
+// variable it does not bind itself). Prepare() detects the other patterns and
+// marks them `materialise`: evaluated separately, then joined.
 // https://www.w3.org/TR/sparql11-query/#sparqlAlgebraEval
 
 #ifndef KG_CORE_SPARQL_ALGEBRA_H_
@@ -22,7 +22,7 @@ void Prepare(SelectQuery* select);
 // The variables visible outside of `pattern`.
 // https://www.w3.org/TR/sparql11-query/#variableScope
 VariableSet VisibleVariables(const GraphPattern& pattern);
-// The variables that an expression mentions, those of EXISTS too.
+// The variables mentioned in an expression, including those in EXISTS.
 VariableSet CollectVariables(const Expression& expression);
 // The variables bound or mentioned anywhere within `pattern`.
 VariableSet MentionedVariables(const GraphPattern& pattern);

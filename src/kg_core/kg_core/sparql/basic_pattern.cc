@@ -13,16 +13,16 @@
 namespace kg_core::sparql {
 namespace {
 
-// How many times fewer triples match once a position is bound: guesses, for the
-// order only.
+// Assumed selectivity of a bound position (factor by which matches shrink).
+// Rough guesses, used only for the join order.
 constexpr double kBoundSubject = 1000.0;
 constexpr double kBoundPredicate = 10.0;
 constexpr double kBoundObject = 100.0;
-// Solutions expected of a path by its bound ends.
+// Assumed number of solutions of a path, by its bound ends.
 constexpr double kOpenPath = 1e7;
 constexpr double kHalfBoundPath = 100.0;
 
-// Up to three variables bound by one match, unbound when it goes out of scope.
+// Scope guard for the up to three variables bound by one match.
 class RowBinding {
  public:
   explicit RowBinding(Row* row) : row_(row) {}
@@ -101,8 +101,8 @@ const PatternEvaluator::Plan& PatternEvaluator::GetPlan(const GraphPattern& p,
   }
   std::vector<const TriplePattern*> left;
   for (const TriplePattern& triple : p.triples) left.push_back(&triple);
-  // Greedy order: next is the triple with the least estimated cost, given the
-  // variables bound so far.
+  // Greedy join order: next comes the triple with the lowest estimated cost
+  // given the variables bound so far.
   while (!left.empty()) {
     auto best = left.begin();
     double best_cost = std::numeric_limits<double>::infinity();
@@ -146,7 +146,7 @@ bool PatternEvaluator::Basic(const GraphPattern& p, const ActiveGraph& g,
 
 bool PatternEvaluator::Step(const BasicRun& run, std::size_t step) {
   budget_->Step();
-  // A filter that fails ends this branch, not the whole evaluation.
+  // A failed filter prunes this branch; the evaluation continues.
   for (const Expression* filter : run.plan.filters[step]) {
     if (!expressions_.Holds(*filter, {*run.row, run.graph})) return true;
   }
@@ -167,14 +167,14 @@ bool PatternEvaluator::Step(const BasicRun& run, std::size_t step) {
 }
 
 // Between two variables, a path of length zero connects nodes of the graph
-// only, whatever else gave the variables their values.
+// only, regardless of where the variables got their values.
 // https://www.w3.org/TR/sparql11-query/#defn_evalPP_ZeroOrOnePath
 bool PatternEvaluator::PathStep(const BasicRun& run, std::size_t step,
                                 const TriplePattern& triple) {
   const TermId subject = GetValue(triple.subject, *run.row);
   const TermId object = GetValue(triple.object, *run.row);
-  // A zero-length path matches any node, but only nodes of the graph count
-  // where both ends are variables.
+  // A zero-length path matches any node; if both ends are variables, only nodes
+  // of the graph.
   const bool check = triple.subject.is_variable && triple.object.is_variable &&
                      (subject != kNoTerm || object != kNoTerm);
   const PathWalker walker(&run.graph, &constants_, budget_);

@@ -12,7 +12,7 @@ using kg_base::LimitError;
 
 using Clock = std::chrono::steady_clock;
 
-// A limit that is not a number, or beyond a day, is a day.
+// Limits that are NaN or longer than a day are clamped to one day.
 Clock::time_point GetEnd(double seconds) {
   constexpr double kDay_s = 86400.0;
   const double limited = seconds < kDay_s ? seconds : kDay_s;

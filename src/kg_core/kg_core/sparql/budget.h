@@ -1,4 +1,4 @@
-// What a query may still use up; checked in every inner loop.
+// Remaining time, memory and rows of a query; checked in every inner loop.
 
 #ifndef KG_CORE_SPARQL_BUDGET_H_
 #define KG_CORE_SPARQL_BUDGET_H_
@@ -14,13 +14,14 @@ class QueryBudget {
  public:
   explicit QueryBudget(const QueryLimits& limits);
 
-  // One step of any loop; throws InputError once the time is over.
+  // Counts one loop step; throws InputError once the time limit is exceeded.
   void Step() {
     if ((++steps_ & 1023u) == 0) CheckTime();
   }
-  // Memory that lives until the query ends; throws InputError.
+  // Accounts for memory held until the query ends; throws InputError above the
+  // limit.
   void UseWorkingBytes(std::size_t bytes);
-  // One row of the result; throws InputError.
+  // Accounts for one result row; throws InputError above the limits.
   void AddResultRow(std::size_t bytes);
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 std::string Xsd(const char* name) { return std::string(kXsd) + name; }
 
-// Without blanks around; what a lexical form may be written with.
+// Strips surrounding white space, which lexical forms may have.
 std::string Stripped(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) return "";
@@ -30,7 +30,7 @@ std::optional<bool> ParseBoolean(const Term& term) {
   return std::nullopt;
 }
 
-// A float or double as XPath writes it: "1.25", "1.0E7".
+// A float or double in XPath notation: "1.25", "1.0E7".
 // https://www.w3.org/TR/xpath-functions/#casting-to-string
 std::string RealText(const XsdNumber& number) {
   const double size = std::fabs(number.real);
@@ -80,7 +80,8 @@ Answer ToBooleanCast(FunctionContext&, const Arguments& a) {
   return std::nullopt;
 }
 
-// Numbers, booleans and strings as a number; a string is read as `type`.
+// Converts numbers, booleans and strings to a number; a string is parsed as
+// `type`.
 std::optional<XsdNumber> AsNumber(const Term& term, XsdNumber::Type type) {
   if (const std::optional<XsdNumber> number = ToNumber(term)) return number;
   XsdNumber number;

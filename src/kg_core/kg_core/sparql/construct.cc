@@ -9,7 +9,7 @@
 namespace kg_core::sparql {
 namespace {
 
-// Collects triples, each once.
+// Collects triples without duplicates.
 class TripleSet {
  public:
   explicit TripleSet(const QueryRun& run)
@@ -40,7 +40,7 @@ class TripleSet {
   std::vector<Triple> triples_;
 };
 
-// The resources to be described, each once.
+// The resources to describe, each once.
 std::vector<TermId> Resources(const QueryRun& run) {
   std::vector<TermId> resources;
   absl::flat_hash_set<TermId> seen;
@@ -50,7 +50,7 @@ std::vector<TermId> Resources(const QueryRun& run) {
     run.budget->UseWorkingBytes(4 * sizeof(TermId));
     resources.push_back(id);
   };
-  // First the resources that the query names, then those of its solutions.
+  // First the resources named in the query, then those of its solutions.
   for (const VarOrTerm& node : run.query.describe) {
     if (node.is_variable) continue;
     const auto constant = static_cast<std::size_t>(node.index);

@@ -1,4 +1,4 @@
-// Triples made of solutions: CONSTRUCT, DESCRIBE and the templates of updates.
+// Triples built from solutions: CONSTRUCT, DESCRIBE and update templates.
 // https://www.w3.org/TR/sparql11-query/#construct, #describe
 
 #ifndef KG_CORE_SPARQL_CONSTRUCT_H_
@@ -14,14 +14,14 @@
 
 namespace kg_core::sparql {
 
-// Puts the terms of solutions into templates.
+// Instantiates templates with the terms of solutions.
 class TemplateInstantiator {
  public:
   TemplateInstantiator(const Query* query, TermTable* terms);
 
-  // Calls `give` with each quad that the templates make of `solution`, graph
-  // kNoTerm for the default graph. What would have an unbound variable, or be
-  // no RDF, is left out. Every solution has blank nodes of its own.
+  // Calls `give` with each quad that the templates yield for `solution`; graph
+  // kNoTerm means the default graph. Quads with an unbound variable, and quads
+  // that are not valid RDF, are skipped. Each solution gets fresh blank nodes.
   void Run(const std::vector<QuadTemplate>& templates, const Row& solution,
            absl::FunctionRef<void(const Quad&)> give);
 
@@ -43,12 +43,13 @@ struct QueryRun {
   QueryBudget* budget;
 };
 
-// The triples of a CONSTRUCT query, each once.
+// The triples of a CONSTRUCT query, without duplicates.
 std::vector<Triple> Construct(const QueryRun& run);
 
 // The concise bounded descriptions of the resources of a DESCRIBE query: all
-// triples about each in the default graph, and about the blank nodes that they
-// lead to. https://www.w3.org/Submission/CBD/ (without reified statements)
+// triples about each in the default graph, and recursively about the blank
+// nodes they refer to. https://www.w3.org/Submission/CBD/ (without reified
+// statements)
 std::vector<Triple> Describe(const QueryRun& run);
 
 }  // namespace kg_core::sparql

@@ -38,7 +38,7 @@ bool PatternEvaluator::Evaluate(const GraphPattern& p, const ActiveGraph& g,
   return EvaluateBody(p, g, row, emit);
 }
 
-// The solutions of `p` alone.
+// The solutions of `p` evaluated without outer bindings, computed once.
 JoinTable& PatternEvaluator::GetTable(const GraphPattern& p,
                                       const ActiveGraph& g) {
   std::unique_ptr<JoinTable>& table = tables_[{&p, &g}];

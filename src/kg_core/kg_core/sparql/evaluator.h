@@ -1,9 +1,9 @@
-// Evaluates patterns: solutions are pushed, one by one, through the algebra.
+// Evaluates patterns by pushing solutions one by one through the algebra.
 // https://www.w3.org/TR/sparql11-query/#sparqlAlgebraEval
 //
-// Bindings found so far go into the next pattern (index nested loop join); a
-// pattern marked `materialise` is evaluated alone, once, and hash joined
-// (algebra.h says when and why).
+// Bindings found so far are passed into the next pattern (index nested loop
+// join); a pattern marked `materialise` is evaluated once on its own and hash
+// joined (see algebra.h for the criterion).
 
 #ifndef KG_CORE_SPARQL_EVALUATOR_H_
 #define KG_CORE_SPARQL_EVALUATOR_H_
@@ -25,28 +25,28 @@
 
 namespace kg_core::sparql {
 
-// The graphs of a query, by id.
+// The dataset of a query as graph ids.
 struct DatasetIds {
   std::vector<TermId> default_graphs;
-  std::optional<std::vector<TermId>> named_graphs;  // Nothing: all ...
-  TermId unnamed_graph = kNoTerm;                   // ... but this one.
+  std::optional<std::vector<TermId>> named_graphs;  // nullopt: all graphs
+  TermId unnamed_graph = kNoTerm;                   // except this one.
 };
 
 class PatternEvaluator {
  public:
-  // A solution; false stops the evaluation.
+  // Receives a solution; returning false stops the evaluation.
   using Emit = absl::FunctionRef<bool(Row&)>;
 
   PatternEvaluator(const Query* query, TermTable* terms, DatasetIds dataset,
                    QueryBudget* budget);
 
-  // Calls `emit` with the columns of each solution of the query (of ASK: the
-  // whole solution).
+  // Calls `emit` with the columns of each solution of the query (for ASK: with
+  // the whole solution).
   void Run(Emit emit);
-  // From now on, `matched` holds at every solution the triples that its
-  // patterns matched in the default graph, those of a path once each along a
-  // shortest way (path_witness.h), those of a group all. What EXISTS and MINUS
-  // looked at is not among them.
+  // Enables tracing: at every solution, `matched` holds the triples of the
+  // default graph that its patterns matched. For a property path these are the
+  // triples of one shortest path (path_witness.h), for a group those of all its
+  // members. Triples examined by EXISTS and MINUS are not included.
   void Trace(std::vector<Quad>* matched) { matched_ = matched; }
   const ActiveGraph& default_graph() const { return default_graph_; }
 
@@ -61,7 +61,7 @@ class PatternEvaluator {
   struct Sorted;
   struct Group;
 
-  // Each returns false if `emit` stopped it, and leaves `row` as it was.
+  // Each returns false if `emit` stopped the evaluation, and restores `row`.
   bool Evaluate(const GraphPattern& p, const ActiveGraph& g, Row* row,
                 Emit emit);
   bool EvaluateBody(const GraphPattern& p, const ActiveGraph& g, Row* row,
@@ -108,7 +108,7 @@ class PatternEvaluator {
   TermTable* terms_;
   DatasetIds dataset_;
   QueryBudget* budget_;
-  std::vector<Quad>* matched_ = nullptr;  // Of Trace().
+  std::vector<Quad>* matched_ = nullptr;  // Set by Trace(), else null.
   ExpressionEvaluator expressions_;
   std::vector<TermId> constants_;  // Ids of the query's constants.
   ActiveGraph default_graph_;

@@ -160,7 +160,8 @@ const Term* ExpressionEvaluator::Value(const Expression& e,
   return nullptr;
 }
 
-// An error counts only where the other arguments leave the answer open.
+// An error in one argument matters only if the other arguments do not decide
+// the result.
 const Term* ExpressionEvaluator::Logical(const Expression& e,
                                          const Solution& solution) {
   const bool decisive = e.op == Op::kOr;

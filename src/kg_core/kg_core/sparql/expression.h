@@ -1,8 +1,8 @@
 // Evaluates expressions over one solution.
 // https://www.w3.org/TR/sparql11-query/#evaluation
 //
-// nullptr (or std::nullopt) is an unbound variable or SPARQL's type error;
-// logical operators follow the three-valued table of #evaluation.
+// nullptr (or std::nullopt) stands for an unbound variable or SPARQL's type
+// error; logical operators follow the three-valued table of #evaluation.
 
 #ifndef KG_CORE_SPARQL_EXPRESSION_H_
 #define KG_CORE_SPARQL_EXPRESSION_H_
@@ -22,7 +22,7 @@ namespace kg_core::sparql {
 // A solution: the term of every variable of the query, kNoTerm = unbound.
 using Row = std::vector<TermId>;
 
-// What an expression is evaluated over.
+// The input of an expression: a solution and the active graph.
 struct Solution {
   Row& row;
   const ActiveGraph& graph;
@@ -30,17 +30,17 @@ struct Solution {
 
 class ExpressionEvaluator {
  public:
-  // Has `pattern` a solution that agrees with this one?
+  // Returns whether `pattern` has a solution compatible with the given one.
   using Exists = std::function<bool(const GraphPattern&, const Solution&)>;
 
   ExpressionEvaluator(const Query* query, TermTable* terms, QueryBudget* budget,
                       Exists exists);
 
-  // Is its effective boolean value true?
+  // True if the effective boolean value of the expression is true.
   bool Holds(const Expression& expression, const Solution& solution);
-  // Its value as an id; kNoTerm for an error.
+  // The value of the expression as an id; kNoTerm for an error.
   TermId Evaluate(const Expression& expression, const Solution& solution);
-  // BNODE("x") means another node from here on.
+  // Begins a new solution: BNODE("x") yields a new node from here on.
   void BeginRow() { context_.blanks_of_row.clear(); }
 
  private:

@@ -1,5 +1,5 @@
-// Blank nodes that are unique: neither the store, nor another query or
-// process.
+// Globally unique blank nodes: not used in the store, in another query or in
+// another process.
 
 #ifndef KG_CORE_SPARQL_FRESH_BLANK_H_
 #define KG_CORE_SPARQL_FRESH_BLANK_H_
@@ -8,8 +8,8 @@
 
 namespace kg_core::sparql {
 
-// Another one with each call, from any thread: a count, and 96 random bits that
-// keep processes apart.
+// Returns a new blank node on each call; thread-safe. Its label has a counter
+// and 96 random bits that distinguish processes.
 Term FreshBlank();
 
 }  // namespace kg_core::sparql

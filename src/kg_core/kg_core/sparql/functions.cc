@@ -82,7 +82,7 @@ std::string RandomUuid(FunctionContext& context) {
   for (int i = 0; i < 32; ++i) {
     if (i == 8 || i == 12 || i == 16 || i == 20) uuid.push_back('-');
     unsigned digit = static_cast<unsigned>(context.random() & 15u);
-    if (i == 12) digit = 4;                 // Version 4.
+    if (i == 12) digit = 4;                 // UUID version 4.
     if (i == 16) digit = 8 | (digit & 3u);  // Variant of RFC 4122.
     uuid.push_back(kHex[digit]);
   }

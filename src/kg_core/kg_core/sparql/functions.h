@@ -1,9 +1,9 @@
-// The functions of SPARQL, as tables of data.
+// The functions of SPARQL, as data tables.
 // https://www.w3.org/TR/sparql11-query/#SparqlOps
 //
-// A function takes terms and gives a term or, as std::nullopt, SPARQL's error.
-// What may take unbound arguments or answers lazily (BOUND, IF, COALESCE, IN,
-// sameTerm, EXISTS) is no function but part of expression.cc.
+// A function takes terms and returns a term, or std::nullopt for SPARQL's
+// error. Forms that accept unbound arguments or evaluate lazily (BOUND, IF,
+// COALESCE, IN, sameTerm, EXISTS) are not functions but part of expression.cc.
 
 #ifndef KG_CORE_SPARQL_FUNCTIONS_H_
 #define KG_CORE_SPARQL_FUNCTIONS_H_
@@ -26,16 +26,16 @@ class Geometry;
 
 namespace kg_core::sparql {
 
-// What functions may know besides their arguments; one per query.
+// State shared by function calls besides their arguments; one per query.
 struct FunctionContext {
   std::string base;
   Term now;
   std::mt19937_64 random;
   kg_base::RegexCache regexes;
-  // Parsed WKT; nullptr for a text that is none.
+  // Parsed WKT by literal text; nullptr if the text is not valid WKT.
   absl::flat_hash_map<std::string, std::shared_ptr<const kg_base::Geometry>>
       geometries;
-  // BNODE("x") is the same within one solution.
+  // Results of BNODE("x") by label, which are the same within one solution.
   absl::flat_hash_map<std::string, Term> blanks_of_row;
 };
 
@@ -59,7 +59,7 @@ std::vector<SparqlFunction> HashFunctions();
 std::vector<SparqlFunction> CastFunctions();
 std::vector<SparqlFunction> GeoFunctions();
 
-// By keyword in any case, or by IRI; nullptr if there is none.
+// Look-up by case-insensitive keyword or by IRI; nullptr if unknown.
 const SparqlFunction* FindKeywordFunction(std::string_view name);
 const SparqlFunction* FindIriFunction(std::string_view iri);
 

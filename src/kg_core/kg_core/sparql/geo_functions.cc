@@ -1,9 +1,9 @@
 // GeoSPARQL's simple feature relations and distance on geo:wktLiteral.
 // https://docs.ogc.org/is/22-047r1/22-047r1.html (Annex: functions)
 //
-// Relations are planar, in longitude and latitude. geof:distance wants its unit
-// as third argument: uom:degree is planar; uom:metre is geodesic and between
-// points only.
+// Relations are planar, in longitude and latitude (degrees). geof:distance
+// takes its unit as third argument: uom:degree is planar; uom:metre is geodesic
+// and defined between points only.
 
 #include <string>
 
@@ -20,7 +20,7 @@ using kg_base::Geometry;
 
 constexpr std::size_t kCachedGeometries = 10000;
 
-// The geometry of a literal, parsed once per query; nullptr if it is none.
+// The geometry of a literal, parsed once per query; nullptr if it is not one.
 const Geometry* GetGeometry(FunctionContext& context, const Term& term) {
   const bool typed = term.datatype == std::string(kGeo) + "wktLiteral" ||
                      term.datatype == std::string(kXsd) + "string";
@@ -31,7 +31,7 @@ const Geometry* GetGeometry(FunctionContext& context, const Term& term) {
   try {
     geometry = std::make_shared<const Geometry>(Geometry::FromWkt(term.text));
   } catch (const kg_base::InputError&) {
-    geometry = nullptr;  // Not a geometry: SPARQL's error, kept like others.
+    geometry = nullptr;  // Not a geometry: cached as an error too.
   }
   return context.geometries.emplace(term.text, std::move(geometry))
       .first->second.get();

@@ -163,7 +163,7 @@ Term SparqlGrammar::ReadLiteral() {
     default:
       Fail(token, "expected a literal, got " + Describe(token));
   }
-  // A string: its language tag, its datatype or neither follows.
+  // A string, optionally followed by a language tag or a datatype.
   if (Peek().kind == Token::Kind::kLanguageTag) {
     return LanguageLiteral(token.text, Take().text);
   }
@@ -190,7 +190,7 @@ int SparqlGrammar::FreshVariable() {
   return VariableNumber("." + std::to_string(query_.variables.size()));
 }
 
-// A label belongs to one basic graph pattern.
+// A blank node label may only be used in one basic graph pattern.
 // https://www.w3.org/TR/sparql11-query/#grammarBNodes
 VarOrTerm SparqlGrammar::BlankNode(const std::string& label) {
   CheckBlankAllowed();

@@ -1,4 +1,4 @@
-// The recursive descent behind ParseQuery; its rules are in parser.cc (query
+// Recursive descent parser behind ParseQuery; its rules are in parser.cc (query
 // forms), parse_update.cc, parse_template.cc, parse_pattern.cc,
 // parse_triples.cc and parse_expression.cc, each with its number in
 // https://www.w3.org/TR/sparql11-query/#sparqlGrammar.
@@ -26,12 +26,12 @@ class SparqlGrammar {
   UpdateRequest ReadUpdate();
 
  private:
-  // A group and the filters that hold for all of it.
+  // A group graph pattern and the filters that apply to the whole group.
   struct Group {
     GraphPattern pattern;
     std::vector<Expression> filters;
   };
-  // A bracket that has been opened; closes when it goes out of scope.
+  // Scope guard for one level of bracket nesting.
   class Nested {
    public:
     explicit Nested(SparqlGrammar* grammar);
@@ -62,7 +62,8 @@ class SparqlGrammar {
   std::size_t ReadCount();
 
   // Templates: CONSTRUCT and DESCRIBE (parse_template.cc).
-  // What a template may not have, and what a refusal calls the template.
+
+  // What a template may contain, and its name in error messages.
   struct TemplateRules {
     bool active = false;
     bool variables = true;
@@ -181,13 +182,14 @@ class SparqlGrammar {
   std::map<std::string, std::string> prefixes_;
   std::map<std::string, int> variable_numbers_;
   std::map<std::string, int> constant_numbers_;
-  std::map<std::string, int> block_of_label_;       // Blank node labels.
-  std::map<std::string, int> block_of_data_label_;  // In INSERT DATA.
-  int block_ = 0;   // The basic graph pattern being read ...
-  int blocks_ = 0;  // ... of so many so far.
-  // Where aggregates go; nullptr where none may stand.
+  std::map<std::string, int> block_of_label_;  // Blank node labels.
+  // Blank node labels of INSERT DATA.
+  std::map<std::string, int> block_of_data_label_;
+  int block_ = 0;   // Number of the basic graph pattern being read.
+  int blocks_ = 0;  // Basic graph patterns so far.
+  // The query that collects aggregates; nullptr where none are allowed.
   SelectQuery* aggregates_of_ = nullptr;
-  TemplateRules template_;  // Of the template being read.
+  TemplateRules template_;  // Rules of the template being read.
 };
 
 }  // namespace kg_core::sparql

@@ -12,7 +12,7 @@ namespace kg_core {
 namespace {
 
 using Color = std::size_t;
-// Terms by number; blank nodes are -1 - their number.
+// A quad of term numbers (>= 0); a blank node with index i is -1 - i.
 using Places = std::array<int, 4>;
 using Colors = std::vector<Color>;
 
@@ -24,7 +24,7 @@ struct BlankNodeGraph {
   std::size_t blanks = 0;
 };
 
-// `ground` numbers the terms that are no blank nodes, for both graphs.
+// `ground` numbers the terms that are not blank nodes, shared by both graphs.
 BlankNodeGraph GetGraph(const std::vector<Statement>& statements,
                         std::map<Term, int>* ground) {
   BlankNodeGraph graph;
@@ -47,11 +47,11 @@ std::size_t GetCount(const Colors& colors) {
   return std::set<Color>(colors.begin(), colors.end()).size();
 }
 
-// What the quads say of each blank node, given the colors of the others.
+// One step of color refinement: new colors of the blank nodes from their quads.
 Colors Refined(const BlankNodeGraph& graph, const Colors& colors) {
   std::vector<std::vector<Color>> said(graph.blanks);
   // A blank node's new color depends on the quads it is in: the colors of their
-  // members and the positions at which it stands itself.
+  // members and the positions that the node itself occupies.
   for (const Places& quad : graph.quads) {
     std::array<Color, 4> seen;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -80,7 +80,8 @@ class GraphMatcher {
   GraphMatcher(const BlankNodeGraph& a, const BlankNodeGraph& b)
       : a_(a), b_(b) {}
 
-  // Can the graphs be matched so that colors agree?
+  // True if there is a bijection of the blank nodes that preserves colors and
+  // quads.
   bool Match(Colors a, Colors b) {
     std::size_t count = 0;
     while (count < GetCount(a)) {
@@ -99,7 +100,7 @@ class GraphMatcher {
   }
 
  private:
-  // Tries every partner for one blank node of that color.
+  // Backtracking: tries every partner for one blank node of that color.
   bool Choose(Color color, Colors a, const Colors& b) {
     const Color fresh = absl::HashOf(color, ++choices_);
     *std::find(a.begin(), a.end(), color) = fresh;
@@ -112,7 +113,8 @@ class GraphMatcher {
     return false;
   }
 
-  // Every color stands for one blank node on each side.
+  // Final check; precondition: each color belongs to exactly one blank node on
+  // each side.
   bool Agree(const Colors& a, const Colors& b) const {
     std::map<Color, int> partners;
     for (std::size_t i = 0; i < b.size(); ++i) {

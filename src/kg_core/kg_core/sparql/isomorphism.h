@@ -1,4 +1,4 @@
-// Are two RDF datasets the same but for the labels of their blank nodes?
+// Test of RDF datasets for equality up to blank node labels.
 // https://www.w3.org/TR/rdf11-concepts/#graph-isomorphism
 
 #ifndef KG_CORE_SPARQL_ISOMORPHISM_H_
@@ -10,9 +10,10 @@
 
 namespace kg_core {
 
-// Exact: blank nodes are told apart by what is said of them, and where that
-// leaves a choice, all choices are tried. For results and tests, not for large
-// graphs full of look-alike blank nodes. Statements count once.
+// Exact: color refinement distinguishes blank nodes by their statements;
+// remaining ties are resolved by backtracking. Meant for results and tests, not
+// for large graphs with many indistinguishable blank nodes (exponential).
+// Duplicate statements count once.
 bool IsIsomorphic(const std::vector<Statement>& a,
                   const std::vector<Statement>& b);
 

@@ -28,7 +28,7 @@ std::vector<Statement> GetGraph(const Edges& edges,
   return statements;
 }
 
-// All permutations tried.
+// Reference: tries all permutations.
 bool IsIsomorphicByBruteForce(const Edges& a, const Edges& b, int nodes) {
   std::vector<int> to(static_cast<std::size_t>(nodes));
   for (int i = 0; i < nodes; ++i) to[static_cast<std::size_t>(i)] = i;
@@ -56,7 +56,8 @@ TEST(Isomorphism, AgreesWithTryingEveryPermutation) {
       return Edge(static_cast<int>(random() % kNodes),
                   static_cast<int>(random() % kNodes));
     };
-    // All nodes occur, so that blank nodes are as many on both sides.
+    // Every node occurs, so that both sides have the same number of blank
+    // nodes.
     for (int i = 0; i < kNodes; ++i) a.emplace_back(i, edge().second);
     for (int i = 0; i < kNodes; ++i) b.emplace_back(i, edge().second);
     const bool want = IsIsomorphicByBruteForce(a, b, kNodes);
@@ -68,7 +69,7 @@ TEST(Isomorphism, AgreesWithTryingEveryPermutation) {
 }
 
 TEST(Isomorphism, FindsARenamedGraphOfLookAlikes) {
-  // A ring of 12 blank nodes: none can be told from another.
+  // A ring of 12 blank nodes, which are all indistinguishable.
   Edges ring;
   std::vector<int> labels;
   for (int i = 0; i < 12; ++i) ring.emplace_back(i, (i + 1) % 12);

@@ -27,7 +27,7 @@ void JoinTable::Add(const Row& row) {
 const std::vector<std::uint32_t>& JoinTable::Candidates(const Row& row) {
   static const std::vector<std::uint32_t>* const kNobody =
       new std::vector<std::uint32_t>();
-  // The key: columns that are bound in `row` and in every solution.
+  // Join key: the columns bound in `row` and in every solution.
   std::vector<std::size_t> key_columns;
   Row key;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -37,7 +37,7 @@ const std::vector<std::uint32_t>& JoinTable::Candidates(const Row& row) {
   }
   if (key.empty()) return all_;
   const auto [index, is_new] = indices_.try_emplace(key_columns);
-  // One hash index for each set of key columns, made at first use.
+  // One hash index per set of key columns, built on first use.
   if (is_new) {
     Row cells(key_columns.size());
     for (const std::uint32_t solution : all_) {
@@ -82,7 +82,7 @@ bool JoinTable::Join(Row* row, absl::FunctionRef<bool(Row&)> emit) {
     const MatchedScope scope(matched_);
     if (matched_ != nullptr) scope.Append(matched_of_[solution]);
     const bool go_on = emit(*row);
-    // Undo the bindings, also if the evaluation stops here.
+    // Undo the bindings even if the evaluation stops here.
     for (const std::size_t variable : bound) (*row)[variable] = kNoTerm;
     if (!go_on) return false;
   }

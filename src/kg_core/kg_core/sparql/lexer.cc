@@ -13,7 +13,7 @@
 namespace kg_core::sparql {
 namespace {
 
-// Longest first: the first that fits is taken.
+// Longest first, since the first match is taken.
 constexpr std::string_view kPunctuation[] = {
     "^^", "&&", "||", "!=", "<=", ">=", "{", "}", "(", ")", "[", "]", ".",
     ";",  ",",  "|",  "/",  "^",  "?",  "*", "+", "-", "!", "=", "<", ">"};
@@ -24,7 +24,7 @@ bool IsLetter(char c) {
 }
 bool IsHex(char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; }
 bool IsMultibyte(char c) { return (c & 0x80) != 0; }
-// [164] PN_CHARS_BASE and '_'; every character beyond ASCII is let through.
+// [164] PN_CHARS_BASE and '_'; all non-ASCII characters are accepted.
 bool IsNameStart(char c) { return IsLetter(c) || c == '_' || IsMultibyte(c); }
 bool IsNameChar(char c) { return IsNameStart(c) || IsDigit(c) || c == '-'; }
 
@@ -103,7 +103,7 @@ Token QueryLexer::Next() {
   token.position = position_;
   if (AtEnd()) return token;
   const char c = Peek();
-  // '<' and '?' also are operators: where no IRI or variable follows, they are
+  // '<' and '?' are also operators: if no IRI or variable follows, they are
   // read as punctuation.
   if (c == '<' && ReadIri(&token)) return token;
   if ((c == '?' || c == '$') && ReadVariable(&token)) return token;
@@ -173,7 +173,7 @@ bool QueryLexer::ReadVariable(Token* token) {
   return true;
 }
 
-// How many bytes from `start` are name characters, dots only inside.
+// Number of bytes from `start` that form a name; dots only inside.
 std::size_t QueryLexer::DottedNameLength(std::size_t start) const {
   std::size_t end = start;
   while (end < text_.size() && (IsNameChar(text_[end]) || text_[end] == '.')) {
@@ -216,7 +216,7 @@ bool QueryLexer::ReadName(Token* token) {
 // [169] PN_LOCAL with [170] PLX; a final dot ends the triple instead.
 void QueryLexer::ReadLocalName(Token* token) {
   std::string* local = &token->text;
-  std::size_t dots = 0;  // Dots seen, not yet known to be inside.
+  std::size_t dots = 0;  // Pending dots: part of the name only if more follows.
   for (bool first = true;; first = false) {
     const char c = Peek(dots);
     if (!first && c == '.') {
@@ -251,7 +251,7 @@ void QueryLexer::ReadString(Token* token) {
   for (int i = 0; i < (is_long ? 3 : 1); ++i) Take();
   while (true) {
     if (AtEnd()) {
-      // Report where the string begins, not the end of the text.
+      // Report the start of the string, not the end of the text.
       position_ = token->position;
       Fail("this string does not end");
     }
@@ -297,7 +297,7 @@ void QueryLexer::ReadNumber(Token* token) {
     return IsDigit(sign) ||
            ((sign == '+' || sign == '-') && IsDigit(Peek(ahead + 2)));
   };
-  // A '.' without a digit or an exponent behind it ends the triple.
+  // A '.' not followed by a digit or an exponent ends the triple.
   if (Peek() == '.' && (IsDigit(Peek(1)) || exponent_at(1))) {
     token->kind = Token::Kind::kDecimal;
     TakeInto(&token->text, 1);

@@ -1,5 +1,4 @@
-// Cuts a SPARQL text into tokens.
-// https://www.w3.org/TR/sparql11-query/#sparqlGrammar
+// Tokenizer for SPARQL. https://www.w3.org/TR/sparql11-query/#sparqlGrammar
 
 #ifndef KG_CORE_SPARQL_LEXER_H_
 #define KG_CORE_SPARQL_LEXER_H_

@@ -1,4 +1,4 @@
-// What one query may use.
+// Resource limits of one query.
 
 #ifndef KG_CORE_SPARQL_LIMITS_H_
 #define KG_CORE_SPARQL_LIMITS_H_
@@ -9,11 +9,11 @@ namespace kg_core {
 
 struct QueryLimits {
   double seconds = 2.0;
-  std::size_t rows = 1000000;     // Or triples.
-  std::size_t bytes = 64u << 20;  // Of the result's terms.
+  std::size_t rows = 1000000;     // Result rows or triples.
+  std::size_t bytes = 64u << 20;  // Size of the result's terms.
   std::size_t text_bytes = 64u << 10;
   int nesting = 200;
-  // Of what sorting, grouping, joining and paths must remember.
+  // Memory for the state of sorting, grouping, joining and paths, in bytes.
   std::size_t working_bytes = 256u << 20;
 };
 

@@ -1,5 +1,5 @@
-// What a solution under way was matched with (Evaluator::Trace), for as long as
-// it is under way.
+// Scope guard for the triples matched by the solution in progress
+// (Evaluator::Trace).
 
 #ifndef KG_CORE_SPARQL_MATCHED_SCOPE_H_
 #define KG_CORE_SPARQL_MATCHED_SCOPE_H_
@@ -11,7 +11,8 @@
 
 namespace kg_core::sparql {
 
-// Removes what was added within it. Does nothing without a trace (null).
+// On destruction removes the triples added during its lifetime. Does nothing
+// without a trace (null).
 class MatchedScope {
  public:
   explicit MatchedScope(std::vector<Quad>* matched)

@@ -1,4 +1,4 @@
-// Which named graphs GRAPH looks into.
+// Selection of the named graphs that GRAPH has to evaluate.
 
 #include <algorithm>
 
@@ -9,8 +9,8 @@ namespace {
 
 using PatternKind = GraphPattern::Kind;
 
-// A triple pattern that every solution of `pattern` must match, if there is one
-// that is easy to see.
+// A triple pattern with a constant that every solution of `pattern` must match;
+// nullptr if none is found.
 const TriplePattern* Anchor(const GraphPattern& pattern) {
   switch (pattern.kind) {
     case PatternKind::kBasic:
@@ -37,7 +37,7 @@ const TriplePattern* Anchor(const GraphPattern& pattern) {
   return nullptr;
 }
 
-// Of the quads that match, by looking at them.
+// The graphs of the matching quads, by a scan of these quads.
 std::vector<TermId> GraphsOfMatches(const GraphView& view, const Quad& pattern,
                                     QueryBudget* budget) {
   std::vector<TermId> graphs;
@@ -51,7 +51,7 @@ std::vector<TermId> GraphsOfMatches(const GraphView& view, const Quad& pattern,
   return graphs;
 }
 
-// All that may have such a quad, by asking the index about each.
+// The graphs that may have a matching quad, by one index look-up per graph.
 std::vector<TermId> GraphsWith(const GraphView& view, Quad pattern,
                                QueryBudget* budget) {
   std::vector<TermId> graphs;
@@ -65,7 +65,7 @@ std::vector<TermId> GraphsWith(const GraphView& view, Quad pattern,
 
 }  // namespace
 
-// The graph named `graph`; nullptr if the dataset has none of this name.
+// The graph named `graph`; nullptr if the dataset has no such graph.
 const ActiveGraph* PatternEvaluator::NamedGraph(TermId graph) {
   const auto known = graphs_.find(graph);
   if (known != graphs_.end()) return known->second.get();
@@ -80,8 +80,8 @@ const ActiveGraph* PatternEvaluator::NamedGraph(TermId graph) {
   return (graphs_[graph] = std::move(active)).get();
 }
 
-// The graphs that may have solutions of `p`: by a look at each graph, or, where
-// that is less, at each quad that matches the anchor.
+// The graphs that may have solutions of `p`, found by a look-up per graph or,
+// if cheaper, by a scan of the quads that match the anchor.
 std::vector<TermId> PatternEvaluator::CandidateGraphs(const GraphPattern& p,
                                                       const Row& row) {
   if (dataset_.named_graphs) return *dataset_.named_graphs;
@@ -92,13 +92,13 @@ std::vector<TermId> PatternEvaluator::CandidateGraphs(const GraphPattern& p,
     quad.predicate = GetValue(anchor->predicate, row);
     quad.object = GetValue(anchor->object, row);
   }
-  // A term that the store does not know is in no quad.
+  // A term unknown to the store occurs in no quad.
   if (TermTable::IsLocal(quad.subject) || TermTable::IsLocal(quad.predicate) ||
       TermTable::IsLocal(quad.object)) {
     return {};
   }
-  // With few matches it is cheaper to look at each of them than to ask every
-  // graph whether it has one.
+  // With few matches, scanning them is cheaper than one index look-up per
+  // graph.
   constexpr std::size_t kFewQuads = 32;
   const GraphView& view = terms_->view();
   std::vector<TermId> graphs = view.Estimate(quad) <= kFewQuads

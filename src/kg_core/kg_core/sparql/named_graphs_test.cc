@@ -1,4 +1,4 @@
-// GRAPH ?g: the same answer as looking at every quad, without doing so.
+// GRAPH ?g gives the same result as a full scan, with far fewer quads visited.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 Term Ex(const std::string& name) { return Iri(kEx + name); }
 Term GraphNumber(int i) { return Iri(kGraph + std::to_string(i)); }
 
-// Counts the quads that are looked at.
+// Counts the quads visited.
 class CountingView : public GraphView {
  public:
   explicit CountingView(const GraphView& view) : view_(view) {}
@@ -43,7 +43,7 @@ class CountingView : public GraphView {
   const GraphView& view_;
 };
 
-// One column, sorted.
+// The values of one result column, sorted.
 std::vector<std::string> Answer(const GraphView& view,
                                 const std::string& query) {
   std::vector<std::string> cells;
@@ -64,7 +64,7 @@ std::vector<Quad> Quads(const GraphView& view) {
   return quads;
 }
 
-// ?g of every quad that fits, by looking at all.
+// Reference: ?g of every matching quad, by a full scan.
 std::vector<std::string> ByScan(const GraphView& view, const Quad& pattern) {
   std::vector<std::string> cells;
   for (const Quad& q : Quads(view)) {
@@ -120,7 +120,7 @@ TEST(NamedGraphs, AreListedWithoutLookingAtTheirQuads) {
   const CountingView view(*snapshot);
   EXPECT_EQ(Answer(view, "GRAPH ?g {}").size(), 4u);
   EXPECT_LT(view.looked_at, 20);
-  // Candidates are graphs 0 to 2: what is left is one look at each quad.
+  // Candidates are graphs 0 to 2: each of their quads is visited once.
   view.looked_at = 0;
   EXPECT_EQ(Answer(view, "GRAPH ?g { ?s <" + Ex("p").text + "> ?o }").size(),
             30000u);

@@ -10,7 +10,8 @@ namespace {
 
 using Op = Expression::Op;
 
-constexpr int kMaxChain = 1000;  // Operators of one precedence in a row.
+// Maximum number of chained operators of one precedence.
+constexpr int kMaxChain = 1000;
 
 struct MarkOp {
   std::string_view mark;
@@ -25,7 +26,7 @@ constexpr MarkOp kProducts[] = {{"*", Op::kMultiply}, {"/", Op::kDivide}};
 constexpr MarkOp kUnaries[] = {
     {"!", Op::kNot}, {"-", Op::kNegate}, {"+", Op::kPlus}};
 
-// [121] BuiltInCall: what is no plain function.
+// [121] BuiltInCall: forms that are not plain functions.
 struct SpecialForm {
   const char* word;
   Op op;
@@ -261,6 +262,7 @@ Expression SparqlGrammar::ReadWordExpression() {
     Take();
     return ReadExists(Op::kNotExists);
   }
+  // All other words must be plain functions.
   const SparqlFunction* function = FindKeywordFunction(name);
   if (function == nullptr) {
     Fail(word, "expected an expression, got " + word.text);
@@ -302,7 +304,7 @@ Expression SparqlGrammar::ReadAggregate(AggregateCall::Kind kind) {
                    " may stand in SELECT, HAVING and ORDER BY only, "
                    "and not within another aggregate");
   }
-  // No aggregate within an aggregate.
+  // Aggregates cannot be nested.
   SelectQuery* const select = aggregates_of_;
   aggregates_of_ = nullptr;
   AggregateCall aggregate;

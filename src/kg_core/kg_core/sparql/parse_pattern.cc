@@ -6,7 +6,8 @@
 namespace kg_core::sparql {
 namespace {
 
-// What an evaluation's recursion is deep at most; see CountPattern.
+// Limit on the number of patterns, which bounds the recursion depth of the
+// evaluation; see CountPattern.
 constexpr int kMaxPatterns = 1000;
 
 GraphPattern Binary(GraphPattern::Kind kind, GraphPattern left,
@@ -54,8 +55,8 @@ SparqlGrammar::Group SparqlGrammar::ReadGroup() {
     ExpectMark("}");
     return group;
   }
-  // A blank node label must not be used in two basic graph patterns: each has a
-  // block number of its own.
+  // A blank node label must not be used in two basic graph patterns, so each
+  // pattern gets its own block number.
   block_ = ++blocks_;
   GraphPattern basic;
   while (!TakeMark("}")) ReadGroupElement(&group, &basic);
@@ -141,9 +142,10 @@ GraphPattern SparqlGrammar::ReadGraph() {
   return pattern;
 }
 
-// [59] ServiceGraphPattern: this store asks nobody. SERVICE fails then, and
-// with SILENT it has one solution that binds nothing: OPTIONAL of what never
-// is. https://www.w3.org/TR/sparql11-federated-query/#serviceSilent
+// [59] ServiceGraphPattern: this store never contacts other endpoints, so
+// SERVICE fails. With SILENT it has one solution without bindings, expressed as
+// OPTIONAL with a pattern that never matches.
+// https://www.w3.org/TR/sparql11-federated-query/#serviceSilent
 GraphPattern SparqlGrammar::ReadService() {
   const QueryPosition position = Take().position;
   const bool silent = TakeWord("SILENT");
@@ -161,8 +163,7 @@ GraphPattern SparqlGrammar::ReadService() {
                          ": SERVICE is not available: a query reads this store "
                          "only";
   }
-  // SERVICE SILENT that fails has one solution without bindings. Its variables
-  // stay visible, unbound.
+  // The variables of a failed SERVICE SILENT stay visible, but unbound.
   GraphPattern nothing;
   nothing.kind = GraphPattern::Kind::kValues;
   nothing.variables = VisibleVariables(inner).Members();

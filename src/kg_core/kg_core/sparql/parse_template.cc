@@ -6,14 +6,14 @@
 
 namespace kg_core::sparql {
 
-// Called just after the token that makes a blank node.
+// Call right after consuming the token that creates a blank node.
 void SparqlGrammar::CheckBlankAllowed() const {
   if (template_.blank_nodes) return;
   Fail(tokens_[at_ - 1],
        std::string(template_.name) + " may not have blank nodes");
 }
 
-// [52] TriplesTemplate in braces. Labels of blank nodes are its own.
+// [52] TriplesTemplate in braces, with its own scope of blank node labels.
 GraphPattern SparqlGrammar::ReadTemplateTriples(const TemplateRules& rules) {
   const Nested nested(this);
   const TemplateRules outer = template_;
@@ -26,7 +26,7 @@ GraphPattern SparqlGrammar::ReadTemplateTriples(const TemplateRules& rules) {
   return basic;
 }
 
-// The pattern need only give the variables that the templates mention.
+// Restricts the projection to the variables mentioned in the templates.
 void SparqlGrammar::AddTemplateColumns(
     const std::vector<QuadTemplate>& templates) {
   VariableSet variables;
@@ -47,6 +47,7 @@ std::vector<QuadTemplate> SparqlGrammar::ReadQuads(const TemplateRules& rules) {
   ExpectMark("{");
   template_ = rules;
   ReadQuadTriples({}, &quads);
+  // [51] QuadsNotTriples, with optional triples after each.
   while (TakeWord("GRAPH")) {
     const VarOrTerm graph = Peek().kind == Token::Kind::kVariable
                                 ? VarOrTerm{true, ReadVariable()}
@@ -87,7 +88,7 @@ void SparqlGrammar::ReadConstruct() {
     query_.construct.push_back({triple, {}});
   }
   if (full) {
-    // Labels of the template are not those of the pattern.
+    // Template and pattern have separate scopes of blank node labels.
     block_of_label_.clear();
     block_ = ++blocks_;
     ReadDatasetClauses();

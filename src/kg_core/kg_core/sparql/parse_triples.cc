@@ -152,7 +152,7 @@ void SparqlGrammar::AddTriple(const VarOrTerm& subject,
   basic->triples.push_back({subject, predicate, object, std::nullopt});
 }
 
-// Links, inverses and sequences are triple patterns.
+// Links, inverses and sequences are translated to triple patterns.
 // https://www.w3.org/TR/sparql11-query/#sparqlTranslatePathPatterns
 void SparqlGrammar::AddPath(const VarOrTerm& subject, const PropertyPath& path,
                             const VarOrTerm& object, GraphPattern* basic) {
@@ -162,7 +162,7 @@ void SparqlGrammar::AddPath(const VarOrTerm& subject, const PropertyPath& path,
     case PropertyPath::Kind::kInverse:
       return AddPath(object, path.parts[0], subject, basic);
     case PropertyPath::Kind::kSequence: {
-      // A sequence becomes triples that are linked by fresh variables.
+      // A sequence becomes triples linked by fresh variables.
       VarOrTerm from = subject;
       for (std::size_t i = 0; i + 1 < path.parts.size(); ++i) {
         const VarOrTerm to{true, FreshVariable()};

@@ -22,7 +22,7 @@ constexpr GraphWord kGraphWords[] = {
     {"ADD", OperationKind::kAdd},
 };
 
-// DELETE WHERE: the quads are pattern and template in one.
+// DELETE WHERE: the quads serve as both pattern and template.
 GraphPattern MakePattern(const QuadTemplate& quad) {
   GraphPattern basic;
   basic.triples.push_back(quad.triple);
@@ -55,7 +55,7 @@ UpdateRequest SparqlGrammar::ReadUpdate() {
   return update;
 }
 
-// Each operation numbers its own variables; prefixes and the base are kept.
+// Each operation has its own variable numbers; prefixes and base are kept.
 void SparqlGrammar::BeginOperation() {
   Query fresh;
   fresh.base = query_.base;
@@ -83,7 +83,7 @@ UpdateOperation SparqlGrammar::ReadOperation() {
   } else {
     Expected("an update such as INSERT, DELETE, CLEAR or COPY");
   }
-  // The next operation begins with an empty query, but keeps BASE.
+  // The next operation starts with an empty query but keeps BASE.
   operation.query = std::move(query_);
   query_ = {};
   query_.base = operation.query.base;
@@ -100,6 +100,7 @@ bool SparqlGrammar::ReadGraphOperation(UpdateOperation* operation) {
   Take();
   operation->kind = found->kind;
   operation->silent = TakeWord("SILENT");
+  // Operands: source TO target, IRI [INTO target], or just a target.
   const bool moves = found->kind == OperationKind::kCopy ||
                      found->kind == OperationKind::kMove ||
                      found->kind == OperationKind::kAdd;
@@ -122,7 +123,7 @@ GraphRef SparqlGrammar::ReadGraphRef(UpdateOperation::Kind kind) {
                      kind == OperationKind::kMove ||
                      kind == OperationKind::kAdd;
   GraphRef graph;
-  // CREATE and LOAD name a graph by GRAPH only.
+  // CREATE and LOAD accept only GRAPH <iri>.
   if ((may_be_all || moves) && TakeWord("DEFAULT")) return graph;
   if (may_be_all && TakeWord("NAMED")) {
     graph.kind = GraphRef::Kind::kNamed;
@@ -140,8 +141,8 @@ GraphRef SparqlGrammar::ReadGraphRef(UpdateOperation::Kind kind) {
   return graph;
 }
 
-// [38] InsertData. No label may return in the data of another one.
-// https://www.w3.org/TR/sparql11-query/#grammarBNodes
+// [38] InsertData. A blank node label must not be reused in another INSERT
+// DATA. https://www.w3.org/TR/sparql11-query/#grammarBNodes
 void SparqlGrammar::ReadInsertData(UpdateOperation* operation) {
   Take();
   Take();
@@ -186,7 +187,7 @@ void SparqlGrammar::ReadModify(UpdateOperation* operation) {
     block_of_label_.clear();
     operation->added = ReadQuads({true, true, true, "INSERT"});
   }
-  // Labels of a template are its own.
+  // Each template has its own scope of blank node labels.
   block_of_label_ = labels;
   block_ = ++blocks_;
   ReadUsing();

@@ -114,7 +114,7 @@ void SparqlGrammar::ReadSelect(SelectQuery* select) {
   AddColumns(VisibleVariables(select->where), select);
 }
 
-// Those of `variables` that have a name.
+// Adds the named variables of `variables` as columns.
 void SparqlGrammar::AddColumns(const VariableSet& variables,
                                SelectQuery* select) {
   for (const int variable : variables.Members()) {
@@ -129,7 +129,7 @@ void SparqlGrammar::AddColumns(const VariableSet& variables,
 bool SparqlGrammar::ReadSelectClause(SelectQuery* select) {
   ExpectWord("SELECT");
   select->distinct = TakeWord("DISTINCT");
-  // REDUCED may keep every solution, and we do.
+  // REDUCED permits removing duplicates; this implementation keeps them.
   if (!select->distinct) TakeWord("REDUCED");
   if (TakeMark("*")) return true;
   while (true) {
@@ -186,7 +186,7 @@ void SparqlGrammar::ReadModifiers(SelectQuery* select) {
 void SparqlGrammar::ReadGroupBy(SelectQuery* select) {
   if (!TakeWord("GROUP")) return;
   ExpectWord("BY");
-  // Aggregates may not stand in GROUP BY.
+  // Aggregates are not allowed in GROUP BY.
   SelectQuery* const outer = aggregates_of_;
   aggregates_of_ = nullptr;
   while (true) {
@@ -233,6 +233,8 @@ void SparqlGrammar::ReadOrderBy(SelectQuery* select) {
       key.expression = ReadBracketed();
     } else if (Peek().kind == Token::Kind::kVariable) {
       key.expression = VariableExpression(ReadVariable());
+      // [24] OrderCondition: a constraint, unless the next word begins a later
+      // clause.
     } else if (AtMark("(") || AtIri() ||
                (Peek().kind == Token::Kind::kWord && !AtWord("LIMIT") &&
                 !AtWord("OFFSET") && !AtWord("VALUES"))) {
@@ -274,7 +276,7 @@ void SparqlGrammar::ReadLimits(SelectQuery* select) {
 void SparqlGrammar::CheckColumns(const SelectQuery& select,
                                  QueryPosition position) {
   const VariableSet visible = VisibleVariables(select.where);
-  VariableSet known;  // What a column of a grouped query may mention.
+  VariableSet known;  // Variables allowed in columns of a grouped query.
   for (const SelectColumn& key : select.group_by) known.Insert(key.variable);
   for (const AggregateCall& aggregate : select.aggregates) {
     known.Insert(aggregate.variable);

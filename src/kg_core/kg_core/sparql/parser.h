@@ -1,4 +1,5 @@
-// Reads a SPARQL query. https://www.w3.org/TR/sparql11-query/#sparqlGrammar
+// Parser for SPARQL queries and updates.
+// https://www.w3.org/TR/sparql11-query/#sparqlGrammar
 
 #ifndef KG_CORE_SPARQL_PARSER_H_
 #define KG_CORE_SPARQL_PARSER_H_
@@ -10,13 +11,13 @@
 
 namespace kg_core::sparql {
 
-// Our prefixes (rdf/namespaces.h) are known without being declared. `nesting`
-// bounds brackets within brackets. Throws InputError "line:column: what was
-// expected", or "line:column: ... is not available".
+// Parses a query. The prefixes of rdf/namespaces.h need no declaration.
+// `nesting` bounds the depth of brackets. Throws InputError "line:column: what
+// was expected", or "line:column: ... is not available".
 Query ParseQuery(std::string_view text, int nesting);
 
-// Likewise an update request. Queries and updates do not know each other's
-// keywords.
+// Parses an update request likewise. Keywords of updates are errors in queries,
+// and vice versa.
 UpdateRequest ParseUpdate(std::string_view text, int nesting);
 
 }  // namespace kg_core::sparql

@@ -64,7 +64,7 @@ bool PathWalker::WalkNegated(const PropertyPath& path, Ends ends,
   const auto contains = [](const std::vector<TermId>& ids, TermId id) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   };
-  // !(p | q) looks forward only, !(^p) backward only, a mixture both ways.
+  // !(p | q) matches forward only, !(^p) backward only, a mixture both.
   if (!forward.empty() || backward.empty()) {
     const bool go_on = graph_->Match(
         {ends.from, kNoTerm, ends.to, kNoTerm}, [&](const Quad& quad) {
@@ -97,7 +97,8 @@ std::vector<TermId> PathWalker::Reach(const PropertyPath& path, TermId start,
            return true;
          });
   };
-  // Breadth first. p+ has its start only if a cycle leads back to it.
+  // Breadth-first search. p+ includes its start only if a cycle leads back to
+  // it.
   if (path.kind == PropertyPath::Kind::kOneOrMore) {
     expand(start);
   } else {

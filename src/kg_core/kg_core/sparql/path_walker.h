@@ -1,7 +1,7 @@
 // Property paths. https://www.w3.org/TR/sparql11-query/#propertypaths
 //
-// '*', '+' and '?' answer with sets, by breadth-first search from the end that
-// is known; '/' and '|' keep duplicates.
+// '*', '+' and '?' yield sets, by breadth-first search from the bound end; '/'
+// and '|' keep duplicates.
 
 #ifndef KG_CORE_SPARQL_PATH_WALKER_H_
 #define KG_CORE_SPARQL_PATH_WALKER_H_
@@ -19,13 +19,13 @@ class PathWalker {
  public:
   using Visit = absl::FunctionRef<bool(TermId from, TermId to)>;
 
-  // `constants` are the ids of the query's constants, by number.
+  // `constants` are the ids of the query's constants, indexed by their number.
   PathWalker(const ActiveGraph* graph, const std::vector<TermId>* constants,
              QueryBudget* budget)
       : graph_(graph), constants_(constants), budget_(budget) {}
 
-  // Visits all pairs that `path` connects; kNoTerm is any end. False if `visit`
-  // was: stop.
+  // Visits all pairs of nodes connected by `path`; kNoTerm leaves an end open.
+  // Returns false if `visit` did (stop).
   bool Walk(const PropertyPath& path, TermId from, TermId to,
             Visit visit) const;
 
@@ -42,7 +42,7 @@ class PathWalker {
                     Visit visit) const;
   bool WalkNegated(const PropertyPath& path, Ends ends, Visit visit) const;
   bool WalkClosure(const PropertyPath& path, Ends ends, Visit visit) const;
-  // What is reached from `start`, each once, in order of discovery.
+  // The nodes reached from `start`, each once, in order of discovery.
   std::vector<TermId> Reach(const PropertyPath& path, TermId start,
                             bool forward) const;
 

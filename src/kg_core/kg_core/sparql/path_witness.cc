@@ -93,14 +93,14 @@ std::optional<Way> PathWitness::FindSequence(const PropertyPath* parts,
   return best;
 }
 
-// Every triple between the two is tried, whichever way the path may go.
+// Tries every triple between the two nodes, in both directions.
 std::optional<Way> PathWitness::FindNegated(const PropertyPath& path,
                                             TermId from, TermId to) const {
   std::optional<Way> best;
   for (const bool inverse : {false, true}) {
     const TermId subject = inverse ? to : from;
     const TermId object = inverse ? from : to;
-    // Forward and backward members of the set exclude in their direction only.
+    // Members of the set exclude triples only in their own direction.
     bool has_direction = !inverse && path.parts.empty();
     std::set<TermId> excluded;
     for (const PropertyPath& part : path.parts) {
@@ -118,7 +118,7 @@ std::optional<Way> PathWitness::FindNegated(const PropertyPath& path,
   return best;
 }
 
-// One more step from every node of `layer`: the best way to each next node.
+// One more step from every node of `layer`: the best path to each next node.
 PathWitness::Ways PathWitness::NextLayer(const PropertyPath& step,
                                          const Ways& layer) const {
   Ways next;
@@ -137,7 +137,7 @@ PathWitness::Ways PathWitness::NextLayer(const PropertyPath& step,
   return next;
 }
 
-// Breadth first, a layer of nodes at a time.
+// Breadth-first search, one layer of nodes at a time.
 std::optional<Way> PathWitness::FindClosure(const PropertyPath& path,
                                             TermId from, TermId to) const {
   if (path.kind != PropertyPath::Kind::kOneOrMore && from == to) return Way{};

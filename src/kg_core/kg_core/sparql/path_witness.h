@@ -1,9 +1,9 @@
-// The triples along one way that a property path takes between two nodes: what
-// to cite for it.
+// Witness of a property path between two nodes: the triples along one
+// connection, to be cited as the reason.
 //
-// The way is one of the fewest steps of every '*', '+' and '?'; among equals,
-// the one with the fewest triples, then the first in the order of their terms.
-// So it depends on the graph alone, not on the order of its ids.
+// The witness has the fewest steps of every '*', '+' and '?'; ties are broken
+// by the fewest triples, then by the order of their terms. So it depends only
+// on the graph, not on the order of term ids.
 
 #ifndef KG_CORE_SPARQL_PATH_WITNESS_H_
 #define KG_CORE_SPARQL_PATH_WITNESS_H_
@@ -30,13 +30,14 @@ class PathWitness {
         terms_(terms),
         walker_(graph, constants, budget) {}
 
-  // Nothing if `path` does not connect the two; empty for a way of length zero.
+  // nullopt if `path` does not connect the two; empty for a path of length
+  // zero.
   std::optional<std::vector<Quad>> Find(const PropertyPath& path, TermId from,
                                         TermId to) const;
 
  private:
   using Way = std::vector<Quad>;
-  using Ways = std::map<TermId, Way>;  // By where they lead.
+  using Ways = std::map<TermId, Way>;  // Best path to each node reached.
 
   std::optional<Way> FindLink(const Quad& wanted) const;
   std::optional<Way> FindSequence(const PropertyPath* parts, std::size_t count,

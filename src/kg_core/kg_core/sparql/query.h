@@ -1,8 +1,9 @@
-// A parsed query: the SPARQL algebra as plain values.
+// A parsed query: the SPARQL algebra as plain structs.
 // https://www.w3.org/TR/sparql11-query/#sparqlAlgebra
 //
-// Variables and constants are numbered once for the whole text; blank nodes of
-// a query are variables that cannot be selected ("_:" and "." begin no name).
+// Variables and constants are numbered across the whole text. Blank nodes of a
+// query are variables that cannot be selected (no variable name can begin with
+// "_:" or ".").
 
 #ifndef KG_CORE_SPARQL_QUERY_H_
 #define KG_CORE_SPARQL_QUERY_H_
@@ -49,7 +50,7 @@ struct PropertyPath {
 
 struct TriplePattern {
   VarOrTerm subject;
-  VarOrTerm predicate;  // Not used if there is a path.
+  VarOrTerm predicate;  // Unused if there is a path.
   VarOrTerm object;
   std::optional<PropertyPath> path;
 };
@@ -67,7 +68,7 @@ struct Expression {
     kGreater,
     kLessEqual,
     kGreaterEqual,
-    kIn,  // The first argument in the others.
+    kIn,  // First argument is among the others.
     kNotIn,
     kAdd,
     kSubtract,
@@ -125,9 +126,9 @@ struct AggregateCall {
   enum class Kind { kCount, kSum, kAvg, kMin, kMax, kSample, kGroupConcat };
   Kind kind = Kind::kCount;
   bool distinct = false;
-  std::optional<Expression> argument;  // Nothing: COUNT(*).
+  std::optional<Expression> argument;  // nullopt: COUNT(*).
   std::string separator = " ";
-  int variable = kNone;  // Where its value goes.
+  int variable = kNone;  // Variable that receives the value.
 };
 
 struct SelectColumn {
@@ -144,7 +145,7 @@ struct SelectQuery {
   GraphPattern where;
   std::vector<SelectColumn> columns;
   bool distinct = false;
-  bool grouped = false;  // GROUP BY or an aggregate.
+  bool grouped = false;  // Has GROUP BY or an aggregate.
   std::vector<SelectColumn> group_by;
   std::vector<AggregateCall> aggregates;
   std::vector<Expression> having;
@@ -153,8 +154,8 @@ struct SelectQuery {
   std::size_t offset = 0;
 };
 
-// A triple to be made of a solution: by CONSTRUCT, or by an update, which also
-// says in which graph. No paths; hidden variables are fresh blank nodes.
+// A triple template of CONSTRUCT, or a quad template of an update (with graph).
+// Has no paths; hidden variables become fresh blank nodes.
 struct QuadTemplate {
   TriplePattern triple;
   VarOrTerm graph;  // kNone: the default graph.
@@ -163,19 +164,20 @@ struct QuadTemplate {
 struct Query {
   enum class Form { kSelect, kAsk, kConstruct, kDescribe };
   Form form = Form::kSelect;
-  SelectQuery
-      select;  // Of ASK: its pattern; else its columns are what is needed.
+  // For ASK only its pattern matters; for other forms the columns are the
+  // variables needed.
+  SelectQuery select;
   std::vector<QuadTemplate> construct;
   std::vector<VarOrTerm> describe;
-  std::vector<std::string> variables;  // Names by number.
+  std::vector<std::string> variables;  // Variable names, indexed by number.
   std::vector<Term> constants;
-  // FROM and FROM NAMED; nothing if there is neither.
+  // FROM and FROM NAMED; has_dataset is false if there is neither.
   bool has_dataset = false;
   std::vector<std::string> from;
   std::vector<std::string> from_named;
   std::string base;
-  // "line:column: function <...> is not known", or that SERVICE is not there:
-  // the first of what the grammar allows and RunQuery does not.
+  // Error for the first construct that is grammatical but not supported by
+  // RunQuery: "line:column: function <...> is not known", or SERVICE.
   std::string unavailable;
 };
 

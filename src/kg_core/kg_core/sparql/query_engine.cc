@@ -72,7 +72,7 @@ QueryResult RunQuery(const GraphView& view, std::string_view query_text,
   QueryBudget budget(limits);
   Query query = sparql::ParseQuery(query_text, limits.nesting);
   if (!query.unavailable.empty()) throw kg_base::InputError(query.unavailable);
-  // A dataset of the protocol goes before FROM of the query.
+  // A dataset given in the protocol request takes precedence over FROM.
   if (dataset.is_binding) query.has_dataset = false;
   if (query.has_dataset) sparql::CheckDataset(view, query);
   sparql::Prepare(&query.select);

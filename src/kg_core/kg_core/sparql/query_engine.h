@@ -5,8 +5,8 @@
 //       RunQuery(*store.Read(), "SELECT ?a { ?a a ex:Agent }",
 //                DefaultDataset(std::nullopt), {});
 //
-// A query can do no harm: it changes nothing, reads nothing but the store, and
-// ends within its limits. Updates have an entry of their own, update_engine.h.
+// Queries are safe to run: they change nothing, read nothing but the store, and
+// end within their limits. For updates see update_engine.h.
 
 #ifndef KG_CORE_SPARQL_QUERY_ENGINE_H_
 #define KG_CORE_SPARQL_QUERY_ENGINE_H_
@@ -20,8 +20,8 @@
 
 namespace kg_core {
 
-// Throws InputError with "line:column: what was expected", or with the limit
-// (LimitError) that was hit.
+// Throws InputError "line:column: what was expected", or LimitError naming the
+// exceeded limit.
 QueryResult RunQuery(const GraphView& view, std::string_view query_text,
                      const Dataset& dataset, const QueryLimits& limits);
 

@@ -1,4 +1,5 @@
-// Queries by example, on a small world; each name says which rule it is about.
+// Example queries on a small dataset; each test is named after the rule it
+// checks.
 
 #include "kg_core/sparql/query_engine.h"
 
@@ -55,7 +56,7 @@ QueryResult Query(const std::string& query, const QueryLimits& limits = {}) {
   return RunQuery(*world, query, DefaultDataset(std::nullopt), limits);
 }
 
-// Rows as "cell cell", '-' for unbound.
+// Result rows as "cell cell", with '-' for unbound.
 std::vector<std::string> Rows(const std::string& query) {
   std::vector<std::string> lines;
   for (const auto& row : Query(query).rows) {
@@ -77,7 +78,7 @@ std::vector<std::string> SortedRows(const std::string& query) {
 
 using Lines = std::vector<std::string>;
 
-// The value of an expression in Turtle, "-" for an error.
+// The value of an expression in Turtle syntax, "-" for an error.
 std::string Value(const std::string& expression) {
   return Rows("SELECT (" + expression + " AS ?v) {}").at(0);
 }
@@ -351,7 +352,7 @@ TEST(QueryEngine, DescribesAResourceDownToItsBlankNodes) {
             "ex:fast ex:risk 3 .\n\nex:safe ex:risk 1 .\n");
   EXPECT_EQ(Turtle("DESCRIBE * WHERE { ex:bravo ex:usesPolicy ?p }"),
             "ex:safe ex:risk 1 .\n");
-  // Six triples of its own, and four of the list it carries.
+  // Six triples of ex:alpha, and four of the list it refers to.
   EXPECT_EQ(Query("DESCRIBE ex:alpha").triples.size(), 10u);
 }
 

@@ -1,7 +1,7 @@
-// Arbitrary input as SPARQL, as a query and as an update, on a small world:
-// answered or refused with one line, within the limits; a query that was
-// answered can be written in every format, an update that was refused has
-// changed nothing.
+// Fuzz test: arbitrary input as a SPARQL query and as an update on a small
+// dataset is answered, or rejected with a one-line error, within the limits.
+// The result of a query can be written in every format; a rejected update
+// changes nothing.
 
 #include <cstddef>
 #include <cstdint>

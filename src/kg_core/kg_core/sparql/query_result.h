@@ -1,4 +1,4 @@
-// What a query answers with.
+// Result of a query.
 
 #ifndef KG_CORE_SPARQL_QUERY_RESULT_H_
 #define KG_CORE_SPARQL_QUERY_RESULT_H_
@@ -23,7 +23,7 @@ struct QueryResult {
   std::vector<std::string> variables;
   std::vector<std::vector<std::optional<Term>>> rows;
   bool answer = false;
-  std::vector<Triple> triples;  // Of CONSTRUCT and DESCRIBE, each once.
+  std::vector<Triple> triples;  // For CONSTRUCT and DESCRIBE, each once.
 };
 
 }  // namespace kg_core

@@ -61,11 +61,12 @@ std::vector<std::optional<Term>> MakeRow(
   return row;
 }
 
-// The fields of CSV (RFC 4180), line by line; quotes may hold line ends.
+// The fields of CSV (RFC 4180), one vector per record; quoted fields may
+// contain line breaks.
 std::vector<std::vector<std::string>> CsvRecords(std::string_view text) {
   std::vector<std::vector<std::string>> records;
   bool quoted = false;
-  bool at_start = true;  // Of a record.
+  bool at_start = true;  // At the start of a record.
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (at_start) records.push_back({""});
     at_start = false;
@@ -143,7 +144,7 @@ Term ReadTsvTerm(std::string_view text) {
 QueryResult ReadJsonResult(std::string_view text) {
   const JsonValue json = kg_base::ParseJson(text);
   QueryResult result;
-  // The answer of ASK has no bindings.
+  // A result of ASK has no bindings.
   if (const JsonValue* answer = json.Find("boolean")) {
     result.form = QueryResult::Form::kAsk;
     result.answer = answer->boolean;

@@ -15,7 +15,7 @@ namespace {
 
 using kg_base::InputError;
 
-// Text with what formats must escape.
+// Random text with characters that the formats must escape.
 std::string RandomText(std::mt19937* random) {
   const std::string kPieces[] = {
       "a", ",", "\"", "\n",  "\r",       "\t",
@@ -64,7 +64,7 @@ TEST(ReadResults, ReadsWhatIsWritten) {
       EXPECT_EQ(back.variables, result.variables);
       EXPECT_EQ(back.rows, result.rows);
     }
-    // CSV keeps the text only, and cannot tell "" from unbound.
+    // CSV keeps only the text and cannot distinguish "" from unbound.
     const QueryResult csv = ReadCsvResult(ToCsv(result));
     ASSERT_EQ(csv.rows.size(), result.rows.size());
     for (std::size_t i = 0; i < result.rows.size(); ++i) {

@@ -1,4 +1,4 @@
-// The graphs that a query or an update reads, by id.
+// Resolves the dataset of a query or update to graph ids.
 // https://www.w3.org/TR/sparql11-query/#rdfDataset
 
 #ifndef KG_CORE_SPARQL_RESOLVE_DATASET_H_
@@ -13,14 +13,14 @@
 
 namespace kg_core::sparql {
 
-// Has the graph a quad, or is it one of those that every store has?
+// True if the graph has a quad or is one of the graphs that every store has.
 bool HasGraph(const GraphView& view, const std::string& iri);
 
-// FROM names graphs of the store only: a typo must not look like "no rows".
-// Throws InputError.
+// Throws InputError if FROM names a graph that is not in the store: a typo must
+// not look like an empty result.
 void CheckDataset(const GraphView& view, const Query& query);
 
-// FROM and FROM NAMED of `query`, else `dataset`.
+// FROM and FROM NAMED of `query` if given, else `dataset`.
 DatasetIds Resolve(const Query& query, const Dataset& dataset,
                    TermTable* terms);
 

@@ -1,4 +1,4 @@
-// Results in the forms that programs and people read.
+// Writers for result formats: JSON, XML, CSV, TSV and text tables.
 
 #ifndef KG_CORE_SPARQL_RESULTS_H_
 #define KG_CORE_SPARQL_RESULTS_H_
@@ -14,25 +14,26 @@ namespace kg_core {
 // Triples become rows of ?subject ?predicate ?object.
 std::string ToJson(const QueryResult& result);
 
-// https://www.w3.org/TR/rdf-sparql-XMLres/
-// Control characters that XML cannot have become U+FFFD.
+// https://www.w3.org/TR/rdf-sparql-XMLres/ Control characters not allowed in
+// XML become U+FFFD.
 std::string ToXml(const QueryResult& result);
 
-// https://www.w3.org/TR/sparql11-results-csv-tsv/
-// CSV is values without their types. Of ASK: one row of ?answer, as the
-// recommendation knows no other.
+// https://www.w3.org/TR/sparql11-results-csv-tsv/ CSV has values without types.
+// ASK gives one row of ?answer, since the recommendation defines no form for
+// it.
 std::string ToCsv(const QueryResult& result);
 std::string ToTsv(const QueryResult& result);
 
-// A table for terminals, terms in Turtle's syntax with our prefixes; its last
-// line counts the rows. Of ASK: "yes" or "no". Triples: as Turtle.
+// A table for terminals, with terms in Turtle syntax and the prefixes of
+// rdf/namespaces.h; the last line gives the number of rows. ASK gives "yes" or
+// "no"; triples are written as Turtle.
 std::string ToTextTable(const QueryResult& result);
 
-// Sorted by subject, with those of our prefixes that are used.
+// Sorted by subject, with only the prefixes that are used.
 // https://www.w3.org/TR/turtle/
 std::string TriplesToTurtle(const std::vector<Triple>& triples);
 
-// A way to write rows, by its name in requests and its media type.
+// A result format, with its name in requests and its media type.
 struct ResultFormat {
   const char* name;        // "json", "xml", "csv", "tsv", "text".
   const char* media_type;  // RFC 6838
@@ -40,7 +41,8 @@ struct ResultFormat {
 };
 const std::vector<ResultFormat>& ResultFormats();
 
-// Triples as rows of ?subject ?predicate ?object; others as they are.
+// Converts triples to rows of ?subject ?predicate ?object; other results are
+// returned unchanged.
 QueryResult AsRows(const QueryResult& result);
 
 }  // namespace kg_core

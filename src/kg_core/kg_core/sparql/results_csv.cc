@@ -5,7 +5,7 @@
 namespace kg_core {
 namespace {
 
-// What differs between the two.
+// Differences between CSV and TSV.
 struct SeparatorStyle {
   const char* separator;
   const char* line_end;

@@ -10,7 +10,7 @@
 namespace kg_core {
 namespace {
 
-// Objects by property by subject, all written.
+// Objects grouped by subject and property, all in Turtle syntax.
 using ObjectSet = std::set<std::string>;
 using PropertyObjects = std::map<std::string, ObjectSet>;
 using SubjectProperties = std::map<std::string, PropertyObjects>;

@@ -8,8 +8,8 @@ namespace {
 
 constexpr char kReplacement[] = "\xEF\xBF\xBD";  // U+FFFD
 
-// https://www.w3.org/TR/xml/#syntax, #charsets; a carriage return would be read
-// back as a line feed (#sec-line-ends).
+// https://www.w3.org/TR/xml/#syntax, #charsets; a literal carriage return would
+// be read back as a line feed (#sec-line-ends).
 std::string XmlText(const std::string& text) {
   std::string out;
   for (const char c : text) {

@@ -12,7 +12,7 @@
 namespace kg_core::sparql {
 namespace {
 
-// What ranking a distinct key takes while it goes on.
+// Estimated memory per distinct sort key while ranking, in bytes.
 constexpr std::size_t kBytesPerKey = 224;
 
 TermId& Slot(Row* row, int variable) {
@@ -22,11 +22,12 @@ TermId& Slot(Row* row, int variable) {
 }  // namespace
 
 struct PatternEvaluator::Sorted {
-  std::vector<TermId> keys;  // Then ranks: RankKeys.
+  std::vector<TermId> keys;  // Replaced by ranks in RankKeys.
   Row row;
 };
 
-// Only a stop asked for by `emit` is passed on, not the end of LIMIT.
+// Returns false only if `emit` stopped the evaluation, not if LIMIT was
+// reached.
 bool PatternEvaluator::RunSelect(const SelectQuery& select,
                                  const ActiveGraph& g, Emit emit) {
   absl::flat_hash_set<Row> seen;
@@ -35,7 +36,7 @@ bool PatternEvaluator::RunSelect(const SelectQuery& select,
   bool go_on = true;
   Row projected(query_->variables.size(), kNoTerm);
   const auto project = [&](Row& row) {
-    // In the order of the recommendation: projection, DISTINCT, OFFSET, LIMIT.
+    // Order given by the recommendation: projection, DISTINCT, OFFSET, LIMIT.
     if (select.limit && given >= *select.limit) return false;
     for (const SelectColumn& column : select.columns) {
       Slot(&projected, column.variable) = Slot(&row, column.variable);
@@ -90,10 +91,10 @@ std::vector<PatternEvaluator::Sorted> PatternEvaluator::SortedSolutions(
   return all;
 }
 
-// Puts in place of each key its rank among all keys, 0 for an unbound one.
+// Replaces each key by its rank among all keys; 0 for an unbound key.
 void PatternEvaluator::RankKeys(std::vector<Sorted>* all) {
-  // Compare each distinct term once: afterwards keys are ranks, integers that
-  // compare fast. 0 stays for unbound, which comes first.
+  // Rank the distinct terms once; sorting then compares integers. Rank 0 is
+  // unbound, which sorts first.
   absl::flat_hash_map<TermId, std::size_t> places;
   std::vector<const Term*> terms;
   for (const Sorted& sorted : *all) {
@@ -114,7 +115,7 @@ void PatternEvaluator::RankKeys(std::vector<Sorted>* all) {
   }
 }
 
-// Solutions with the columns' expressions, before order and projection.
+// Solutions with evaluated column expressions, before ordering and projection.
 bool PatternEvaluator::Solutions(const SelectQuery& select,
                                  const ActiveGraph& g, Emit emit) {
   const auto finish = [&](Row& row) {
@@ -125,7 +126,7 @@ bool PatternEvaluator::Solutions(const SelectQuery& select,
   return Evaluate(select.where, g, &row, finish);
 }
 
-// HAVING, then the expressions of the columns.
+// Applies HAVING, then evaluates the column expressions.
 bool PatternEvaluator::FinishRow(const SelectQuery& select,
                                  const ActiveGraph& g, Row* row, Emit emit) {
   if (!HoldAll(select.having, g, row)) return true;
@@ -147,7 +148,7 @@ bool PatternEvaluator::FinishRow(const SelectQuery& select,
 struct PatternEvaluator::Group {
   Row key;
   std::vector<AggregateAccumulator> values;
-  std::vector<Quad> matched;  // If traced.
+  std::vector<Quad> matched;  // Matched triples, if traced.
 };
 
 PatternEvaluator::Group PatternEvaluator::NewGroup(const SelectQuery& select,
@@ -172,6 +173,7 @@ bool PatternEvaluator::Grouped(const SelectQuery& select, const ActiveGraph& g,
     if (is_new) groups.push_back(NewGroup(select, key));
     return groups[found->second];
   };
+  // Without GROUP BY there is one group, even if there are no solutions.
   if (select.group_by.empty()) group_of({});
   const std::size_t before = matched_ == nullptr ? 0 : matched_->size();
   Row start(query_->variables.size(), kNoTerm);
@@ -182,6 +184,7 @@ bool PatternEvaluator::Grouped(const SelectQuery& select, const ActiveGraph& g,
                         ? expressions_.Evaluate(*column.expression, {row, g})
                         : Slot(&row, column.variable));
     }
+    // Accumulate the solution into its group.
     Group& group = group_of(key);
     if (matched_ != nullptr) {
       budget_->UseWorkingBytes(sizeof(Quad) * (matched_->size() - before));
@@ -200,6 +203,7 @@ bool PatternEvaluator::Grouped(const SelectQuery& select, const ActiveGraph& g,
     return true;
   });
   Row row(query_->variables.size(), kNoTerm);
+  // Emit one solution per group: its keys and the values of its aggregates.
   for (const Group& group : groups) {
     for (std::size_t i = 0; i < group.key.size(); ++i) {
       Slot(&row, select.group_by[i].variable) = group.key[i];

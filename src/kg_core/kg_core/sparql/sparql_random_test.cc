@@ -1,5 +1,5 @@
-// The engine against the definitions of the algebra, on thousands of small
-// random worlds and queries; see brute_force_query.h.
+// Compares the engine with a direct implementation of the algebra on thousands
+// of small random datasets and queries; see brute_force_query.h.
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ Bag Join(const Bag& left, const Bag& right) {
   return both;
 }
 
-// The mapping under which `pattern` is `triple`, if there is one.
+// The mapping that turns `pattern` into `triple`, if there is one.
 std::optional<Mapping> Fit(const Triple& pattern, const Triple& triple) {
   Mapping mapping;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
@@ -106,7 +106,7 @@ Pairs Unique(Pairs pairs) {
   return pairs;
 }
 
-// Adds chains until there are no new ones.
+// Transitive closure, by composing pairs until no new ones appear.
 Pairs Closure(const Pairs& step) {
   Pairs all = Unique(step);
   while (true) {
@@ -154,7 +154,7 @@ Bag MatchPath(const Triple& pattern, const Triples& graph) {
   return bag;
 }
 
-using Truth = std::optional<bool>;  // Nothing: error.
+using Truth = std::optional<bool>;  // nullopt: error.
 
 std::optional<Text> GetValue(const Text& text, const Mapping& mapping) {
   if (!IsVariable(text)) return text;
@@ -369,7 +369,7 @@ TEST(SparqlRandom, AnswersAsTheDefinitionsOfTheAlgebraDo) {
     ASSERT_EQ(RunQuery(view, ask, dataset, {}).answer, !expected.empty())
         << ask;
   }
-  EXPECT_GT(solutions, 10000u);  // The queries are not all empty.
+  EXPECT_GT(solutions, 10000u);  // Not all results are empty.
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kTextLimit_bytes = 1u << 20;
 
-// `text` as the kind of string that `like` is.
+// `text` as a literal with the datatype or language of `like`.
 Term Like(const Term& like, std::string text) {
   if (like.language.empty()) return Literal(std::move(text));
   return LanguageLiteral(std::move(text), like.language);
@@ -33,7 +33,7 @@ Answer StrLen(FunctionContext&, const Arguments& a) {
       static_cast<long long>(kg_base::Utf8Length(a[0]->text)));
 }
 
-// Positions are rounded numbers from 1; a NaN selects nothing.
+// Positions count from 1 and are rounded; NaN selects nothing.
 // https://www.w3.org/TR/xpath-functions/#func-substring
 Answer SubStr(FunctionContext&, const Arguments& a) {
   const std::optional<XsdNumber> start = ToNumber(*a[1]);
@@ -119,7 +119,7 @@ Answer EncodeForUri(FunctionContext&, const Arguments& a) {
   return Literal(out);
 }
 
-// The common language is kept.
+// CONCAT keeps the language tag if all arguments share it.
 // https://www.w3.org/TR/sparql11-query/#func-concat
 Answer Concat(FunctionContext&, const Arguments& a) {
   std::string text;

@@ -3,7 +3,7 @@
 namespace kg_core::sparql {
 namespace {
 
-// Different terms have different keys.
+// Injective key: different terms have different keys.
 std::string MakeKey(const Term& term) {
   std::string key;
   key.reserve(term.text.size() + term.datatype.size() + 8);

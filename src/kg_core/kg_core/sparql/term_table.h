@@ -1,5 +1,5 @@
-// The terms of one query: those of the view by their ids there, and those that
-// the query brings or computes, numbered here.
+// Term table of one query: terms of the view keep their ids; terms that the
+// query introduces or computes get local ids.
 
 #ifndef KG_CORE_SPARQL_TERM_TABLE_H_
 #define KG_CORE_SPARQL_TERM_TABLE_H_
@@ -21,7 +21,7 @@ class TermTable {
   // Equal terms have equal ids.
   TermId Intern(const Term& term);
   const Term& Get(TermId id) const;
-  // A term that the view does not know: no quad can have it.
+  // True for a term unknown to the view, which thus occurs in no quad.
   static bool IsLocal(TermId id) { return (id & kLocalBit) != 0; }
   const GraphView& view() const { return *view_; }
 

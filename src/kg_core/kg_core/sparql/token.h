@@ -1,5 +1,5 @@
-// One lexical unit of a SPARQL text.
-// https://www.w3.org/TR/sparql11-query/#sparqlGrammar (terminals [139]-[173])
+// A SPARQL token. https://www.w3.org/TR/sparql11-query/#sparqlGrammar
+// (terminals [139]-[173])
 
 #ifndef KG_CORE_SPARQL_TOKEN_H_
 #define KG_CORE_SPARQL_TOKEN_H_

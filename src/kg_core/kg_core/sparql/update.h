@@ -12,7 +12,7 @@
 
 namespace kg_core::sparql {
 
-// The graphs that CLEAR, DROP, CREATE, COPY, MOVE and ADD refer to.
+// Graph operand of CLEAR, DROP, CREATE, COPY, MOVE and ADD.
 struct GraphRef {
   enum class Kind { kDefault, kNamed, kAll, kIri };
   Kind kind = Kind::kDefault;
@@ -31,16 +31,16 @@ struct UpdateOperation {
     kAdd,
   };
   Kind kind = Kind::kModify;
-  QueryPosition position;  // For errors.
+  QueryPosition position;  // Position in the text, for errors.
 
-  // kModify: for every solution of query.select, removed and then added quads;
-  // USING stands where FROM stands in a query.
+  // kModify: quads removed and then added for every solution of query.select;
+  // USING is stored as FROM.
   Query query;
   std::vector<QuadTemplate> removed;
   std::vector<QuadTemplate> added;
   std::optional<std::string> with;
 
-  // The others.
+  // Operands of the other kinds.
   bool silent = false;
   GraphRef source;  // kCopy, kMove, kAdd.
   GraphRef target;

@@ -29,7 +29,7 @@ bool IsBefore(const Statement& a, const Statement& b) {
          std::tie(b.graph, b.subject, b.predicate, b.object);
 }
 
-// `a` without `b`; both in the order of Transaction::added().
+// Set difference a - b; both in the order of Transaction::added().
 Statements Without(const Statements& a, const Statements& b) {
   Statements left;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(),
@@ -37,7 +37,7 @@ Statements Without(const Statements& a, const Statements& b) {
   return left;
 }
 
-// Takes a transaction back to where it was when this was made.
+// Rolls a transaction back to its state at construction.
 class TransactionRollback {
  public:
   explicit TransactionRollback(Transaction* change)
@@ -74,7 +74,7 @@ class UpdateRunner {
   void Run(const UpdateOperation& operation);
 
  private:
-  // The quads of one operation, by ids of its term table.
+  // The quads of one operation, as ids of its term table.
   struct Quads {
     std::vector<Quad> removed;
     std::vector<Quad> added;
@@ -145,8 +145,8 @@ void UpdateRunner::Count(std::size_t quads) const {
                             std::to_string(limits_.rows));
 }
 
-// https://www.w3.org/TR/sparql11-update/#deleteInsert: first all is matched,
-// then removed, then added.
+// https://www.w3.org/TR/sparql11-update/#deleteInsert: first all solutions are
+// found, then quads are removed, then added.
 void UpdateRunner::Modify(const UpdateOperation& operation) {
   sparql::TermTable terms(&change_->view(), &budget_);
   const Quads quads = Solve(operation, &terms);
@@ -171,7 +171,7 @@ UpdateRunner::Quads UpdateRunner::Solve(const UpdateOperation& operation,
   sparql::PatternEvaluator evaluator(
       &query, terms, sparql::Resolve(query, dataset, terms), &budget_);
   sparql::TemplateInstantiator instantiator(&query, terms);
-  // All solutions are found before anything changes.
+  // Find all solutions before anything changes.
   Quads quads;
   const auto into = [&](std::vector<Quad>* list) {
     return [this, &quads, list](const Quad& quad) {
@@ -188,7 +188,7 @@ UpdateRunner::Quads UpdateRunner::Solve(const UpdateOperation& operation,
   return quads;
 }
 
-// The names of the graphs meant, of those that have quads.
+// The IRIs of the graphs referred to that have quads.
 std::set<std::string> UpdateRunner::ListGraphs(const GraphRef& graph) {
   const bool many = graph.kind == GraphRef::Kind::kNamed ||
                     graph.kind == GraphRef::Kind::kAll;
@@ -257,7 +257,7 @@ void UpdateRunner::Transfer(const UpdateOperation& operation) {
     budget_.Step();
     statement.graph = Iri(target);
   }
-  // ADD keeps what the target has, COPY and MOVE replace it.
+  // ADD keeps the content of the target, COPY and MOVE replace it.
   if (operation.kind == UpdateOperation::Kind::kAdd) {
     for (const Statement& statement : content) change_->Add(statement);
     return;
@@ -268,7 +268,7 @@ void UpdateRunner::Transfer(const UpdateOperation& operation) {
   Replace(source, {});
 }
 
-// What can be refused before anything is done.
+// Parses the request and rejects what can be rejected before execution.
 sparql::UpdateRequest Parse(std::string_view text, const QueryLimits& limits) {
   if (text.size() > limits.text_bytes) {
     throw kg_base::LimitError("the update is longer than the limit of " +

@@ -6,13 +6,14 @@
 //             "WHERE { ?a ex:speed ?v }", {}, {}, &change);
 //   if (Validate(change.view()).empty()) change.Commit(WorldChange::kYes);
 //
-// All or nothing: on an error the transaction is as it was before. Files and
-// the network are never read: LOAD is an error, which SILENT turns into doing
-// nothing (https://www.w3.org/TR/sparql11-update/#load). Operations run in
-// order, each on what the ones before it left; what one matches it does not see
-// change. The store knows no empty graphs: CREATE makes nothing, CLEAR and DROP
-// do the same, and COPY, MOVE and ADD from a graph without quads are errors,
-// which SILENT turns into doing nothing.
+// All or nothing: on an error the transaction is rolled back to its state
+// before the call. Files and the network are never read: LOAD is an error,
+// which SILENT turns into a no-op
+// (https://www.w3.org/TR/sparql11-update/#load). Operations run in order, each
+// on the result of the previous ones; an operation matches its pattern before
+// it changes anything. The store has no empty graphs: CREATE has no effect,
+// CLEAR and DROP are equivalent, and COPY, MOVE and ADD from a graph without
+// quads are errors, which SILENT turns into no-ops.
 
 #ifndef KG_CORE_SPARQL_UPDATE_ENGINE_H_
 #define KG_CORE_SPARQL_UPDATE_ENGINE_H_
@@ -30,16 +31,17 @@
 namespace kg_core {
 
 struct UpdateGraphs {
-  // What is written outside of GRAPH, and DEFAULT of CLEAR and its kin; WITH
-  // replaces it, except for DEFAULT.
+  // Target of quads outside GRAPH, and the DEFAULT graph of CLEAR, DROP, COPY,
+  // MOVE and ADD; WITH replaces it, except for DEFAULT.
   std::string default_graph = kFactsGraph;
-  // What patterns see; WITH replaces its default graphs, USING all of it.
+  // Dataset that patterns read; WITH replaces its default graphs, USING all of
+  // it.
   Dataset read = DefaultDataset(std::nullopt);
-  // What may be changed; nothing: every graph.
+  // Graphs that may be changed; nullopt: every graph.
   std::optional<std::vector<std::string>> writable;
 };
 
-// Of the limits, rows and bytes bound the quads removed and added by each
+// The limits on rows and bytes apply to the quads removed and added by each
 // operation. Throws InputError like RunQuery.
 void RunUpdate(std::string_view text, const UpdateGraphs& graphs,
                const QueryLimits& limits, Transaction* change);

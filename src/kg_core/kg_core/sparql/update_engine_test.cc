@@ -1,4 +1,5 @@
-// Updates by example, on a small world; each name says which rule it is about.
+// Example updates on a small dataset; each test is named after the rule it
+// checks.
 
 #include "kg_core/sparql/update_engine.h"
 
@@ -42,7 +43,7 @@ void AddAll(const std::string& turtle, const char* graph, Transaction* change) {
   }
 }
 
-// A store in memory with a transaction open on it.
+// An in-memory store with an open transaction.
 class World {
  public:
   World() : store_("") {
@@ -74,7 +75,7 @@ class World {
   std::vector<Transaction> change_;
 };
 
-// What is left of the facts and of the plan graph after `update`.
+// Checks the content of the facts and of the plan graph after `update`.
 ::testing::AssertionResult Leaves(const std::string& update,
                                   const std::string& facts,
                                   const std::string& plan) {
@@ -117,7 +118,7 @@ TEST(UpdateEngine, ModifiesWhatMatchesAndSeesNotItsOwnChanges) {
       "WHERE { ?a ex:speed ?v BIND(?v + 1 AS ?w) }",
       "ex:alpha a ex:Agent ; ex:speed 2 . ex:bravo a ex:Agent ; ex:speed 3 .",
       kOther));
-  // What is removed and added stays.
+  // A quad that is both removed and added stays.
   EXPECT_TRUE(
       Leaves("DELETE { ?s ?p ?o } INSERT { ?s ?p ?o } "
              "WHERE { ?s ?p ?o }",
@@ -143,7 +144,7 @@ TEST(UpdateEngine, GivesEachSolutionAndEachOperationFreshBlankNodes) {
              kFacts + "[] ex:of ex:alpha . [] ex:of ex:bravo . "
                       "[] ex:of ex:alpha .",
              kOther));
-  // So does BNODE(): the labels of one request are not those of another.
+  // BNODE() too: labels are not shared between requests.
   World world;
   for (int i = 0; i < 3; ++i) {
     world.Update("INSERT { ?b ex:is 1 } WHERE { BIND(BNODE() AS ?b) }");
@@ -267,11 +268,12 @@ TEST(UpdateEngine, EndsWithinItsLimits) {
   EXPECT_TRUE(world.change().empty());
 }
 
-// Operations on few terms, so that they meet; graph "" is the default one.
+// Random operations on few terms, so that they overlap; graph "" is the default
+// graph.
 struct RandomUpdate {
   std::string text;
   using Triples = std::set<std::string>;
-  Triples facts, plan;  // What the model says is left.
+  Triples facts, plan;  // Expected content by the model.
 
   void Add(std::mt19937* random) {
     const auto number = [random] { return std::to_string((*random)() % 3); };
@@ -340,7 +342,7 @@ TEST(UpdateEngine, AgreesWithSetsAndTakesBackWhatFails) {
         << update.text;
     EXPECT_EQ(CollectTriples(world.change().view(), kPlan), update.plan)
         << update.text;
-    // More of the same, but the last operation fails.
+    // The same update with a failing last operation appended.
     RandomUpdate more = update;
     more.text.clear();
     for (int i = 0; i < 6; ++i) more.Add(&random);

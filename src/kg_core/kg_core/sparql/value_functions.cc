@@ -73,7 +73,7 @@ Answer TimeZone(FunctionContext&, const Arguments& a) {
   return Literal(text, std::string(kXsd) + "dayTimeDuration");
 }
 
-// https://www.w3.org/TR/sparql11-query/#func-tz: as it is written.
+// https://www.w3.org/TR/sparql11-query/#func-tz: the time zone as written.
 Answer Tz(FunctionContext&, const Arguments& a) {
   const std::optional<DateTime> time = GetTime(a);
   if (!time) return std::nullopt;

@@ -17,7 +17,7 @@ namespace {
 constexpr char kLangString[] =
     "http://www.w3.org/1999/02/22-rdf-syntax-ns#langString";
 
-// "integer" of an XSD datatype; empty if it is none.
+// The local name ("integer") of an XSD datatype; empty for other datatypes.
 std::string_view XsdName(const std::string& datatype) {
   const std::string_view view(datatype);
   const std::string_view xsd(kXsd);
@@ -52,7 +52,7 @@ std::optional<XsdNumber::Type> NumericType(const std::string& datatype) {
   return std::nullopt;
 }
 
-// What kind of value a term has; the order is that of ORDER BY.
+// Kinds of values, in the order of ORDER BY.
 enum class ValueKind {
   kBlank,
   kIri,
@@ -62,7 +62,7 @@ enum class ValueKind {
   kDate,
   kString,
   kLanguageString,
-  kUnknown,  // Another datatype, or a lexical form its datatype has not.
+  kUnknown,  // Other datatype or invalid lexical form.
 };
 
 std::optional<bool> ToBoolean(const Term& term) {
@@ -102,7 +102,7 @@ Order FromSign(int sign) {
 
 int Sign(int value) { return value < 0 ? -1 : value > 0 ? 1 : 0; }
 
-// A term and what comparing it takes, read once.
+// A term with its parsed value, so that it is parsed once.
 struct ComparableValue {
   explicit ComparableValue(const Term& read)
       : term(&read), kind(GetKind(read)) {
@@ -130,7 +130,7 @@ Order CompareNumbers(const XsdNumber& a, const XsdNumber& b) {
   return x == y ? Order::kEqual : Order::kNone;
 }
 
-// Order of two values of one comparable kind.
+// Order of two values of the same comparable kind.
 Order CompareSameKind(const ComparableValue& a, const ComparableValue& b) {
   switch (a.kind) {
     case ValueKind::kNumber:
@@ -247,7 +247,7 @@ std::optional<XsdNumber> ToNumber(const Term& term) {
   if (number.is_exact()) {
     const std::optional<kg_base::Decimal> value =
         kg_base::ParseDecimal(term.text);
-    // An xsd:integer has no point.
+    // An xsd:integer has no decimal point.
     const bool whole = term.text.find('.') == std::string::npos;
     if (!value || (*type == XsdNumber::Type::kInteger && !whole)) {
       return std::nullopt;
@@ -375,7 +375,7 @@ std::vector<int> ComputeRanks(const std::vector<const Term*>& terms,
                      return OrderOfValues(values[a], values[b]) < 0;
                    });
   std::vector<int> ranks(terms.size());
-  // Terms that compare as equal share a rank.
+  // Terms that compare equal share a rank.
   int rank = 0;
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     if (OrderOfValues(values[sorted[i - 1]], values[sorted[i]]) != 0) ++rank;

@@ -1,7 +1,7 @@
-// What literals mean: numbers, truth, equality and order.
+// Values of literals: numbers, boolean value, equality and order.
 // https://www.w3.org/TR/sparql11-query/#operandDataTypes
 //
-// std::nullopt is SPARQL's type error throughout.
+// std::nullopt stands for SPARQL's type error throughout.
 
 #ifndef KG_CORE_SPARQL_VALUES_H_
 #define KG_CORE_SPARQL_VALUES_H_
@@ -21,8 +21,8 @@ namespace kg_core::sparql {
 struct XsdNumber {
   enum class Type { kInteger, kDecimal, kFloat, kDouble };
   Type type = Type::kInteger;
-  kg_base::Decimal exact;  // Integers and decimals.
-  double real = 0;         // Floats and doubles.
+  kg_base::Decimal exact;  // Value of integers and decimals.
+  double real = 0;         // Value of floats and doubles.
 
   bool is_exact() const { return type <= Type::kDecimal; }
   double ToDouble() const {
@@ -50,19 +50,19 @@ std::optional<bool> EffectiveBoolean(const Term& term);
 // The operator '='. https://www.w3.org/TR/sparql11-query/#func-RDFterm-equal
 std::optional<bool> Equal(const Term& a, const Term& b);
 
-// The operator '<'; NaN is less than nothing.
+// The operator '<'; comparisons with NaN give kNone.
 // https://www.w3.org/TR/sparql11-query/#OperatorMapping
 enum class Order { kLess, kEqual, kGreater, kNone };
 std::optional<Order> Compare(const Term& a, const Term& b);
 
 // Order of ORDER BY, MIN and MAX: unbound (nullptr), blank nodes, IRIs,
-// literals by value; what '<' leaves open by type, then text. -1, 0, 1.
-// https://www.w3.org/TR/sparql11-query/#modOrderBy
+// literals by value; terms that '<' does not order by type, then text. Returns
+// -1, 0 or 1. https://www.w3.org/TR/sparql11-query/#modOrderBy
 int CompareTerms(const Term* a, const Term* b);
 
-// For each of `terms`, a number that orders it among them as CompareTerms does:
-// sorting rows then reads each literal once, not once per comparison. Calls
-// `step` all the while, which may throw.
+// The rank of each of `terms` in the order of CompareTerms, so that sorting
+// rows parses each literal once instead of once per comparison. Calls `step`
+// during the computation, which may throw.
 std::vector<int> ComputeRanks(const std::vector<const Term*>& terms,
                               absl::FunctionRef<void()> step);
 

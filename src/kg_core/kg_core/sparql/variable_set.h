@@ -1,4 +1,4 @@
-// A set of numbered variables.
+// A set of variable numbers, stored as a bit set.
 
 #ifndef KG_CORE_SPARQL_VARIABLE_SET_H_
 #define KG_CORE_SPARQL_VARIABLE_SET_H_

@@ -11,7 +11,7 @@ namespace {
 std::optional<DateTime> ToDateTime(
     const std::optional<kg_base::DateTimeParts>& parts) {
   if (!parts) return std::nullopt;
-  // Nothing if it has more digits than a Decimal holds.
+  // nullopt if it has more digits than a Decimal can hold.
   const std::optional<kg_base::Decimal> second =
       kg_base::ParseDecimal(parts->second);
   if (!second) return std::nullopt;

@@ -2,8 +2,8 @@
 // https://www.w3.org/TR/xmlschema11-2/#dateTime
 //
 // A value without a time zone is taken as UTC (the implicit time zone of
-// https://www.w3.org/TR/xpath-functions/#func-implicit-timezone): all our
-// facts are UTC, and so every pair of values has an order.
+// https://www.w3.org/TR/xpath-functions/#func-implicit-timezone): all facts of
+// this project are UTC, so every pair of values is ordered.
 
 #ifndef KG_CORE_SPARQL_XSD_DATE_TIME_H_
 #define KG_CORE_SPARQL_XSD_DATE_TIME_H_

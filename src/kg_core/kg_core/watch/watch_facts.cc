@@ -9,7 +9,7 @@
 namespace kg_core {
 
 std::vector<WatchDefinition> ReadWatches(const GraphView& view) {
-  std::map<std::string, std::string> queries;  // By id.
+  std::map<std::string, std::string> queries;  // Query text by watch id.
   for (const Term& node : Subjects(view, kWatchGraph, RdfType(), Ex("Watch"))) {
     const auto id = FirstObject(view, kWatchGraph, node, Ex("id"));
     const auto query = FirstObject(view, kWatchGraph, node, Ex("query"));

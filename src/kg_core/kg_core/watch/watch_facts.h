@@ -1,4 +1,4 @@
-// Watches as statements (graph ex:graph/watch), so that they outlive a process.
+// Persistence of watches as statements (graph ex:graph/watch), across restarts.
 
 #ifndef KG_CORE_WATCH_WATCH_FACTS_H_
 #define KG_CORE_WATCH_WATCH_FACTS_H_
@@ -13,10 +13,10 @@ namespace kg_core {
 
 inline constexpr char kWatchGraph[] = "http://example.org/mission/graph/watch";
 
-// Those that the graph holds, by id. What is none is left out.
+// The watches in the graph, sorted by id. Invalid ones are skipped.
 std::vector<WatchDefinition> ReadWatches(const GraphView& view);
 
-// Replaces what was there.
+// Replaces all stored watches.
 void StageWatches(const std::vector<WatchDefinition>& watches,
                   Transaction& transaction);
 

@@ -45,7 +45,8 @@ Rows Sorted(Rows rows) {
   return rows;
 }
 
-// Of bags: a row that is there three times and once is left twice.
+// Multiset difference a - b: a row that is in a three times and in b once is
+// left twice.
 Rows Without(const Rows& a, const Rows& b) {
   Rows left;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(),
@@ -82,7 +83,7 @@ WatchedAnswer WatchList::Watch(WatchDefinition definition,
   CheckId(definition.id);
   const auto known = states_.find(definition.id);
   const bool is_new = known == states_.end();
-  // The same watch again: its answer so far, no new one.
+  // The same watch again: return the last answer without running the query.
   if (!is_new && known->second.query == definition.query &&
       known->second.has_answer) {
     return Report(definition.id, known->second);

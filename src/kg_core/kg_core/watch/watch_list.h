@@ -1,4 +1,4 @@
-// Queries whose answers are reported whenever they change.
+// Continuous queries, whose answers are reported whenever they change.
 //
 //   WatchList watches;
 //   watches.Watch({"agents", "SELECT ?a { ?a a ex:Agent }"}, *view, dataset);
@@ -7,9 +7,9 @@
 //     if (const auto news = watches.Look(id, *store.Read(), dataset)) ...
 //   }
 //
-// An answer is a bag of rows: their order does not count. What was added and
-// removed is counted from the answer reported before, so that whoever adds and
-// takes away holds the answer, whatever states nobody looked at lay between.
+// An answer is a multiset of rows; their order is irrelevant. Added and removed
+// rows are relative to the previous report, so a receiver that applies all
+// reports has the current answer, even if intermediate states were skipped.
 
 #ifndef KG_CORE_WATCH_WATCH_LIST_H_
 #define KG_CORE_WATCH_WATCH_LIST_H_
@@ -32,7 +32,8 @@ struct WatchDefinition {
 };
 bool operator==(const WatchDefinition& a, const WatchDefinition& b);
 
-// Far below those of a single query: watches are run again and again.
+// Limits of a watch list. Those of its queries are far below the limits of a
+// single query, because watches are evaluated repeatedly.
 struct WatchLimits {
   std::size_t watches = 64;
   QueryLimits query{0.5, 10000, 4u << 20, 16u << 10, 200, 64u << 20};
@@ -42,35 +43,36 @@ using Rows = std::vector<std::vector<std::optional<Term>>>;
 
 struct WatchedAnswer {
   std::string id;
-  std::uint64_t world_version = 0;  // Of the state that was read.
-  // There was none before: after Watch() or Keep().
+  std::uint64_t world_version = 0;  // Version of the state that was read.
+  // True for the first answer after Watch() or Keep().
   bool is_first = false;
-  std::string error;  // Why the query ended without an answer;
-                      // then `answer` is the one before.
+  std::string error;  // Reason if the query failed; `answer` is
+                      // then the previous one.
   QueryResult answer;
-  Rows added;    // Since the answer reported before, sorted, as often as they
-  Rows removed;  // came or went.
+  Rows added;    // Rows added and removed since the previous
+  Rows removed;  // report, sorted, with multiplicity.
 };
 
-// Not for several threads at once.
+// Not thread-safe.
 class WatchList {
  public:
   explicit WatchList(WatchLimits limits = {}) : limits_(limits) {}
 
-  // Begins to watch, and its first answer. An empty id is replaced by one that
-  // is free. The same query under the same id again changes nothing and gives
-  // the answer reported last; another query takes its place. Throws InputError:
-  // not a SELECT, an id that is none, too many watches, no answer within the
-  // limits.
+  // Adds a watch and returns its first answer. An empty id is replaced by a
+  // free one. Repeating the same query and id changes nothing and returns the
+  // last reported answer; a different query replaces the old one. Throws
+  // InputError if the query is not a SELECT, the id is invalid, there are too
+  // many watches, or there is no answer within the limits.
   WatchedAnswer Watch(WatchDefinition definition, const GraphView& view,
                       const Dataset& dataset);
-  // Begins to watch without an answer: the next Look() is the first.
+  // Adds a watch without running the query: the next Look() gives the first
+  // answer.
   void Keep(WatchDefinition definition);
-  bool Cancel(const std::string& id);  // Was there one?
+  bool Cancel(const std::string& id);  // Returns false if unknown.
 
-  // What to report of `id` now: nothing if its answer is the same bag of rows
-  // as before. A query that fails is reported once, stays, and is reported when
-  // it has an answer again.
+  // Evaluates watch `id`; nullopt if its answer is the same multiset of rows as
+  // before. A failing query is reported once, stays in the list, and is
+  // reported again when it has an answer.
   std::optional<WatchedAnswer> Look(const std::string& id,
                                     const GraphView& view,
                                     const Dataset& dataset);
@@ -83,7 +85,7 @@ class WatchList {
     std::string query;
     bool has_answer = false;
     QueryResult answer;
-    Rows rows;  // Of the answer, sorted.
+    Rows rows;  // Rows of the answer, sorted.
     std::string error;
     std::uint64_t world_version = 0;
   };

@@ -87,7 +87,7 @@ TEST_F(WatchListTest, CountsRowsButNotTheirOrder) {
   Add("ex:c ex:speed 1 .");
   const auto news = Look("values");
   ASSERT_TRUE(news);
-  EXPECT_EQ(news->added.size(), 1u);  // A third row like the two.
+  EXPECT_EQ(news->added.size(), 1u);  // A third row equal to the other two.
   EXPECT_TRUE(news->removed.empty());
 
   Watch("sorted",
@@ -97,7 +97,7 @@ TEST_F(WatchListTest, CountsRowsButNotTheirOrder) {
   EXPECT_FALSE(Look("sorted"));
 }
 
-// Whoever adds and takes away holds the answer, whatever was not looked at.
+// Applying all reports gives the current answer, even if states were skipped.
 TEST_F(WatchListTest, TheSumOfTheReportsIsTheAnswer) {
   std::mt19937 random(7);
   const auto pick = [&random](int n) {
@@ -121,7 +121,7 @@ TEST_F(WatchListTest, TheSumOfTheReportsIsTheAnswer) {
       Remove(fact);
     }
     for (std::size_t i = 0; i < std::size(queries); ++i) {
-      if (pick(3) != "1") continue;  // Not looked at this time.
+      if (pick(3) != "1") continue;  // Not evaluated in this step.
       const auto news = Look("q" + std::to_string(i));
       if (news) {
         ++reports;
@@ -187,7 +187,7 @@ TEST_F(WatchListTest, GivesASecondClientTheAnswerThatAllWereTold) {
   const WatchedAnswer again = Watch("speeds", kSpeeds);
   EXPECT_EQ(again.answer.rows.size(), 0u);
   EXPECT_FALSE(again.is_first);
-  const auto news = Look("speeds");  // Both hear of it.
+  const auto news = Look("speeds");  // Both watches report it.
   ASSERT_TRUE(news);
   EXPECT_EQ(news->added.size(), 1u);
   const WatchedAnswer other = Watch("speeds", "SELECT ?v { ?a ex:speed ?v }");
@@ -213,7 +213,8 @@ TEST_F(WatchListTest, OutlivesAProcessAsFacts) {
   EXPECT_TRUE(first->is_first);
   EXPECT_EQ(first->added.size(), 1u);
   EXPECT_TRUE(
-      later.Look("b-2", *store_.Read(), dataset_));  // Empty, but first.
+      // Empty, but the first answer.
+      later.Look("b-2", *store_.Read(), dataset_));
   EXPECT_FALSE(later.Look("b-2", *store_.Read(), dataset_));
 }
 

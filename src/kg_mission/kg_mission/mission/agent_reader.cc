@@ -24,7 +24,8 @@ constexpr NamedChoice<Mobility> kMobilities[] = {
     {"fixed_wing", Mobility::kFixedWing},
     {"hover", Mobility::kHover}};
 
-// Where it is said: the subject if it is asserted, and the inferences.
+// The sources of a statement: its subject if asserted, and the inferences that
+// conclude it.
 std::vector<std::string> CollectSources(const GraphView& asserted,
                                         const kg_core::Triple& triple) {
   std::vector<std::string> sources;

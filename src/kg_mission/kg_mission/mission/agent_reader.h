@@ -1,5 +1,5 @@
-// The agents of a mission: policy, capabilities, start, and what rules or an
-// operator forbid each of them.
+// Reads the agents of a mission: policy, capabilities, start, and the areas
+// forbidden to each by rules or by an operator.
 
 #ifndef KG_MISSION_MISSION_AGENT_READER_H_
 #define KG_MISSION_MISSION_AGENT_READER_H_
@@ -13,8 +13,8 @@
 
 namespace kg_mission {
 
-// By id. `asserted` is the graph as it is, `view` with its conclusions. Throws
-// InputError.
+// The agents sorted by id. `asserted` is the graph of asserted facts, `view`
+// the same graph with conclusions. Throws InputError.
 std::vector<Agent> ReadAgents(const kg_core::GraphView& asserted,
                               const kg_core::GraphView& view,
                               const WindowCalendar& calendar,

@@ -41,8 +41,8 @@ double Expiry_s(const FactEntity& entity, double begin_s) {
   entity.Refuse(Ex("expiresAfter"), "an xsd:dateTime or xsd:duration");
 }
 
-// A42: without an expiry its windows are those it names; with one, all from
-// the first it names that begin before the expiry.
+// A42: without an expiry, the windows of an event are those it names; with one,
+// all windows from the first named one that begin before the expiry.
 std::vector<int> EventWindows(const WindowCalendar& calendar,
                               const FactEntity& entity) {
   const std::vector<int> named = calendar.FindWindows(entity, Ex("forWindow"));
@@ -81,7 +81,7 @@ Constraint ReadConstraint(const WindowCalendar& calendar,
   constraint.buffer_metric = Choice(entity, Ex("bufferMetric"), kBufferMetrics,
                                     constraint.buffer_metric);
   constraint.attenuation = entity.Number(Ex("attenuation"), 1.0);
-  // A cooling constraint names its window and agent by properties of its own.
+  // A cooling constraint has its own properties for window and agent.
   const bool is_cooling = entity.One(Ex("expires")).has_value();
   const kg_core::Term window_property =
       Ex(is_cooling ? "forWindow" : "appliesIn");

@@ -1,4 +1,5 @@
-// What has a place on the map: constraints, prior layers, events.
+// Reads the entities with a position on the map: constraints, prior layers,
+// events.
 
 #ifndef KG_MISSION_MISSION_AREA_READER_H_
 #define KG_MISSION_MISSION_AREA_READER_H_
@@ -9,8 +10,8 @@
 
 namespace kg_mission {
 
-// All throw InputError. What applies in no window any more has the one window
-// Calendar::kNoWindow; of an event it has none.
+// All throw InputError. An entity that no longer applies in any window gets the
+// single window Calendar::kNoWindow; an event gets an empty list.
 Constraint ReadConstraint(const WindowCalendar& calendar,
                           const FactEntity& entity);
 PriorLayer ReadPrior(const WindowCalendar& calendar, const FactEntity& entity);

@@ -60,7 +60,7 @@ void WindowCalendar::Complete(const kg_core::GraphView& view, int i) {
                                    "without gap or twin");
   }
   const bool is_last = i + 1 == static_cast<int>(planned_.size());
-  // Neither end nor duration: the window lasts until the next one begins.
+  // Without end and duration the window lasts until the next one begins.
   if (std::isnan(window.end_s) && !is_last) {
     window.end_s = planned_[i + 1].begin_s;
   }

@@ -1,4 +1,4 @@
-// The windows of a mission, and which of them something applies in.
+// The time windows of a mission, and look-up of those in which a fact applies.
 
 #ifndef KG_MISSION_MISSION_CALENDAR_H_
 #define KG_MISSION_MISSION_CALENDAR_H_
@@ -15,24 +15,24 @@ namespace kg_mission {
 
 class WindowCalendar {
  public:
-  // A window ends at time:hasEnd, else after its duration, else at the next
-  // begin. All throw InputError.
+  // A window ends at time:hasEnd, else after its duration, else at the begin of
+  // the next window. All members throw InputError.
   WindowCalendar(const kg_core::GraphView& view, const FactEntity& mission);
 
-  // Those within the horizon, by index. Facts about later ones are read, but
-  // nothing of them is kept.
+  // The windows within the horizon, by index. Facts about later windows are
+  // read but not kept.
   const std::vector<TimeWindow>& planned() const { return planned_; }
   bool IsPlanned(int window) const {
     return window < static_cast<int>(planned_.size());
   }
 
-  // The windows that an entity names, sorted.
+  // The windows named by an entity, sorted.
   std::vector<int> FindWindows(const FactEntity& entity,
                                const kg_core::Term& property) const;
   int FindWindow(const FactEntity& entity) const;  // ex:forWindow, exactly one.
 
   // The windows among `named` (empty: all) that begin while the facts about
-  // `entity` hold; {kNoWindow} if there is none.
+  // `entity` are valid; {kNoWindow} if there is none.
   std::vector<int> Alive(const FactEntity& entity,
                          std::vector<int> named) const;
   static constexpr int kNoWindow = -1;
@@ -42,7 +42,7 @@ class WindowCalendar {
   void LimitHorizon(const FactEntity& mission);
 
   std::vector<TimeWindow> planned_;
-  std::map<std::string, int> index_of_;  // Of all windows, by IRI.
+  std::map<std::string, int> index_of_;  // Index by IRI, for all windows.
 };
 
 }  // namespace kg_mission

@@ -1,4 +1,4 @@
-// Enumerations whose values facts name by strings.
+// Enumerations whose values are given as strings in the facts.
 
 #ifndef KG_MISSION_MISSION_CHOICE_H_
 #define KG_MISSION_MISSION_CHOICE_H_
@@ -11,13 +11,13 @@
 
 namespace kg_mission {
 
-// One value of an enumeration and its name in the facts.
+// An enumeration value and its name in the facts.
 template <typename Value>
 struct NamedChoice {
   const char* name;
   Value value;
 };
-// The value that `property` names; `fallback` if it is absent.
+// The value named by `property`; `fallback` if absent.
 template <typename Table, typename Value>
 Value Choice(const FactEntity& entity, const kg_core::Term& property,
              const Table& table, Value fallback) {

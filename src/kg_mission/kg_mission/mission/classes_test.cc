@@ -1,5 +1,5 @@
-// Every class of the paper and of the class tree: asserted, found, valid,
-// retracted, gone.
+// For every class of the paper and of the class tree: assert, find, validate,
+// retract.
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@
 namespace kg_mission {
 namespace {
 
-// An instance ex:new of `type` on top of the test world; `stored_as` where the
-// name is another's.
+// Adds an instance ex:new of `type` to the test mission; `stored_as` is set if
+// `type` is an alternative name.
 struct ClassCase {
   const char* name;
   const char* type;
@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Each, ClassesTest, testing::ValuesIn(kClasses),
                            return std::string(info.param.name);
                          });
 
-// There is always exactly one mission: it goes when another comes.
+// There is always exactly one mission: a new one replaces it.
 TEST(MissionClassTest, IsAssertedFoundValidAndReplaced) {
   MissionWorld world;
   EXPECT_TRUE(Ask(world, "ex:m a ex:Mission"));

@@ -17,7 +17,7 @@ using kg_core::Statement;
 using kg_core::Term;
 
 // " (concluded by ex:r1, ex:r2)": the rules with a conclusion about `subject`,
-// else all that have any.
+// else all rules with conclusions.
 std::string FormatBlamedRules(const kg_core::GraphView& view,
                               const std::vector<Statement>& conclusions,
                               const Term& subject) {
@@ -53,7 +53,7 @@ std::vector<std::string> CheckConclusions(const kg_core::Vocabulary& vocabulary,
     }
   }
   if (!reasons.empty()) return reasons;
-  // The shapes expect statements that passed the checks above.
+  // The shapes assume that the statements have passed the checks above.
   for (const kg_core::Violation& violation : ValidateConclusions(view)) {
     reasons.push_back(
         violation.Line() +

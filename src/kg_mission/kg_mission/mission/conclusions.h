@@ -1,5 +1,6 @@
-// What rules conclude must be such that an operator might have written it: it
-// is read and planned with like any other fact.
+// Validation of the rules' conclusions. They must satisfy the same checks as
+// facts from an operator, because they are read and used in planning like any
+// other fact.
 
 #ifndef KG_MISSION_MISSION_CONCLUSIONS_H_
 #define KG_MISSION_MISSION_CONCLUSIONS_H_
@@ -12,9 +13,9 @@
 
 namespace kg_mission {
 
-// Reasons to refuse the conclusions in `view`, whose facts alone are fine: what
-// statement_check.h or a shape says of facts and conclusions together. Each
-// names the rules that may be to blame.
+// Reasons to reject the conclusions in `view`, whose facts alone are valid: the
+// findings of statement_check.h and of the shapes on facts and conclusions
+// together. Each names the rules that may be responsible.
 std::vector<std::string> CheckConclusions(const kg_core::Vocabulary& vocabulary,
                                           const kg_core::GraphView& view);
 

@@ -1,8 +1,7 @@
-// The kinds of constraint, one row of a table each: what facts call it
-// (ex:kind), which cells an area covers, what it does to the value there, and
-// its colour. The reader, the tensor compiler, explanations and displays all
-// ask this table. A new kind is an enumerator, a row, and its name in the
-// ontology's shape.
+// Table of constraint kinds, one row each: name in facts (ex:kind), cells
+// covered by an area, effect on the value there, and colour. Used by the
+// reader, the tensor compiler, explanations and displays. A new kind needs an
+// enumerator, a row, and its name in the ontology's shape.
 
 #ifndef KG_MISSION_MISSION_CONSTRAINT_KIND_H_
 #define KG_MISSION_MISSION_CONSTRAINT_KIND_H_
@@ -15,7 +14,7 @@ namespace kg_mission {
 
 enum class ConstraintKind { kNoGo, kSoft };
 
-// Red, green, blue in [0, 1].
+// Red, green and blue components in [0, 1].
 struct RgbColour {
   double red;
   double green;
@@ -23,19 +22,19 @@ struct RgbColour {
 };
 
 struct ConstraintEffect {
-  const char* name;  // As in ex:kind.
+  const char* name;  // Name in ex:kind.
   ConstraintKind value;
-  // True: the value inside is 0 and nobody may be there (M_hard). False: the
+  // True: the value inside is 0 and no agent may enter (M_hard). False: the
   // value inside is multiplied by ex:attenuation (M_soft).
   bool forbids;
-  kg_base::CellCover cover;  // Cells that belong to an area, before its buffer.
-  // The kind whose effect it has for an agent that must avoid it
-  // (ex:mustAvoid): one that forbids.
+  kg_base::CellCover cover;  // Cells covered by an area, without buffer.
+  // The kind (with forbids = true) whose effect applies to an agent that must
+  // avoid it (ex:mustAvoid).
   ConstraintKind when_avoided;
-  RgbColour colour;  // Of outlines in displays.
+  RgbColour colour;  // Outline colour in displays.
 };
 
-// Supercover for what is forbidden is the safe side (A15); centres keep the
+// Supercover is conservative for forbidden areas (A15); cell centres keep the
 // extent of a factor unbiased (A10).
 inline constexpr ConstraintEffect kConstraintEffects[] = {
     {"no_go",

@@ -27,15 +27,15 @@ using kg_core::RdfType;
 using kg_core::Term;
 using kg_core::Transaction;
 
-// A property whose value is JSON, and the typed nodes that it stands for.
+// A property with a JSON value, and the typed nodes into which it is expanded.
 struct JsonProperty {
-  const char* property;      // Of a policy: a JSON object, name -> number.
-  const char* link;          // Policy to node.
-  const char* node_class;    // The node's class,
-  const char* target;        // its property for what the name names,
-  const char* target_class;  // of this class,
-  const char* value;         // and its property for the number.
-  const char* folder;        // Part of the node's IRI.
+  const char* property;      // Property of a policy; JSON {name: number}.
+  const char* link;          // Link from policy to node.
+  const char* node_class;    // Class of the node.
+  const char* target;        // Its property for the named entity.
+  const char* target_class;  // Class of the named entity.
+  const char* value;         // Its property for the number.
+  const char* folder;        // Component of the node's IRI.
 };
 constexpr JsonProperty kJsonProperties[] = {
     {"priors", "hasPriorWeight", "PriorWeight", "layer", "PriorLayer", "beta",
@@ -50,11 +50,11 @@ std::string LocalName(const Term& term) {
   return term.text.substr(term.text.find_last_of("/#") + 1);
 }
 
-// Keys of the outer object, each once; strict JSON (RFC 8259).
+// Parses strict JSON (RFC 8259); rejects duplicate keys in the outer object.
 Json ParseObject(const std::string& text) {
   std::set<std::string> keys;
-  // A parser callback, because the parser itself keeps the last of two equal
-  // names.
+  // Needs a parser callback, because the parser itself silently keeps the last
+  // of two equal names.
   const auto refuse_twins = [&](int depth, Json::parse_event_t event,
                                 Json& value) {
     if (event == Json::parse_event_t::key && depth == 1 &&
@@ -104,7 +104,8 @@ class JsonExpansion {
     return kg_core::Iri(policy.text + "/" + kind_.folder + "/" + local);
   }
 
-  // Those of an earlier expansion; nodes an operator made are not touched.
+  // Removes the nodes of an earlier expansion; nodes made by an operator are
+  // kept.
   void DropNodes(const Term& policy) {
     const std::string prefix = MakeNode(policy, "").text;
     for (const Term& node :
@@ -124,7 +125,7 @@ class JsonExpansion {
         {node, Ex(kind_.value), kg_core::DoubleLiteral(value), Facts()});
   }
 
-  // By ex:name, "ex:corridor" or "corridor".
+  // True if `name` is the target's ex:name, "ex:corridor" or "corridor".
   bool IsNamed(const Term& target, const std::string& name) const {
     return kg_core::ToTurtle(target) == name || LocalName(target) == name ||
            kg_core::Has(transaction_.view(), kg_core::kFactsGraph, target,
@@ -163,15 +164,15 @@ void ExpandJson(Transaction& transaction, ChangeScope scope,
   }
 }
 
-// A geometry node, or one that has no facts any more; a link to anything else
-// is left for the shapes to refuse.
+// True for a geometry node or a node without facts; links to other nodes are
+// left to the shapes to reject.
 bool IsGeometry(const kg_core::GraphView& view, const Term& node) {
   const std::vector<Term> types =
       Objects(view, kg_core::kFactsGraph, node, RdfType());
   return types.empty() || types == std::vector<Term>{GeoTerm("Geometry")};
 }
 
-// Gives `copy` the WKT of `original`.
+// Copies the WKT of `original` to `copy`.
 void CopyWkt(Transaction& transaction, const Term& original, const Term& copy) {
   const Term as_wkt = GeoTerm("asWKT");
   transaction.RemoveMatching(&copy, &as_wkt, nullptr, Facts());
@@ -181,7 +182,7 @@ void CopyWkt(Transaction& transaction, const Term& original, const Term& copy) {
   }
 }
 
-// The long form of a feature whose short form changed.
+// Updates the long form of a feature whose short form changed.
 void RenewGeometryNode(Transaction& transaction, const Term& feature) {
   const Term has_geometry = GeoTerm("hasGeometry");
   for (const Term& node : kg_core::Linked(transaction, feature, has_geometry)) {
@@ -199,7 +200,7 @@ void RenewGeometryNode(Transaction& transaction, const Term& feature) {
   CopyWkt(transaction, feature, node);
 }
 
-// Also one that RenewGeometryNode has just made.
+// True for geometry nodes, including those just made by RenewGeometryNode.
 bool IsGeometryNode(const kg_core::GraphView& view, const Term& subject) {
   return kg_core::Has(view, kg_core::kFactsGraph, subject, RdfType(),
                       GeoTerm("Geometry"));
@@ -226,8 +227,8 @@ void KeepGeometries(Transaction& transaction, ChangeScope scope) {
       RenewGeometryNode(transaction, feature);
     }
   }
-  // A geometry node that changed goes to its feature, unless the feature's own
-  // WKT changed as well: that takes precedence.
+  // The WKT of a changed geometry node is copied to its feature, unless the
+  // feature's own WKT changed as well, which takes precedence.
   for (const Term& owner : owners) {
     if (features.count(owner) != 0) continue;
     const auto node =

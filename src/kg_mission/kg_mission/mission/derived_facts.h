@@ -1,14 +1,14 @@
-// Facts that follow from the form in which an operator wrote others, kept in
-// step within the same transaction:
+// Facts derived from alternative forms in which operators write facts, updated
+// within the same transaction:
 //  - the JSON of ex:priors and ex:softOverrides as typed nodes (A30):
 //      ex:fast ex:priors "{\"corridor\": 0.8}"
 //        => ex:fast ex:hasPriorWeight <fast/prior/corridor> .
 //           <fast/prior/corridor> a ex:PriorWeight ;
 //               ex:layer ex:corridor ; ex:beta 0.8e0 .
-//  - geo:asWKT of a feature as a geometry node of its own, and back (A25):
+//  - geo:asWKT of a feature as a separate geometry node, and back (A25):
 //      ex:zone geo:asWKT W => ex:zone geo:hasGeometry <zone/geometry> .
 //           <zone/geometry> a geo:Geometry ; geo:asWKT W .
-//  - the times of a window as OWL-Time has them, and back (time_forms.h).
+//  - the times of a window in OWL-Time form, and back (time_forms.h).
 
 #ifndef KG_MISSION_MISSION_DERIVED_FACTS_H_
 #define KG_MISSION_MISSION_DERIVED_FACTS_H_
@@ -21,8 +21,8 @@
 
 namespace kg_mission {
 
-// Brings them up to date with what `transaction` changed in the facts. Returns
-// reasons why it cannot: JSON that is none, a name that nothing has.
+// Updates the derived facts for the changes of `transaction`. Returns the
+// reasons if that fails: malformed JSON or unknown names.
 std::vector<std::string> StageDerivedFacts(
     kg_core::Transaction& transaction,
     kg_core::ChangeScope scope = kg_core::ChangeScope::kChanged);

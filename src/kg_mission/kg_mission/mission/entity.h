@@ -1,5 +1,5 @@
-// The facts about one subject, as typed values. What is missing or of another
-// type is refused with one line: "ex:alpha ex:id: expected ...".
+// The facts about one subject, as typed values. Missing values and values of
+// another type throw InputError with one line: "ex:alpha ex:id: expected ...".
 
 #ifndef KG_MISSION_MISSION_ENTITY_H_
 #define KG_MISSION_MISSION_ENTITY_H_
@@ -26,7 +26,7 @@ class FactEntity {
   std::vector<kg_core::Term> All(
       const kg_core::Term& property) const;  // Sorted.
   std::optional<kg_core::Term> One(
-      const kg_core::Term& property) const;  // Refuses two.
+      const kg_core::Term& property) const;  // Rejects two.
   FactEntity Follow(
       const kg_core::Term& property) const;  // The one object; required.
 

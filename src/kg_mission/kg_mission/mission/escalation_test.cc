@@ -1,5 +1,6 @@
-// Soft to hard, and rules of an operator, among the facts of a mission: through
-// updates, shapes and the mission reader. The example of docs/rules.md is here.
+// Escalation of soft to hard constraints and operator rules on mission facts,
+// through updates, shapes and the mission reader. Includes the example of
+// docs/rules.md.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ using kg_core::Ex;
 
 using Zones = std::vector<std::string>;
 
-// What the agent must avoid, by local name.
+// Local names of the constraints that the agent must avoid.
 Zones AvoidedBy(const MissionWorld& world, const std::string& agent) {
   Zones zones;
   const Mission mission = ReadMission(*world.store.Read());
@@ -140,9 +141,9 @@ TEST(Escalation, IsThereForFactsThatCameBeforeTheRule) {
   EXPECT_EQ(AvoidedBy(world, "alpha"), (Zones{"cool", "sanctuary"}));
 }
 
-// Rules of an operator.
+// Rules stated by an operator.
 
-// The block of Turtle in docs/rules.md.
+// The Turtle block in docs/rules.md.
 std::string DocumentedRule() {
   std::ifstream file("../../docs/rules.md");
   const std::string text((std::istreambuf_iterator<char>(file)),

@@ -23,8 +23,9 @@ using kg_core::ToTurtle;
 
 constexpr double kNever_s = std::numeric_limits<double>::infinity();
 
-// Every subject that ends, and when; the earlier of two.
+// End of validity in Unix seconds by subject; the earlier one if there are two.
 std::map<Term, double> Lives(const GraphView& view) {
+  // An entity may have both end properties: the earlier time counts.
   std::map<Term, double> lives;
   for (const char* name : kEndProperties) {
     Quad pattern;
@@ -45,7 +46,7 @@ std::map<Term, double> Lives(const GraphView& view) {
   return lives;
 }
 
-// A subject outside `gone` with a fact about `node`, if there is one.
+// A fact with object `node` whose subject is not in `gone`, if there is one.
 std::optional<Statement> Referrer(const GraphView& view, const Term& node,
                                   const std::set<Term>& gone) {
   std::optional<Statement> found;
@@ -55,7 +56,7 @@ std::optional<Statement> Referrer(const GraphView& view, const Term& node,
   view.Match(pattern, [&](const Quad& quad) {
     const Term& subject = view.Get(quad.subject);
     if (gone.count(subject) != 0) return true;
-    // What an ingest has stated of it goes with it.
+    // Ingested facts about `node` are removed together with it.
     if (view.Get(quad.predicate) == kg_core::Ex("ingestedFrom")) return true;
     found = Statement{subject, view.Get(quad.predicate), node, Facts()};
     return false;
@@ -63,7 +64,7 @@ std::optional<Statement> Referrer(const GraphView& view, const Term& node,
   return found;
 }
 
-// Why `node` must stay, or nothing.
+// The reason why `node` must be kept; empty if it can be removed.
 std::string Obstacle(const GraphView& view, const Term& node,
                      const std::set<Term>& gone) {
   if (!node.is_iri()) return ToTurtle(node) + " is kept: it has no name";
@@ -89,7 +90,8 @@ ExpiredFacts FindExpired(const GraphView& view, double mission_time_s) {
     if (end_s <= mission_time_s) gone.insert(node);
   }
   ExpiredFacts expiry;
-  for (bool settled = false; !settled;) {  // What stays may hold others.
+  // Iterate: a subject that is kept may keep others.
+  for (bool settled = false; !settled;) {
     settled = true;
     for (auto node = gone.begin(); node != gone.end();) {
       const std::string obstacle = Obstacle(view, *node, gone);

@@ -1,11 +1,12 @@
-// Expiry of facts: those that mission time has passed are removed.
+// Expiry of facts: removes facts whose end of validity lies before mission
+// time.
 //
 // ex:validUntil (of constraints, prior layers and events) and ex:expires (of
-// coolings) say when. The mission reader lets such a thing apply in windows
-// that begin before; the update made here removes the facts about it once
-// mission time has reached it, in a transaction like any other: checked,
-// logged with old values, numbered. ex:expiresAfter of an event ends its
-// rewards only (A42): the event stays, for agents may have visited it.
+// coolings) give the end of validity. In the mission reader such an entity
+// applies in windows that begin before it; the update made here removes its
+// facts once mission time has reached it, in a regular transaction: checked,
+// logged with old values, versioned. ex:expiresAfter of an event ends only its
+// rewards (A42): the event is kept, because agents may have visited it.
 
 #ifndef KG_MISSION_MISSION_EXPIRY_H_
 #define KG_MISSION_MISSION_EXPIRY_H_
@@ -18,17 +19,18 @@
 
 namespace kg_mission {
 
-// When the next fact in `view` expires after `after_s`; infinity if none.
+// Time of the next expiry in `view` after `after_s`, Unix seconds; infinity if
+// none.
 double NextExpiry_s(const kg_core::GraphView& view, double after_s);
 
 struct ExpiredFacts {
-  kg_core::FactUpdate update;  // Author "kg"; removes what is over.
+  kg_core::FactUpdate update;  // Author "kg"; removes expired facts.
   std::vector<std::string>
-      kept;  // What cannot go, a line each with the reason.
+      kept;  // One line per subject that cannot be removed, with the reason.
 };
 
-// What has expired by `mission_time_s`. What other facts still refer to is
-// kept, unless they expire, too.
+// The facts expired by `mission_time_s` (Unix seconds). Subjects to which other
+// facts refer are kept, unless those facts expire too.
 ExpiredFacts FindExpired(const kg_core::GraphView& view, double mission_time_s);
 
 }  // namespace kg_mission

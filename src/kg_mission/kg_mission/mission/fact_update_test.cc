@@ -33,7 +33,7 @@ using kg_core::Term;
 using kg_core::Transaction;
 using kg_core::WktLiteral;
 
-// Does a reason hold `said`?
+// Expects that a reason contains `said`.
 void ExpectSaid(const std::vector<std::string>& reasons,
                 const std::string& said) {
   EXPECT_NE(Joined(reasons).find(said), std::string::npos)
@@ -137,7 +137,7 @@ TEST(FactUpdateTest, RefusesMalformedWktWithThePosition) {
   const auto reasons = world.Set(
       {"ex:sanctuary", "geo:asWKT", "\"POLYGON((-94 27, -93 x, -94 27))\""});
   ExpectSaid(reasons, "ex:sanctuary geo:asWKT: ");
-  ExpectSaid(reasons, "2");  // A column in the text.
+  ExpectSaid(reasons, "2");  // A column number in the message.
   ExpectSaid(reasons, "expected");
 }
 
@@ -439,7 +439,7 @@ TEST(FactUpdateTest, IngestIsDueWhenSourcesOrWindowsChange) {
   EXPECT_TRUE(IngestIsDue(transaction));
 }
 
-// Reference: the recursion of the definition.
+// Reference: the recursive definition.
 int SlowDistance(const std::string& a, const std::string& b) {
   if (a.empty()) return static_cast<int>(b.size());
   if (b.empty()) return static_cast<int>(a.size());

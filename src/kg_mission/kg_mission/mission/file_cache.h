@@ -1,5 +1,5 @@
-// The rasters of files that facts refer to; a file is read once, in a child
-// process (ReadFieldFileSafely), and forgotten when it is written anew.
+// Cache of the rasters of files referred to by facts. A file is read once, in a
+// child process (ReadFieldFileSafely), and read again when it changes on disk.
 
 #ifndef KG_MISSION_MISSION_FILE_CACHE_H_
 #define KG_MISSION_MISSION_FILE_CACHE_H_
@@ -15,12 +15,12 @@
 
 namespace kg_mission {
 
-// Safe from any thread: two that want a new file at the same time may both read
-// it, and get the same rasters.
+// Thread-safe. Two threads that request a new file at the same time may both
+// read it; they get the same rasters.
 class FileCache {
  public:
-  // `data_folder`: where relative ex:file names are looked up first (launch
-  // argument data:=), then `mission_folder`.
+  // `data_folder`: first search folder for relative ex:file names (launch
+  // argument data:=), followed by `mission_folder`.
   FileCache(std::string mission_folder, std::string data_folder);
 
   // The absolute path of a file named by facts; throws InputError.
@@ -34,7 +34,7 @@ class FileCache {
 
  private:
   struct Held {
-    std::string version;  // Size and time of the file on disk.
+    std::string version;  // Size and modification time of the file on disk.
     std::shared_ptr<const kg_base::FieldFile> contents;
   };
   std::shared_ptr<const kg_base::FieldFile> Get(
@@ -43,8 +43,9 @@ class FileCache {
 
   std::string mission_folder_;
   std::string data_folder_;
-  std::mutex mutex_;                   // Held for looking up, not for reading.
-  std::map<std::string, Held> files_;  // By path and what was wanted of it.
+  // Guards files_; not held while reading a file.
+  std::mutex mutex_;
+  std::map<std::string, Held> files_;  // Keyed by path and requested content.
 };
 
 }  // namespace kg_mission

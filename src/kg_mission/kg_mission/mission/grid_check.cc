@@ -11,7 +11,8 @@ namespace {
 using kg_base::Geometry;
 using kg_core::Ex;
 
-// WGS84's meridian: 110.57 km at the equator, 111.69 km at the poles.
+// Mean length of a degree along the WGS84 meridian: 110.57 km at the equator,
+// 111.69 km at the poles.
 constexpr double kKmPerDegreeOfLatitude = 111.13;
 constexpr double kTolerance = 0.05;
 constexpr double kMaxAspect = 4.0;

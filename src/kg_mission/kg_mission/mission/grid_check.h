@@ -1,11 +1,11 @@
-// Does an ex:GridSpec agree with itself? SHACL Core cannot calculate.
+// Consistency check of an ex:GridSpec, which SHACL Core cannot express.
 //
 //   ex:rows * ex:pixelSizeKm  =  height of geo:asWKT, to 5 %
 //   width of geo:asWKT / ex:cols  =  1/4 to 4 times ex:pixelSizeKm
 //
-// The cell size is the mean distance of two rows. Columns may be narrower (one
-// step in degrees for both axes, away from the equator) or wider (the ocean
-// models that have half as many), but not by much.
+// The cell size is the mean distance between rows. Columns may be narrower
+// (equal steps in degrees on both axes, away from the equator) or wider (ocean
+// models with half as many columns), within the above factor.
 
 #ifndef KG_MISSION_MISSION_GRID_CHECK_H_
 #define KG_MISSION_MISSION_GRID_CHECK_H_

@@ -32,7 +32,7 @@ Lines FormatLines(const std::vector<Statement>& statements) {
   return lines;
 }
 
-// The facts of now, by looking.
+// The current facts, read directly.
 Lines GetFacts(const kg_core::GraphView& view) {
   Lines lines;
   view.Match({}, [&](const kg_core::Quad& q) {
@@ -44,7 +44,7 @@ Lines GetFacts(const kg_core::GraphView& view) {
   return lines;
 }
 
-// An update that may well be refused.
+// A random update, which may be rejected.
 FactUpdate RandomUpdate(std::mt19937& random) {
   const std::string number = std::to_string(random() % 4);
   const std::string area = "ex:area" + number;
@@ -100,7 +100,7 @@ TEST(History, BringsBackTheFactsOfEveryVersion) {
       ASSERT_EQ(FormatLines(FactsAt(*view, version)), facts) << version;
     }
     EXPECT_TRUE(FactsAt(*view, 0).empty());
-    EXPECT_TRUE(FactsAt(*view, 1).empty());  // The vocabulary only.
+    EXPECT_TRUE(FactsAt(*view, 1).empty());  // Vocabulary only.
     for (int i = 0; i < 30; ++i) {
       const auto& before = *std::next(saved.begin(), random() % saved.size());
       const auto& after = *std::next(saved.begin(), random() % saved.size());

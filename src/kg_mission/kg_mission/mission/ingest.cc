@@ -41,7 +41,7 @@ using kg_core::Prov;
 using kg_core::Term;
 using kg_core::Transaction;
 
-// Limit of one sampled field: what rules and shapes can process in seconds.
+// Maximum samples per field: what rules and shapes can process within seconds.
 constexpr std::size_t kMaxSamples = 10000;
 
 bool HasData(const Raster& raster) {
@@ -71,7 +71,7 @@ double MeanRowKm(const Grid& grid) {
          grid.rows() / 1000.0;
 }
 
-// The ingest of one data source: what it read and what it states.
+// The ingest of one data source: reads its files and states facts.
 class SourceIngest {
  public:
   SourceIngest(const FactEntity& source, const Mission& mission,
@@ -82,7 +82,7 @@ class SourceIngest {
         transaction_(transaction),
         started_s_(Now_s()) {}
 
-  // A field that carries agents.
+  // States the work field of each window (current or wind).
   void StateMotion(const FieldFile& file, const SourceQuantity& quantity) {
     RequireData(file);
     StateFile(file);
@@ -93,7 +93,8 @@ class SourceIngest {
     StateActivity();
   }
 
-  // A scalar whose time integral along a flight is a seam cost term.
+  // States a cost field: a scalar whose time integral along a flight is a seam
+  // cost term.
   void StateCost(const FieldFile& file, const SourceQuantity& quantity,
                  const Grid* field_grid) {
     RequireData(file);
@@ -107,7 +108,7 @@ class SourceIngest {
     StateActivity();
   }
 
-  // `field_grid`: that of the currents, if there are any.
+  // `field_grid`: grid of the currents, null if there are none.
   void StateTemperature(const FieldFile& file, const Grid* field_grid) {
     RequireData(file);
     StateFile(file);
@@ -124,7 +125,7 @@ class SourceIngest {
     StateActivity();
   }
 
-  // What a prior layer or a constraint names by ex:gridRef.
+  // States the raster that a prior layer or a constraint names by ex:gridRef.
   void StateRaster(const FieldFile& file, const GridRef& ref,
                    const Grid* field_grid) {
     StepOf(file, ref);
@@ -133,8 +134,9 @@ class SourceIngest {
     StateActivity();
   }
 
-  // Cells of a field above a limit, one fact each: what rules make events of.
-  // On the file's own grid, which need not be the mission's.
+  // States one ex:CellSample per cell above a limit, from which rules can
+  // derive events. Uses the file's own grid, which may differ from the
+  // mission's.
   void StateSamples(const FieldFile& file, const GridRef& ref, double above) {
     const Raster& values = StepOf(file, ref);
     StateFile(file);
@@ -142,7 +144,7 @@ class SourceIngest {
     for (int row = 0; row < file.grid.rows(); ++row) {
       for (int col = 0; col < file.grid.cols(); ++col) {
         const double value = values[file.grid.Index({row, col})];
-        if (!(value > above)) continue;  // No data (NaN) is not above.
+        if (!(value > above)) continue;  // Also skips no data (NaN).
         if (++count > kMaxSamples) {
           throw InputError("expected at most " + std::to_string(kMaxSamples) +
                            " cells above ex:sampleAbove");
@@ -162,7 +164,7 @@ class SourceIngest {
     transaction_.Add({subject, property, object, kg_core::Facts()});
   }
 
-  // Throws InputError where the file has no such step or no data in it.
+  // Throws InputError if the file has no such step or the step has no data.
   static const Raster& StepOf(const FieldFile& file, const GridRef& ref) {
     const std::vector<Raster>& steps = file.series[0].at_time;
     if (!(ref.time_index < static_cast<int>(steps.size()))) {
@@ -195,7 +197,7 @@ class SourceIngest {
     }
   }
 
-  // Its name.
+  // States the grid unless it equals `field_grid`; returns its IRI.
   Term StateGridUnlessSame(const Grid& grid, const Grid* field_grid) {
     if (field_grid) {
       CheckGrids(name_.text, grid, *field_grid, ReadResampling(source_));
@@ -227,7 +229,8 @@ class SourceIngest {
     Say(subject, Prov("wasDerivedFrom"), Part("file"));
   }
 
-  // A field in time slices; `refs` name its components, in their order.
+  // States a field over a range of time steps; `refs` names its components in
+  // order.
   Term StateField(const FieldFile& file, const SourceQuantity& quantity,
                   const TimeWindow& window,
                   const std::vector<const char*>& refs, const Term& grid) {
@@ -307,8 +310,8 @@ class SourceIngest {
   std::vector<Term> generated_;
 };
 
-// All data sources, those of currents or wind first: their grid is the
-// mission's. Then the rasters of priors and constraints.
+// Ingests all data sources, currents or wind first because they define the
+// mission's grid, then the rasters of priors and constraints.
 class MissionIngest {
  public:
   MissionIngest(FileCache& cache, Transaction& transaction)
@@ -317,7 +320,7 @@ class MissionIngest {
         mission_(ReadMission(transaction.view())) {}
 
   std::vector<std::string> Run() {
-    // In the table's order: the grid is that of what carries agents.
+    // In table order: the motion field comes first and defines the grid.
     for (const SourceQuantity& quantity : SourceQuantities()) ReadAll(quantity);
     ForAll("PriorLayer", &MissionIngest::ReadRaster);
     ForAll("Constraint", &MissionIngest::ReadRaster);
@@ -364,7 +367,7 @@ class MissionIngest {
   const FieldFile& Keep(const std::string& path,
                         std::shared_ptr<const FieldFile> file) {
     open_.push_back(std::move(file));
-    file_ = path + ": ";  // For reasons that come after the reading.
+    file_ = path + ": ";  // Prefix of reasons found after reading.
     return *open_.back();
   }
 

@@ -20,18 +20,19 @@
 //       ex:lastTimeIndex ; sosa:observedProperty ; prov:wasDerivedFrom .
 //   ex:sst\/w3          a ex:ValueLayer ; ex:forWindow ; ex:kind "delta_sst" ;
 //       ex:gridRef ; ex:timeIndex, ex:previousTimeIndex ; prov:wasDerivedFrom ;
-//       what its source says of resampling and scales .
+//       resampling and scales of its source .
 //   ex:reefs\/file      a ex:SourceFile ; ex:path, ex:sha256 .
 //   ex:hotspots\/cell/4_2  a ex:CellSample ; geo:asWKT ; ex:cellValue .
 //   ex:grid a ex:GridSpec ; ex:rows, ex:cols, geo:asWKT, ex:pixelSizeKm .
 //   ex:sst\/grid, ex:reefs\/grid: likewise, where it is not ex:grid.
 //
 // ex:grid is the grid of the currents and the mission's. A file on another grid
-// is refused unless ex:resampling says how it comes to the mission's (A54).
+// is rejected unless ex:resampling declares how to resample it (A54).
 //
-// |delta SST| of window t is between the temperature nearest to its middle and
-// the one a day earlier; the first window uses the day before it, else the
-// forward difference, else the file is refused as too short (A14).
+// |delta SST| of window t is the difference between the temperature step
+// nearest to its middle and the one a day earlier; the first window uses the
+// day before it, else the forward difference, else the file is rejected as too
+// short (A14).
 
 #ifndef KG_MISSION_MISSION_INGEST_H_
 #define KG_MISSION_MISSION_INGEST_H_
@@ -46,18 +47,17 @@
 
 namespace kg_mission {
 
-// Stages the facts of every data source in `transaction`, and what the rules
-// conclude from them. Returns the reasons
-// why it cannot (too few days for the windows, all land, facts that violate a
-// shape, ...); empty = done.
+// Stages the facts of every data source in `transaction`, and the conclusions
+// of the rules. Returns the reasons if that fails (too few days for the
+// windows, all land, facts that violate a shape, ...); empty = success.
 std::vector<std::string> StageIngest(FileCache& cache,
                                      kg_core::Transaction& transaction);
 
-// StageUpdate (stage_update.h), and StageIngest if that is due then: all that
-// can refuse an update but a mission that cannot be read.
+// StageUpdate (stage_update.h), followed by StageIngest if due: all checks of
+// an update except that the mission can be read.
 struct StagedUpdate {
   UpdateJudgement judgement;
-  double ingest_s = 0.0;  // Wall-clock, reading files.
+  double ingest_s = 0.0;  // Wall-clock time to read files.
 };
 StagedUpdate StageUpdateWithFiles(const kg_core::FactUpdate& update,
                                   FileCache& cache,

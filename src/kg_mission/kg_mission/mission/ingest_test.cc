@@ -42,7 +42,8 @@ namespace fs = std::filesystem;
 constexpr int kDays = 4;  // Noons of 2026-06-01 to 04.
 constexpr float kFill = 1e30f;
 
-// What to write: currents of (0.1 + t, -0.2) m/s, temperature 20 + t * t.
+// Content of the test file: currents of (0.1 + t, -0.2) m/s, temperature 20 + t
+// * t.
 struct Ocean {
   int days = kDays;
   double first_lon_deg = -94.0;
@@ -121,7 +122,7 @@ ex:currents a ex:DataSource ; ex:file "ocean.nc" ; ex:provides "current" .
 ex:sst a ex:DataSource ; ex:file "sst.nc" ; ex:provides "temperature" .
 )ttl";
 
-// All that have the property.
+// All subjects with the property.
 std::vector<Term> SubjectsWith(const kg_core::GraphView& view,
                                const char* graph, const Term& property) {
   std::set<Term> subjects;
@@ -155,7 +156,8 @@ class IngestTest : public testing::Test {
     OceanWriter(Path(name), spec);
   }
 
-  // Stages facts and their ingest; commits if nothing speaks against it.
+  // Stages facts and their ingest; commits if there are no reasons to reject
+  // them.
   std::vector<std::string> Ingest(const std::string& turtle) {
     return IngestInto(&world_, turtle);
   }
@@ -490,7 +492,8 @@ double GetBuffer(const Mission& mission) {
   return 0.0;
 }
 
-// From the cell of `position` to the nearest without data, by looking at all.
+// Distance in cells from `position` to the nearest cell without data, by full
+// search.
 double CellsToLand(const VectorField& field, kg_base::LonLat position) {
   const auto cell = field.grid.CellAt(position);
   if (!cell) return -1.0;
@@ -505,7 +508,7 @@ double CellsToLand(const VectorField& field, kg_base::LonLat position) {
   return nearest;
 }
 
-// The shipped missions with their own data, where the data is there.
+// The shipped missions with their own data, if the data is present.
 TEST(ShippedIngestTest, MissionsIngestTheirData) {
   const char* data = std::getenv("KG_DATA");
   const std::string gom = data ? data : "../../../shared/data/gom_2020";

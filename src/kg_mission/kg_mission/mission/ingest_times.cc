@@ -29,7 +29,7 @@ constexpr double kDay_s = 86400.0;
                             FormatDateTime(window.end_s) + ") needs " + need);
 }
 
-// The earlier of two that are equally near.
+// The nearest step; the earlier one of two equally near.
 std::optional<int> NearestStep(const std::vector<double>& time_s,
                                double wanted_s) {
   std::optional<int> best;
@@ -56,7 +56,7 @@ StepRange StepsOfField(const std::vector<double>& time_s,
     Refuse(time_s, window, "steps that reach within 12 h of both its ends");
   }
   // From the last step at or before the window's begin to the first one at or
-  // after its end, as far as the file has them.
+  // after its end, limited to the steps in the file.
   const auto begin = time_s.begin();
   const auto after_begin =
       std::upper_bound(begin, time_s.end(), window.begin_s);

@@ -1,4 +1,4 @@
-// Which time steps of a file a window needs.
+// Selection of the time steps of a file for a window.
 
 #ifndef KG_MISSION_MISSION_INGEST_TIMES_H_
 #define KG_MISSION_MISSION_INGEST_TIMES_H_
@@ -9,15 +9,15 @@
 
 namespace kg_mission {
 
-// A step stands for the time up to this far from it: daily files have one step
-// a day, at any hour.
+// A step represents times up to this far away: daily files have one step per
+// day, at any hour.
 inline constexpr double kStepReach_s = 12.0 * 3600.0;
-// Currents are interpolated over gaps up to this long; a longer one is a day
-// that is missing.
+// Currents are interpolated over gaps up to this long; a longer gap means a
+// missing day.
 inline constexpr double kMaxGap_s = 36.0 * 3600.0;
 
-// First and last step that the field of a window needs: those inside and the
-// next outside on either side. `time_s` ascends (unix seconds). Throws
+// First and last step needed for the field of a window: the steps inside and
+// the next one on either side. `time_s` is ascending (Unix seconds). Throws
 // InputError if the steps do not reach the window's ends or leave a gap.
 struct StepRange {
   int first = 0;
@@ -27,7 +27,7 @@ StepRange StepsOfField(const std::vector<double>& time_s,
                        const TimeWindow& window);
 
 // The step nearest to the window's middle. Throws InputError if none is within
-// reach.
+// kStepReach_s.
 int StepOfWindow(const std::vector<double>& time_s, const TimeWindow& window);
 
 // The step of the window and the one a day earlier; for window 0, if there is

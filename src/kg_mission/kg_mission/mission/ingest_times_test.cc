@@ -22,7 +22,7 @@ TimeWindow Day(int index) {
   return {"w", index, index * kDay_s, (index + 1) * kDay_s, 1.0};
 }
 
-// Noon of days first..last, day 0 being window 0's.
+// Noon of days first..last; day 0 is that of window 0.
 std::vector<double> Noons(int first, int last) {
   std::vector<double> time_s;
   for (int day = first; day <= last; ++day) {
@@ -90,7 +90,8 @@ TEST(IngestTimesTest, FieldsMayEndHalfADayInsideTheWindow) {
   EXPECT_THROW(StepsOfField({}, Day(0)), InputError);
 }
 
-// Every step strictly inside is in the range, one at most on either side.
+// The range has every step strictly inside the window, and at most one more on
+// either side.
 TEST(IngestTimesTest, RandomStepsAreCoveredAndNoMore) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> gap_s(kHour_s, 30 * kHour_s);
@@ -116,7 +117,7 @@ TEST(IngestTimesTest, RandomStepsAreCoveredAndNoMore) {
   }
 }
 
-// The nearest of all, by looking at all.
+// Compares with a full search for the nearest step.
 TEST(IngestTimesTest, StepOfWindowIsTheNearestToItsMiddle) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> gap_s(kHour_s, 9 * kHour_s);

@@ -21,8 +21,8 @@ bool IsDataSource(const GraphView& view, const Term& subject) {
   return Has(view, kg_core::kFactsGraph, subject, RdfType(), Ex("DataSource"));
 }
 
-// A prior layer or a constraint whose raster is in a file; of one that is gone
-// the class is not known any more.
+// True if the subject is a prior layer or constraint with a raster in a file.
+// For a removed subject the class is no longer known.
 bool NamesAFile(const GraphView& view, const Statement& grid_ref) {
   return grid_ref.object != kg_core::Literal(kLandRef) &&
          !Has(view, kg_core::kFactsGraph, grid_ref.subject, RdfType(),
@@ -37,7 +37,7 @@ bool HasRaster(const GraphView& view, const Term& subject) {
   return ref && NamesAFile(view, {subject, Ex("gridRef"), *ref, Facts()});
 }
 
-// What data sources have in common with other things.
+// True for properties that data sources share with other classes.
 bool IsOfASource(const Term& property) {
   return property == Ex("kind") || property == Ex("resampling") ||
          property == Ex("fullScale") || property == Ex("frontFullScale");

@@ -1,5 +1,5 @@
-// What an ingest has stated of a data source, as seen by those who need no
-// files.
+// Ingested facts: detection of a due ingest and removal of old facts, without
+// reading files.
 
 #ifndef KG_MISSION_MISSION_INGESTED_FACTS_H_
 #define KG_MISSION_MISSION_INGESTED_FACTS_H_
@@ -11,16 +11,15 @@
 
 namespace kg_mission {
 
-// Properties that only data sources and windows have: to change one is to make
-// an ingest due.
+// True for properties that only data sources and windows have; changing one
+// makes an ingest due.
 bool IngestReads(const kg_core::Term& property);
 
-// Does the transaction change what an ingest would read (a data source, a
-// window's times, a raster that is in a file), so that an ingest (ingest.h) is
-// due?
+// True if the transaction changes the input of an ingest (a data source, the
+// times of a window, a raster in a file), so that an ingest (ingest.h) is due.
 bool IngestIsDue(const kg_core::Transaction& transaction);
 
-// Those with ex:ingestedFrom.
+// The subjects with ex:ingestedFrom.
 std::set<kg_core::Term> IngestedSubjects(const kg_core::GraphView& view);
 
 // Removes all facts about subjects with ex:ingestedFrom.

@@ -28,7 +28,7 @@ const SourceFile& FindFile(const Mission& mission, const std::string& iri) {
                    ": expected an ex:SourceFile");
 }
 
-// Refused if it is another one than facts refer to by now.
+// Throws InputError if the file's sha256 differs from that in the facts.
 File Checked(File ocean, const SourceFile& file) {
   if (ocean->sha256 == file.sha256) return ocean;
   throw InputError(file.path + ": has changed since it was ingested: sha256 " +
@@ -42,7 +42,7 @@ File ReadReferred(FileCache& cache, const Mission& mission,
   return Checked(cache.Read(file.path, wanted), file);
 }
 
-// Valid as long as the whole file is.
+// One time step of a file; shares ownership of the whole file.
 SharedRaster StepAt(const File& file, std::size_t series, int index) {
   const std::vector<Raster>& steps = file->series.at(series).at_time;
   if (index >= 0 && index < static_cast<int>(steps.size())) {
@@ -60,7 +60,8 @@ Raster AbsoluteDifference(const Raster& a, const Raster& b) {
   return difference;
 }
 
-// On the grid of the velocity field, in the steps that the facts name.
+// Loads a cost field on the grid of the velocity field, for the time steps
+// named in the facts.
 kg_base::ScalarField LoadCostField(FileCache& cache, const Mission& mission,
                                    const CostFieldRef& field,
                                    const Grid& grid) {

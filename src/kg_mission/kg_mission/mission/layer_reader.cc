@@ -79,7 +79,7 @@ ValueLayer ReadValueLayer(const WindowCalendar& calendar,
   layer.time_index = entity.Integer(Ex("timeIndex"));
   layer.previous_time_index =
       entity.Integer(Ex("previousTimeIndex"), layer.time_index);
-  // A difference of a step from itself would be 0 everywhere.
+  // The difference of a step with itself would be 0 everywhere.
   if (layer.kind == kDifferenceKind &&
       layer.previous_time_index == layer.time_index) {
     entity.Refuse(Ex("previousTimeIndex"), "another step than ex:timeIndex");

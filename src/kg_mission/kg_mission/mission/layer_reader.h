@@ -1,5 +1,5 @@
-// Rasters as facts name them: value layers, work fields, priors and masks out
-// of files, and the files themselves.
+// Reads the raster references in the facts: value layers, work fields, priors,
+// masks, and their source files.
 
 #ifndef KG_MISSION_MISSION_LAYER_READER_H_
 #define KG_MISSION_MISSION_LAYER_READER_H_
@@ -13,10 +13,10 @@
 
 namespace kg_mission {
 
-// ex:gridRef of a constraint that is the land of the work field.
+// ex:gridRef of a constraint that denotes the land of the work field.
 inline constexpr char kLandRef[] = "land";
 
-// "file#variable@step" in its parts; without "@step" step 0.
+// The parts of "file#variable@step"; "@step" is optional, default 0.
 struct GridRef {
   std::string file;
   std::string variable;
@@ -25,10 +25,10 @@ struct GridRef {
 
 // All throw InputError.
 
-// ex:gridRef of a prior layer or a constraint; nothing without, or for "land".
+// ex:gridRef of a prior layer or a constraint; nullopt if absent or "land".
 std::optional<GridRef> ReadGridRef(const FactEntity& entity);
-// The same with the file as its ingest states it (ingest.h): an ex:SourceFile
-// of the layer's name and "/file".
+// The same with the ingested file (ingest.h): an ex:SourceFile named after the
+// layer, with suffix "/file".
 std::optional<RasterRef> ReadRasterRef(const FactEntity& entity);
 kg_base::Resampling ReadResampling(
     const FactEntity& entity);  // kNone if absent.

@@ -1,6 +1,6 @@
-// The mission as typed values: what facts say, read once at the knowledge
-// graph's boundary and turned to SI. Every value type names the fact it came
-// from (`iri`), so that what is compiled from it can cite it.
+// The mission as typed values: facts read once at the boundary of the knowledge
+// graph and converted to SI units. Every value type has the IRI of its fact
+// (`iri`), so that compiled results can cite it.
 
 #ifndef KG_MISSION_MISSION_MISSION_H_
 #define KG_MISSION_MISSION_MISSION_H_
@@ -44,8 +44,8 @@ struct Capabilities {
 enum class Normalisation { kMax, kMinMax, kPercentile };
 enum class ConfidenceMode { kPost, kPre, kHorizon };  // A1.
 enum class FrontOperator { kSobel, kCentral };        // A16.
-// What a value layer is divided by before its weight (A16): its largest open
-// value in the window, a range stated as a fact, or nothing.
+// Divisor of a value layer before its weight is applied (A16): its largest open
+// value in the window, a range stated as a fact, or none.
 enum class LayerScale { kWindow, kFixed, kNone };
 enum class SoftOverlap { kProduct, kMin };  // A10.
 
@@ -53,20 +53,20 @@ enum class SoftOverlap { kProduct, kMin };  // A10.
 struct Policy {
   std::string iri;
   std::string name;
-  double alpha_base = 1.0;             // Eq. 1, of B_t.
-  std::map<std::string, double> beta;  // Eq. 1, by prior layer IRI.
-  double beta_poi = 0.0;               // Of the events' bumps (A42).
-  double gamma_front = 0.0;            // Eq. 1, of F(B_t).
+  double alpha_base = 1.0;             // Eq. 1, weight of B_t.
+  std::map<std::string, double> beta;  // Eq. 1, keyed by prior layer IRI.
+  double beta_poi = 0.0;               // Weight of the event bumps (A42).
+  double gamma_front = 0.0;            // Eq. 1, weight of F(B_t).
   double lambda_time_per_s = 0.0;      // ex:lambda_time, per hour.
   double lambda_energy_per_j = 0.0;    // ex:lambda_energy, per Wh.
   double lambda_risk = 0.0;            // Per hour at hazard 1, see SeamRules.
-  double lambda_uncertainty = 0.0;     // Times (1 - w).
-  // Reward per second and unit of a field that costs, by SourceQuantity::name
-  // (ex:lambda_waveHeight, ...); absent = it costs nothing.
+  double lambda_uncertainty = 0.0;     // Multiplies (1 - w).
+  // Reward per second and unit of a cost field, keyed by SourceQuantity::name
+  // (ex:lambda_waveHeight, ...); absent = no cost.
   std::map<std::string, double> lambda_fields;
-  std::map<std::string, double> soft_overrides;  // By constraint IRI.
-  // The ex:PriorWeight or ex:SoftOverride behind an entry of beta or
-  // soft_overrides, by the same key.
+  std::map<std::string, double> soft_overrides;  // Keyed by constraint IRI.
+  // IRI of the ex:PriorWeight or ex:SoftOverride that defines an entry of beta
+  // or soft_overrides, with the same key.
   std::map<std::string, std::string> weight_iris;
   std::string value_kind = "delta_sst";               // ex:valueKind (A29).
   Normalisation normalisation = Normalisation::kMax;  // A5.
@@ -74,22 +74,25 @@ struct Policy {
   FrontOperator front_operator = FrontOperator::kSobel;    // ex:frontOperator.
   LayerScale layer_scale = LayerScale::kWindow;            // ex:layerScale.
   SoftOverlap soft_overlap = SoftOverlap::kProduct;        // ex:softOverlap.
-  // ex:paperLiteral: the paper's steps to the letter. Layers as they are, V not
-  // clamped, w_t and both masks before N, N min-max over all water cells.
+  // ex:paperLiteral: follow the paper's steps literally. Layers are not scaled,
+  // V is not clamped, w_t and both masks are applied before N, and N is min-max
+  // over all water cells.
   bool paper_literal = false;
-  double hazard_range_m = 10e3;    // ex:hazardRangeKm: hazard falls to 1/e.
-  double isolation_weight = 0.05;  // ex:isolationWeight (A20), of the hazard.
-  // ex:riskBudgetHours: most hours weighted by hazard, over the horizon.
+  double hazard_range_m = 10e3;  // ex:hazardRangeKm: hazard falls to 1/e.
+  // ex:isolationWeight (A20), part of the hazard.
+  double isolation_weight = 0.05;
+  // ex:riskBudgetHours: upper bound on the hazard-weighted time over the
+  // horizon; [h] in facts, [s] here.
   std::optional<double> hazard_budget_s = std::nullopt;
   bool diverse_paths = false;  // ex:pathChoice "diverse", else "best".
   int minimum_difference = 1;  // ex:minimumDifference [windows], when diverse.
-  double churn_weight = 0.0;   // ex:churnWeight (A34), reward a window.
+  double churn_weight = 0.0;   // ex:churnWeight (A34), reward per window.
 };
 
-// How an agent moves, by what it takes to stay at a place. A glider and a fixed
-// wing hold station by going against the field as fast as it carries them, for
-// nothing where it is calm. What hovers pays to stay aloft: it holds station at
-// no less than the energy per second that cruising takes.
+// Mobility model, which determines the energy to hold station. Gliders and
+// fixed-wing aircraft hold station by moving against the field at its speed, at
+// no cost where it is calm. Hovering vehicles spend at least their cruise power
+// to stay aloft.
 enum class Mobility { kGlider, kFixedWing, kHover };
 
 // ex:Agent with its policy and capabilities.
@@ -102,20 +105,21 @@ struct Agent {
   kg_base::LonLat start;  // Position of the ex:AgentState to start from.
   double start_heading_rad = 0.0;  // Clockwise from north.
   std::string start_iri;
-  // ex:energyRemaining of that state: less than the budget if stated.
+  // ex:energyRemaining of that state; if stated, used instead of
+  // energy_budget_j.
   std::optional<double> start_energy_j = std::nullopt;
-  // ex:mustAvoid (A11): soft constraints that are hard for this agent, by IRI,
-  // with where that is said: the agent's IRI if it is asserted, and those of
-  // the inferences (rules/reasons.h) that conclude it.
+  // ex:mustAvoid (A11): soft constraints that are hard for this agent, keyed by
+  // IRI, with the sources: the agent's IRI if asserted, and the IRIs of the
+  // inferences (rules/reasons.h) that conclude it.
   std::map<std::string, std::vector<std::string>> must_avoid;
 };
 
-// ex:gridRef: a raster in a file. Values of a prior, or a mask (not 0 =
-// inside; no data is outside).
+// ex:gridRef: a raster in a file. It holds the values of a prior, or a mask
+// (nonzero = inside; no data = outside).
 struct RasterRef {
   std::string file_iri;  // An ex:SourceFile of the mission.
   std::string variable;
-  int time_index = 0;  // Of variables that have time.
+  int time_index = 0;  // For variables with a time axis.
   kg_base::Resampling resampling =
       kg_base::Resampling::kNone;  // ex:resampling (A54).
 };
@@ -133,14 +137,15 @@ struct Constraint {
   std::optional<RasterRef> mask;
   double buffer_cells = 0.0;  // ex:bufferCells (A15).
   BufferMetric buffer_metric = BufferMetric::kEuclidean;  // ex:bufferMetric.
-  double attenuation = 1.0;         // Soft: the factor inside (A10).
+  double attenuation = 1.0;         // Soft constraints: factor inside (A10).
   std::vector<int> windows;         // ex:appliesIn; empty = all (A28).
   std::vector<std::string> agents;  // ex:appliesTo, IRIs; empty = all.
   bool AppliesTo(const std::string& agent_iri, int window) const;
 };
 
 // ex:PriorLayer: a spatial preference, 1 inside its area, 0 outside, with an
-// optional soft edge; or a raster as it is (no data counts 0; may be negative).
+// optional soft edge; or an unscaled raster (no data counts as 0; values may be
+// negative).
 struct PriorLayer {
   std::string iri;
   std::string name;
@@ -155,32 +160,32 @@ struct PriorLayer {
 struct Event {
   std::string iri;
   kg_base::LonLat position;
-  double value = 0.0;        // Reward of a visit, times confidence.
-  int capacity = 1;          // Distinct agents that it rewards.
+  double value = 0.0;        // Reward of a visit, multiplied by confidence.
+  int capacity = 1;          // Number of distinct agents rewarded.
   double radius_m = 0.0;     // ex:radiusKm: bump sigma, visit distance.
-  std::vector<int> windows;  // ex:forWindow and those before expiry.
+  std::vector<int> windows;  // ex:forWindow and later ones until expiry.
 };
 
-// The kinds of value layer, by what is made of the temperature T (A14).
+// The kinds of value layer, as functions of the temperature T (A14).
 inline constexpr char kDifferenceKind[] = "delta_sst";  // |T(t) - T(t-1 day)|.
 inline constexpr char kPlainKind[] = "sst";             // T.
 inline constexpr char kFrontnessKind[] = "frontness";   // |grad T| per km.
 
-// ex:ValueLayer of a window: how B_t is made of files.
+// ex:ValueLayer of a window: how B_t is computed from files.
 struct ValueLayer {
   std::string iri;
   int window = 0;
-  std::string kind;      // One of the above.
+  std::string kind;      // One of the kinds above.
   std::string file_iri;  // prov:wasDerivedFrom, an ex:SourceFile.
   int time_index = 0;    // In that file; delta_sst: |this - previous|.
   int previous_time_index = 0;
-  // ex:fullScale, ex:frontFullScale: what LayerScale::kFixed divides the layer
-  // [its unit] and its frontness [unit per km] by.
+  // ex:fullScale, ex:frontFullScale: divisors used by LayerScale::kFixed for
+  // the layer [its unit] and for its frontness [unit per km].
   std::optional<double> full_scale = std::nullopt;
   std::optional<double> front_full_scale = std::nullopt;
   kg_base::Resampling resampling =
       kg_base::Resampling::kNone;  // ex:resampling (A54).
-  // sosa:resultTime, unix seconds: of the step time_index.
+  // sosa:resultTime of step time_index, Unix seconds.
   std::optional<double> time_s = std::nullopt;
 };
 
@@ -193,7 +198,7 @@ struct WorkFieldRef {
   int last_time_index = 0;
 };
 
-// ex:CostField of a window: a scalar that is met under way
+// ex:CostField of a window: a scalar encountered along the flight
 // (source_quantities.h).
 struct CostFieldRef {
   std::string iri;
@@ -206,11 +211,12 @@ struct CostFieldRef {
       kg_base::Resampling::kNone;  // ex:resampling (A54).
 };
 
-// Team rules: ex:Mission's own properties.
+// Options of team coordination: properties of ex:Mission.
 struct CoordinationFacts {
   // ex:teamMode: "greedy", "auction", "priced" or "exact".
   std::string mode = "greedy";
-  // ex:gapGoal: share of the bound at which no further round is asked.
+  // ex:gapGoal: relative gap to the bound (fraction of the bound) at which no
+  // further round is run.
   double gap_goal = 0.01;
   double auction_epsilon = 0.05;  // ex:auctionEpsilon, reward.
   double select_limit_s = 2.0;    // ex:selectTimeLimitS.
@@ -224,8 +230,8 @@ struct CoordinationFacts {
   int waypoints_per_window = 20;    // ex:waypointsPerWindow, at most 20.
   double waypoint_spacing_m = 0.0;  // ex:waypointSpacingKm; PR's disc.
   int max_rounds = 8;               // ex:maxCoolingRounds.
-  // ex:movementMode (A22): "hops" is one waypoint a window, "edges" a path of
-  // several within a window.
+  // ex:movementMode (A22): "hops" visits one waypoint per window, "edges" a
+  // path of several waypoints within a window.
   std::string movement_mode = "hops";
 };
 bool operator==(const CoordinationFacts& a, const CoordinationFacts& b);
@@ -233,15 +239,15 @@ bool operator==(const CoordinationFacts& a, const CoordinationFacts& b);
 struct Mission {
   std::string iri;
   std::string name;
-  std::vector<TimeWindow> windows;      // By index, contiguous from 0.
-  std::vector<Agent> agents;            // By id.
-  std::vector<Constraint> constraints;  // By IRI, as all below.
+  std::vector<TimeWindow> windows;      // Sorted by index, contiguous from 0.
+  std::vector<Agent> agents;            // Sorted by id.
+  std::vector<Constraint> constraints;  // Sorted by IRI, as all below.
   std::vector<PriorLayer> priors;
   std::vector<Event> events;
   std::vector<ValueLayer> value_layers;
   std::vector<WorkFieldRef> work_fields;
   std::vector<CostFieldRef> cost_fields;
-  std::map<std::string, kg_core::SourceFile> files;  // By IRI.
+  std::map<std::string, kg_core::SourceFile> files;  // Keyed by IRI.
   CoordinationFacts coordination;
 
   const Agent* FindAgent(const std::string& iri) const;

@@ -32,7 +32,7 @@ constexpr NamedChoice<const char*> kTeamModes[] = {{"greedy", "greedy"},
 constexpr NamedChoice<const char*> kFairness[] = {
     {"scarcity", "scarcity"}, {"balance", "balance"}, {"max_min", "max_min"}};
 
-// All instances in the facts, in the order of their IRIs.
+// All instances of a class in the facts, sorted by IRI.
 std::vector<FactEntity> All(const GraphView& view, const char* type) {
   std::vector<FactEntity> entities;
   for (kg_core::Term& term :
@@ -51,7 +51,7 @@ FactEntity TheMission(const GraphView& view) {
   return missions[0];
 }
 
-// How the team is chosen.
+// Reads the options for team selection.
 void ReadChoice(const FactEntity& mission, CoordinationFacts* facts) {
   facts->mode =
       Choice(mission, Ex("teamMode"), kTeamModes, kTeamModes[0].value);
@@ -68,6 +68,7 @@ void ReadChoice(const FactEntity& mission, CoordinationFacts* facts) {
 
 CoordinationFacts ReadCoordination(const FactEntity& mission) {
   CoordinationFacts facts;
+  // Convert lengths from km to m; absent properties keep the defaults.
   ReadChoice(mission, &facts);
   facts.separation_m =
       kg_base::KmToMetres(mission.Number(Ex("minimumSeparationKm"), 0.0));
@@ -87,7 +88,7 @@ CoordinationFacts ReadCoordination(const FactEntity& mission) {
   return facts;
 }
 
-// What a mission's facts of one class say, in the order of their IRIs.
+// Reads all entities of one class, sorted by IRI.
 template <typename Value>
 std::vector<Value> ReadAll(const GraphView& view,
                            const WindowCalendar& calendar, const char* type,
@@ -100,7 +101,8 @@ std::vector<Value> ReadAll(const GraphView& view,
   return values;
 }
 
-// What applies in no window: an empty list would mean all of them.
+// Removes entities that apply in no window, since an empty list would mean all
+// windows.
 template <typename Value>
 void DropOutlived(std::vector<Value>* values) {
   const auto is_over = [](const Value& value) {
@@ -133,7 +135,7 @@ Mission ReadMission(const GraphView& asserted) {
   mission.agents = ReadAgents(asserted, view, calendar, entity);
   mission.constraints = ReadAll(view, calendar, "Constraint", ReadConstraint);
   mission.priors = ReadAll(view, calendar, "PriorLayer", ReadPrior);
-  // What holds in no planned window has no effect.
+  // Entities that apply in no planned window have no effect.
   DropOutlived(&mission.constraints);
   DropOutlived(&mission.priors);
   mission.events = ReadAll(view, calendar, "Event", ReadEvent);

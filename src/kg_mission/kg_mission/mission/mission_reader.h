@@ -1,8 +1,8 @@
-// Reads the typed mission out of the facts and what the rules conclude from
-// them, which counts as much (facts_and_conclusions.h). All is valid by then
-// (validator.h); what only becomes visible here (an agent without a start, two
-// windows of one index, a prior weight for a layer that does not exist) is
-// refused with one line that names subject, property and expectation.
+// Reads the typed mission from the facts and the conclusions of the rules,
+// which count as facts (facts_and_conclusions.h). The input has been validated
+// (validator.h); errors that only show up here (an agent without a start, two
+// windows with the same index, a prior weight for a layer that does not exist)
+// are reported in one line that names subject, property and expectation.
 
 #ifndef KG_MISSION_MISSION_MISSION_READER_H_
 #define KG_MISSION_MISSION_MISSION_READER_H_
@@ -18,8 +18,8 @@ namespace kg_mission {
 // Throws InputError.
 Mission ReadMission(const kg_core::GraphView& view);
 
-// Times between windows that no window covers, a line each: allowed, but
-// nothing is planned there.
+// Time gaps between windows, one line each. Gaps are allowed, but nothing is
+// planned in them.
 std::vector<std::string> WindowGaps(const Mission& mission);
 
 }  // namespace kg_mission

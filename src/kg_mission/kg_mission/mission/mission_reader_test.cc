@@ -20,7 +20,7 @@ Mission ReadWith(const std::string& more = "") {
       *MissionWorld(std::string(kTestFacts) + more).store.Read());
 }
 
-// What the reader says of facts that no shape has seen.
+// The error of the reader for facts that have not been validated by shapes.
 std::string GetRefusal(const std::string& turtle) {
   kg_core::Store store("");
   kg_core::Transaction transaction = store.Begin();
@@ -268,7 +268,7 @@ TEST(MissionReaderTest, TheMissionSaysHowAgentsMoveAndBuffersAreMeasured) {
             BufferMetric::kChebyshev);
 }
 
-// Facts of kTestFacts with one thing changed, and what the reader says of it.
+// kTestFacts with one change, and the reader's error for it.
 struct Refused {
   const char* what;
   const char* by;

@@ -8,7 +8,7 @@ namespace kg_mission {
 namespace {
 
 struct ForbiddenRow {
-  const char* local;  // In ex:, a property or a class.
+  const char* local;  // Local name in ex: of a property or class.
   const char* reason;
 };
 constexpr ForbiddenRow kForbiddenTerms[] = {

@@ -1,5 +1,5 @@
-// Rules over mission facts: what they may not conclude, because it is read
-// before the rules run.
+// Rules over mission facts, and the conclusions they may not draw because those
+// terms are read before the rules run.
 
 #ifndef KG_MISSION_MISSION_MISSION_RULES_H_
 #define KG_MISSION_MISSION_MISSION_RULES_H_
@@ -14,11 +14,11 @@
 namespace kg_mission {
 
 // The reason why no rule may conclude this property or class of the mission's
-// ontology; nothing if rules may.
+// ontology; nullopt if rules may.
 std::optional<std::string> FindForbiddenConclusion(const kg_core::Term& term);
 
-// StageInferences (rules/inference.h) with the above. Returns the reasons to
-// reject the transaction.
+// StageInferences (rules/inference.h) with the forbidden terms above. Returns
+// the reasons to reject the transaction.
 std::vector<std::string> StageMissionRules(kg_core::Transaction& transaction);
 
 }  // namespace kg_mission

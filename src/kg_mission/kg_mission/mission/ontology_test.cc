@@ -1,4 +1,5 @@
-// The shipped ontology: the paper's class tree and what every term must carry.
+// The shipped ontology: the paper's class tree, and the properties required of
+// every term.
 
 #include <gtest/gtest.h>
 

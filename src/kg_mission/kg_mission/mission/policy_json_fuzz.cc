@@ -1,6 +1,6 @@
-// Arbitrary input as JSON of a policy, as ex:priors and ex:softOverrides of a
-// mission: refused with reasons, or expanded into weights that the mission
-// reader reads.
+// Fuzz test: arbitrary input as the JSON in ex:priors and ex:softOverrides of a
+// policy is rejected with reasons, or expanded into weights that the mission
+// reader accepts.
 
 #include <cstddef>
 #include <cstdint>

@@ -59,7 +59,7 @@ std::map<std::string, double> Weights(
   return weights;
 }
 
-// How Eq. 1 is done, beside its weights.
+// Reads the modes of Eq. 1, apart from its weights.
 void ReadModes(const FactEntity& entity, Policy* policy) {
   policy->normalisation = Choice(entity, Ex("normalisation"), kNormalisations,
                                  policy->normalisation);
@@ -75,7 +75,7 @@ void ReadModes(const FactEntity& entity, Policy* policy) {
       entity.Flag(Ex("paperLiteral"), policy->paper_literal);
 }
 
-// Which paths are offered, beside their terms.
+// Reads the options for path selection, apart from the cost terms.
 void ReadPathRules(const FactEntity& entity, Policy* policy) {
   if (const auto hours = entity.MaybeNumber(Ex("riskBudgetHours"))) {
     policy->hazard_budget_s = kg_base::HoursToSeconds(*hours);
@@ -113,7 +113,7 @@ Policy ReadPolicy(const kg_core::GraphView& view, const FactEntity& entity) {
   policy.alpha_base = entity.Number(Ex("alpha_base"));
   policy.beta_poi = entity.Number(Ex("beta_poi"), policy.beta_poi);
   policy.gamma_front = entity.Number(Ex("gamma_front"), policy.gamma_front);
-  // Facts have cost weights per hour and per Wh, the mission per SI unit.
+  // Cost weights are per hour and per Wh in facts, per SI unit in the mission.
   policy.lambda_time_per_s =
       entity.Number(Ex("lambda_time"), 0.0) / kg_base::kSecondsPerHour;
   policy.lambda_energy_per_j =

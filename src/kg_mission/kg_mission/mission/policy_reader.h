@@ -1,4 +1,4 @@
-// The parts of an agent: its policy and its capabilities, in SI.
+// Reads the policy and the capabilities of an agent, in SI units.
 
 #ifndef KG_MISSION_MISSION_POLICY_READER_H_
 #define KG_MISSION_MISSION_POLICY_READER_H_

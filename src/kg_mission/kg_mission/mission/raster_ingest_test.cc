@@ -1,4 +1,4 @@
-// Rasters of priors and constraints: from ex:gridRef to values on a grid.
+// Rasters of priors and constraints, from ex:gridRef to values on a grid.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ Grid EvenGrid(double west_deg, int cols) {
   return Grid(lon_deg, lat_deg);
 }
 
-const Grid kGrid = EvenGrid(-94, 5);  // The mission's, 4 x 5.
+const Grid kGrid = EvenGrid(-94, 5);  // Grid of the mission, 4 x 5.
 
 constexpr char kFacts[] = R"ttl(
 ex:currents a ex:DataSource ; ex:file "ocean.nc" ; ex:provides "current" .
@@ -179,7 +179,7 @@ TEST_F(RasterIngestTest, IsDueWhenARasterIsNamedChangedOrTakenBack) {
   changed.set = {{"ex:reefs", "ex:gridRef", "\"habitat.nc#reef@0\""}};
   ASSERT_EQ(Joined(Ingest(changed)), "");
   EXPECT_EQ(Reefs(ReadMission(*world_.store.Read())).raster->time_index, 0);
-  FactUpdate drawn;  // As an area instead.
+  FactUpdate drawn;  // Replaces the raster by an area.
   drawn.remove = {{"ex:reefs", "ex:gridRef", ""}};
   drawn.turtle =
       "ex:reefs geo:asWKT \"POLYGON((-94 26, -93 26, -93 27, -94 26))\" .";

@@ -1,4 +1,5 @@
-// Windows or agents that a fact names; none named = all of them.
+// Scope of a fact: the windows or agents that it names; none named = all of
+// them.
 
 #ifndef KG_MISSION_MISSION_SCOPE_H_
 #define KG_MISSION_MISSION_SCOPE_H_

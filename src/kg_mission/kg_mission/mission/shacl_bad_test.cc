@@ -1,11 +1,11 @@
-// Files of facts that the shapes must refuse: test/shacl_bad/*.ttl, each a
+// Files of facts that the shapes must reject: test/shacl_bad/*.ttl, each a
 // small change of the test world (mission_world.h). Their first lines say
 //
-//   # shape: ex:TimeWindowShape     who must refuse it, and nobody else;
-//   # path: ex:confidence           for what; "none": the node as a whole;
-//   # without: ex:w1 ex:confidence  what is taken away before;
-//   # repaired by: 1.2 => 0.8       the change of text that makes it good, or
-//   # repaired with: ex:w1 ...      the fact that is missing.
+//   # shape: ex:TimeWindowShape     the only shape that must reject it;
+//   # path: ex:confidence           path of the result; "none": the node;
+//   # without: ex:w1 ex:confidence  facts removed first;
+//   # repaired by: 1.2 => 0.8       the text replacement that repairs it, or
+//   # repaired with: ex:w1 ...      the missing fact.
 
 #include <gtest/gtest.h>
 
@@ -36,11 +36,11 @@ struct BadFile {
   std::string shape;
   std::string path;
   std::vector<std::string> without;
-  std::string bad, good;  // Repaired by one for the other,
-  std::string missing;    // or with this.
+  std::string bad, good;  // Repaired by replacing bad with good
+  std::string missing;    // or by adding this.
 };
 
-// The rest of `line` if it begins with `key`.
+// Extracts the rest of `line` if it begins with `key`.
 bool Takes(const std::string& line, const std::string& key,
            std::string* value) {
   if (line.rfind(key, 0) != 0) return false;
@@ -91,7 +91,7 @@ FactUpdate MakeUpdate(const BadFile& file, const std::string& turtle) {
   return update;
 }
 
-// The facts of the file without its comments, put right.
+// The repaired facts of the file, without comments.
 std::string Repaired(const BadFile& file) {
   std::istringstream in(file.text);
   std::string line, body;
@@ -110,7 +110,7 @@ std::string GetPath(const kg_core::Violation& violation) {
 
 std::string AllFacts() { return std::string(kTestFacts) + kTestArtifacts; }
 
-// One world for all: nothing is committed.
+// All tests share one store: nothing is committed.
 class ShaclBadTest : public testing::TestWithParam<BadFile> {
  protected:
   static UpdateJudgement Judge(const FactUpdate& update) {
@@ -146,7 +146,8 @@ INSTANTIATE_TEST_SUITE_P(Files, ShaclBadTest, testing::ValuesIn(BadFiles()),
                                0, info.param.name.size() - 4);
                          });
 
-// Every shape with a target, and every property of it.
+// Checks that there is a file for every shape with a target and each of its
+// properties.
 TEST(ShaclBadFilesTest, ThereIsOneForEveryShapeAndProperty) {
   MissionWorld world("");
   std::set<std::pair<std::string, std::string>> tried;

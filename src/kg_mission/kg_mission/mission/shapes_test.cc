@@ -1,5 +1,5 @@
-// The shipped shapes: a world that conforms, and how its operator is told what
-// does not. An example for each shape and property: shacl_bad_test.cc.
+// The shipped shapes: conforming facts, and the messages for violations. See
+// shacl_bad_test.cc for an example for each shape and property.
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 namespace kg_mission {
 namespace {
 
-// Setting `fact` (an empty value: removing the property) must be refused by
-// `shape`, in words that hold `said`.
+// Setting `fact` (empty value: removing the property) must be rejected by
+// `shape` with a message that contains `said`.
 struct BadFact {
   const char* shape;
   kg_core::Fact fact;

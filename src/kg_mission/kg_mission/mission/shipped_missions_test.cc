@@ -1,5 +1,5 @@
-// Every mission that the project ships: parses, conforms, is read, and its
-// figures are those that its comments promise.
+// Every shipped mission parses, conforms and is read, with the numbers stated
+// in its comments.
 
 #include <gtest/gtest.h>
 

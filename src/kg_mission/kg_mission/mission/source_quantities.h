@@ -1,12 +1,12 @@
-// The quantities that a mission's fields are of, one row each: what a data
-// source names by ex:provides, how a file is read for it, and what is stated
-// and compiled from it. How files name and scale a component (CF standard
-// names, variable names, units, limits) is told by its FieldQuantity
-// (field_values.cc).
+// Table of the physical quantities of a mission's fields, one row each: the
+// name in ex:provides of a data source, how it is read from a file, and the
+// facts and compiled terms made from it. The FieldQuantity of each component
+// (field_values.cc) defines how files name and scale it (CF standard names,
+// variable names, units, limits).
 //
-// A new quantity that costs is a row here and a FieldQuantity: ingest, the
+// A new cost quantity needs only a row here and a FieldQuantity: ingest, the
 // mission reader, the seam cost terms and their hashes, messages and
-// explanations go through the rows.
+// explanations iterate over the rows.
 
 #ifndef KG_MISSION_MISSION_SOURCE_QUANTITIES_H_
 #define KG_MISSION_MISSION_SOURCE_QUANTITIES_H_
@@ -19,35 +19,39 @@
 namespace kg_mission {
 
 enum class FieldRole {
-  kMotion,  // A velocity that carries agents: two components, east and north.
-  kValue,   // A scalar that value layers are made of.
-  kCost,    // A scalar whose integral along a flight is a term of its cost.
+  kMotion,  // Velocity that carries agents; components east, north.
+  kValue,   // Scalar from which value layers are made.
+  kCost,    // Scalar whose integral along a flight is a cost term.
 };
 
 struct SourceQuantity {
-  std::string name;  // ex:provides.
+  std::string name;  // Value of ex:provides.
   FieldRole role;
   std::vector<kg_base::FieldQuantity> components;
-  // CF standard name of the first component that is of this quantity and of no
-  // other; empty = any that is not another row's.
+  // CF standard name of the first component that identifies this quantity;
+  // empty = any name that is not in another row.
   std::string standard_name;
-  std::string layer_class;        // Of what an ingest states: "CurrentField".
-  std::string observed_property;  // sosa:observedProperty of it; may be empty.
-  // Of ex:Policy, for kCost: reward per `unit` and hour.
+  // Class of the ingested layer: "CurrentField".
+  std::string layer_class;
+  std::string observed_property;  // Its sosa:observedProperty; may be empty.
+  // For kCost: property of ex:Policy with the weight in reward per `unit` and
+  // hour.
   std::string weight_property;
-  std::string unit;  // SI.
+  std::string unit;  // SI unit.
 };
 
-// In a fixed order: motion, value, cost.
+// All quantities in a fixed order: motion, value, cost.
 const std::vector<SourceQuantity>& SourceQuantities();
-// Those with role kCost, in that order. Weights and exposures are kept so.
+// The quantities with role kCost, in that order, which is also the order of
+// weights and exposures.
 const std::vector<SourceQuantity>& CostQuantities();
 
-// By name. Throws std::logic_error if there is none: shapes admit no other.
+// Look-up by name. Throws std::logic_error if unknown, since the shapes reject
+// other names.
 const SourceQuantity& FindFieldQuantity(const std::string& name);
 
-// Throws InputError if a file's first component is of another row's medium: of
-// wind where sea water's is asked for.
+// Throws InputError if a file's first component belongs to the medium of
+// another row, e.g. wind instead of sea water.
 void CheckMedium(const SourceQuantity& quantity,
                  const kg_base::QuantitySeries& first);
 

@@ -78,7 +78,7 @@ class UpdateStager {
     }
   }
 
-  // Derives what follows from the changes, and checks the result.
+  // Stages derived facts and conclusions, and checks the result.
   UpdateJudgement Finish() {
     if (!reasons_.empty()) return {Reasons(), std::nullopt};
     if (transaction_.empty()) return {{}, std::vector<kg_core::Violation>()};
@@ -114,7 +114,8 @@ class UpdateStager {
     throw InputError(vocabulary_.UnknownProperty(property));
   }
 
-  // What an ingest has stated stays: it follows from files, not from senders.
+  // Removes all facts except ingested ones, which come from files, not from
+  // senders.
   void ClearFacts() {
     scope_ = ChangeScope::kAll;
     const kg_core::GraphView& view = transaction_.view();
@@ -129,6 +130,7 @@ class UpdateStager {
                                        view.Get(quad.object), Facts()});
                  return true;
                });
+    // Remove after the scan: the view follows changes of the transaction.
     for (const Statement& statement : statements) {
       if (ingested.count(statement.subject) == 0) {
         transaction_.Remove(statement);
@@ -136,7 +138,8 @@ class UpdateStager {
     }
   }
 
-  // Reads what queries read, writes facts only.
+  // Runs the SPARQL update; it reads the dataset of queries and writes facts
+  // only.
   void RunSparql(const FactUpdate& update) {
     kg_core::UpdateGraphs graphs;
     graphs.writable = {kg_core::kFactsGraph};
@@ -149,15 +152,15 @@ class UpdateStager {
     }
   }
 
-  // Brings what SPARQL wrote into the form of other facts.
+  // Normalizes a statement written by SPARQL like other facts.
   void Rename(const Statement& statement) {
     if (statement.graph != Facts()) return;
     transaction_.Remove(statement);
     AddStatement(statement);
   }
 
-  // Plain strings become WKT where that is what the property takes, other names
-  // of a class its own.
+  // Converts plain strings to WKT if the property requires it, and alternative
+  // class names to the canonical ones.
   Term Coerce(const Term& property, Term value) const {
     if (property == RdfType()) return vocabulary_.Canonical(value);
     const kg_core::PropertyFacts* facts = vocabulary_.FindProperty(property);
@@ -240,7 +243,8 @@ class UpdateStager {
     return std::any_of(removed.begin(), removed.end(), is_mission);
   }
 
-  // Without any mission, before and after, there is nothing to read.
+  // Reads the mission to check it; skipped if there is none before and after
+  // the update.
   void CheckMission() {
     const bool has_mission =
         !kg_core::FindInstances(transaction_.view(), kg_core::kFactsGraph,
@@ -258,7 +262,7 @@ class UpdateStager {
     for (std::string& reason : more) reasons_.push_back(std::move(reason));
   }
 
-  // In the order found, each once, not too many.
+  // The reasons in the order found, without duplicates, up to a maximum number.
   std::vector<std::string> Reasons() {
     std::set<std::string> seen;
     std::vector<std::string> once;

@@ -16,27 +16,28 @@
 namespace kg_mission {
 
 // Stages the update's changes in `transaction` (facts graph): `replaces_facts`
-// first, which leaves what files have stated; then `remove`,
-// then `set`, `add`, `turtle` and `sparql`; then what follows from them
-// (derived_facts.h) and what the rules conclude (mission_rules.h). Returns the
-// reasons to refuse it; empty = none. With reasons, the transaction is half
-// done and to be dropped. Knows nothing of files: see ingest.h. What an earlier
-// ingest stated is dropped if IngestIsDue.
+// first, which keeps ingested facts; then `remove`, then `set`, `add`, `turtle`
+// and `sparql`; then the derived facts (derived_facts.h) and the conclusions of
+// the rules (mission_rules.h). Does not read files, see ingest.h; facts of an
+// earlier ingest are dropped if IngestIsDue. Returns the reasons to reject the
+// update; empty = none. If there are reasons, the transaction is incomplete and
+// must be discarded. Reasons are:
 //  - malformed terms or Turtle, with the position;
-//  - a property that the ontology does not know, with the nearest known name;
-//  - `remove` of a fact that is not there;
-//  - violations of the shapes in the state after it, e.g. an agent whose policy
-//    does not exist, a confidence of 1.2, malformed WKT; only what the change
-//    can have touched is checked (ValidateChange, validator.h);
-//  - a rule that cannot be used, or whose conclusions are no facts that the
-//    above would let pass (conclusions.h);
-//  - two with one key, e.g. two costs of an edge for one agent (keys.h);
+//  - a property unknown to the ontology, with the nearest known name;
+//  - `remove` of a fact that does not exist;
+//  - violations of the shapes in the resulting state, e.g. an agent whose
+//    policy does not exist, a confidence of 1.2, malformed WKT; only nodes that
+//    the change can affect are checked (ValidateChange, validator.h);
+//  - an unusable rule, or one whose conclusions would be rejected as facts by
+//    the checks above (conclusions.h);
+//  - two instances with the same key, e.g. two costs of an edge for one agent
+//    (keys.h);
 //  - a mission that can no longer be read (mission_reader.h).
 std::vector<std::string> StageUpdate(const kg_core::FactUpdate& update,
                                      kg_core::Transaction& transaction);
 
-// The same, with the violations of shapes themselves, even where the reasons
-// are others; nothing if the update could not be read and applied.
+// Like StageUpdate, but also returns the shape violations, even if there are
+// other reasons; nullopt if the update could not be parsed and applied.
 struct UpdateJudgement {
   std::vector<std::string> reasons;
   std::optional<std::vector<kg_core::Violation>> violations;
@@ -44,8 +45,8 @@ struct UpdateJudgement {
 UpdateJudgement JudgeUpdate(const kg_core::FactUpdate& update,
                             kg_core::Transaction& transaction);
 
-// StageUpdate for a file of facts, whose name stands in the reasons, e.g. a
-// mission's mission.ttl.
+// StageUpdate for a file of facts (e.g. mission.ttl of a mission), whose name
+// is included in the reasons.
 std::vector<std::string> StageFactsFile(const std::string& path,
                                         kg_core::Transaction& transaction);
 

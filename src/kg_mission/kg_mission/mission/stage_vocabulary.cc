@@ -27,7 +27,7 @@ std::vector<SourceFile> ListFiles(const std::string& folder) {
   return files;
 }
 
-// States which version of the files the vocabulary graph holds.
+// Statement that records the version of the files in the vocabulary graph.
 Statement ComputeVersion(const std::vector<SourceFile>& files) {
   kg_base::Hasher hasher;
   for (const SourceFile& file : files) hasher.Add(file.sha256);

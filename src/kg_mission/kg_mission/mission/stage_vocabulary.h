@@ -1,4 +1,4 @@
-// The files of the ontology, read into the vocabulary graph.
+// Loads the ontology files into the vocabulary graph.
 
 #ifndef KG_MISSION_MISSION_STAGE_VOCABULARY_H_
 #define KG_MISSION_MISSION_STAGE_VOCABULARY_H_
@@ -12,9 +12,9 @@
 namespace kg_mission {
 
 // Stages ontology, shapes and rules of `folder` (mission.ttl, shapes.ttl,
-// rules.ttl) in the vocabulary graph, in place of what it holds, and what the
-// rules conclude; nothing if it holds these already. Returns the files it
-// staged, for the log (LogVocabulary). Throws InputError.
+// rules.ttl) in the vocabulary graph, replacing its content, and updates the
+// conclusions of the rules; does nothing if the graph is up to date. Returns
+// the staged files, for the log (LogVocabulary). Throws InputError.
 std::vector<kg_core::SourceFile> StageVocabulary(
     const std::string& folder, kg_core::Transaction& transaction);
 

@@ -35,7 +35,7 @@ bool IsFiniteNumber(const Term& literal) {
   return number && std::isfinite(*number);
 }
 
-// xsd:double takes numbers as people write them: 3, 0.4, 4e-1.
+// xsd:double also accepts integers and decimals: 3, 0.4, 4e-1.
 bool Fits(const Term& literal, const Term& datatype) {
   if (datatype == kg_core::Rdfs("Literal")) return true;
   const std::string xsd = kg_core::kXsd;
@@ -61,8 +61,8 @@ std::vector<Statement> CollectStatements(const GraphView& view,
   return statements;
 }
 
-// A shipped rule has its class in the vocabulary, and may be spoken of in the
-// facts.
+// Types in the facts or in the vocabulary: a shipped rule has its class in the
+// vocabulary, but may be a subject of facts.
 std::vector<Term> ListTypes(const GraphView& view, const Term& subject) {
   std::vector<Term> types =
       kg_core::Objects(view, kg_core::kFactsGraph, subject, kg_core::RdfType());
@@ -128,7 +128,7 @@ class SubjectCheck {
 
   void CheckRange(const Statement& statement, const PropertyFacts& facts) {
     const Term& value = statement.object;
-    // Classes of objects are for the shapes to check.
+    // The shapes check the classes of objects.
     if (!value.is_literal() && !facts.classes.empty()) return;
     if (facts.datatypes.empty()) {
       if (!value.is_literal()) return;

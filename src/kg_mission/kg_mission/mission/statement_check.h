@@ -1,7 +1,7 @@
-// Facts against the vocabulary, before the shapes: what SHACL's open world
-// would let pass. An unknown property, a subject without a class, a speed
-// stated of an agent instead of its capabilities, a text where a number
-// belongs.
+// Checks of facts against the vocabulary, before the shapes, for errors that
+// SHACL's open world accepts: an unknown property, a subject without a class, a
+// speed given for an agent instead of its capabilities, a text instead of a
+// number.
 
 #ifndef KG_MISSION_MISSION_STATEMENT_CHECK_H_
 #define KG_MISSION_MISSION_STATEMENT_CHECK_H_
@@ -15,12 +15,12 @@
 
 namespace kg_mission {
 
-// Reasons to refuse what stands about the subjects that `transaction` changes.
+// Reasons to reject the facts about subjects changed by `transaction`.
 std::vector<std::string> CheckChangedSubjects(
     const kg_core::Vocabulary& vocabulary,
     const kg_core::Transaction& transaction);
 
-// Likewise what `view` says about `subjects`.
+// Likewise for the facts about `subjects` in `view`.
 std::vector<std::string> CheckSubjects(const kg_core::Vocabulary& vocabulary,
                                        const kg_core::GraphView& view,
                                        const std::set<kg_core::Term>& subjects);

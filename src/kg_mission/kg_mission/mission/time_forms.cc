@@ -30,7 +30,7 @@ Term Begin() { return TimeTerm("hasBeginning"); }
 Term End() { return TimeTerm("hasEnd"); }
 Term Stamp() { return TimeTerm("inXSDDateTimeStamp"); }
 
-// What FormatDateTime can write: years 0 to 9999.
+// True if FormatDateTime can represent the time: years 0 to 9999.
 bool HasFormat(double unix_s) {
   return unix_s >= -62167219200.0 && unix_s < 253402300800.0;
 }
@@ -68,14 +68,15 @@ class TimeForms {
                         Ex("TimeWindow"));
   }
 
-  // Has `node` this class and no other? True of what has none, too.
+  // True if `node` has no class other than `type`, or no class at all.
   bool IsOnly(const Term& node, const Term& type) const {
     const std::vector<Term> types =
         kg_core::Objects(view(), kg_core::kFactsGraph, node, RdfType());
     return types.empty() || types == std::vector<Term>{type};
   }
 
-  // Windows, also those that the transaction removed; no intervals.
+  // Windows whose short form changed, including removed ones; without
+  // intervals.
   std::set<Term> ShortFormChanged() const {
     std::set<Term> windows;
     for (const Term& property : {Begin(), End(), Ex("durationHours")}) {
@@ -102,7 +103,8 @@ class TimeForms {
     for (const Term& property : {Begin(), End()}) {
       intervals.merge(ChangedSubjects(transaction_, property, scope_));
     }
-    // From instants up to intervals, from intervals up to windows.
+    // Propagate changes from instants to intervals, and from intervals to
+    // windows.
     for (const Term& interval : intervals) {
       for (const Term& window : kg_core::Subjects(view(), kg_core::kFactsGraph,
                                                   HasTime(), interval)) {
@@ -113,7 +115,7 @@ class TimeForms {
     return windows;
   }
 
-  // Of a well-formed short form.
+  // Time of a well-formed short form, Unix seconds.
   std::optional<double> Time_s(const Term& window, const Term& property) const {
     const std::optional<Term> value = First(window, property);
     return value ? kg_core::UnixSeconds(*value) : std::nullopt;
@@ -127,7 +129,7 @@ class TimeForms {
          Facts()});
   }
 
-  // Instants in place of the short form's xsd:dateTime.
+  // Replaces instants given in the short form by their xsd:dateTime.
   void TakeInstants(const Term& window) {
     for (const Term& property : {Begin(), End()}) {
       const std::optional<Term> instant = First(window, property);
@@ -150,8 +152,8 @@ class TimeForms {
     }
   }
 
-  // Nodes that are nothing but an interval are replaced; a link to anything
-  // else is left for the shapes to refuse.
+  // Rewrites the long form of a window. Nodes that are only an interval are
+  // replaced; links to other nodes are left to the shapes to reject.
   void Renew(const Term& window) {
     if (!window.is_iri()) return;
     for (const Term& interval : Linked(transaction_, window, HasTime())) {
@@ -172,7 +174,7 @@ class TimeForms {
     AddInstant(interval, End(), End_s(window, *begin_s));
   }
 
-  // NaN if the window does not say it.
+  // NaN if the window does not state its end.
   double End_s(const Term& window, double begin_s) const {
     if (const auto end_s = Time_s(window, End())) return *end_s;
     const std::optional<Term> hours = First(window, Ex("durationHours"));
@@ -213,7 +215,7 @@ class TimeForms {
 
   Transaction& transaction_;
   const ChangeScope scope_;
-  std::set<Term> taken_;  // Instants that may not be needed any more.
+  std::set<Term> taken_;  // Instants that may no longer be needed.
 };
 
 }  // namespace

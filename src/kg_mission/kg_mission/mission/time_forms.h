@@ -8,11 +8,10 @@
 //       <w0/time/begin> a time:Instant ; time:inXSDDateTimeStamp
 //           "2026-06-02T00:00:00Z"^^xsd:dateTimeStamp .
 //
-// Either may be written, also a time:Instant in place of the short form's
-// xsd:dateTime; both are stored. The short form stands on the window alone, so
-// that nobody who asks for a window's begin gets two answers. The end is
-// known to the long form if the window itself says it.
-// https://www.w3.org/TR/owl-time/
+// Either form may be written, also a time:Instant in place of the short form's
+// xsd:dateTime; both are stored. The short form is stored on the window only,
+// so that a query for a window's begin has one answer. The long form has an end
+// only if the window itself states it. https://www.w3.org/TR/owl-time/
 
 #ifndef KG_MISSION_MISSION_TIME_FORMS_H_
 #define KG_MISSION_MISSION_TIME_FORMS_H_
@@ -22,7 +21,7 @@
 
 namespace kg_mission {
 
-// Brings both forms up to date with what `transaction` changed in the facts.
+// Updates both forms for the changes of `transaction` to the facts.
 void StageTimeForms(kg_core::Transaction& transaction,
                     kg_core::ChangeScope scope);
 

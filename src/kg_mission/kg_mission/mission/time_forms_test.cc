@@ -26,7 +26,7 @@ constexpr char kStamp[] =
 
 Term Node(const std::string& local) { return Ex(local); }
 
-// The stamps that OWL-Time's path reaches from a window.
+// The time stamps reached from a window by the OWL-Time path.
 std::vector<std::string> Stamps(const MissionWorld& world, const char* window,
                                 const char* property) {
   const auto view = world.store.Read();
@@ -56,7 +56,8 @@ TEST(TimeFormsTest, WindowsHaveInstantsWithStamps) {
   const MissionWorld world;
   EXPECT_EQ(Stamps(world, "w1", "hasBeginning"), Texts{"2026-06-03T00:00:00Z"});
   EXPECT_EQ(Stamps(world, "w1", "hasEnd"), Texts{"2026-06-04T00:00:00Z"});
-  EXPECT_EQ(Stamps(world, "w0", "hasEnd"), Texts{});  // It says none itself.
+  // The window states no end.
+  EXPECT_EQ(Stamps(world, "w0", "hasEnd"), Texts{});
   EXPECT_EQ(ShortForm(world, "w1", "hasBeginning").size(), 1u);
 }
 
@@ -87,7 +88,7 @@ TEST(TimeFormsTest, AnInstantInPlaceOfADateTimeIsTaken) {
   EXPECT_EQ(Subjects(*world.store.Read(), kg_core::kFactsGraph, RdfType(),
                      TimeTerm("Instant"))
                 .size(),
-            2u);  // Those given are replaced by ours.
+            2u);  // Given nodes are replaced.
 }
 
 TEST(TimeFormsTest, TheLongFormAloneGivesTheShortOne) {

@@ -22,7 +22,7 @@ kg_core::shacl::DataGraph GetFacts(const GraphView& view) {
           nullptr};
 }
 
-// One for all: a process has one vocabulary, rarely two.
+// Process-wide cache: a process has one vocabulary, rarely two.
 std::shared_ptr<const kg_core::shacl::ShapeGraph> GetShapes(
     const GraphView& view) {
   static kg_core::shacl::ShapeCache* const cache =

@@ -1,4 +1,4 @@
-// SHACL components one by one, on shapes of a line each.
+// Each SHACL component, on one-line shapes.
 
 #include "kg_mission/mission/validator.h"
 
@@ -32,7 +32,7 @@ std::vector<kg_core::Violation> ValidateTexts(const std::string& shapes,
   return Validate(transaction.view());
 }
 
-// ex:x has ex:p `values`; the property shape holds `constraint`.
+// ex:x has the `values` of ex:p; the property shape has `constraint`.
 struct ComponentCase {
   const char* constraint;
   const char* good;
@@ -163,10 +163,10 @@ TEST(ValidatorTest, RefusesShapesThatReferToThemselves) {
       InputError);
 }
 
-// Objects of ex:x by a path of any kind, of the data below.
+// Nodes reached from ex:x by each kind of path in the data below.
 struct PathCase {
   const char* path;
-  const char* reached;  // In order.
+  const char* reached;  // Sorted.
 };
 const PathCase kPaths[] = {
     {"ex:p", "ex:a ex:b"},
@@ -198,7 +198,7 @@ TEST(ValidatorTest, PathsOfEveryKindReachWhatTheyShould) {
   }
 }
 
-// Each is refused when it is loaded, in words that hold `said`.
+// Each shape is rejected on loading with a message that contains `said`.
 struct IllFormed {
   const char* constraint;
   const char* said;

@@ -1,4 +1,4 @@
-// Until when the facts about an entity hold.
+// End of validity of the facts about an entity.
 
 #ifndef KG_MISSION_MISSION_VALIDITY_H_
 #define KG_MISSION_MISSION_VALIDITY_H_
@@ -7,11 +7,12 @@
 
 namespace kg_mission {
 
-// Properties in ex: that say when the facts about their subject end.
+// Properties in ex: that give the end of validity of the facts about their
+// subject.
 inline constexpr const char* kEndProperties[] = {"validUntil", "expires"};
 
-// When the facts about `entity` end, Unix seconds: the earlier of two; infinity
-// if never.
+// End of validity of the facts about `entity`, Unix seconds; the earlier one if
+// there are two, infinity if none.
 double ValidUntil_s(const FactEntity& entity);
 
 }  // namespace kg_mission

@@ -1,8 +1,9 @@
-// For benchmarks: a graph like that of a mission, as N-Triples.
+// For benchmarks: a synthetic mission-like graph as N-Triples.
 //
 // Per 100,000 triples: 6,000 waypoints with WKT, 8,600 edges between neighbours
 // with costs, 2,000 assignments, and a provenance graph of 10,000 entities,
-// each derived from one or two older ones. The same number gives the same text.
+// each derived from one or two older ones. A given block number always yields
+// the same text.
 
 #ifndef KG_CORE_RDF_TESTING_BENCH_GRAPH_H_
 #define KG_CORE_RDF_TESTING_BENCH_GRAPH_H_
@@ -103,7 +104,8 @@ class BenchBlock {
   std::string text_;
 };
 
-// Hands the text on in pieces of whole lines, about 100,000 triples each.
+// Passes the text to `write` in blocks of whole lines, about 100,000 triples
+// each.
 inline void WriteBenchGraph(
     std::size_t triples, const std::function<void(const std::string&)>& write) {
   std::size_t left = triples;

@@ -1,4 +1,5 @@
-// For tests: a store's content as a plain set, and random changes of both.
+// For tests: a store's content as a std::set, and random changes applied to
+// both.
 
 #ifndef KG_CORE_RDF_TESTING_STORE_MODEL_H_
 #define KG_CORE_RDF_TESTING_STORE_MODEL_H_
@@ -42,7 +43,7 @@ inline Model GetContent(const GraphView& view) {
   return content;
 }
 
-// The named graphs, by the view and by what is in them.
+// The named graphs: as reported by the view, and as derived from the model.
 inline std::vector<Term> ListGraphs(const GraphView& view) {
   std::vector<Term> graphs;
   for (const TermId graph : view.Graphs()) graphs.push_back(view.Get(graph));
@@ -132,8 +133,8 @@ inline void ChangeAtRandom(RandomFacts* facts, Transaction* change,
   }
 }
 
-// Random transactions, committed or dropped, against a plain set; snapshots
-// stay held over many commits; a durable store is reopened now and then.
+// Random transactions, committed or discarded, checked against a std::set;
+// snapshots are held over many commits; a durable store is reopened at random.
 inline void RunAgainstModel(const std::string& path, RandomFacts facts,
                             const StoreOptions& options) {
   auto store = std::make_unique<Store>(path, options);

@@ -1,5 +1,5 @@
-// For tests: a store with a vocabulary of a few words, rules and facts, without
-// shapes and missions: only what rules need.
+// For tests: a store with a small vocabulary, rules and facts, but without
+// shapes and missions.
 
 #ifndef KG_CORE_RULES_TESTING_RULE_STORE_H_
 #define KG_CORE_RULES_TESTING_RULE_STORE_H_
@@ -37,7 +37,8 @@ class RuleStore {
     return "ex:" + name + " a ex:Rule ; ex:construct '''" + construct + "''' .";
   }
 
-  // The reasons to refuse these changes of the facts; committed if none.
+  // Applies changes of the facts; returns the reasons for rejection, or commits
+  // if there are none.
   std::vector<std::string> Change(const std::string& add,
                                   const std::string& remove = "") {
     Transaction transaction = store.Begin();
@@ -61,7 +62,7 @@ class RuleStore {
                ParseTurtleTerm(property), ParseTurtleTerm(object));
   }
 
-  // Stands for what a mission forbids.
+  // Stand-in for the conclusions forbidden by a mission.
   static std::optional<std::string> FindForbidden(const Term& term) {
     if (term != Ex("hasWindow")) return std::nullopt;
     return "files are read before rules are run";

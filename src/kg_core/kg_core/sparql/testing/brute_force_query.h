@@ -1,6 +1,6 @@
-// Queries as data with an evaluator of their own, for tests: the definitions of
-// https://www.w3.org/TR/sparql11-query/#sparqlAlgebra taken literally, on maps
-// from names to terms, with nothing shared with the engine.
+// Queries as data and a brute force evaluator for tests: the definitions of
+// https://www.w3.org/TR/sparql11-query/#sparqlAlgebra implemented literally, on
+// maps from names to terms, sharing no code with the engine.
 
 #ifndef KG_CORE_SPARQL_TESTING_BRUTE_FORCE_QUERY_H_
 #define KG_CORE_SPARQL_TESTING_BRUTE_FORCE_QUERY_H_
@@ -14,9 +14,9 @@
 
 namespace kg_core::brute {
 
-// "?name" is a variable, all else a term as it is written ("ex:n0", "2").
+// "?name" is a variable, anything else a term as written ("ex:n0", "2").
 using Text = std::string;
-using Mapping = std::map<Text, Text>;  // Variable to term.
+using Mapping = std::map<Text, Text>;  // From variable to term.
 using Bag = std::vector<Mapping>;
 using Triple = std::vector<Text>;  // Subject, predicate, object.
 using Triples = std::set<Triple>;

@@ -1,5 +1,5 @@
-// Prints random cases, a line of JSON each, with what this engine answers, for
-// a second opinion from another engine (scripts/second_opinion.py):
+// Prints random test cases with this engine's results, one JSON object per
+// line, for comparison with another engine (scripts/second_opinion.py):
 //
 //     random_cases COUNT [FIRST_SEED]
 //
@@ -34,7 +34,7 @@ constexpr char kPrologue[] =
     "PREFIX ex: <http://example.org/mission/>\n"
     "PREFIX xsd: <http://www.w3.org/2001/XMLSchema#>\n";
 
-// Literals of the types that expressions tell apart.
+// Literals of the types that expressions distinguish.
 const std::vector<Text>& Literals() {
   static const std::vector<Text> literals = {
       "0",
@@ -96,11 +96,10 @@ const std::vector<Text>& Expressions() {
 }
 
 // A group whose ?a and ?b are bound, and up to two of the elements below. Left
-// out is what rdflib 6.1 answers otherwise than the recommendation: deeper
+// out are cases where rdflib 6.1 deviates from the recommendation: deeper
 // nesting, literals as subjects in templates, paths from literals, comparison
-// of terms of different kinds, subqueries that share a grouped variable,
-// joins of VALUES with OPTIONAL, bags of paths that may have no length,
-// canonical
+// of terms of different kinds, subqueries that share a grouped variable, joins
+// of VALUES with OPTIONAL, bags of paths that may have no length, canonical
 // lexical forms. Neither does Oxigraph 0.5 multiply 0 by a decimal.
 // brute_force_query.h covers the first, the W3C's tests the others.
 class PlainGroup {

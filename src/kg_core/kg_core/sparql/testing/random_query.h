@@ -1,5 +1,5 @@
-// Random small worlds and queries as SPARQL text, seeded: for the evaluator of
-// brute_force_query.h and for second opinions from other engines.
+// Seeded random small datasets and queries as SPARQL text, for the evaluator of
+// brute_force_query.h and for comparison with other engines.
 
 #ifndef KG_CORE_SPARQL_TESTING_RANDOM_QUERY_H_
 #define KG_CORE_SPARQL_TESTING_RANDOM_QUERY_H_
@@ -72,7 +72,7 @@ inline std::string ToSparql(const Group& group) {
   return text + "}";
 }
 
-// Draws worlds and queries; `literals` are the terms it draws besides nodes.
+// Draws datasets and queries; `literals` are the terms drawn besides nodes.
 class Dice {
  public:
   explicit Dice(unsigned seed, std::vector<Text> literals = {"0", "1", "2"})

@@ -1,5 +1,5 @@
-// A GraphView over a plain list of quads, for tests: every question is answered
-// by looking at every quad, so there is nothing in it that could be wrong.
+// A GraphView over a plain list of quads, for tests: every look-up is a linear
+// scan, simple enough to serve as reference.
 
 #ifndef KG_CORE_SPARQL_TESTING_VECTOR_VIEW_H_
 #define KG_CORE_SPARQL_TESTING_VECTOR_VIEW_H_
@@ -22,7 +22,7 @@ class VectorView : public GraphView {
     if (is_new) terms_.push_back(term);
     return found->second;
   }
-  // Adds a quad unless it is there.
+  // Adds a quad unless present.
   void Add(const Term& subject, const Term& predicate, const Term& object,
            const Term& graph) {
     const Quad quad{Intern(subject), Intern(predicate), Intern(object),

@@ -1,5 +1,5 @@
-// For tests: a small valid world with one instance of every class that has a
-// shape, in a store of its own. Tests run in the package's source folder.
+// For tests: a small valid mission with one instance of every class that has a
+// shape, in its own store. Tests run in the package's source folder.
 
 #ifndef KG_MISSION_MISSION_TESTING_MISSION_WORLD_H_
 #define KG_MISSION_MISSION_TESTING_MISSION_WORLD_H_
@@ -52,7 +52,7 @@ ex:bravo_start a ex:AgentState ; ex:forAgent ex:bravo ; ex:forWindow ex:w0 ;
     geo:asWKT "POINT(-90 26)" .
 )ttl";
 
-// Of the classes that ingest and planners state.
+// Instances of the classes stated by ingest and planners.
 inline constexpr char kTestArtifacts[] = R"ttl(
 ex:sst a ex:DataSource ; ex:file "x.nc" ; ex:provides "temperature" .
 ex:file1 a ex:SourceFile ; ex:path "/data/x.nc" ;
@@ -103,7 +103,7 @@ ex:rule a ex:Rule ; rdfs:label "none" ; rdfs:comment "Concludes nothing." ;
 
 class MissionWorld {
  public:
-  // With `facts`, which must be valid.
+  // Creates a store with `facts`, which must be valid.
   explicit MissionWorld(const std::string& facts = kTestFacts) {
     kg_core::Transaction vocabulary = store.Begin();
     StageVocabulary("../kg_mission/ontology", vocabulary);
@@ -115,7 +115,7 @@ class MissionWorld {
     if (!all.empty()) throw std::logic_error("the test's own facts: " + all);
   }
 
-  // The reasons to refuse `update`; commits it if there are none.
+  // Returns the reasons to reject `update`; commits it if there are none.
   std::vector<std::string> Commit(const kg_core::FactUpdate& update) {
     kg_core::Transaction transaction = store.Begin();
     std::vector<std::string> reasons = StageUpdate(update, transaction);
@@ -138,7 +138,7 @@ class MissionWorld {
   kg_core::Store store{""};
 };
 
-// All reasons in one text, for HasSubstr.
+// All reasons as one string, for HasSubstr.
 inline std::string Joined(const std::vector<std::string>& reasons) {
   std::string all;
   for (const std::string& reason : reasons) all += reason + "\n";
