@@ -42,7 +42,7 @@ double ToDouble(const std::string& digits) {
   return value;
 }
 
-// Reads a duration from left to right; refuses with what the whole should be.
+// Reads a duration from left to right; errors state the expected whole form.
 class Cursor {
  public:
   Cursor(std::string_view text, const char* expected)
@@ -69,7 +69,7 @@ class Cursor {
     rest_.remove_prefix(n);
     return digits;
   }
-  // What follows a '.', as a fraction of 1; 0 without one.
+  // Fraction after a '.', in [0, 1); 0 without a '.'.
   double TakeFraction() {
     if (!Take('.')) return 0.0;
     const std::string_view digits = TakeDigits();
@@ -171,8 +171,8 @@ class PartsReader {
   bool ok_ = true;
 };
 
-// One "12H" of a duration, whose unit stands in `units`; each unit may come
-// once, in order. Returns its seconds.
+// Reads one part such as "12H" of a duration, with a unit from `units`; each
+// unit may occur once, in order. Returns its length [s].
 double TakePart(Cursor* cursor, std::string_view* units) {
   const std::string_view digits = cursor->TakeDigits();
   if (digits.empty()) cursor->Refuse();

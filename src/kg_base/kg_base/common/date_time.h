@@ -1,4 +1,4 @@
-// XML Schema's dates and durations as seconds.
+// XML Schema dates and durations in seconds.
 //
 //   ParseDateTime("2026-03-01T06:00:00-06:00")  ==  1772366400.0  (12:00 UTC)
 //   ParseDuration("P1DT2H30M")                  ==  95400.0
@@ -24,11 +24,11 @@ struct DateTimeParts {
   int day = 1;
   int hour = 0;  // 24 only in 24:00:00.
   int minute = 0;
-  std::string_view second = "00";  // Two digits, perhaps "." and more.
+  std::string_view second = "00";  // Two digits, optional "." and fraction.
   std::optional<int> zone_min;     // Minutes east of UTC.
 };
 
-// Nothing if `text` is no such value. The result refers to `text`.
+// Nullopt if `text` is not such a value. The result refers to `text`.
 std::optional<DateTimeParts> ReadDateTimeParts(std::string_view text);
 std::optional<DateTimeParts> ReadDateParts(std::string_view text);
 
@@ -49,7 +49,7 @@ double ParseDuration(std::string_view text);
 // its last. http://howardhinnant.github.io/date_algorithms.html#days_from_civil
 std::int64_t DaysFromCivil(std::int64_t year, int month, int day);
 
-// Of the proleptic Gregorian calendar; month in 1..12.
+// Proleptic Gregorian calendar; month in 1..12.
 int DaysInMonth(std::int64_t year, int month);
 
 }  // namespace kg_base

@@ -1,4 +1,4 @@
-// An error in what the outside world handed us: a file, a message, a fact.
+// An error in external input: a file, a message, a fact.
 
 #ifndef KG_BASE_COMMON_INPUT_ERROR_H_
 #define KG_BASE_COMMON_INPUT_ERROR_H_
@@ -11,8 +11,8 @@
 namespace kg_base {
 
 // Thrown where input is read, caught only in a node's callbacks or a program's
-// main(). Its text is one line, whatever is quoted in it, that says where the
-// mistake is (file, line, subject, property) and what was expected.
+// main(). Its text is one line, even if it quotes other text, and states where
+// the error is (file, line, subject, property) and what was expected.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& text)

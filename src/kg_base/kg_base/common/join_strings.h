@@ -1,5 +1,4 @@
-// Strings or texts of values in one, with a separator between them: for names
-// in messages and for lists.
+// Joins strings or texts of values with a separator, e.g. names in messages.
 
 #ifndef KG_BASE_COMMON_JOIN_STRINGS_H_
 #define KG_BASE_COMMON_JOIN_STRINGS_H_

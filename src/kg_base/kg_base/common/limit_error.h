@@ -1,4 +1,4 @@
-// Input that may well be right, but asks for more than its limits.
+// An error for possibly valid input that exceeds a limit.
 
 #ifndef KG_BASE_COMMON_LIMIT_ERROR_H_
 #define KG_BASE_COMMON_LIMIT_ERROR_H_
@@ -7,8 +7,8 @@
 
 namespace kg_base {
 
-// Too much time, memory, rows, steps or text. Tried again, or with less, it may
-// succeed.
+// Too much time, memory, rows, steps or text. A retry, or a smaller request,
+// may succeed.
 class LimitError : public InputError {
  public:
   using InputError::InputError;

@@ -8,7 +8,7 @@
 
 namespace kg_base {
 
-// The text with blanks in place of control characters.
+// Replaces control characters by spaces.
 std::string OneLine(std::string_view text);
 
 }  // namespace kg_base

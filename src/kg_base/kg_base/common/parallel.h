@@ -1,4 +1,4 @@
-// A loop whose steps do not depend on each other, on the machine's cores.
+// A parallel loop over independent steps, on all cores.
 
 #ifndef KG_BASE_COMMON_PARALLEL_H_
 #define KG_BASE_COMMON_PARALLEL_H_
@@ -13,8 +13,8 @@
 namespace kg_base {
 
 // Calls work(0) ... work(count - 1), each once, in any order and from several
-// threads. Returns when all have ended; then throws what one of them threw, if
-// any did. Not all are begun after a throw.
+// threads. Returns when all have ended; rethrows the exception of one of them,
+// if any. After an exception the remaining steps may be skipped.
 template <typename Work>
 void ForEachInParallel(std::size_t count, const Work& work) {
   std::atomic<std::size_t> next{0};

@@ -19,8 +19,8 @@ std::string Sha256Hex(std::string_view bytes);
 std::string Sha256HexOfFile(const std::string& path);
 
 // Hashes a sequence of values: equal sequences, and only they, have equal
-// digests. Every value goes in with its kind and its length, so ("ab", "c")
-// and ("a", "bc") differ; every NaN is the same NaN, and -0 is not 0.
+// digests. Every value is added with its kind and its length, so ("ab", "c")
+// and ("a", "bc") differ; all NaNs are equal, and -0 differs from 0.
 class Hasher {
  public:
   Hasher();
@@ -33,7 +33,7 @@ class Hasher {
   void Add(double value);
   void Add(absl::Span<const float> values);
 
-  // The digest of all so far; more may be added after it.
+  // The digest of all values so far; more may be added afterwards.
   std::string Hex() const;
 
  private:

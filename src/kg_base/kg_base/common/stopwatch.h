@@ -1,4 +1,4 @@
-// Seconds that work takes, by a clock that nobody sets.
+// Elapsed time [s] by a monotonic clock.
 
 #ifndef KG_BASE_COMMON_STOPWATCH_H_
 #define KG_BASE_COMMON_STOPWATCH_H_
@@ -13,7 +13,7 @@ class Stopwatch {
   double Elapsed_s() const {
     return std::chrono::duration<double>(Clock::now() - begin_).count();
   }
-  // The same, and starts again from 0.
+  // Elapsed time [s]; restarts from 0.
   double Lap_s() {
     const Clock::time_point now = Clock::now();
     const double lap_s = std::chrono::duration<double>(now - begin_).count();

@@ -1,4 +1,4 @@
-// A folder of its own for a test that needs files; gone when it goes.
+// A temporary folder for tests that need files; removed by the destructor.
 
 #ifndef KG_BASE_COMMON_TEMPORARY_FOLDER_H_
 #define KG_BASE_COMMON_TEMPORARY_FOLDER_H_

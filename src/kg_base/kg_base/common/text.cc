@@ -8,8 +8,8 @@
 namespace kg_base {
 namespace {
 
-// Well-formed byte sequences, Unicode 15 table 3-7: the range of the first
-// byte, of the second, and how many bytes there are.
+// Well-formed byte sequences, Unicode 15 table 3-7: ranges of the first and the
+// second byte, and the number of bytes.
 struct Utf8Form {
   unsigned char first_low, first_high, second_low, second_high;
   int length;
@@ -66,8 +66,8 @@ void AppendUtf8(std::uint32_t code_point, std::string* text) {
   const auto tail = [&](int shift) {
     text->push_back(static_cast<char>(0x80 | ((code_point >> shift) & 0x3F)));
   };
-  // The leading byte holds the top bits and says how many bytes follow; each of
-  // those holds six bits.
+  // The leading byte holds the top bits and the number of continuation bytes,
+  // which hold six bits each.
   if (code_point < 0x80) {
     text->push_back(static_cast<char>(code_point));
   } else if (code_point < 0x800) {

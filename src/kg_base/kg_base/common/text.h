@@ -1,4 +1,4 @@
-// Small helpers for bytes that claim to be text (UTF-8, RFC 3629).
+// Helpers for bytes that should be text (UTF-8, RFC 3629).
 
 #ifndef KG_BASE_COMMON_TEXT_H_
 #define KG_BASE_COMMON_TEXT_H_
@@ -12,7 +12,7 @@
 namespace kg_base {
 
 // Byte offset of the first byte that is not well-formed UTF-8 (overlong forms,
-// surrogates and code points above U+10FFFF are ill-formed); nothing if all is.
+// surrogates and code points above U+10FFFF are ill-formed); nullopt if none.
 std::optional<std::size_t> FirstBadUtf8(std::string_view bytes);
 
 // Appends a code point; the caller has checked IsUnicodeScalar.

@@ -23,8 +23,8 @@ TEST(Text, EveryScalarIsWellFormedAndNoSurrogateIs) {
   EXPECT_FALSE(IsUnicodeScalar(0x110000));
 }
 
-// Exactly the encodings of scalars are well-formed: as many sequences of one,
-// two and three bytes as there are scalars of that length.
+// Only encodings of scalars are well-formed: the number of valid sequences of
+// one, two and three bytes equals the number of scalars of that length.
 TEST(Text, NothingElseIsWellFormed) {
   int single = 0, pairs = 0, triples = 0;
   const auto byte = [](int value) { return static_cast<char>(value); };

@@ -1,6 +1,6 @@
-// The one place where the units of facts become SI.
+// Conversion of the units of facts to SI; the only place where it happens.
 //
-// Facts speak as operators do (knots, hours, kilometres, watt-hours, compass
+// Facts use operators' units (knots, hours, kilometres, watt-hours, compass
 // degrees); everything behind the knowledge graph's boundary is SI and radians.
 
 #ifndef KG_BASE_COMMON_UNITS_H_

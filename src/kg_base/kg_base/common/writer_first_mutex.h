@@ -1,7 +1,8 @@
-// A shared mutex that busy readers cannot starve: a waiting writer goes first.
+// A shared mutex with writer priority, so that busy readers cannot starve a
+// writer.
 //
 // std::shared_mutex lets new readers pass a waiting writer; with two busy
-// readers that was measured at 24 updates a second. Not recursive. Use with
+// readers only 24 updates/s were measured. Not recursive. Use with
 // std::lock_guard and std::shared_lock.
 
 #ifndef KG_BASE_COMMON_WRITER_FIRST_MUTEX_H_

@@ -44,7 +44,7 @@ std::string XmlReader::ReadEntity() {
   constexpr std::pair<const char*, const char*> kEntities[] = {
       {"lt", "<"}, {"gt", ">"}, {"amp", "&"}, {"quot", "\""}, {"apos", "'"}};
   const std::size_t end = text_.find(';', at_);
-  // The longest entity is &#x10FFFF; further away the ';' is not its end.
+  // The longest entity is &#x10FFFF; a ';' farther away does not belong to it.
   if (end == std::string_view::npos || end - at_ > 10) Expected("an entity");
   const std::string name(text_.substr(at_ + 1, end - at_ - 1));
   std::string out;
@@ -67,7 +67,7 @@ std::string XmlReader::ReadEntity() {
   return out;
 }
 
-// Character data up to `end`, which is left; comments drop out.
+// Reads character data up to `end`, which is not consumed; skips comments.
 std::string XmlReader::TextUntil(char end) {
   constexpr std::string_view kCdata = "<![CDATA[";
   std::string out;

@@ -1,5 +1,5 @@
-// A reader of the part of XML that data is made of: tags, attributes and text.
-// No DTD, no entities but XML's own. https://www.w3.org/TR/xml/
+// A reader of the subset of XML used for data: tags, attributes and text. No
+// DTD, only the predefined entities. https://www.w3.org/TR/xml/
 
 #ifndef KG_BASE_COMMON_XML_READER_H_
 #define KG_BASE_COMMON_XML_READER_H_
@@ -13,17 +13,19 @@
 namespace kg_base {
 
 struct XmlTag {
-  std::string name;  // Without prefix; "/name" of a closing tag; "" at the end.
-  std::string full_name;                          // With it.
-  bool empty = false;                             // <name/>
-  std::map<std::string, std::string> attributes;  // Without, but for xml:...,
-  std::map<std::string, std::string> full_attributes;  // and with prefix.
-  std::string text;  // What stands between it and the next tag.
+  std::string name;       // Without prefix; "/name" = closing tag; "" = end.
+  std::string full_name;  // With prefix.
+  bool empty = false;     // <name/>
+  // Keys without prefix, except xml:...
+  std::map<std::string, std::string> attributes;
+  // Keys with prefix.
+  std::map<std::string, std::string> full_attributes;
+  std::string text;  // Text up to the next tag.
 };
 
 class XmlReader {
  public:
-  // `source` is named in errors. Throws InputError, as all here does.
+  // `source` is named in errors. All members throw InputError.
   XmlReader(std::string_view text, std::string source);
 
   XmlTag Next();

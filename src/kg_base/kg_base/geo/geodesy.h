@@ -13,7 +13,8 @@ double Distance_m(LonLat a, LonLat b);
 // Initial bearing from a to b, rad clockwise from true north, in [0, 2 pi).
 double Bearing_rad(LonLat a, LonLat b);
 
-// Where one comes to from `from` on a geodesic [m, rad clockwise from north].
+// End of the geodesic that starts at `from` with the given initial bearing [rad
+// clockwise from north] and length [m].
 LonLat Destination(LonLat from, double bearing_rad, double distance_m);
 
 // Degrees moved per metre travelled east or north at a latitude: 1 / (N cos

@@ -66,7 +66,7 @@ TEST(Geodesy, MeasuresFlindersPeakToBuninyongAsTheSurveyDid) {
               DegToRad(0.01 / 3600));
 }
 
-// From the tests of C. F. F. Karney's Algorithms for geodesics (2013).
+// Test data of C. F. F. Karney, Algorithms for geodesics (2013).
 TEST(Geodesy, AgreesWithKarneysTestSet) {
   const LonLat a{-139.44815, 35.60777};
   const LonLat b{-69.95921, -11.17491};

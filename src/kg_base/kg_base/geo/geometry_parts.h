@@ -1,4 +1,4 @@
-// What a geometry is made of, as vertex lists.
+// The parts of a geometry as vertex lists.
 
 #ifndef KG_BASE_GEO_GEOMETRY_PARTS_H_
 #define KG_BASE_GEO_GEOMETRY_PARTS_H_

@@ -53,7 +53,8 @@ GeosGeometry Ring(const std::vector<LonLat>& chain) {
 GEOSContextHandle_t Geos() { return ThisThreadsContext().handle(); }
 
 void GeosDeleter::operator()(GEOSGeometry* geometry) const {
-  // Not this thread's: it may be gone already when static objects end.
+  // Use a new context: the thread's may already be destroyed when static
+  // objects are.
   GEOSContextHandle_t context = GEOS_init_r();
   GEOSGeom_destroy_r(context, geometry);
   GEOS_finish_r(context);

@@ -1,5 +1,5 @@
-// What this package uses of GEOS: its reentrant C interface with one context
-// for each thread, owned geometries, and its errors as exceptions.
+// Wrapper of GEOS: its reentrant C interface with one context per thread, owned
+// geometries, and errors as exceptions.
 
 #ifndef KG_BASE_GEO_GEOS_H_
 #define KG_BASE_GEO_GEOS_H_

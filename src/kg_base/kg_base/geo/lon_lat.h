@@ -1,5 +1,5 @@
-// A position on the WGS84 ellipsoid, as facts and WKT give it (CRS84: longitude
-// first, degrees). Longitudes are kept in [-180, 180).
+// A position on the WGS84 ellipsoid, as in facts and WKT (CRS84: longitude
+// first, degrees). Longitudes are in [-180, 180).
 
 #ifndef KG_BASE_GEO_LON_LAT_H_
 #define KG_BASE_GEO_LON_LAT_H_

@@ -7,7 +7,7 @@
 namespace kg_base {
 namespace {
 
-// The same longitude, or difference of longitudes, in [-180, 180).
+// Normalises a longitude, or a difference of longitudes, to [-180, 180) deg.
 double WrapLon(double lon_deg) {
   if (lon_deg >= -180.0 && lon_deg < 180.0) return lon_deg;
   const double wrapped = std::remainder(lon_deg, 360.0);

@@ -1,5 +1,5 @@
-// The frame "map": the only place that turns WGS84 into the plane that rviz and
-// tf show, and back. Nothing is measured in it: lengths are geodesics.
+// The frame "map": the only conversion between WGS84 and the plane shown by
+// rviz and tf. It is not used for measurements: lengths are geodesics.
 //
 // Equidistant cylindrical (equirectangular) about the domain's centre
 // (lon0, lat0), x east, y north, metres:

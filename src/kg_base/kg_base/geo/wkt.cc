@@ -68,8 +68,8 @@ void AddParts(const GEOSGeometry* geometry, GeometryParts* parts) {
   }
 }
 
-// GEOS finds boxes when they are first asked for and keeps them; asked for
-// here, reading a geometry from several threads changes nothing in it.
+// GEOS computes bounding boxes lazily and caches them. Computing them here
+// makes later reads from several threads free of writes.
 void FindBoxes(const GEOSGeometry* geometry) {
   double west_deg = 0.0;
   GEOSGeom_getXMin_r(Geos(), geometry, &west_deg);
@@ -209,7 +209,7 @@ bool Geometry::Intersects(const Geometry& other) const {
   const char answer =
       GEOSIntersects_r(Geos(), handle_->geos.get(), other.handle_->geos.get());
   if (answer == 0 || answer == 1) return answer == 1;
-  // On vertices rounded in a repair GEOS's graph may not close.
+  // Fallback: on vertices rounded in a repair, GEOS's topology graph may fail.
   return Touches(handle_->parts, other.handle_->parts);
 }
 

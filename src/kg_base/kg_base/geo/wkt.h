@@ -1,12 +1,12 @@
 // Geometries of facts: well-known text in CRS84 (longitude latitude, degrees),
-// read behind caps on length, vertices and nesting, with GeoSPARQL's leading
-// <crs> IRI taken off, non-finite or impossible coordinates refused, and
-// invalid polygons repaired by GEOS (never made smaller than their valid part)
-// or refused. Predicates are GEOS's, planar in degrees.
+// read with limits on length, vertices and nesting. GeoSPARQL's leading <crs>
+// IRI is removed, non-finite or out-of-range coordinates are rejected, and
+// invalid polygons are repaired by GEOS (never made smaller than their valid
+// part) or rejected. Predicates are GEOS's, planar in degrees.
 //
-// Longitudes may come as -360..360; a geometry is moved by a whole turn into
-// [-180, 180] (a point into [-180, 180)). One that crosses the antimeridian is
-// refused: it has to be split at 180 degrees.
+// Longitudes of -360..360 are accepted; a geometry is shifted by a whole turn
+// into [-180, 180] (a point into [-180, 180)). A geometry that crosses the
+// antimeridian is rejected: it has to be split at 180 degrees.
 // Source: OGC 06-103r4 (WKT), OGC 11-052r4 (GeoSPARQL), 8.5.
 
 #ifndef KG_BASE_GEO_WKT_H_
@@ -30,7 +30,7 @@ class Geometry {
 
   bool IsPoint() const;
   bool IsArea() const;   // Polygon or multipolygon.
-  LonLat Point() const;  // Of a POINT; throws std::logic_error otherwise.
+  LonLat Point() const;  // POINT only; throws std::logic_error otherwise.
   std::string Wkt() const;
   LonLat Centroid() const;
   double west_deg() const;
@@ -41,7 +41,7 @@ class Geometry {
   bool Contains(LonLat position) const;  // Interior or boundary.
   bool Intersects(const Geometry& other) const;
   bool Within(const Geometry& other) const;
-  // Does the straight segment (in lon/lat) touch this geometry?
+  // Does the segment, straight in lon/lat, touch this geometry?
   bool IntersectsSegment(LonLat a, LonLat b) const;
   double DistanceDegrees(const Geometry& other) const;  // Planar, for geof.
   // Rings of an area as closed vertex lists, for display.

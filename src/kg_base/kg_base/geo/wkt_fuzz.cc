@@ -1,5 +1,5 @@
-// WKT from anybody: refused with one line, or a geometry that reads back as
-// itself and contains what it is made of.
+// Arbitrary WKT: rejected with one line, or a geometry that survives a round
+// trip and contains its own vertices.
 
 #include <cstddef>
 #include <cstdint>

@@ -9,7 +9,7 @@ namespace {
 
 using Chain = GeometryParts::Chain;
 
-// 1: p lies to the left of the way from a to b, -1: to the right, 0: on it.
+// 1: p lies left of the line from a to b, -1: right, 0: on the line.
 int Side(GEOSContextHandle_t geos, LonLat a, LonLat b, LonLat p) {
   return GEOSOrientationIndex_r(geos, a.lon_deg, a.lat_deg, b.lon_deg,
                                 b.lat_deg, p.lon_deg, p.lat_deg);
@@ -38,8 +38,8 @@ bool ChainMeets(const Chain& chain, LonLat a, LonLat b) {
   return false;
 }
 
-// Edges that a ray to the east crosses, by the half-open rule. The boundary is
-// asked for separately.
+// Even-odd test by the edges that a ray to the east crosses, with the half-open
+// rule. The boundary is tested separately.
 bool IsInside(const std::vector<Chain>& polygon, LonLat p) {
   const GEOSContextHandle_t geos = Geos();
   bool inside = false;
@@ -73,7 +73,8 @@ bool AnyEdgeTouches(const GeometryParts& parts, const Chain& chain) {
 
 }  // namespace
 
-// An edge of one touches the other, or one lies wholly inside the other.
+// True if an edge of one touches the other, or one lies entirely inside the
+// other.
 bool Touches(const GeometryParts& a, const GeometryParts& b) {
   for (const Chain& chain : Chains(b)) {
     if (AnyEdgeTouches(a, chain)) return true;

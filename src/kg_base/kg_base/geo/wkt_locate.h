@@ -1,6 +1,6 @@
-// Does a position or a straight segment touch a geometry? Edge by edge with
-// GEOS's exact orientation predicate, so that the answer is GEOS's own without
-// the graph that its general predicates build for every question.
+// Does a position or a straight segment touch a geometry? Tested edge by edge
+// with GEOS's exact orientation predicate, which gives the same result as
+// GEOS's general predicates without building their topology graph per call.
 // Source: ray crossing as in JTS's RayCrossingCounter.
 
 #ifndef KG_BASE_GEO_WKT_LOCATE_H_
@@ -13,7 +13,7 @@ namespace kg_base {
 
 bool Touches(const GeometryParts& parts, LonLat position);
 bool Touches(const GeometryParts& parts, LonLat a, LonLat b);
-// Every edge against every edge: for small geometries.
+// Tests every pair of edges: for small geometries only.
 bool Touches(const GeometryParts& a, const GeometryParts& b);
 
 }  // namespace kg_base

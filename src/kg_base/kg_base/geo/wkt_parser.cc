@@ -159,7 +159,7 @@ WktNode Parser::Geometry(int depth) {
 
 WktNode Parser::Body(WktKind kind, int depth) {
   WktNode node;
-  // Single geometries set their own kind; lists come back without one.
+  // Single geometries set their own kind; lists are returned without one.
   switch (kind) {
     case WktKind::kPoint:
       return PointBody();

@@ -1,5 +1,5 @@
-// The grammar of well-known text, with caps, into plain values. Every error
-// says at which character and what was expected there.
+// Parser of well-known text, with limits, into plain values. Every error states
+// the character position and what was expected there.
 
 #ifndef KG_BASE_GEO_WKT_PARSER_H_
 #define KG_BASE_GEO_WKT_PARSER_H_
@@ -14,7 +14,7 @@ namespace kg_base {
 
 inline constexpr std::size_t kMaxWktBytes = 1 << 20;
 inline constexpr std::size_t kMaxWktVertices = 100000;
-inline constexpr int kMaxWktNesting = 8;  // Collections in collections.
+inline constexpr int kMaxWktNesting = 8;  // Nested collections.
 
 enum class WktKind {
   kPoint,
@@ -28,14 +28,14 @@ enum class WktKind {
 
 struct WktNode {
   WktKind kind = WktKind::kPoint;
-  // Of a point one list with one vertex, of a line one list, of a polygon its
+  // Vertex lists. Point: one list with one vertex; line: one list; polygon:
   // closed rings, shell first.
   std::vector<std::vector<LonLat>> chains;
-  std::vector<WktNode> members;  // Of the others.
+  std::vector<WktNode> members;  // Members of all other kinds.
 };
 
-// Finite coordinates, |latitude| <= 90, |longitude| <= 360, nothing empty,
-// rings closed with at least four vertices. Throws InputError.
+// Guarantees finite coordinates, |latitude| <= 90, |longitude| <= 360, no empty
+// parts, and closed rings of at least four vertices. Throws InputError.
 WktNode ParseWkt(std::string_view text);
 
 }  // namespace kg_base

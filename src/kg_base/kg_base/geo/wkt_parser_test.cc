@@ -10,7 +10,7 @@
 namespace kg_base {
 namespace {
 
-// The error's text, or "read" when there is none.
+// The error text, or "read" if there is none.
 std::string ErrorOf(const std::string& text) {
   try {
     ParseWkt(text);

@@ -10,7 +10,7 @@
 namespace kg_base {
 namespace {
 
-// Share of an area that rounding in an overlay may cost.
+// Fraction of an area that rounding in an overlay may lose.
 constexpr double kAreaTolerance = 1e-9;
 constexpr int kMaxRepairPasses = 4;
 
@@ -23,7 +23,7 @@ void ForEachChain(WktNode* node, const Visit& visit) {
 void RefuseLongEdges(const std::vector<LonLat>& chain) {
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const double step_deg = std::abs(chain[i].lon_deg - chain[i - 1].lon_deg);
-    // Exactly a whole turn is the edge of a box around the globe.
+    // A step of exactly 360 degrees is an edge of a box around the globe.
     if (step_deg > 180.0 && step_deg < 360.0) {
       throw InputError(
           "WKT: an edge spans more than 180 degrees of longitude; expected a "
@@ -81,8 +81,8 @@ bool CoversWhatIsBeyondDoubt(const GEOSGeometry* whole, const WktNode& node) {
   }
   if (node.kind != WktKind::kPolygon) return true;
   const GeosGeometry polygon = Build(node);
-  // A valid member is beyond doubt: all of it must be covered. Of an invalid
-  // one only the size of the area is known, not the place.
+  // A valid member must be covered completely. Of an invalid one only the size
+  // of the area is known, not its location.
   if (Answer(GEOSisValid_r(Geos(), polygon.get()))) {
     const double area = GeosArea(polygon.get());
     const GeosGeometry lost =
@@ -92,8 +92,9 @@ bool CoversWhatIsBeyondDoubt(const GEOSGeometry* whole, const WktNode& node) {
   return GeosArea(whole) >= AreaBeyondDoubt(node) * (1.0 - kAreaTolerance);
 }
 
-// A repair puts new vertices where edges cross; rounded, they can make the
-// result invalid by a hair, which a second pass finds and the third confirms.
+// A repair inserts vertices where edges cross. Their rounding can make the
+// result slightly invalid again, which a second pass repairs and the third
+// confirms.
 GeosGeometry MakeValidThroughout(const GEOSGeometry* invalid) {
   GeosGeometry valid = MakeValid(invalid, GEOS_MAKE_VALID_STRUCTURE);
   for (int pass = 0; pass < kMaxRepairPasses; ++pass) {
@@ -122,8 +123,8 @@ void Canonicalise(WktNode* node) {
       east_deg = std::max(east_deg, vertex.lon_deg);
     }
   });
-  // One turn for the whole geometry, so that its shape stays. What still does
-  // not fit into [-180, 180] lies on both sides of the antimeridian.
+  // Shift the whole geometry by one turn, so that its shape is preserved. If it
+  // still does not fit into [-180, 180], it crosses the antimeridian.
   const double turn_deg = west_deg >= 180.0   ? -360.0
                           : east_deg < -180.0 ? 360.0
                                               : 0.0;
@@ -156,7 +157,7 @@ GeosGeometry Build(const WktNode& node) {
 GeosGeometry Repair(const WktNode& node, const GEOSGeometry* invalid) {
   GeosGeometry valid = MakeValidThroughout(invalid);
   const std::string reason = Reason(invalid);
-  // Negated, so that NaN is refused, too.
+  // Negated comparison, so that NaN is rejected as well.
   if (!(GeosArea(valid.get()) > 0.0)) {
     throw InputError("WKT: the polygon encloses no area (" + reason +
                      "), expected one that does");

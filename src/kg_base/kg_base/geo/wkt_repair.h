@@ -1,4 +1,5 @@
-// Makes GEOS geometries of parsed well-known text, and invalid areas valid.
+// Builds GEOS geometries from parsed well-known text, and repairs invalid
+// areas.
 
 #ifndef KG_BASE_GEO_WKT_REPAIR_H_
 #define KG_BASE_GEO_WKT_REPAIR_H_
@@ -8,16 +9,16 @@
 
 namespace kg_base {
 
-// Moves longitudes by a whole turn into [-180, 180]; throws InputError for what
-// crosses the antimeridian.
+// Shifts longitudes by a whole turn into [-180, 180]; throws InputError for
+// geometries that cross the antimeridian.
 void Canonicalise(WktNode* node);
 
 GeosGeometry Build(const WktNode& node);
 
-// A valid geometry of the same kind of dimension that covers at least what is
-// beyond doubt in the invalid one: members that are valid by themselves, and as
-// much area as the shell encloses by the even-odd rule less its holes. Throws
-// InputError where GEOS's repair falls short of that or leaves no area.
+// A valid geometry of the same dimension that covers at least the unambiguous
+// part of the invalid one: members that are valid by themselves, and as much
+// area as the shell encloses by the even-odd rule minus its holes. Throws
+// InputError if GEOS's repair covers less or leaves no area.
 GeosGeometry Repair(const WktNode& node, const GEOSGeometry* invalid);
 
 }  // namespace kg_base

@@ -111,7 +111,7 @@ TEST(Geometry, IntersectsSegmentsThatTouchIt) {
   EXPECT_TRUE(area.IntersectsSegment({-1, 3}, {2, 6}));
 }
 
-// On whole numbers, so that corners, edges and lines meet all the time.
+// Integer coordinates, so that corners, edges and lines often coincide.
 TEST(Geometry, ContainsAndIntersectsSegmentAsGeosSays) {
   std::mt19937 random(17);
   const auto vertex = [&random](double scale) {
@@ -149,7 +149,7 @@ TEST(Geometry, ContainsAndIntersectsSegmentAsGeosSays) {
       if (a == b) continue;
       const char meets =
           GEOSIntersects_r(Geos(), whole.get(), GeosLine({a, b}).get());
-      if (meets == 2) {  // GEOS's graph does not close on rounded vertices.
+      if (meets == 2) {  // GEOS's topology graph fails on rounded vertices.
         ++unanswered;
         continue;
       }
@@ -221,8 +221,8 @@ TEST(Geometry, IntersectsWhereGeosDoesNotAnswer) {
   EXPECT_TRUE(tangle.IntersectsSegment({0.4, 0.5}, {0.8, 0.7000000000000001}));
 }
 
-// Even-odd by counting crossings of a ray: what no reading of an invalid ring
-// may deny.
+// Even-odd rule by counting crossings of a ray: points inside by this rule must
+// be inside any repaired ring.
 bool OddCrossings(const std::vector<LonLat>& ring, LonLat p) {
   bool odd = false;
   for (std::size_t i = 1; i < ring.size(); ++i) {

@@ -8,9 +8,9 @@
 namespace kg_base {
 namespace {
 
-// On even spacing a bucket is an interval and its guess is right but for float
-// noise at the edges; on uneven spacing finer buckets keep wrong guesses, which
-// cost a step, rare.
+// With even spacing a bucket is an interval, and its guess is right except for
+// float noise at the edges; with uneven spacing finer buckets make wrong
+// guesses, which cost one step, rare.
 constexpr double kEvenSpacing = 1.01;
 constexpr double kBucketsPerInterval = 4.0;
 
@@ -60,7 +60,7 @@ void Axis::BuildBuckets() {
 double Axis::At(double cell) const {
   const double last = static_cast<double>(inverse_width_.size() - 1);
   const double floor = std::floor(cell);
-  // Written so that NaN becomes interval 0 and stays NaN in the result.
+  // Comparison ordered such that NaN gives interval 0 and a NaN result.
   const double interval = floor > 0.0 ? std::min(floor, last) : 0.0;
   const std::size_t i = static_cast<std::size_t>(interval);
   return centres_[i] + (cell - interval) * (centres_[i + 1] - centres_[i]);

@@ -1,11 +1,11 @@
-// One axis of a grid: ascending cell centres, spacing free to vary, and the way
-// from a coordinate to cell units and back (piecewise linear between centres,
-// the outer spacing continued beyond the outer centres).
+// One axis of a grid: ascending cell centres with arbitrary spacing, and the
+// conversion between coordinates and cell units (piecewise linear between
+// centres, extrapolated with the outer spacing beyond the outer centres).
 //
 // Locate is in the inner loop of path search: a table of equal buckets across
-// the axis names the interval to begin with, so that even spacing (the usual
-// case, float32 noise included) and Mercator rows cost the same few
-// nanoseconds, and the result is that of a search in the centres themselves.
+// the axis gives the first guess of the interval, so that even spacing (the
+// usual case, including float32 noise) and Mercator rows cost the same few
+// nanoseconds; the result equals that of a search in the centres.
 
 #ifndef KG_BASE_RASTER_AXIS_H_
 #define KG_BASE_RASTER_AXIS_H_
@@ -26,7 +26,7 @@ class Axis {
   double low() const { return low_; }
   double high() const { return high_; }
 
-  // Cell units of a coordinate in [low, high]; nothing elsewhere or for NaN.
+  // Cell units of a coordinate in [low, high]; nullopt elsewhere or for NaN.
   std::optional<double> Locate(double coordinate) const {
     if (!(coordinate >= low_ && coordinate <= high_)) return std::nullopt;
     const int i = Interval(coordinate);
@@ -41,8 +41,8 @@ class Axis {
   double Edge(int i) const { return At(i - 0.5); }
 
  private:
-  // The interval [centre i, centre i + 1) the coordinate lies in; the first or
-  // the last one for what lies beyond the outer centres.
+  // The interval [centre i, centre i + 1) that contains the coordinate; the
+  // first or the last one beyond the outer centres.
   int Interval(double coordinate) const {
     const int last = static_cast<int>(inverse_width_.size()) - 1;
     const double bucket = (coordinate - centres_[0]) * buckets_per_unit_;
@@ -59,8 +59,8 @@ class Axis {
   void BuildBuckets();
 
   std::vector<double> centres_;
-  std::vector<double> inverse_width_;  // Of the intervals between centres.
-  std::vector<int> interval_guess_;    // At the middle of each bucket.
+  std::vector<double> inverse_width_;  // 1 / width of each interval.
+  std::vector<int> interval_guess_;    // Interval at each bucket's middle.
   double buckets_per_unit_ = 0.0;
   double low_ = 0.0;
   double high_ = -1.0;  // An empty axis holds no coordinate.

@@ -11,7 +11,7 @@
 namespace kg_base {
 namespace {
 
-// By binary search and division, as the definition says.
+// Definition of Locate: binary search and division.
 double LocateByDefinition(const std::vector<double>& centres, double x) {
   const auto after = std::upper_bound(centres.begin(), centres.end(), x);
   const long i = std::clamp<long>(after - centres.begin() - 1, 0,

@@ -83,7 +83,7 @@ CfTime ParseCfTime(const std::string& units, const std::string& calendar) {
   }
   const std::string text = ToLowerAscii(units);
   std::smatch match;
-  // The length first: std::regex recurses once per character.
+  // Check the length first: std::regex recurses once per character.
   if (text.size() > kMaxUnitsBytes ||
       !std::regex_match(text, match, kPattern)) {
     Refuse(units);

@@ -1,4 +1,4 @@
-// CF's time axes: "<unit> since <date> [<time> [<zone>]]" to Unix seconds.
+// Converts CF time axes, "<unit> since <date> [<time> [<zone>]]", to Unix time.
 // Source: CF-1.8, section 4.4; UDUNITS-2 for the spellings.
 
 #ifndef KG_BASE_RASTER_CF_TIME_H_

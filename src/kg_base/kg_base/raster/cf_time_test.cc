@@ -43,7 +43,7 @@ TEST(ParseCfTime, AgreesWithTheDateOfEveryDayOfFourCenturies) {
 }
 
 // CF-1.8, 4.4.1: the standard calendar is Julian before 1582-10-15, so that
-// 0001-01-01 lies two days earlier than in the proleptic one.
+// 0001-01-01 is two days earlier than in the proleptic one.
 TEST(ParseCfTime, TellsTheStandardFromTheProlepticCalendar) {
   const std::string units = "days since 0001-01-01";
   const double standard = ParseCfTime(units, "gregorian").epoch_s;

@@ -13,7 +13,7 @@ constexpr std::size_t kMaxHeaderBytes = 16 << 20;
 constexpr std::uint32_t kDimensionTag = 10;
 constexpr std::uint32_t kVariableTag = 11;
 constexpr std::uint32_t kAttributeTag = 12;
-// Beyond this no length is believed; keeps sums and products from overflowing.
+// Largest length accepted; prevents overflow of sums and products.
 constexpr std::uint64_t kMaxLength = std::uint64_t{1} << 52;
 
 std::uint64_t TimesSize(std::uint64_t a, std::uint64_t b) {
@@ -36,7 +36,7 @@ std::uint64_t TypeSize(std::uint64_t type) {
 
 struct HeaderVariable {
   bool has_records = false;
-  std::uint64_t bytes = 0;  // Of the variable, or of one record of it.
+  std::uint64_t bytes = 0;  // Size of the variable, or of one record of it.
   std::uint64_t type_bytes = 0;
   std::uint64_t begin = 0;
 };
@@ -97,8 +97,8 @@ std::uint64_t HeaderParser::Integer(int bytes) {
   return value;
 }
 
-// Of a list: its tag and its length, both 0 when it is absent. Each entry takes
-// more than a byte of the header, so a longer list is a lie.
+// Reads the tag and the length of a list, both 0 if it is absent. Each entry
+// takes more than a byte of the header, so longer lists are invalid.
 std::uint64_t HeaderParser::Count(std::uint32_t tag) {
   const std::uint64_t found = Integer(4);
   const std::uint64_t count = Size();
@@ -160,7 +160,7 @@ std::uint64_t HeaderParser::End(const std::vector<HeaderVariable>& variables,
     record_bytes += Padded(variable.bytes);
     ++record_variables;
   }
-  // The file ends where its last variable does, or with the header.
+  // The file ends at the end of its last variable, or with the header.
   std::uint64_t end = at_;
   for (const HeaderVariable& variable : variables) {
     std::uint64_t bytes = variable.bytes;

@@ -1,6 +1,6 @@
-// The length that the header of a classic NetCDF file (CDF-1, -2, -5) promises.
-// The library reads zeros where a truncated file ends, which packing turns into
-// plausible values; so a file shorter than its promise is no file.
+// The length of a classic NetCDF file (CDF-1, -2, -5) according to its header.
+// The library reads zeros beyond the end of a truncated file, which unpacking
+// turns into plausible values; so a file shorter than this length is rejected.
 // Source: The NetCDF Classic Format Specification (netcdf-c,
 // file_format_specs).
 
@@ -14,14 +14,14 @@
 
 namespace kg_base {
 
-// Bytes up to the end of the last value, without padding behind it. `header`:
+// Bytes up to the end of the last value, without padding after it. `header`:
 // the file from its beginning, at least the whole header. Throws InputError
-// (without a file name) for a header that is cut or makes no sense; nothing
-// when these are not the first bytes of a classic file.
+// (without a file name) for a truncated or inconsistent header; nullopt if
+// these are not the first bytes of a classic file.
 std::optional<std::uint64_t> ClassicLength(std::string_view header);
 
-// Throws InputError that names the file when it is a classic one and shorter
-// than it promises.
+// Throws InputError that names the file if it is a classic file shorter than
+// its header states.
 void CheckClassicLength(const std::string& path);
 
 }  // namespace kg_base

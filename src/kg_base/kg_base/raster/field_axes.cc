@@ -13,7 +13,8 @@ namespace kg_base {
 namespace {
 
 constexpr std::size_t kMaxCoordinates = 100000;
-// A gap this many times the widest spacing is no seam of a global grid.
+// A gap above this multiple of the widest spacing is not the seam of a global
+// grid.
 constexpr double kSeamFactor = 1.5;
 
 enum class AxisRole { kUnknown, kTime, kDepth, kLatitude, kLongitude };
@@ -25,7 +26,7 @@ bool IsOneOf(const std::string& text, std::initializer_list<const char*> list) {
 AxisRole RoleByAttributes(const NetcdfVariable& variable) {
   const std::string standard = variable.Text("standard_name");
   const std::string units = variable.Text("units");
-  // All spellings that CF allows (4.1, 4.2); plain "degrees" says nothing.
+  // All spellings that CF allows (4.1, 4.2); plain "degrees" is ambiguous.
   if (standard == "latitude" ||
       IsOneOf(units, {"degrees_north", "degree_north", "degrees_N", "degree_N",
                       "degreesN", "degreeN"})) {
@@ -59,7 +60,7 @@ AxisRole RoleByName(const std::string& any_case) {
   return AxisRole::kUnknown;
 }
 
-// By name only where no attribute says what kind of quantity this is.
+// Role by attributes; by name only if no attribute identifies the quantity.
 AxisRole RoleOf(const NetcdfVariable& variable) {
   const AxisRole role = RoleByAttributes(variable);
   if (role != AxisRole::kUnknown) return role;
@@ -139,8 +140,8 @@ void AxesReader::RefuseCurvilinear() const {
   }
 }
 
-// The variable that gives a dimension its values: of the same name, or the only
-// one along it that is a latitude, longitude, depth or time.
+// The coordinate variable of a dimension: of the same name, or the only one
+// along it that is a latitude, longitude, depth or time.
 const NetcdfVariable* AxesReader::CoordinateOf(int position) const {
   const NetcdfVariable* found = nullptr;
   const int dimension = variable_.dimensions[position];
@@ -163,8 +164,8 @@ void AxesReader::Assign(int position) {
   const AxisRole role = coordinate == nullptr
                             ? RoleByName(Dimension(position).name)
                             : RoleOf(*coordinate);
-  // Levels and dimensions of one element are fixed to one index; all others
-  // must be known, or values would be read from the wrong place.
+  // Levels and dimensions of size 1 are fixed to one index; all others must be
+  // identified, or values would be read from the wrong position.
   if (role == AxisRole::kDepth) return AssignDepth(position, coordinate);
   if (role == AxisRole::kUnknown && Dimension(position).size == 1) return;
   if (role == AxisRole::kUnknown || coordinate == nullptr) {
@@ -190,7 +191,7 @@ void AxesReader::Assign(int position) {
 void AxesReader::AssignDepth(int position, const NetcdfVariable* coordinate) {
   if (coordinate == nullptr) return;
   const std::vector<double> depths = Coordinates(*coordinate);
-  // Positive up or down: the shallowest is the least in magnitude.
+  // Depths may be positive up or down: the shallowest has the least magnitude.
   const auto shallowest = std::min_element(
       depths.begin(), depths.end(),
       [](double a, double b) { return std::abs(a) < std::abs(b); });
@@ -232,7 +233,7 @@ bool AxesReader::Descends(const NetcdfVariable& axis,
 }
 
 std::vector<double> AxesReader::Latitudes() {
-  // The canonical grid runs from south to north, whatever the file does.
+  // The canonical grid runs from south to north, independent of the file.
   std::vector<double> values = Coordinates(*lat_);
   axes_.file_row.resize(values.size());
   std::iota(axes_.file_row.begin(), axes_.file_row.end(), std::size_t{0});
@@ -255,7 +256,7 @@ std::vector<double> AxesReader::Longitudes() {
     std::reverse(values.begin(), values.end());
     std::reverse(axes_.file_col.begin(), axes_.file_col.end());
   }
-  // Beyond two turns, or a column twice: no longitudes.
+  // Values beyond two turns, or a repeated column: not longitudes.
   if (values.front() < -360.0 || values.back() > 720.0 ||
       values.back() - values.front() >= 360.0) {
     file_.Refuse(*lon_, "expected degrees that span less than a turn, found " +
@@ -263,7 +264,7 @@ std::vector<double> AxesReader::Longitudes() {
                             std::to_string(values.back()));
   }
   // Step 2: into [-180, 180), beginning with the westernmost column. A global
-  // file from 0 to 360 is cut at 180 and its halves change places.
+  // file from 0 to 360 is split at 180 and its halves are swapped.
   const std::vector<double> wrapped = Wrapped(values);
   const auto west = std::min_element(wrapped.begin(), wrapped.end());
   const auto turn = west - wrapped.begin();
@@ -274,8 +275,8 @@ std::vector<double> AxesReader::Longitudes() {
   return rotated;
 }
 
-// Each longitude in [-180, 180). Where the file runs across 180 degrees the
-// ends must meet as in a global file.
+// Wraps each longitude into [-180, 180). A file that crosses 180 degrees must
+// be global, i.e. its ends must meet.
 std::vector<double> AxesReader::Wrapped(
     const std::vector<double>& ascending) const {
   std::vector<double> wrapped;
@@ -301,8 +302,8 @@ std::vector<double> AxesReader::Wrapped(
   return wrapped;
 }
 
-// Of the variable's own dimension, or else a scalar; nothing if there is none
-// and none is needed.
+// Time variable of the variable's own dimension, or else a scalar one; null if
+// there is none and none is required.
 const NetcdfVariable* AxesReader::TimeVariable() const {
   if (time_ != nullptr) return time_;
   for (const NetcdfVariable& other : file_.variables()) {
@@ -332,7 +333,8 @@ void AxesReader::ReadTimes() {
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double time_s = cf.epoch_s + values[i] * cf.unit_s;
-    // Some 30,000 years: beyond are fill values. Negated, to catch NaN, too.
+    // Values beyond about 30,000 years are fill values. Negated comparison, to
+    // catch NaN as well.
     if (!(std::abs(time_s) < 1e12)) {
       file_.Refuse(time, "time " + std::to_string(i) + " is missing");
     }

@@ -1,5 +1,5 @@
-// Which dimension of a gridded file's variable is which, and the canonical grid
-// and times behind them. CF attributes first, names second.
+// Roles of the dimensions of a gridded file's variable, and its canonical grid
+// and times. CF attributes take precedence over names.
 // Source: CF-1.8, sections 4 and 5.
 
 #ifndef KG_BASE_RASTER_FIELD_AXES_H_
@@ -26,11 +26,11 @@ struct FieldAxes {
   std::vector<double> time_s;
 };
 
-// May a variable be of no time? Then its one time is NaN.
+// May a variable lack a time? Its only time is then NaN.
 enum class TimeAxis { kRequired, kOptional };
 
-// Throws InputError for what is not understood: curvilinear grids, grids across
-// the antimeridian, axes or times that do not run one way, unknown dimensions.
+// Throws InputError for unsupported files: curvilinear grids, grids across the
+// antimeridian, axes or times that are not monotonic, unknown dimensions.
 FieldAxes ReadFieldAxes(const NetcdfFile& file, const NetcdfVariable& variable,
                         TimeAxis time = TimeAxis::kRequired);
 

@@ -42,7 +42,8 @@ class FileDescriptor {
   int fd_;
 };
 
-// By /proc or, where that is not mounted, by the name it was started with.
+// Folder from /proc or, if that is not mounted, from the name the program was
+// started with.
 std::string FolderOfThisProgram() {
   char path[4096];
   const ssize_t size = readlink("/proc/self/exe", path, sizeof(path));
@@ -66,7 +67,7 @@ std::string FindProgram() {
       folder + ", in ../kg_base beside it, or named by KG_READ_FIELD_FILE");
 }
 
-// What a new process gets instead of its parent's descriptors and signals.
+// Descriptors and signal settings of the child, replacing its parent's.
 class SpawnSettings {
  public:
   explicit SpawnSettings(int answer) {
@@ -98,7 +99,7 @@ class SpawnSettings {
   posix_spawnattr_t attributes_;
 };
 
-// A child that is gone, and waited for, when this is.
+// A child process; the destructor kills it and waits for it.
 class ChildProcess {
  public:
   ChildProcess(const std::vector<std::string>& arguments, int answer) {
@@ -118,7 +119,7 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  // Kills it if it still runs; how it ended, for an error line.
+  // Kills it if it is still running; returns how it ended, for an error line.
   std::string End() {
     if (pid_ < 0) return "";
     kill(pid_, SIGKILL);
@@ -148,7 +149,8 @@ class ChildAnswer {
                   std::chrono::duration_cast<Clock::duration>(
                       std::chrono::duration<double>(deadline_s))) {}
 
-  // Throws InputError at the deadline. Fewer than `count`: the end.
+  // Reads up to `count` bytes; fewer mean end of file. Throws InputError at the
+  // deadline.
   std::size_t Get(void* bytes, std::size_t count) const {
     std::size_t done = 0;
     while (done < count) {
@@ -184,7 +186,7 @@ class ChildAnswer {
   Clock::time_point deadline_;
 };
 
-// `wanted`: as the program's arguments.
+// `wanted`: arguments of the program.
 FieldFile ReadInChild(const std::string& path,
                       const std::vector<std::string>& wanted,
                       double deadline_s) {
@@ -199,6 +201,7 @@ FieldFile ReadInChild(const std::string& path,
   const FileDescriptor from_child(ends[0]);
   FileDescriptor to_parent(ends[1]);
   ChildProcess child(arguments, to_parent.get());
+  // Close our copy of the write end, or the end of file would not be seen.
   to_parent.Close();
   const ChildAnswer answer(path, from_child.get(), limit_s);
   return ReadFieldBytes(path, [&](void* bytes, std::size_t count) {

@@ -1,5 +1,5 @@
 // Reads a gridded file in a child process (program "read_field_file" of this
-// package, found beside the running program) that is ended at its deadline:
+// package, located next to the running program) that is killed at its deadline:
 // damaged NetCDF-4 files can hang or crash the library.
 
 #ifndef KG_BASE_RASTER_FIELD_CHILD_H_

@@ -1,5 +1,5 @@
-// Reading in a child process: whatever is wrong with the file, the parent gets
-// one line, in time, and keeps no process and no descriptor.
+// Reading in a child process: for any defect of the file the parent gets one
+// error line, in time, and leaks no process and no descriptor.
 
 #include "kg_base/raster/field_child.h"
 
@@ -57,7 +57,8 @@ void ExpectSame(const FieldFile& a, const FieldFile& b) {
   }
 }
 
-// A program for KG_READ_FIELD_FILE that misbehaves; the setting ends with it.
+// A misbehaving program for KG_READ_FIELD_FILE; the destructor resets the
+// variable.
 class Impostor {
  public:
   explicit Impostor(const std::string& script) {
@@ -174,8 +175,8 @@ std::string Damaged(const std::string& whole, int kind, std::mt19937* random) {
   return bytes;
 }
 
-// Reliability test 12. A flipped bit in the data may go unseen (the files have
-// no checksums): then values differ, but they are values.
+// Reliability test 12. A flipped bit in the data may be undetected (the files
+// have no checksums): values then differ, but are still valid numbers.
 TEST(ReadFieldFileSafely, SurvivesSixtyDamagedNetcdf4Files) {
   TestFile spec;
   spec.format = NC_NETCDF4;
@@ -218,7 +219,7 @@ TEST(FieldProtocol, RefusesSizesBeforeItAllocatesForThem) {
                  [&](const void* from, std::size_t count) {
                    whole.append(static_cast<const char*>(from), count);
                  });
-  // Rows, columns, times, series, the length of a text: each a lie of 2^32 - 1.
+  // Rows, columns, times, series and text length, each set to 2^32 - 1.
   for (const std::size_t lie : {12, 16, 20, 24, 32}) {
     std::string bytes = whole;
     bytes.replace(lie, 4, "\xff\xff\xff\xff");

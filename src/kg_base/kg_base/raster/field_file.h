@@ -1,5 +1,5 @@
 // The contents of a gridded file in canonical form: one grid, one list of
-// times, and for each quantity one raster a time, in SI (degree Celsius).
+// times, and for each quantity one raster per time, in SI (degree Celsius).
 
 #ifndef KG_BASE_RASTER_FIELD_FILE_H_
 #define KG_BASE_RASTER_FIELD_FILE_H_
@@ -25,11 +25,11 @@ inline bool IsWind(const QuantitySeries& series) {
 
 struct FieldFile {
   std::string path;
-  std::string sha256;  // Of the whole file.
+  std::string sha256;  // Digest of the whole file.
   Grid grid;
   // Unix seconds, strictly ascending; one NaN for a variable without time.
   std::vector<double> time_s;
-  std::vector<QuantitySeries> series;  // In the order asked for.
+  std::vector<QuantitySeries> series;  // In the order requested.
 };
 
 }  // namespace kg_base

@@ -28,7 +28,7 @@ void ExpectRefused(const TestFile& spec, const std::string& because) {
   EXPECT_EQ(error.find('\n'), std::string::npos) << error;
 }
 
-// Whatever the file's form, the canonical contents are the same.
+// The canonical contents are independent of the form of the file.
 void ExpectCanonical(const FieldFile& file, std::size_t times = 3) {
   const std::vector<double> lon{-98, -97.9, -97.8, -97.7};
   const std::vector<double> lat{21, 21.1, 21.25};
@@ -132,7 +132,7 @@ TEST(ReadFieldFile, GoesByAttributesFirstAndNamesSecond) {
   ExpectRefused(spec, "expected both of sea water or both of wind");
 }
 
-// The wind: what else moves those who move in it.
+// A file of wind components.
 TestFile WindFile() {
   TestFile spec;
   spec.east_name = "u10";
@@ -358,7 +358,7 @@ TEST(ReadFieldFile, RefusesWhatIsNoNetcdfFile) {
   EXPECT_THROW(ReadFieldFile(file.path(), {}), std::logic_error);
 }
 
-// Share of cells without data.
+// Fraction of cells without data.
 double LandShare(const Raster& raster) {
   const auto land = std::count_if(raster.begin(), raster.end(),
                                   [](float v) { return std::isnan(v); });
@@ -403,7 +403,7 @@ TEST(ReadFieldFileReal, KeepsWaterThatAWrongValidRangeDenies) {
   EXPECT_EQ(LandShare(warm), 0.0);
   const auto above = std::count_if(warm.begin(), warm.end(),
                                    [](float t) { return t > 28.80272865f; });
-  EXPECT_GT(above, 0);  // What the attribute calls impossible.
+  EXPECT_GT(above, 0);  // Outside the attribute's valid range.
   const std::vector<double>& lat = file.grid.lat_deg();
   EXPECT_GT(lat[1] - lat[0], lat[55] - lat[54]);
 }

@@ -128,7 +128,7 @@ void WriteFieldFile(const FieldFile& file, const PutBytes& put) {
   head.cols = static_cast<std::uint32_t>(file.grid.cols());
   head.times = static_cast<std::uint32_t>(file.time_s.size());
   head.series = static_cast<std::uint32_t>(file.series.size());
-  // Sizes first: the reader checks them before it allocates anything.
+  // Sizes come first: the reader checks them before any allocation.
   put(&head, sizeof(head));
   PutText(file.sha256, put);
   PutDoubles(file.grid.lon_deg(), put);

@@ -1,5 +1,6 @@
-// How a child process hands a gridded file's contents, or its error line, to
-// its parent: a fixed head with all sizes, then the numbers as both hold them.
+// Protocol by which a child process sends a gridded file's contents, or its
+// error line, to its parent: a fixed header with all sizes, then the numbers in
+// host byte order.
 
 #ifndef KG_BASE_RASTER_FIELD_PROTOCOL_H_
 #define KG_BASE_RASTER_FIELD_PROTOCOL_H_
@@ -12,11 +13,11 @@
 
 namespace kg_base {
 
-// What stands before a variable's name where a quantity's number could stand,
-// in the arguments of that process.
+// Prefix of a variable's name in the arguments of that process, where otherwise
+// the number of a quantity is expected.
 inline constexpr char kVariableArgument[] = "variable=";
 
-// Of all series of a file together: 1 GiB of floats.
+// Limit of the values of all series of a file: 1 GiB of floats.
 inline constexpr std::size_t kMaxFieldValues = std::size_t{1} << 28;
 
 using PutBytes = std::function<void(const void* bytes, std::size_t count)>;
@@ -26,9 +27,10 @@ using GetBytes = std::function<void(void* bytes, std::size_t count)>;
 void WriteFieldFile(const FieldFile& file, const PutBytes& put);
 void WriteFieldError(const std::string& line, const PutBytes& put);
 
-// Throws InputError: the error line that was sent, or what is wrong with the
-// bytes. Nothing is allocated for sizes that are not believable, and rasters
-// only as their bytes arrive. `path` goes into the result and the errors.
+// Throws InputError with the error line received, or with the defect of the
+// bytes. Implausible sizes are rejected before allocation, and rasters are
+// allocated only as their bytes arrive. `path` is used in the result and
+// errors.
 FieldFile ReadFieldBytes(const std::string& path, const GetBytes& get);
 
 }  // namespace kg_base

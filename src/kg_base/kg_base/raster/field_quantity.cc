@@ -7,7 +7,7 @@
 namespace kg_base {
 namespace {
 
-// Possible values by standard name, where they are not those of sea water.
+// Valid range by standard name, where it differs from that of sea water.
 struct MediumLimits {
   const char* standard_name;
   double min_value;
@@ -101,7 +101,7 @@ const QuantityWords& WordsFor(FieldQuantity quantity) {
       LengthUnits(),
       0.0,
       40.0};
-  // By its own name only; any finite value is possible.
+  // Selected by variable name only; any finite value is valid.
   static const QuantityWords kAny = {"values",
                                      {},
                                      {},

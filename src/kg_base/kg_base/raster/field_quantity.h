@@ -1,7 +1,7 @@
-// The quantities that a gridded file can be asked for, one row of a table each:
-// how files name them, in which units, and which values are possible. A new
-// quantity is an enumerator and a row (field_quantity.cc).
-// Source of the names: CF-1.8, section 3.3 (standard names).
+// The quantities that can be read from a gridded file, one table row each:
+// names in files, units, and valid range. A new quantity needs an enumerator
+// and a row (field_quantity.cc). Source of the names: CF-1.8, section 3.3
+// (standard names).
 
 #ifndef KG_BASE_RASTER_FIELD_QUANTITY_H_
 #define KG_BASE_RASTER_FIELD_QUANTITY_H_
@@ -21,7 +21,7 @@ enum class FieldQuantity {
   kTemperature,
   // m; sea_surface_wave_significant_height; swh, hs
   kWaveHeight,
-  kAny,  // A variable asked for by its own name, in its own unit.
+  kAny,  // A variable requested by name, in its own unit.
 };
 
 // SI (degree Celsius for temperatures) = value * scale + offset.
@@ -33,16 +33,17 @@ struct UnitScale {
 
 struct QuantityWords {
   const char* name;                         // "eastward velocity", ...
-  std::vector<std::string> standard_names;  // Looked for first, in this order.
-  std::vector<std::string> variable_names;  // Then these; lower case.
-  // The first holds where the file names none. Empty: values stay in their own.
+  std::vector<std::string> standard_names;  // Tried first, in this order.
+  std::vector<std::string> variable_names;  // Tried next; lower case.
+  // The first is the default if the file has no units. Empty: values keep their
+  // own unit.
   std::vector<UnitScale> units;
   double min_value;  // In SI; values outside are no data.
   double max_value;
 };
 
 const QuantityWords& WordsFor(FieldQuantity quantity);
-// With the limits of the variable's own medium: air is faster than water.
+// As above, with the limits of the variable's medium (air or water).
 QuantityWords WordsFor(FieldQuantity quantity,
                        const std::string& standard_name);
 

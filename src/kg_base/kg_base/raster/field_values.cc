@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
 
-// Of several variables with one standard name, the one with a usual name.
+// The variable with a standard name; of several the one with a usual name.
 const NetcdfVariable* ByStandardName(const NetcdfFile& file,
                                      const QuantityWords& words,
                                      const std::string& standard_name) {
@@ -77,8 +77,8 @@ double Single(const NetcdfFile& file, const NetcdfVariable& variable,
   return found->second[0];
 }
 
-// The library's own fill for values that nobody wrote. Bytes have none, every
-// value of them is usual.
+// The library's default fill for unwritten values. Bytes have none because
+// every value is valid.
 std::vector<double> DefaultFill(int type) {
   switch (type) {
     case netCDF::NcType::nc_SHORT:
@@ -122,7 +122,7 @@ class ValueUnpacker {
     }
   }
 
-  // Of a raw value; counts what it meets.
+  // Converts a raw value to SI or NaN, and updates the counters.
   float operator()(double raw) {
     if (!std::isfinite(raw) || IsFill(raw)) return kNoData;
     const double value = raw * scale_ + offset_;
@@ -137,7 +137,8 @@ class ValueUnpacker {
   std::size_t absurd() const { return absurd_; }
 
  private:
-  // A float variable's fill may be written as a double: both in its own type.
+  // The fill of a float variable may be written as a double: compare both in
+  // the variable's type.
   double InOwnType(double value) const {
     const bool narrow =
         is_float_ && std::abs(value) <= std::numeric_limits<float>::max();
@@ -195,7 +196,7 @@ void RefuseAbsurd(const NetcdfFile& file, const NetcdfVariable& variable,
                             words.units.front().name);
 }
 
-// One component of water's velocity and one of the wind's are no field.
+// Rejects one component of water velocity combined with one of wind velocity.
 void RefuseTwoMedia(const NetcdfFile& file,
                     const std::vector<const NetcdfVariable*>& variables) {
   if (variables.size() < 2) return;
@@ -240,6 +241,7 @@ QuantitySeries ReadSeries(const NetcdfFile& file, const FieldAxes& axes,
     const std::size_t before = unpack.plausible();
     const std::vector<double> raw = RawSlice(file, axes, variable, time);
     series.at_time.push_back(Canonical(axes, raw, &unpack));
+    // A time is empty if it added no plausible value.
     if (unpack.plausible() == before) empty_times.push_back(time);
   }
   if (quantity == FieldQuantity::kAny) return series;

@@ -1,13 +1,13 @@
-// A longitude/latitude grid as its file has it: cells named by their centres,
-// spacing free to vary along each axis (HYCOM's Mercator rows do).
+// A longitude/latitude grid as in its file: cells given by their centres, with
+// arbitrary spacing along each axis (e.g. HYCOM's Mercator rows).
 //
-// Canonical form, whatever the file did: longitudes in [-180, 180) ascending,
+// Canonical form, independent of the file: longitudes in [-180, 180) ascending,
 // latitudes ascending. Row 0 is the south, column 0 the west; a raster is
 // row-major, index = row * cols + col.
 //
-// The antimeridian is not understood: a grid never wraps, positions are taken
-// with their longitude in [-180, 180) as it stands, and the file reader refuses
-// a grid that crosses 180 degrees.
+// The antimeridian is not supported: a grid never wraps, positions are used
+// with their longitude in [-180, 180) unchanged, and the file reader rejects a
+// grid that crosses 180 degrees.
 
 #ifndef KG_BASE_RASTER_GRID_H_
 #define KG_BASE_RASTER_GRID_H_
@@ -40,7 +40,7 @@ struct GridPoint {
 
 class Grid {
  public:
-  Grid();  // Of no cells.
+  Grid();  // Empty grid.
   // Both axes strictly ascending with at least two entries; throws
   // std::logic_error otherwise (files are checked by their reader).
   Grid(std::vector<double> lon_deg, std::vector<double> lat_deg);
@@ -66,7 +66,7 @@ class Grid {
   }
 
   // Piecewise linear between centres; extends half a cell beyond the outer
-  // centres, nothing outside of that (or for NaN).
+  // centres; nullopt outside of that or for NaN.
   std::optional<GridPoint> Locate(LonLat position) const {
     const std::optional<double> col = lon_->Locate(position.lon_deg);
     const std::optional<double> row = lat_->Locate(position.lat_deg);
@@ -81,15 +81,15 @@ class Grid {
   double east_deg() const;
   double south_deg() const;
   double north_deg() const;
-  LonLat Middle() const;  // Of the box; origin of the map projection.
+  LonLat Middle() const;  // Centre of the box; origin of the map projection.
 
   // Metres per cell step at a row, on WGS84 (radii of curvature at that
   // latitude), from the mean spacing around (row, col).
   double MetresPerRow(double row) const;
   double MetresPerCol(double row, double col) const;
 
-  std::string Hash() const;  // Of both axes, hex.
-  // For people: "51 x 51 cells, -98 to -96 E, 21 to 23 N" (rows first).
+  std::string Hash() const;  // Hash of both axes, hex.
+  // Readable text: "51 x 51 cells, -98 to -96 E, 21 to 23 N" (rows first).
   std::string Text() const;
   // Same size and every centre within `tolerance` of the local spacing (file
   // coordinates carry float32 noise).
@@ -103,9 +103,9 @@ class Grid {
 bool operator==(const Grid& a, const Grid& b);
 inline bool operator!=(const Grid& a, const Grid& b) { return !(a == b); }
 
-// One value a cell. Float rasters: NaN = no data, never infinite.
+// One value per cell. Float rasters: NaN = no data, never infinite.
 using Raster = std::vector<float>;
-// Byte rasters: 0 or 1 a cell.
+// Byte rasters: 0 or 1 per cell.
 using Mask = std::vector<unsigned char>;
 
 }  // namespace kg_base

@@ -12,11 +12,11 @@ namespace kg_base {
 namespace {
 
 constexpr std::size_t kMaxAttributeLength = 64 * 1024;
-// Of one read: a slice of the largest grid believed.
+// Limit of values per read: a slice of the largest supported grid.
 constexpr std::size_t kMaxValues = std::size_t{1} << 26;
 
-// Only a regular file with the right first bytes reaches the library, which
-// would take other things, addresses for one, for data sets too.
+// Passes only regular files with the right first bytes to the library, which
+// would also accept other data sets such as URLs.
 void CheckKind(const std::string& path) {
   struct stat status;
   if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
@@ -50,7 +50,7 @@ std::string StringOf(const netCDF::NcVarAtt& attribute) {
   return copy;
 }
 
-// Long attributes, and those of types that mean nothing here, are left out.
+// Reads an attribute; skips long ones and those of irrelevant types.
 void ReadAttribute(const netCDF::NcVarAtt& attribute,
                    NetcdfVariable* variable) {
   const std::string name = attribute.getName();
@@ -93,7 +93,8 @@ NetcdfFile::NetcdfFile(const std::string& path) : path_(path) {
 void NetcdfFile::Refuse(const std::string& what) const {
   std::string line = path_ + ": " + what;
   for (char& c : line) {
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';  // Of names in the file.
+    // Names in the file may contain control characters.
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
   }
   throw InputError(line);
 }
@@ -159,7 +160,8 @@ std::vector<double> NetcdfFile::Values(
   if (!IsNumber(variable.type)) Refuse(variable, "expected numbers");
   std::size_t size = 1;
   for (const std::size_t n : count) {
-    // n first: the product of two numbers within the limit cannot overflow.
+    // Test n first: the product of two numbers within the limit cannot
+    // overflow.
     if (n > kMaxValues || size * n > kMaxValues) {
       Refuse(variable, "expected at most " + std::to_string(kMaxValues) +
                            " values at a time");

@@ -1,5 +1,5 @@
-// A NetCDF file's dimensions, variables and attributes as plain values, and its
-// numbers, read with netcdf-c++. Root group only.
+// Dimensions, variables and attributes of a NetCDF file as plain values, and
+// its data, read with netcdf-c++. Root group only.
 
 #ifndef KG_BASE_RASTER_NETCDF_FILE_H_
 #define KG_BASE_RASTER_NETCDF_FILE_H_
@@ -20,7 +20,7 @@ struct NetcdfDimension {
 struct NetcdfVariable {
   int id = 0;
   std::string name;
-  int type = 0;  // A netCDF::NcType::ncType, or a type of the file's own.
+  int type = 0;  // A netCDF::NcType::ncType, or a user-defined type.
   std::vector<int> dimensions;
   std::map<std::string, std::string> texts;
   std::map<std::string, std::vector<double>> numbers;
@@ -30,7 +30,7 @@ struct NetcdfVariable {
 
 class NetcdfFile {
  public:
-  // Throws InputError for what is no regular NetCDF file, or a truncated one.
+  // Throws InputError if it is not a regular NetCDF file, or is truncated.
   explicit NetcdfFile(const std::string& path);
   NetcdfFile(const NetcdfFile&) = delete;
   NetcdfFile& operator=(const NetcdfFile&) = delete;
@@ -44,7 +44,7 @@ class NetcdfFile {
                              const std::vector<std::size_t>& start,
                              const std::vector<std::size_t>& count) const;
 
-  // Throws InputError: path, (variable), what is wrong.
+  // Throws InputError: path, (variable), cause.
   [[noreturn]] void Refuse(const std::string& what) const;
   [[noreturn]] void Refuse(const NetcdfVariable& variable,
                            const std::string& what) const;

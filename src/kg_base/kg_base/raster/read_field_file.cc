@@ -32,7 +32,7 @@ void CheckSameAxes(const NetcdfFile& file, const FieldAxes& axes,
 
 const NetcdfVariable& VariableNamed(const NetcdfFile& file,
                                     const std::string& name) {
-  std::vector<std::string> names;  // Of what could be a field.
+  std::vector<std::string> names;  // Names of possible fields.
   for (const NetcdfVariable& variable : file.variables()) {
     if (variable.name == name) return variable;
     if (variable.dimensions.size() >= 2) names.push_back(variable.name);

@@ -1,9 +1,9 @@
 // read_field_file FILE DEADLINE_S (QUANTITY... | variable=NAME): reads a
-// gridded file and writes its contents, or the line that says why not, to its
-// standard output in the form of field_protocol.h. A process of its own,
-// because damaged NetCDF-4 files can hang or crash the library; it ends itself,
-// too, soon after its deadline, should its parent be gone. Exits 0 when it has
-// said all it had to.
+// gridded file and writes its contents, or an error line, to its standard
+// output in the format of field_protocol.h. A separate process, because damaged
+// NetCDF-4 files can hang or crash the library; it also terminates itself soon
+// after its deadline, in case its parent has died. Exits 0 when all output was
+// written.
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -23,7 +23,7 @@ namespace {
 
 using kg_base::FieldQuantity;
 
-// Far more than kMaxFieldValues needs, far less than a machine has.
+// Far more than kMaxFieldValues needs, but bounds a runaway library.
 constexpr rlim_t kMaxAddressSpace = rlim_t{8} << 30;
 
 void LimitMyself(double deadline_s) {
@@ -41,7 +41,7 @@ void Put(const void* bytes, std::size_t count) {
   while (count > 0) {
     const ssize_t written = write(STDOUT_FILENO, at, count);
     if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) _exit(1);  // Nobody listens.
+    if (written <= 0) _exit(1);  // The reader has closed the pipe.
     at += written;
     count -= static_cast<std::size_t>(written);
   }
@@ -74,7 +74,6 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     kg_base::WriteFieldError(error.what(), Put);
   }
-  // Not through exit: a library that met a damaged file may not be able to
-  // tidy up.
+  // Not exit(): cleanup in the library may fail after a damaged file.
   _exit(0);
 }

@@ -1,4 +1,4 @@
-// One variable of a file by its own name.
+// Reading one variable of a file by its name.
 
 #include <gtest/gtest.h>
 
@@ -61,8 +61,8 @@ TEST_F(ReadVariableTest, NeedsNoTimeAndNoDataInEveryStep) {
   EXPECT_EQ(file.series[0].at_time[1], some);
 }
 
-// As ReadFieldFile gives it: packing, fill and the order of rows are the same
-// code, which field_file_test.cc tries in every form.
+// Same result as ReadFieldFile: packing, fill and row order share the code that
+// field_file_test.cc tests in every form.
 TEST_F(ReadVariableTest, UnpacksAndTurnsAsOtherReadersDo) {
   TestFile spec;
   spec.order = "tzxy";

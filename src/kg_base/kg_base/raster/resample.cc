@@ -12,8 +12,8 @@ namespace {
 
 constexpr float kOffGrid = std::numeric_limits<float>::quiet_NaN();
 
-// Where a target centre lies on a source axis: the pair of cells around it, the
-// share of the upper one, and the nearer of the two.
+// Position of a target centre on a source axis: the pair of cells around it,
+// the weight of the upper one, and the nearer of the two.
 struct AxisSample {
   bool inside = false;
   int lower = 0;
@@ -26,8 +26,8 @@ AxisSample SampleAxis(const Axis& from, double coordinate) {
   const std::optional<double> at = from.Locate(coordinate);
   if (!at) return {};
   const int size = static_cast<int>(from.centres().size());
-  // Within the outer half cells there is no second centre: the outermost value
-  // holds. The pair must exist at the upper end as well.
+  // Clamp: in the outer half cells there is no second centre, so the outermost
+  // value applies. At the upper end the pair must exist as well.
   const double held = std::clamp(*at, 0.0, size - 1.0);
   AxisSample sample;
   sample.inside = true;
@@ -63,8 +63,8 @@ float Blend(const Grid& from, const Raster& values, const AxisSample& row,
                        value(row.lower, col.upper) * col.share;
   const double north = value(row.upper, col.lower) * (1.0 - col.share) +
                        value(row.upper, col.upper) * col.share;
-  // A corner without data makes the sum NaN, whatever its weight; then the
-  // nearest cell decides, which may have no data either.
+  // A corner without data makes the sum NaN for any weight; then use the
+  // nearest cell, which may have no data either.
   const double blend = south * (1.0 - row.share) + north * row.share;
   if (std::isnan(blend)) return values[from.Index({row.nearest, col.nearest})];
   return static_cast<float>(blend);

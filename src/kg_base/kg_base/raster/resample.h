@@ -1,4 +1,4 @@
-// Rasters from one grid to another.
+// Resampling of rasters from one grid to another.
 
 #ifndef KG_BASE_RASTER_RESAMPLE_H_
 #define KG_BASE_RASTER_RESAMPLE_H_
@@ -7,7 +7,7 @@
 
 namespace kg_base {
 
-// How a raster comes to another grid; kNone: not at all.
+// Resampling method; kNone: no resampling.
 enum class Resampling { kNone, kBilinear, kNearest };
 
 // At each centre of `to` the bilinear mean of the four centres around it; the
@@ -15,11 +15,11 @@ enum class Resampling { kNone, kBilinear, kNearest };
 // NaN and outside of `from` (its edges, half a cell beyond the outer centres).
 Raster ResampleBilinear(const Grid& from, const Raster& values, const Grid& to);
 
-// At each centre of `to` the value of the cell of `from` that it lies in, NaN
-// outside: values stay what they were, so masks stay masks.
+// At each centre of `to` the value of the cell of `from` that contains it, NaN
+// outside. Values are preserved, so masks stay masks.
 Raster ResampleNearest(const Grid& from, const Raster& values, const Grid& to);
 
-// By name. Throws std::logic_error for kNone.
+// Resamples by the given method. Throws std::logic_error for kNone.
 Raster Resample(const Grid& from, const Raster& values, const Grid& to,
                 Resampling how);
 

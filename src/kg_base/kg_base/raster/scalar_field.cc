@@ -6,8 +6,8 @@
 namespace kg_base {
 namespace {
 
-// The centre below a position along one axis, and the share of the one above.
-// Beyond the outer centres the outer cell holds.
+// The centre below a position along one axis, and the weight of the one above.
+// Constant beyond the outer centres.
 struct AxisShare {
   AxisShare(double at, int size)
       : lower(std::min(static_cast<int>(std::clamp(at, 0.0, size - 1.0)),
@@ -27,7 +27,7 @@ double Interpolate(const SharedRaster& values, const Grid& grid,
                             (right == 1 ? col.share : 1.0 - col.share);
       const float value =
           values[grid.Index({row.lower + up, col.lower + right})];
-      // A corner without data leaves its weight to the others.
+      // The weight of a corner without data is distributed over the others.
       if (std::isnan(value)) continue;
       sum += weight * value;
       known += weight;

@@ -1,9 +1,10 @@
-// A scalar in time slices on the grid of a velocity field (vector_field.h):
-// what is met under way and costs, such as the height of waves. SI units; NaN =
-// no data.
+// A scalar in time slices on the grid of a velocity field (vector_field.h), for
+// quantities that have a cost along a path, such as wave height. SI units; NaN
+// = no data.
 //
-// Between cell centres bilinear over the corners that have data, between slices
-// linear in time; before the first and after the last slice the nearest holds.
+// Bilinear between cell centres over the corners that have data, linear in time
+// between slices; before the first and after the last slice the nearest
+// applies.
 
 #ifndef KG_BASE_RASTER_SCALAR_FIELD_H_
 #define KG_BASE_RASTER_SCALAR_FIELD_H_
@@ -22,10 +23,10 @@ struct ScalarSlice {
 };
 
 struct ScalarField {
-  std::string quantity;             // Of source_quantities.h: "wave_height".
+  std::string quantity;  // Name in source_quantities.h: "wave_height".
   std::vector<ScalarSlice> slices;  // Ascending in time.
 
-  // `point` in cell units of `grid`. 0 where nothing is known: off the grid,
+  // Value at `point` (in cell units of `grid`). 0 where unknown: off the grid,
   // or without data at all four corners.
   double Sample(const Grid& grid, GridPoint point, double time_s) const;
 };

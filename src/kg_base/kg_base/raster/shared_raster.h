@@ -1,6 +1,5 @@
-// A raster that copies share until one of them is written to. The time steps of
-// a file stand in many windows' fields, and in the file's own cache; they are
-// held once.
+// A copy-on-write raster. The time steps of a file are used by the fields of
+// many windows and by the file cache; they are stored once.
 
 #ifndef KG_BASE_RASTER_SHARED_RASTER_H_
 #define KG_BASE_RASTER_SHARED_RASTER_H_
@@ -13,13 +12,13 @@
 
 namespace kg_base {
 
-// Reads like a Raster and, while nothing else writes to it, from any thread.
+// Can be read like a Raster, from any thread while there is no writer.
 class SharedRaster {
  public:
   SharedRaster() : SharedRaster(Raster()) {}
-  SharedRaster(Raster values)  // Implicit: a raster is one, unshared as yet.
+  SharedRaster(Raster values)  // Implicit; initially unshared.
       : SharedRaster(std::make_shared<Raster>(std::move(values))) {}
-  // One that somebody else holds, too, and that is never written to here.
+  // Shares a raster owned elsewhere, which is never written to here.
   explicit SharedRaster(std::shared_ptr<const Raster> values)
       : values_(std::move(values)), data_(values_->data()) {}
 
@@ -32,7 +31,7 @@ class SharedRaster {
   const float* begin() const { return data_; }
   const float* end() const { return data_ + size(); }
 
-  // For writing: takes a copy first if there are others that share it.
+  // Write access: copies the data first if they are shared.
   float& operator[](std::size_t i) { return Own()[i]; }
   float* begin() { return Own(); }
   float* end() { return Own() + size(); }
@@ -49,7 +48,7 @@ class SharedRaster {
   }
 
   std::shared_ptr<const Raster> values_;
-  Raster* own_ = nullptr;  // *values_ where it was made here.
+  Raster* own_ = nullptr;  // *values_ if created here, else null.
   const float* data_ = nullptr;
 };
 

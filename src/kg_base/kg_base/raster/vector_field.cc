@@ -8,8 +8,8 @@
 namespace kg_base {
 namespace {
 
-// The four centres around a position, their bilinear weights, and the cell the
-// position lies in.
+// The four centres around a position, their bilinear weights, and the cell that
+// contains the position.
 struct BilinearStencil {
   std::size_t corner[4];
   double weight[4];
@@ -19,10 +19,10 @@ struct BilinearStencil {
 struct AxisWeights {
   int lower;
   int nearest;
-  double share;  // Of the upper centre.
+  double share;  // Weight of the upper centre, in [0, 1].
 };
 
-// Beyond the outer centres the outer cell holds.
+// Weights along one axis; constant beyond the outer centres.
 AxisWeights Weigh(double at, int size) {
   const double held = std::min(std::max(at, 0.0), size - 1.0);
   const int lower = std::min(static_cast<int>(held), size - 2);
@@ -58,7 +58,7 @@ double Bilinear(const SharedRaster& values, const BilinearStencil& at) {
          at.weight[3] * values[at.corner[3]];
 }
 
-// With at least one corner missing.
+// Flow where at least one corner has no data.
 std::optional<Velocity> FlowAtShore(const FieldSlice& slice,
                                     const BilinearStencil& at) {
   if (!HasData(slice, at.cell)) return std::nullopt;
@@ -76,13 +76,13 @@ std::optional<Velocity> Flow(const FieldSlice& slice,
                              const BilinearStencil& at) {
   const Velocity flow{Bilinear(slice.east_mps, at),
                       Bilinear(slice.north_mps, at)};
-  // NaN as soon as one corner misses a component, whatever its weight.
+  // NaN if any corner lacks a component, regardless of its weight.
   if (std::isnan(flow.east_mps + flow.north_mps)) return FlowAtShore(slice, at);
   return flow;
 }
 
-// The slice at or before a time within the first and the last slice (which
-// must differ): guessed as if slices were evenly spaced, searched for if not.
+// The slice at or before a time between the first and the last slice (which
+// must differ): first guess for even spacing, then a search if it is wrong.
 std::size_t SliceBefore(const std::vector<FieldSlice>& slices, double time_s) {
   const std::size_t last = slices.size() - 2;
   const double share = (time_s - slices.front().time_s) /
@@ -105,7 +105,7 @@ std::optional<Velocity> VectorField::Sample(GridPoint point,
   if (slices.empty() || std::isnan(time_s) || !OnGrid(grid, point)) {
     return std::nullopt;
   }
-  // Before the first slice and after the last the field stands still.
+  // Before the first slice and after the last the field is constant in time.
   const BilinearStencil at = StencilAt(grid, point);
   if (time_s <= slices.front().time_s) return Flow(slices.front(), at);
   if (time_s >= slices.back().time_s) return Flow(slices.back(), at);
@@ -166,7 +166,7 @@ std::string VectorField::Hash() const {
     hasher.Add(slice.east_mps);
     hasher.Add(slice.north_mps);
   }
-  // Nothing where there are none: such a field's hash is what it was.
+  // Adds nothing if there are no scalars, so that such hashes stay unchanged.
   for (const ScalarField& scalar : scalars) {
     hasher.Add(scalar.quantity);
     for (const ScalarSlice& slice : scalar.slices) {

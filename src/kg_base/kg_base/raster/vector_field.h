@@ -1,10 +1,11 @@
 // A horizontal velocity field on a grid, in time slices: currents, wind,
 // traffic flow. East and north components in m/s; NaN = no data (land).
 //
-// Between cell centres bilinear, between slices linear in time; before the
-// first and after the last slice the nearest slice holds. A sample is unknown
-// (nothing) where the cell the position lies in has no data; a missing corner
-// of the bilinear square counts as no flow (water at rest along a wall).
+// Bilinear between cell centres, linear in time between slices; before the
+// first and after the last slice the nearest slice applies. A sample is unknown
+// (nullopt) where the cell that contains the position has no data; a missing
+// corner of the bilinear square counts as no flow (water at rest along a
+// coast).
 
 #ifndef KG_BASE_RASTER_VECTOR_FIELD_H_
 #define KG_BASE_RASTER_VECTOR_FIELD_H_
@@ -34,17 +35,17 @@ struct FieldSlice {
 struct VectorField {
   Grid grid;
   std::vector<FieldSlice> slices;  // Ascending in time, at least one.
-  // What is met beside the velocity, on the same grid; mostly none.
+  // Further quantities on the same grid; usually none.
   std::vector<ScalarField> scalars = {};
 
-  // `point` in cell units of `grid`.
+  // Velocity at `point` (in cell units of `grid`) and `time_s` (Unix seconds).
   std::optional<Velocity> Sample(GridPoint point, double time_s) const;
 
-  // The slices needed for [begin_s, end_s]: those inside and the next outside
-  // on either side.
+  // The slices needed for [begin_s, end_s]: those inside and the next one on
+  // either side.
   VectorField Between(double begin_s, double end_s) const;
 
-  // 1 where a slice has no data: land.
+  // Land mask: 1 where a slice has no data.
   Mask NoData() const;
   double MaxSpeed_mps() const;
   std::string Hash() const;  // Grid, times and values, hex.

@@ -28,7 +28,7 @@ VectorField RandomField(int slices, unsigned seed) {
   return field;
 }
 
-// By hand, from the definition: bilinear with a missing corner as no flow.
+// Definition of the sample: bilinear with a missing corner as no flow.
 double BilinearByHand(const Raster& values, const Raster& other, GridPoint at) {
   double sum = 0.0;
   for (int row = 0; row < 4; ++row) {

@@ -7,16 +7,17 @@
 namespace kg_base {
 namespace {
 
-// A closed cell touches a closed area where an edge of the area touches the
-// cell or the cell's centre lies inside: edges are clipped to each row's band,
-// which leaves a range of longitudes, and every cell that meets it is touched.
-// Inside is even-odd along the parallel through the row's centres; centres
-// within rounding of an edge are left to Geometry::Contains, which is exact.
+// A closed cell touches a closed area if an edge of the area touches the cell
+// or the cell's centre lies inside. Edges are clipped to the band of each row,
+// which gives a range of longitudes; every cell that intersects it is touched.
+// Inside is tested by the even-odd rule along the parallel through the row's
+// centres; centres within rounding of an edge are tested by the exact
+// Geometry::Contains.
 
 using Chain = GeometryParts::Chain;
 
-// More than rounding can move a crossing within 360 degrees, far less than a
-// millimetre.
+// Tolerance above the rounding error of a crossing within 360 degrees, and far
+// below a millimetre.
 constexpr double kRounding_deg = 1e-11;
 
 std::vector<double> Edges(const Axis& axis) {
@@ -28,10 +29,10 @@ std::vector<double> Edges(const Axis& axis) {
 
 struct CellRange {
   int first;
-  int last;  // Inclusive; below first: none.
+  int last;  // Inclusive; last < first: empty.
 };
 
-// Cells whose closed extent meets [low, high], the safe side of rounding.
+// Cells whose closed extent intersects [low, high], widened for rounding.
 CellRange CellsMeeting(const std::vector<double>& edges, double low,
                        double high) {
   const auto begin = edges.begin();
@@ -43,8 +44,8 @@ CellRange CellsMeeting(const std::vector<double>& edges, double low,
           std::min(static_cast<int>(last - begin) - 1, cells - 1)};
 }
 
-// The longitude at which a line through a and b, which are not level, comes to
-// a latitude; within the segment's own longitudes.
+// Longitude at which the line through a and b (of different latitudes) reaches
+// a latitude, clamped to the segment's longitudes.
 double LonAt(LonLat a, LonLat b, double lat_deg) {
   const double share = (lat_deg - a.lat_deg) / (b.lat_deg - a.lat_deg);
   const double lon_deg = a.lon_deg + share * (b.lon_deg - a.lon_deg);
@@ -126,8 +127,9 @@ class CentresInside {
   }
 
  private:
-  // Crossings by the half-open rule, south end in, north end out: an even
-  // number in each row. Cells on or next to the edge are doubtful.
+  // Crossings by the half-open rule (south end included, north end excluded),
+  // which gives an even number per row. Cells on or next to the edge are marked
+  // for the exact test.
   void AddEdge(LonLat a, LonLat b, std::vector<EdgeCrossing>* crossings) {
     if (a.lat_deg > b.lat_deg) std::swap(a, b);
     const std::vector<double>& lat = grid_.lat_deg();

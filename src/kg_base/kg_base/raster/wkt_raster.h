@@ -1,5 +1,5 @@
-// Rasters of geometries: which cells of a grid an area touches, and which have
-// their centre inside.
+// Rasterisation of geometries: cells of a grid that an area touches, and cells
+// whose centre is inside.
 
 #ifndef KG_BASE_RASTER_WKT_RASTER_H_
 #define KG_BASE_RASTER_WKT_RASTER_H_
@@ -10,7 +10,7 @@
 namespace kg_base {
 
 enum class CellCover {
-  kTouched,  // Every cell that the area touches (supercover): the safe side.
+  kTouched,  // Every cell that the area touches (supercover): conservative.
   kCentres,  // Cells whose centre lies inside.
 };
 const char* Name(CellCover cover);  // "touched", "centres".
@@ -18,7 +18,7 @@ const char* Name(CellCover cover);  // "touched", "centres".
 // The cells that an area covers: 1 = covered.
 Mask Rasterise(const Geometry& area, const Grid& grid, CellCover cover);
 
-// Cells that an area touches at all (supercover): for no_go, the safe side.
+// Cells that an area touches (supercover): conservative, for no_go areas.
 Mask RasteriseTouched(const Geometry& area, const Grid& grid);
 // Cells whose centre lies inside: for soft zones and priors.
 Mask RasteriseCentres(const Geometry& area, const Grid& grid);

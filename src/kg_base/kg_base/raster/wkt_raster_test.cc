@@ -1,4 +1,4 @@
-// Rasters of geometries against GEOS, cell by cell.
+// Rasterisation of geometries against GEOS, cell by cell.
 
 #include "kg_base/raster/wkt_raster.h"
 
@@ -41,7 +41,7 @@ Mask TouchedByBruteForce(const Geometry& area, const Grid& grid) {
   return mask;
 }
 
-// All cells that touch, and beyond them only what rounding cannot tell apart.
+// Expects all touched cells, and otherwise only cells within rounding of them.
 void ExpectSafeSupercover(const Geometry& area, const Grid& grid) {
   const Mask got = RasteriseTouched(area, grid);
   const Mask touched = TouchedByBruteForce(area, grid);
@@ -74,7 +74,8 @@ std::vector<double> UnevenAxis(std::mt19937* random, int size) {
   return axis;
 }
 
-// Tangles, often invalid, of one to three members, reaching beyond the grid.
+// Random, often invalid polygons of one to three members, extending beyond the
+// grid.
 std::string RandomArea(std::mt19937* random) {
   std::uniform_real_distribution<double> at(-12, 10), size(0.05, 12);
   std::string text = "MULTIPOLYGON(";
@@ -122,8 +123,8 @@ TEST(RasteriseCentres, AgreesWithGeosOnRandomAreasAndUnevenGrids) {
   EXPECT_GT(inside, 1000u);
 }
 
-// Whole numbers everywhere: vertices on centres, edges along centres, edges
-// through cell corners.
+// Integer coordinates: vertices on centres, edges along centres, edges through
+// cell corners.
 TEST(Rasterise, AgreesWithGeosWhereVerticesLieOnCentresAndCorners) {
   std::mt19937 random(23);
   std::vector<double> axis;

@@ -67,7 +67,7 @@ std::optional<Decimal> ParseDecimal(std::string_view text) {
     }
     if (c < '0' || c > '9') return std::nullopt;
     digit_seen = true;
-    // Fraction digits beyond the scale are cut off.
+    // Fraction digits beyond the scale are truncated.
     if (point_seen && value.scale == kMaxScale) continue;
     if (!MultiplyByTen(&value.digits)) return std::nullopt;
     if (__builtin_add_overflow(value.digits, Wide{c - '0'}, &value.digits)) {

@@ -1,7 +1,7 @@
 // Exact xsd:decimal and xsd:integer arithmetic: value = digits * 10^-scale.
 //
-// 128-bit digits hold some 38 significant digits; what does not fit is "no
-// answer", which an expression reports as an error rather than rounding.
+// 128-bit digits hold about 38 significant digits; overflow gives nullopt,
+// which an expression reports as an error rather than rounding.
 // https://www.w3.org/TR/xpath-functions/#op.numeric
 
 #ifndef KG_BASE_TEXT_DECIMAL_H_
@@ -18,23 +18,23 @@ struct Decimal {
   int scale = 0;  // Digits after the point; never negative.
 };
 
-// Reads [+-]digits[.digits]; nothing if it is no decimal or does not fit.
+// Reads [+-]digits[.digits]; nullopt if it is not a decimal or does not fit.
 std::optional<Decimal> ParseDecimal(std::string_view text);
 // Shortest form: "2", "-0.5".
 std::string ToString(const Decimal& value);
 double ToDouble(const Decimal& value);
-// The nearest decimal of a double with at most 17 significant digits; nothing
-// for NaN, infinities and what does not fit.
+// The nearest decimal of a double with at most 17 significant digits; nullopt
+// for NaN, infinities and values that do not fit.
 std::optional<Decimal> FromDouble(double value);
 
 std::optional<Decimal> Add(const Decimal& a, const Decimal& b);
 std::optional<Decimal> Subtract(const Decimal& a, const Decimal& b);
 std::optional<Decimal> Multiply(const Decimal& a, const Decimal& b);
-// To 18 digits after the point; nothing for division by zero.
+// Quotient with 18 digits after the point; nullopt for division by zero.
 std::optional<Decimal> Divide(const Decimal& a, const Decimal& b);
 int Compare(const Decimal& a, const Decimal& b);  // -1, 0, 1.
 
-// Whole numbers below, above, nearest (halves go up), and towards zero.
+// Rounding to integers: down, up, nearest (halves up), and towards zero.
 Decimal Floor(const Decimal& value);
 Decimal Ceil(const Decimal& value);
 Decimal Round(const Decimal& value);

@@ -15,7 +15,7 @@ std::string Text(const std::optional<Decimal>& value) {
   return value ? ToString(*value) : "none";
 }
 
-// Checked in whole hundredths, with the compiler's integers.
+// Compared with integer arithmetic in hundredths.
 TEST(Decimal, CalculatesAsIntegersDo) {
   std::mt19937_64 random(7);
   std::uniform_int_distribution<long long> hundredths(-1000000, 1000000);

@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::size_t kNpos = std::string_view::npos;
 
-// scheme "://" authority path "?" query "#" fragment, each with its mark.
+// Components of an IRI, each with its delimiter: scheme "://" authority path
+// "?" query "#" fragment.
 struct IriParts {
   std::string_view scheme;     // "http:"
   std::string_view authority;  // "//host"

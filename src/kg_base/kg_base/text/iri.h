@@ -1,4 +1,4 @@
-// Relative IRI references against a base.
+// Resolution of relative IRI references against a base.
 // https://www.rfc-editor.org/rfc/rfc3986#section-5.2
 
 #ifndef KG_BASE_TEXT_IRI_H_
@@ -9,10 +9,10 @@
 
 namespace kg_base {
 
-// Does it begin with a scheme ("http:")?
+// Does the IRI begin with a scheme ("http:")?
 bool IsAbsoluteIri(std::string_view iri);
-// The IRI that `reference` means where `base` is the base. Without a base a
-// relative reference stays as it is.
+// Resolves `reference` against `base`. Without a base a relative reference is
+// returned unchanged.
 std::string ResolveIri(std::string_view base, std::string_view reference);
 
 }  // namespace kg_base

@@ -146,7 +146,7 @@ void JsonParser::ReadEscape(std::string* out) {
   if (Peek() == 'u') {
     ++at_;
     std::uint32_t code = ReadHex4();
-    // A high surrogate is half of a character: its low surrogate follows.
+    // A high surrogate must be followed by its low surrogate.
     if (code >= 0xD800 && code < 0xDC00 && text_.substr(at_, 2) == "\\u") {
       at_ += 2;
       const std::uint32_t low = ReadHex4();

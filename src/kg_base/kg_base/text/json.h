@@ -1,4 +1,4 @@
-// JSON texts as values, for what is read from outside.
+// Parser of JSON texts from external sources into values.
 // https://www.rfc-editor.org/rfc/rfc8259
 
 #ifndef KG_BASE_TEXT_JSON_H_
@@ -15,7 +15,7 @@ struct JsonValue {
   enum class Kind { kNull, kBoolean, kNumber, kString, kArray, kObject };
   Kind kind = Kind::kNull;
   bool boolean = false;
-  std::string text;              // kString; of kNumber: as written.
+  std::string text;              // kString; kNumber: as written.
   std::vector<JsonValue> items;  // kArray.
   std::vector<std::pair<std::string, JsonValue>> members;  // kObject, in order.
 
@@ -23,8 +23,8 @@ struct JsonValue {
   const JsonValue* Find(std::string_view name) const;
 };
 
-// Throws InputError "JSON, line:column: what was expected"; nesting is limited
-// to 100.
+// Throws InputError "JSON, line:column: ..." with the expected token; nesting
+// is limited to 100.
 JsonValue ParseJson(std::string_view text);
 
 }  // namespace kg_base

@@ -11,7 +11,7 @@
 namespace kg_base {
 namespace {
 
-constexpr std::uint32_t kMatchLimit = 200000;  // Some milliseconds of work.
+constexpr std::uint32_t kMatchLimit = 200000;  // A few milliseconds of work.
 constexpr std::uint32_t kHeapLimit_KiB = 20000;
 constexpr std::size_t kPatternLimit_bytes = 4096;
 constexpr std::size_t kReplacedLimit_bytes = 1u << 20;
@@ -46,9 +46,9 @@ std::optional<std::uint32_t> ParseOptions(const std::string& flags) {
 
 bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-// The pattern of flag x: white space is taken out, but for that within
-// character classes. PCRE2's own flag would also read comments and keep spaces
-// behind a backslash.
+// The pattern for flag x: removes white space except within character classes.
+// PCRE2's own flag would also recognise comments and keep spaces after a
+// backslash.
 std::string WithoutSpace(const std::string& pattern) {
   std::string out;
   int classes = 0;
@@ -142,7 +142,7 @@ bool AppendReplacement(const CompiledRegex& regex, int groups,
       continue;
     }
     if (next < '0' || next > '9') return false;
-    // $N of a group that the pattern does not have is empty.
+    // $N without such a group in the pattern is empty.
     if (next - '0' >= groups) continue;
     const auto [begin, end] = regex.Group(next - '0');
     if (begin != PCRE2_UNSET) out->append(text, begin, end - begin);

@@ -1,4 +1,4 @@
-// Regular expressions of XPath by PCRE2, with limits on work and memory.
+// XPath regular expressions on top of PCRE2, with limits on time and memory.
 // https://www.w3.org/TR/xpath-functions/#regex-syntax
 
 #ifndef KG_BASE_TEXT_REGEX_H_
@@ -22,12 +22,12 @@ class RegexCache {
   RegexCache(const RegexCache&) = delete;
   RegexCache& operator=(const RegexCache&) = delete;
 
-  // Nothing if pattern or flags (of "smixq") are not right. Both throw
-  // InputError if the match limit is hit.
+  // Nullopt if the pattern or the flags (of "smixq") are invalid. Both
+  // functions throw InputError if the match limit is exceeded.
   std::optional<bool> Matches(const std::string& text,
                               const std::string& pattern,
                               const std::string& flags);
-  // All matches replaced; "$1" is a group, "\$" a dollar. Nothing also if the
+  // Replaces all matches; "$1" is a group, "\$" a dollar. Nullopt also if the
   // pattern matches the empty string.
   std::optional<std::string> Replace(const std::string& text,
                                      const std::string& pattern,

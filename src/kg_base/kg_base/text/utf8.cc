@@ -7,7 +7,7 @@ namespace {
 
 bool IsContinuation(char c) { return (c & 0xC0) == 0x80; }
 
-// Length of the character a lead byte announces; 0 if it can lead none.
+// Length of the character with this lead byte; 0 if it is not a lead byte.
 std::size_t GetLength(char lead) {
   const auto byte = static_cast<unsigned char>(lead);
   if (byte < 0x80) return 1;
@@ -17,11 +17,11 @@ std::size_t GetLength(char lead) {
   return 0;
 }
 
-// Runs of letters whose other case lies a constant away, or alternates.
+// Runs of letters with a constant distance to the other case, or alternating.
 struct CaseRun {
   std::uint32_t first_upper;
   std::uint32_t last_upper;
-  std::uint32_t distance;  // Of lower from upper; 1: upper, lower, upper, ...
+  std::uint32_t distance;  // lower - upper; 1: upper, lower, upper, ...
 };
 constexpr CaseRun kCaseRuns[] = {
     {'A', 'Z', 32},       {0x00C0, 0x00D6, 32}, {0x00D8, 0x00DE, 32},

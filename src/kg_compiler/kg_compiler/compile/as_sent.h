@@ -1,8 +1,8 @@
-// Positions as they come out of a message. Messages carry radians, facts and
-// rasters degrees, and the way there and back may cost the last bit. Applying
-// it once is enough: AsSent(AsSent(x)) == AsSent(x). Applied to what is sent
-// before it is used, every process that holds it computes the same, whether it
-// came by message or not.
+// Positions rounded as by a message. Messages carry radians, facts and rasters
+// degrees, and the conversion to radians and back may change the last bit. The
+// rounding is idempotent: AsSent(AsSent(x)) == AsSent(x). Applied to values
+// before they are used and sent, it makes every process compute the same
+// result, whether it received them by message or not.
 
 #ifndef KG_COMPILER_COMPILE_AS_SENT_H_
 #define KG_COMPILER_COMPILE_AS_SENT_H_

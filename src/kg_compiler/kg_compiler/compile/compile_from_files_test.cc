@@ -73,11 +73,12 @@ ex:c0 a ex:AgentState ; ex:forAgent ex:charlie ; ex:forWindow ex:w0 ;
     geo:asWKT "POINT(-97 22.2)" .
 )ttl";
 
-// Bilinear in place, so that bilinear resampling gives it back.
+// Linear in position, so that bilinear resampling reproduces it exactly.
 double Slant(kg_base::LonLat p) {
   return 0.5 * (p.lon_deg + 97.0) + 0.25 * (p.lat_deg - 22.0);
 }
-// On the open sea of either ocean: of the habitat's cells, two by two.
+// Farms are blocks of two by two cells of the habitat, in open water in both
+// test oceans.
 bool IsFarm(const Grid& habitat, kg_base::Cell cell) {
   const int row = cell.row / 2 - habitat.rows() / 4;
   const int col = cell.col / 2 - 3 * habitat.cols() / 8;
@@ -93,7 +94,7 @@ std::string Replaced(std::string text, const std::string& what,
   return text;
 }
 
-// An ocean to compile: where its files are, and their grid.
+// An ocean to compile: its files and their grid.
 struct Ocean {
   std::string currents;
   std::string sst;
@@ -150,8 +151,8 @@ class CompileFromFiles : public testing::Test {
     return ocean;
   }
 
-  // The prior and the mask, on cells half as large, shifted, that leave the
-  // two northern rows of the ocean uncovered.
+  // Writes the prior and the mask on a shifted grid with cells half as large
+  // that leaves the two northern rows of the ocean uncovered.
   void WriteHabitat(const Grid& ocean) {
     std::vector<double> lon_deg, lat_deg;
     const double step = 0.5 * (ocean.lon_deg()[1] - ocean.lon_deg()[0]);
@@ -224,7 +225,7 @@ class CompileFromFiles : public testing::Test {
                       kg_core::Ex(name).text) == 1;
   }
 
-  // The cell of the habitat's file that a place lies in is a farm's.
+  // Does the habitat cell that contains the centre of `cell` belong to a farm?
   bool InFarm(const Grid& grid, kg_base::Cell cell) const {
     if (!grid.Contains(cell)) return false;
     const auto own = habitat_.CellAt(grid.Centre(cell));
@@ -305,7 +306,7 @@ void CompileFromFiles::CheckTensors(const Ocean& ocean) {
       if (!at) {
         EXPECT_EQ(policy[i], 0.0f);
       }
-      // Beyond the last centres the last one holds.
+      // Skip places beyond the last centres, where the value is constant.
       if (!at || at->row > habitat_.rows() - 1.0) continue;
       EXPECT_NEAR(policy[i], -0.25 * Slant(place), 1e-5);
       const bool is_quiet = window == 1 && InFarm(tensor.grid, cell);
@@ -331,7 +332,7 @@ TEST_F(CompileFromFiles, AlsoOnTheRealCurrentsOffTampico) {
   CheckTensors(*ocean);
 }
 
-// What makes a tensor anew, and whose.
+// Which changes cause recompilation of which tensors.
 TEST_F(CompileFromFiles, OnlyWhatIsReadChangesATensor) {
   Prepare(MadeUp());
   ASSERT_EQ(Add(facts_), "");

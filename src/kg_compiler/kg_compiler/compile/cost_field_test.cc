@@ -1,6 +1,6 @@
-// A field that costs (wave height) from a NetCDF file and facts to the seams of
-// an agent: read, weighed, summed, hashed and explained; and no bit of anything
-// changes while it has no price.
+// A cost field (wave height) from a NetCDF file and facts to the seams of an
+// agent: read, weighted, summed, hashed and explained. With weight 0 all
+// results stay bit-identical.
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ constexpr char kWaves[] =
     "ex:provides \"wave_height\" ; ex:resampling \"bilinear\" .";
 constexpr char kPrice[] = "ex:policy ex:lambda_waveHeight 0.5 .";
 
-// Linear, so that bilinear resampling gives it back.
+// Linear, so that bilinear resampling reproduces it exactly.
 double Waves(kg_base::LonLat at) {
   return 2.0 + 0.8 * (at.lon_deg + 97.0) + 0.5 * (at.lat_deg - 22.0);
 }
@@ -79,7 +79,7 @@ class CostFieldTest : public testing::Test {
          {{"u", "eastward_sea_water_velocity", "m/s", Steps(4, still)},
           {"v", "northward_sea_water_velocity", "m/s", Steps(4, still)},
           {"t", "sea_surface_temperature", "degC", Steps(4, warmth)}}});
-    // On a coarser grid that covers the sea's.
+    // Heights on a coarser grid that covers the grid of the currents.
     const kg_base::Grid coarse = GridOf(-98, 21, 0.25, 9, 9);
     kg_base::Raster heights;
     for (int row = 0; row < coarse.rows(); ++row) {
@@ -132,7 +132,7 @@ class CostFieldTest : public testing::Test {
   std::uint64_t version_ = 0;
 };
 
-// X by its closed form: the field is linear, legs are straight.
+// Closed form of X for a linear field and straight legs.
 double ClosedForm(const FlownPath& flight) {
   double sum = 0.0;
   for (std::size_t i = 1; i < flight.track.size(); ++i) {
@@ -203,7 +203,7 @@ TEST_F(CostFieldTest, IsExplainedWithItsPriceItsLayerAndItsFile) {
   const kg_mission::Agent& agent = compilation_->mission.agents[0];
   const SeamContext context =
       FindSeamContext(*compilation_, agent, compilation_->rules[0], 1);
-  // Some edges stay where they are and meet nothing under way.
+  // Some edges stay in place and have no exposure: take the largest.
   const TraverseEdge& edge =
       *std::max_element(graphs[1].edges.begin(), graphs[1].edges.end(),
                         [](const TraverseEdge& a, const TraverseEdge& b) {

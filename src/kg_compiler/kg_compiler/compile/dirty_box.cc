@@ -10,7 +10,7 @@
 namespace kg_compiler {
 namespace {
 
-// All that is not constraints, by the one list of what is read: the hash.
+// Hash of all inputs except the constraints.
 std::string HashOfTheRest(const TensorInputs& origin) {
   kg_mission::Mission bare;
   bare.windows = origin.mission->windows;
@@ -35,7 +35,7 @@ bool Same(const ActiveConstraint& a, const ActiveConstraint& b) {
   return !x.area || x.area->Wkt() == y.area->Wkt();
 }
 
-// Those of `list` that `other` does not have.
+// Constraints of `list` that are not in `other`.
 std::vector<const ActiveConstraint*> Without(
     const std::vector<ActiveConstraint>& list,
     const std::vector<ActiveConstraint>& other) {
@@ -50,7 +50,7 @@ std::vector<const ActiveConstraint*> Without(
   return left;
 }
 
-// The others, in the order in which their factors are multiplied.
+// Constraints of `list` that are not in `changed`, in order of multiplication.
 std::vector<const ActiveConstraint*> Kept(
     const std::vector<ActiveConstraint>& list,
     const std::vector<const ActiveConstraint*>& changed) {
@@ -63,7 +63,8 @@ std::vector<const ActiveConstraint*> Kept(
   return kept;
 }
 
-// Cells [first, last) of an axis that an interval touches, one more each way.
+// Cells [first, last) of an axis that an interval touches, plus one on either
+// side.
 std::pair<int, int> CellsOf(const std::vector<double>& centres, double low,
                             double high) {
   const auto first = std::lower_bound(centres.begin(), centres.end(), low);
@@ -93,8 +94,8 @@ std::optional<CellBox> DirtyBox(const TensorInputs& before,
       FindActiveFacts(*before.mission, *before.agent, *before.window);
   const ActiveFacts is =
       FindActiveFacts(*after.mission, *after.agent, *after.window);
-  // Nothing is told if the constraints that stayed are not the same in the same
-  // order: products round differently then, anywhere.
+  // No box if the unchanged constraints differ in order: products may then
+  // round differently in any cell.
   const auto gone = Without(was.constraints, is.constraints);
   const auto come = Without(is.constraints, was.constraints);
   const auto stayed = Kept(was.constraints, gone);

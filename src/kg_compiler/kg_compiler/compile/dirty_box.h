@@ -1,4 +1,4 @@
-// Which cells of a tensor a change of facts speaks of.
+// The cells of a tensor that a change of facts affects.
 
 #ifndef KG_COMPILER_COMPILE_DIRTY_BOX_H_
 #define KG_COMPILER_COMPILE_DIRTY_BOX_H_
@@ -10,10 +10,10 @@
 
 namespace kg_compiler {
 
-// The box around the areas, buffers included, of the constraints that only one
-// of the two has in force (or has otherwise), if that is all they differ in:
-// outside of it masks and priors are the same, and the blend's values but for
-// the scale of N. Nothing if they may differ anywhere.
+// Bounding box of the areas, including buffers, of the constraints that are in
+// force in only one of the two inputs (or differ), if there is no other
+// difference. Outside of it masks and priors are equal, and so is the blend
+// except for the scale of N. Nullopt if any cell may differ.
 std::optional<CellBox> DirtyBox(const TensorInputs& before,
                                 const TensorInputs& after);
 

@@ -1,6 +1,6 @@
-// Incremental == full, bit by bit: a mission that lives through random changes
-// of every kind of fact that the compiler sees, compiled and planned step by
-// step, against compilers and planners that know nothing of what was before.
+// Incremental == full, bit by bit: a mission with random changes of every kind
+// of fact that the compiler reads, compiled and planned step by step, against
+// compilers and planners without previous state.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace kg_compiler {
 namespace {
 
 constexpr int kWindows = 4;
-constexpr int kSize = 26;  // Cells each way.
+constexpr int kSize = 26;  // Rows and columns of the grid.
 
 class LivingMission {
  public:
@@ -35,7 +35,7 @@ class LivingMission {
     AddEvent();
   }
 
-  // One change of a random kind; its name.
+  // Applies one change of a random kind; returns its name.
   std::string Change() {
     const auto at =
         std::next(kChanges.begin(), static_cast<int>(rng_() % kChanges.size()));
@@ -173,7 +173,7 @@ const LivingMission::Changes LivingMission::kChanges = {
          one->agents = m->AnyAgents();
        });
      }},
-    {"constraint expiring",  // It no longer holds in the last windows.
+    {"constraint expiring",  // Not in force in the last windows.
      [](auto* m) {
        m->ChangeOne(&m->mission.constraints, [m](auto* one) {
          one->windows.clear();
@@ -379,7 +379,7 @@ std::vector<WindowWorld> WorldsOf(const Compilation& compilation,
   return worlds;
 }
 
-// The graphs, or why there are none.
+// The graphs, or the error text if there are none.
 struct Planned {
   NavGraphs graphs;
   std::string error;
@@ -395,8 +395,8 @@ Planned Plan(const Compilation& compilation, std::size_t agent,
   }
 }
 
-// What is said to be clean must be what it was; outside of a dirty tensor's box
-// the masks and priors must be.
+// Artifacts not reported as dirty must be unchanged; of a dirty tensor the
+// masks and priors must be unchanged outside its box.
 void ExpectDirtyAsTold(const Compilation& last, const Compilation& next) {
   for (const auto& tensor : next.tensors) {
     const DirtyArtifact entry{"tensor", tensor->agent_iri, tensor->window};
@@ -427,7 +427,7 @@ void ExpectDirtyAsTold(const Compilation& last, const Compilation& next) {
   }
 }
 
-// The compilation, or why it is refused.
+// The compilation, or the error text if it is rejected.
 struct Compiled {
   std::shared_ptr<const Compilation> all;
   std::string error;
@@ -463,7 +463,7 @@ TEST(Incremental, IsFullBitByBitAfterAnySequenceOfFactChanges) {
       const Compiled next = CompileOf(&compiler, living, step);
       const Compiled anew = CompileOf(&fresh, living, step);
       ASSERT_EQ(anew.error, next.error);
-      if (!next.all) continue;  // Refused; the last one stays what it was.
+      if (!next.all) continue;  // Rejected; the last one is unchanged.
       const Difference found = Compare(*anew.all, *next.all);
       ASSERT_EQ("", Text(found));
       EXPECT_EQ(next.all->fields.size() + next.all->tensors.size() +

@@ -17,7 +17,7 @@ namespace {
 using kg_mission::Agent;
 using kg_mission::TimeWindow;
 
-// Adds the time since it was made, or since the last time, to a stage.
+// Adds the time since construction, or since the last call, to a stage.
 class StageClock {
  public:
   explicit StageClock(std::map<std::string, double>* stages)
@@ -44,7 +44,7 @@ CoordinationRules Coordinate(const kg_mission::Mission& mission) {
   return rules;
 }
 
-// A compilation's artifacts by what they are looked up by.
+// Lookup tables of a compilation's artifacts.
 class KnownArtifacts {
  public:
   explicit KnownArtifacts(const Compilation* compilation) : all_(compilation) {
@@ -100,12 +100,12 @@ class KnownArtifacts {
   const Compilation* all_;
   std::set<std::pair<int, std::string_view>> fields_;
   std::unordered_map<std::string_view, Tensor> by_hash_;
-  std::map<Place, std::size_t> places_;  // Of the compilation's tensors.
+  std::map<Place, std::size_t> places_;  // Index in the compilation's tensors.
   std::map<std::string_view, const SeamRules*> rules_;
   std::map<std::string_view, const Agent*> agents_;
 };
 
-// A tensor to be: of one agent and window.
+// Request of the tensor of one agent and window.
 struct WantedTensor {
   const Agent* agent = nullptr;
   const TimeWindow* window = nullptr;
@@ -114,14 +114,14 @@ struct WantedTensor {
   TensorRequest request;  // Set once the horizon is known.
 };
 
-// What a compiler keeps beside its last compilation.
+// State that a compiler keeps besides its last compilation.
 struct CompilerStores {
   RasterStore* rasters;
   std::map<std::string, ValueNormaliser>* horizons;
   DataPlaneCache* cache;
 };
 
-// One compilation on the way.
+// One compilation in progress.
 class CompilationRun {
  public:
   CompilationRun(const kg_mission::Mission& mission, const Compilation* last,
@@ -206,7 +206,7 @@ class CompilationRun {
       hash.Add(request.hash);
       sources.insert(request.sources.begin(), request.sources.end());
     }
-    // Measured in this compilation, or in one before.
+    // Reuse a horizon measured in this compilation or in a previous one.
     const std::string key = hash.Hex();
     for (const auto* known : {measured, stores_.horizons}) {
       const auto found = known->find(key);
@@ -230,7 +230,8 @@ class CompilationRun {
     });
   }
 
-  // Of every hash one; those of the last compilation stay what they are.
+  // Compiles one tensor per distinct hash; reuses those of the last
+  // compilation.
   void MakeTensors() {
     std::vector<const WantedTensor*> missing;
     for (const WantedTensor& tensor : wanted_) {
@@ -249,7 +250,7 @@ class CompilationRun {
     now_->counts = {wanted_.size(), made_.size(), missing.size()};
   }
 
-  // From what the agent had in that window, where that is of use.
+  // Compiles a tensor by updating the agent's last one for that window, if any.
   MissionTensor Make(const WantedTensor& tensor) const {
     const KnownArtifacts::Tensor last =
         known_.TensorAt(tensor.agent->iri, tensor.window->index);
@@ -264,8 +265,8 @@ class CompilationRun {
     for (std::size_t i = 0; i < wanted_.size(); ++i) NoteTensor(wanted_[i]);
   }
 
-  // The tensor of that hash under this agent's and window's name: the very one
-  // that they had, if nothing changed.
+  // The tensor of that hash, labelled with this agent and window; the previous
+  // object if nothing changed.
   KnownArtifacts::Tensor Named(const WantedTensor& tensor) const {
     const std::string& agent = tensor.agent->iri;
     const int window = tensor.window->index;
@@ -280,6 +281,7 @@ class CompilationRun {
     if (is_it(made)) return made;
     const KnownArtifacts::Tensor own = known_.TensorAt(agent, window);
     if (is_it(own)) return own;
+    // Same content under another label: copying shares the content.
     auto copy = std::make_shared<MissionTensor>(*made);
     copy->agent_iri = agent;
     copy->window = window;
@@ -302,7 +304,7 @@ class CompilationRun {
     now_->dirty.push_back({"tensor", agent, tensor.window->index, box});
   }
 
-  // Of a tensor that was there the last time.
+  // Dirty box relative to the last compilation; nullopt = any cell.
   std::optional<CellBox> DirtyBoxOf(const WantedTensor& tensor) const {
     const int window = tensor.window->index;
     const Agent* agent = known_.AgentOf(tensor.agent->iri);
@@ -346,11 +348,11 @@ class CompilationRun {
   CompilerStores stores_;
   std::shared_ptr<Compilation> now_;
   StageClock clock_;
-  std::vector<const TimeWindow*> windows_;  // Those to be planned.
-  std::vector<WantedTensor> wanted_;        // Agent, window.
-  std::unordered_map<std::string_view, KnownArtifacts::Tensor>
-      made_;  // By hash.
-  // Dirty boxes by the hashes before and after, which agents alike share.
+  std::vector<const TimeWindow*> windows_;  // Windows to be planned.
+  std::vector<WantedTensor> wanted_;        // By agent, then window.
+  // Tensors of this compilation, by hash.
+  std::unordered_map<std::string_view, KnownArtifacts::Tensor> made_;
+  // Dirty boxes by (old hash, new hash), shared between agents.
   std::map<std::pair<std::string_view, std::string_view>,
            std::optional<CellBox>>
       boxes_;

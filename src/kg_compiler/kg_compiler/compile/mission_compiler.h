@@ -1,11 +1,11 @@
-// Facts -> everything the planners and the selector need, for one world
-// version, doing again only what changed.
+// Compiles facts into all inputs of the planners and the selector, for one
+// world version, recomputing only what changed.
 //
-// Every artifact has a hash of all that it is made of. Compile() works the
-// hashes out first and reuses the artifact of the last compilation that has the
-// same one: what is left is the dirty set. Tensors of one hash are compiled
-// once, whoever's they are; those that differ, side by side on the machine's
-// cores, each the same whatever else is compiled and in which order.
+// Every artifact has a hash of all its inputs. Compile() computes the hashes
+// first and reuses artifacts of the last compilation with equal hashes; the
+// others are the dirty set. Tensors with equal hashes are compiled once, even
+// for different agents; distinct ones are compiled in parallel, with results
+// independent of other tensors and of the order.
 
 #ifndef KG_COMPILER_COMPILE_MISSION_COMPILER_H_
 #define KG_COMPILER_COMPILE_MISSION_COMPILER_H_
@@ -32,57 +32,59 @@ namespace kg_compiler {
 struct CoordinationRules {
   kg_mission::CoordinationFacts facts;
   std::map<std::string, int> event_capacity;  // By event IRI.
-  // The windows in which an event rewards; none = it is over.
+  // The windows in which an event gives reward; empty = it is over.
   std::map<std::string, std::set<int>> event_windows;
 };
 
-// Which artifacts this compilation made anew.
+// An artifact that this compilation recomputed.
 struct DirtyArtifact {
   std::string kind;   // "tensor", "work_field", "seam_rules", "coordination".
   std::string agent;  // IRI, or empty.
-  int window = -1;    // -1: all, or what is not of one window.
-  // Of a tensor: the cells that the changed facts speak of (dirty_box.h).
-  // Nothing: any cell.
+  int window = -1;    // -1: all, or not specific to one window.
+  // Tensors only: the cells affected by the changed facts (dirty_box.h);
+  // nullopt: any cell.
   std::optional<CellBox> box = std::nullopt;
 };
-// But for the box.
+// Compares all members except the box.
 bool operator==(const DirtyArtifact& a, const DirtyArtifact& b);
 
-// How many tensors there are, and what they took.
+// Numbers of tensors and of those compiled.
 struct TensorCounts {
   std::size_t tensors = 0;   // Agents times windows.
-  std::size_t distinct = 0;  // By what they are made of.
-  std::size_t compiled = 0;  // Of these: not there from the last time.
+  std::size_t distinct = 0;  // Distinct hashes.
+  std::size_t compiled = 0;  // Distinct ones not reused.
 };
 
 struct Compilation {
   std::uint64_t world_version = 0;
   kg_mission::Mission mission;
   int first_window = 0;
-  std::vector<std::shared_ptr<const WorkField>> fields;       // By window.
-  std::vector<std::shared_ptr<const MissionTensor>> tensors;  // Agent, window.
-  // What each tensor was made from; in their order.
+  std::vector<std::shared_ptr<const WorkField>> fields;  // By window.
+  // Sorted by agent, then window.
+  std::vector<std::shared_ptr<const MissionTensor>> tensors;
+  // Rasters each tensor was compiled from, in the order of `tensors`.
   std::vector<std::shared_ptr<const WindowRasters>> rasters;
-  std::map<std::string, HorizonScale> horizons;  // By agent IRI, of `horizon`.
-  std::vector<SeamRules> rules;                  // By agent.
+  // Common scale of all windows, by agent IRI; only agents in mode `horizon`.
+  std::map<std::string, HorizonScale> horizons;
+  std::vector<SeamRules> rules;  // By agent.
   CoordinationRules coordination;
   std::vector<DirtyArtifact> dirty;
   TensorCounts counts;
-  // "fields" and "read" (value layers): from files, where not read before;
+  // Stages: "fields" and "read" (value layers), from files unless cached;
   // "tensors"; "rules".
   std::map<std::string, double> stage_seconds;
 };
 
-// A copy shares what has been made so far and goes its own way from there; it
-// may be used by another thread.
+// A copy shares the results so far and is independent from then on; it may be
+// used by another thread.
 class MissionCompiler {
  public:
   explicit MissionCompiler(kg_mission::FileCache* files);
   explicit MissionCompiler(RasterReaders readers);
 
-  // Compiles windows >= first_window of `mission`. Throws InputError; then the
-  // last compilation stays what it was. An artifact is dirty if its hash is not
-  // the one it had in the last compilation, for the same agent and window.
+  // Compiles windows >= first_window of `mission`. Throws InputError; the last
+  // compilation is then unchanged. An artifact is dirty if its hash differs
+  // from that in the last compilation, for the same agent and window.
   std::shared_ptr<const Compilation> Compile(const kg_mission::Mission& mission,
                                              std::uint64_t world_version,
                                              int first_window);
@@ -90,7 +92,7 @@ class MissionCompiler {
  private:
   RasterStore rasters_;
   std::shared_ptr<const Compilation> last_;
-  // What MeasureHorizon found, by what it measured.
+  // Results of MeasureHorizon, by the hash of its inputs.
   std::map<std::string, ValueNormaliser> horizons_;
   std::shared_ptr<DataPlaneCache> cache_ = std::make_shared<DataPlaneCache>();
 };

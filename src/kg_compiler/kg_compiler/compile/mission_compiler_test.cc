@@ -36,8 +36,8 @@ kg_mission::Mission TestMission() {
   return mission;
 }
 
-// Fields and values that depend on file content and time index alone; counts
-// how often they are read.
+// Fields and values that depend only on file content and time index; counts the
+// reads.
 struct Files {
   RasterReaders Readers() {
     return {
@@ -160,7 +160,7 @@ TEST(MissionCompiler, RemakesTheWindowsOfAnEventAndItsCapacityForTheTeam) {
   Files files;
   MissionCompiler compiler(files.Readers());
   kg_mission::Mission mission = TestMission();
-  mission.agents[1].policy.beta_poi = 0.0;  // Visits it, but sees no bump.
+  mission.agents[1].policy.beta_poi = 0.0;  // Visits it, but has no bump.
   compiler.Compile(mission, 1, 0);
   mission.events[0].value = 3.0;
   ExpectDirty({{"tensor", "ex:alpha", 1},
@@ -178,7 +178,7 @@ TEST(MissionCompiler, RemakesTheWindowsOfAnEventAndItsCapacityForTheTeam) {
   ExpectDirty({{"coordination", "", -1}}, *compiler.Compile(mission, 3, 0));
 }
 
-// The selector is told; there is nothing to compile.
+// Only the selector's rules change; no artifact is recompiled.
 TEST(MissionCompiler, ATeamChosenOtherwiseIsANewPlanOfTheSameArtifacts) {
   void (*const changes[])(kg_mission::CoordinationFacts*) = {
       [](auto* team) { team->mode = "priced"; },
@@ -246,8 +246,8 @@ TEST(MissionCompiler, SharesATensorAmongAgentsThatWouldHaveTheSame) {
             std::count(sources.begin(), sources.end(), "ex:policy_of_alpha"));
 }
 
-// Any sequence of changes leaves what compiling anew gives, bit by bit, and
-// what is not dirty is what it was.
+// Any sequence of changes gives the same bits as compiling from scratch, and
+// artifacts that are not dirty are unchanged.
 TEST(MissionCompiler, IncrementallyGivesWhatCompilingAnewGives) {
   std::mt19937 rng(51);
   Files files;

@@ -1,7 +1,7 @@
-// A criterion for points of interest over data, added by facts alone: cells of
-// a made field become facts where they exceed a limit, a rule in SPARQL makes
-// events of those that its criterion chooses, and the compiled tensors show
-// them. Against brute force over the field's cells.
+// A criterion for points of interest over data, added only by facts: cells of a
+// generated field become facts where they exceed a limit, a SPARQL rule turns
+// those that meet its criterion into events, and the compiled tensors contain
+// them. Compared with brute force over the field's cells.
 
 #include <gtest/gtest.h>
 
@@ -52,8 +52,8 @@ ex:plankton a ex:SampledField ; ex:gridRef "plankton.nc#density" ;
     ex:sampleAbove 0.5 .
 )ttl";
 
-// The criterion: above 0.8, and in the first window only. What a visit is worth
-// grows with what is above.
+// The criterion: above 0.8, and in the first window only. The value of a visit
+// grows with the excess.
 constexpr char kRule[] = R"ttl(
 ex:blooms a ex:Rule ; rdfs:label "blooms" ;
     rdfs:comment "Cells of dense plankton are worth a visit in the first window." ;
@@ -115,7 +115,7 @@ class PoiCriterionTest : public testing::Test {
     transaction.Commit(kg_core::WorldChange::kYes);
   }
 
-  // The reasons why not; "" = done.
+  // Adds facts; returns the reasons for rejection, "" = accepted.
   std::string Add(const std::string& turtle) {
     kg_core::FactUpdate update;
     update.turtle = turtle;
@@ -135,7 +135,7 @@ class PoiCriterionTest : public testing::Test {
     LonLat at;
     double value;
   };
-  // The events that the criterion should make, cell by cell.
+  // The events expected from the criterion, cell by cell.
   std::vector<Bump> Expected(double limit) const {
     std::vector<Bump> bumps;
     for (std::size_t i = 0; i < density_.size(); ++i) {
@@ -148,7 +148,7 @@ class PoiCriterionTest : public testing::Test {
     return bumps;
   }
 
-  // U by its definition: sums of bumps, divided by the largest, times w_t.
+  // U from its definition: sums of bumps, divided by the largest, times w_t.
   std::vector<double> Utility(const std::vector<Bump>& bumps,
                               double confidence) const {
     std::vector<double> sums(grid_.size(), 0.0);
@@ -188,7 +188,7 @@ class PoiCriterionTest : public testing::Test {
   }
 
   const Grid grid_ = EvenGrid(-94.0, 26.0, 0.05, 14, 22);
-  // Where the data lie is not the mission's grid.
+  // Grid of the data, different from the mission's.
   const Grid field_ = EvenGrid(-93.97, 26.04, 0.08, 8, 12);
   Raster density_;
   kg_base::TemporaryFolder folder_;
@@ -200,7 +200,7 @@ class PoiCriterionTest : public testing::Test {
 
 TEST_F(PoiCriterionTest, CellsThatExceedALimitBecomeEventsOfTheTensors) {
   ASSERT_EQ(Add(kFacts), "");
-  ExpectTensors({});  // Data alone are worth nothing.
+  ExpectTensors({});  // Data alone have no value.
   ASSERT_EQ(Add(kRule), "");
   const std::vector<Bump> bumps = Expected(0.8);
   ASSERT_GT(bumps.size(), 3u);
@@ -217,7 +217,7 @@ TEST_F(PoiCriterionTest, FollowsTheRuleAndTheData) {
   off.set = {{"ex:blooms", "ex:enabled", "true"}};
   ASSERT_EQ(Apply(off), "");
   ExpectTensors(Expected(0.8));
-  // The limit for facts above the rule's own: fewer cells are left to choose.
+  // A limit for facts above the rule's limit leaves fewer candidate cells.
   kg_core::FactUpdate higher;
   higher.set = {{"ex:plankton", "ex:sampleAbove", "0.95"}};
   ASSERT_EQ(Apply(higher), "");

@@ -68,7 +68,7 @@ std::string FieldKey(const kg_mission::Mission& mission,
   return key.Hex();
 }
 
-// Below 0: a is older. 0: of one time, or nobody can tell.
+// Age comparison: < 0: a is older. 0: same or unknown time.
 double Compare(const kg_mission::ValueLayer& a,
                const kg_mission::ValueLayer& b) {
   if (a.time_s && b.time_s) return *a.time_s - *b.time_s;
@@ -82,7 +82,7 @@ const kg_mission::ValueLayer& FindValue(const kg_mission::Mission& mission,
   bool two = false;
   for (const kg_mission::ValueLayer& layer : mission.value_layers) {
     if (layer.window != window || layer.kind != policy.value_kind) continue;
-    // Of layers of one time, none is the newest.
+    // With equal times no layer is the newest.
     const double newer_by = newest ? Compare(layer, *newest) : 1.0;
     if (newer_by == 0.0) two = true;
     if (!(newer_by > 0.0)) continue;
@@ -118,7 +118,7 @@ bool ReadsValue(const kg_mission::Policy& policy) {
   return policy.alpha_base != 0.0 || policy.gamma_front != 0.0;
 }
 
-// One line for a policy that divides by what the layer does not have.
+// Throws if the policy requires a scale that the layer does not have.
 void CheckScales(const kg_mission::Policy& policy,
                  const kg_mission::ValueLayer& layer) {
   if (policy.layer_scale != kg_mission::LayerScale::kFixed) return;
@@ -216,7 +216,7 @@ std::shared_ptr<const WorkField> RasterStore::Field(
   return kept.value;
 }
 
-// Against any other window of the mission that is there already.
+// Checks the grid against that of any other window already loaded.
 void RasterStore::CheckGrid(const kg_mission::Mission& mission,
                             const WorkField& field) const {
   for (const kg_mission::WorkFieldRef& ref : mission.work_fields) {
@@ -235,9 +235,9 @@ RasterStore::FromFiles RasterStore::ReadFiles(
     const kg_mission::Mission& mission, const kg_mission::Policy& policy,
     const WorkField& field) {
   FromFiles read;
-  std::string grid_hash;  // Made if there is anything to read.
+  std::string grid_hash;  // Computed only if there is a file to read.
   const kg_base::Grid& grid = field.field.grid;
-  // The place for it in `kept`, filled by `make` where it is new.
+  // Returns the entry in `kept`, computed by `make` if it is new.
   const auto keep = [&](const std::string& iri,
                         const kg_mission::RasterRef& ref, auto* kept,
                         const auto& make) {

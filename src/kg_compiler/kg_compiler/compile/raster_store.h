@@ -1,9 +1,10 @@
-// The rasters a mission refers to, read when first wanted and kept while
-// wanted: work fields, and per window what the data plane reads. What several
-// windows read (time steps, priors, masks) is held once.
+// Cache of the rasters a mission refers to, read on first use and kept while in
+// use: work fields, and per window the inputs of the data plane. Data shared by
+// several windows (time steps, priors, masks) is stored once.
 //
-// The mission's grid is that of its work fields, one for all windows. What is
-// on another grid comes to it as its facts declare (kg_core's layer_files.h).
+// The mission's grid is that of its work fields, one for all windows. Rasters
+// on other grids are resampled as their facts declare (kg_core's
+// layer_files.h).
 
 #ifndef KG_COMPILER_COMPILE_RASTER_STORE_H_
 #define KG_COMPILER_COMPILE_RASTER_STORE_H_
@@ -27,7 +28,7 @@ struct WorkField {
   std::string hash;
 };
 
-// Where rasters come from: kg_core's files, or what a test makes up.
+// Source of rasters: kg_core's files, or generated data in tests.
 struct RasterReaders {
   std::function<kg_base::VectorField(const kg_mission::Mission&,
                                      const kg_mission::WorkFieldRef&)>
@@ -36,8 +37,8 @@ struct RasterReaders {
                                 const kg_mission::ValueLayer&,
                                 const kg_base::Grid&)>
       value;
-  // Of the prior or constraint of that IRI. May be absent where a mission has
-  // none from files.
+  // Reads the raster of the prior or constraint `iri`. May be empty if a
+  // mission has none from files.
   std::function<kg_base::Raster(
       const kg_mission::Mission&, const std::string& iri,
       const kg_mission::RasterRef&, const kg_base::Grid&)>
@@ -54,16 +55,16 @@ class RasterStore {
   // grid is not that of the other windows.
   std::shared_ptr<const WorkField> Field(const kg_mission::Mission& mission,
                                          int window);
-  // The value layer is the policy's kind's; of several the one with the latest
-  // time (A29). Throws InputError if there is none, or two of one time, or if
-  // the policy wants a scale that the layer does not have. A policy that reads
-  // no value (alpha = gamma = 0) gets a raster without data. Prior rasters are
-  // those that the policy weighs, masks those of all constraints in force in
-  // the window.
+  // The value layer has the kind stated by the policy; of several the latest
+  // one is used (A29). Throws InputError if there is none, if two have the same
+  // time, or if the policy requires a scale that the layer does not have. A
+  // policy that reads no value (alpha = gamma = 0) gets a raster without data.
+  // Includes the rasters of priors weighted by the policy, and the masks of all
+  // constraints in force in the window.
   std::shared_ptr<const WindowRasters> Rasters(
       const kg_mission::Mission& mission, const kg_mission::Policy& policy,
       const WorkField& field);
-  // Forgets what was not asked for since the last time.
+  // Drops entries not used since the last call.
   void ForgetUnused();
 
  private:
@@ -73,7 +74,8 @@ class RasterStore {
     bool used = true;
   };
 
-  // What a window's priors and constraints read from files, and its key.
+  // Rasters of a window's priors and constraints read from files, and their
+  // key.
   struct FromFiles {
     std::map<std::string, std::shared_ptr<const kg_base::Raster>> priors;
     std::map<std::string, std::shared_ptr<const kg_base::Mask>> masks;
@@ -85,7 +87,7 @@ class RasterStore {
                  const WorkField& field) const;
 
   RasterReaders readers_;
-  // By all that they are made of: facts' IRIs, files' sha256, time indices.
+  // Keyed by all inputs: IRIs of facts, sha256 of files, time indices.
   std::map<std::string, Kept<WorkField>> fields_;
   std::map<std::string, Kept<WindowRasters>> rasters_;
   std::map<std::string, Kept<kg_base::Raster>> priors_;

@@ -51,7 +51,7 @@ Policy Weighing(const std::vector<std::string>& priors) {
   return policy;
 }
 
-// Counts what is read, by name.
+// Counts the reads, by name.
 struct Files {
   RasterReaders Readers() {
     return {
@@ -161,7 +161,7 @@ TEST(RasterStore, ARasterThatChangesIsReadAnewAndNothingElse) {
     Mission changed = TestMission();
     make(&changed);
     files.read.clear();
-    RasterStore copy = store;  // As a what-if does.
+    RasterStore copy = store;  // As in a what-if query.
     return RastersOf(&copy, changed, policy, 1);
   };
   change([](Mission* m) { m->priors[0].raster->time_index = 1; });
@@ -187,7 +187,7 @@ TEST(RasterStore, WhatNobodyAskedForIsForgotten) {
   RastersOf(&store, mission, policy, 1);
   store.ForgetUnused();
   RastersOf(&store, mission, Weighing({}), 1);
-  store.ForgetUnused();  // Reefs were not asked for.
+  store.ForgetUnused();  // Reefs were not used.
   RastersOf(&store, mission, policy, 1);
   EXPECT_EQ(files.read.count("ex:reefs"), 2u);
   EXPECT_EQ(files.read.count("ex:farm"), 1u);
@@ -275,7 +275,7 @@ TEST(RasterStore, AllWindowsAreOnOneGrid) {
       << said;
   EXPECT_NE(said.find(kGrid.Text()), std::string::npos) << said;
   EXPECT_NE(said.find(files.grid_of["ex:field2"].Text()), std::string::npos);
-  // It is not kept either, and a new forecast may be on a new grid.
+  // A rejected field is not cached, and a new forecast may have a new grid.
   EXPECT_NE(Refusal([&] { store.Field(mission, 2); }), "");
   Mission other = mission;
   other.files["ex:file"].sha256 = "another";

@@ -66,7 +66,7 @@ std::string NameOf(const NavGraph& graph) {
          std::to_string(graph.window);
 }
 
-// Two artifacts of one name; null = only the other side has it.
+// Pairs of artifacts by name; null = only the other side has it.
 template <typename T>
 using Pairs = std::map<std::string, std::pair<const T*, const T*>>;
 

@@ -1,5 +1,5 @@
-// Two compilations held against each other, bit by bit: what is made step by
-// step must be what is made anew.
+// Bitwise comparison of two compilations: an incremental one must equal one
+// from scratch.
 
 #ifndef KG_COMPILER_COMPILE_SAME_COMPILATION_H_
 #define KG_COMPILER_COMPILE_SAME_COMPILATION_H_
@@ -15,15 +15,15 @@ namespace kg_compiler {
 
 struct Difference {
   std::size_t compared = 0;          // Artifacts.
-  std::vector<std::string> differs;  // Those that differ, by name.
+  std::vector<std::string> differs;  // Names of artifacts that differ.
 };
 
-// Work fields, tensors with all their layers, seam rules and coordination; what
-// only one of them has, differs. Times, the dirty set and the world version do
-// not count.
+// Compares work fields, tensors with all layers, seam rules and coordination;
+// artifacts in only one of them count as different. Times, the dirty set and
+// the world version are ignored.
 Difference Compare(const Compilation& a, const Compilation& b);
 
-// One agent's graphs: waypoints, edges and their flights.
+// Compares one agent's graphs: waypoints, edges and their flights.
 Difference Compare(const NavGraphs& a, const NavGraphs& b);
 
 }  // namespace kg_compiler

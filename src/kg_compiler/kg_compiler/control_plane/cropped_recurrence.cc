@@ -27,7 +27,7 @@ double North_m(const kg_base::Grid& grid, int from, int to) {
   return (b - a) / kg_base::LocalScale(0.5 * (a + b)).lat_deg;
 }
 
-// The box with all that lies within `radius_m` of it, and a cell more.
+// The box extended by `radius_m` and one more cell on every side.
 CellBox GrowBy_m(CellBox box, const kg_base::Grid& grid, double radius_m) {
   const int south = box.row, north = box.row_end - 1;
   while (box.row > 0 && North_m(grid, box.row, south) <= radius_m) --box.row;
@@ -35,7 +35,7 @@ CellBox GrowBy_m(CellBox box, const kg_base::Grid& grid, double radius_m) {
          North_m(grid, north, box.row_end - 1) <= radius_m) {
     ++box.row_end;
   }
-  double lon_deg = 0.0;  // As far east or west as the radius goes at any row.
+  double lon_deg = 0.0;  // Largest east-west extent of the radius in any row.
   for (int row = box.row; row < box.row_end; ++row) {
     const double scale = kg_base::LocalScale(grid.lat_deg()[row]).lon_deg;
     lon_deg = std::max(lon_deg, radius_m * scale);
@@ -62,7 +62,7 @@ std::vector<T> Cut(const std::vector<T>& whole, int cols, const CellBox& box) {
   return cut;
 }
 
-// The picks of the part, named as cells of the whole.
+// Picks computed on the part, with cells converted to the whole grid.
 std::vector<RecurrencePick> PicksOf(const kg_base::Grid& grid,
                                     const PickMemo& memo) {
   const auto axis = [](const std::vector<double>& whole, int begin, int end) {
@@ -123,7 +123,7 @@ const std::vector<RecurrencePick>& RecurrenceWithin(
     for (const int cell : allowed) mask[cell] = 1;
     now.allowed = Cut(mask, grid.cols(), now.box);
   }
-  // The same box with the same bits gives the same picks.
+  // Bit-identical inputs give the same picks.
   if (SameInputs(now, *memo)) return memo->picks;
   if (!allowed.empty()) now.picks = PicksOf(grid, now);
   *memo = std::move(now);

@@ -1,6 +1,6 @@
-// Proximal Recurrence where only few cells are allowed: on the part of the grid
-// that their discs see. Same picks, ties and scores, to the bit, as on the
-// whole (proximal_recurrence.h), at the cost of the part.
+// Proximal Recurrence for few allowed cells, computed on the part of the grid
+// that their discs cover. Picks, ties and scores are bit-identical to those on
+// the whole grid (proximal_recurrence.h), at the cost of the part.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_CROPPED_RECURRENCE_H_
 #define KG_COMPILER_CONTROL_PLANE_CROPPED_RECURRENCE_H_
@@ -12,7 +12,7 @@
 
 namespace kg_compiler {
 
-// What the last picks were made from.
+// Inputs and result of the last call.
 struct PickMemo {
   CellBox box;
   kg_base::Raster utility;
@@ -21,8 +21,9 @@ struct PickMemo {
   std::vector<RecurrencePick> picks;
 };
 
-// `allowed`: cells' indices, ascending. Picks of `memo` are taken over if they
-// were made from the same cells of the same grid; else it is made anew.
+// `allowed`: cell indices, ascending. The picks in `memo` are reused if they
+// were computed from the same cells of the same grid; otherwise `memo` is
+// recomputed.
 const std::vector<RecurrencePick>& RecurrenceWithin(
     const kg_base::Grid& grid, const kg_base::Raster& utility,
     const std::vector<int>& allowed, const RecurrenceOptions& options,

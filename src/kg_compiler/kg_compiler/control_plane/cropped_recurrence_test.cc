@@ -17,7 +17,7 @@ void ExpectSamePicks(const std::vector<RecurrencePick>& whole,
   }
 }
 
-// A blob of allowed cells anywhere, often at the grid's edge.
+// A random blob of allowed cells, often at the edge of the grid.
 kg_base::Mask Blob(std::mt19937& rng, const kg_base::Grid& grid) {
   const double row = Uniform(rng, 0, grid.rows());
   const double col = Uniform(rng, 0, grid.cols());
@@ -32,7 +32,7 @@ kg_base::Mask Blob(std::mt19937& rng, const kg_base::Grid& grid) {
   return mask;
 }
 
-// Few values and flat, so that many discs tie.
+// Few distinct or constant values, so that many discs tie.
 kg_base::Raster Utility(std::mt19937& rng, std::size_t size) {
   const bool flat = rng() % 2;
   kg_base::Raster utility(size);
@@ -54,7 +54,7 @@ std::vector<int> CellsOf(const kg_base::Mask& mask) {
 TEST(RecurrenceWithin, PicksWhatTheWholeGridPicksToTheBit) {
   std::mt19937 rng(3);
   int picks = 0;
-  PickMemo memo;  // Goes from one case to the next, as between compiles.
+  PickMemo memo;  // Reused across cases, as between compiles.
   for (int i = 0; i < 120; ++i) {
     kg_base::Grid grid = i % 2 ? UnevenGrid(rng, 45, 60)
                                : EvenGrid(-92, i % 4 ? 23 : -25, 0.04, 45, 60);
@@ -83,7 +83,7 @@ TEST(RecurrenceWithin, TakesItsPicksOverOnlyWhileNothingSeenChanges) {
   PickMemo memo;
   const double first =
       RecurrenceWithin(grid, utility, allowed, options, &memo)[0].score;
-  memo.picks[0].score = -7.0;  // A mark.
+  memo.picks[0].score = -7.0;  // Marks reused picks.
   utility[7] = 0.5f;           // Far away.
   EXPECT_EQ(-7.0,
             RecurrenceWithin(grid, utility, allowed, options, &memo)[0].score);

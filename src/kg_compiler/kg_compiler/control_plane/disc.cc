@@ -10,7 +10,7 @@
 namespace kg_compiler {
 namespace {
 
-constexpr double kSlack = 1e-12;  // Relative, of sums of a few roundings.
+constexpr double kSlack = 1e-12;  // Relative rounding error of short sums.
 
 }  // namespace
 
@@ -91,7 +91,8 @@ Span Discs::Columns(kg_base::Cell centre, int other) const {
     return static_cast<int>(std::lower_bound(lon.begin(), lon.end(), lon_deg) -
                             lon.begin());
   };
-  // The chord's ends to within rounding, then step by step to the exact ones.
+  // Ends of the chord up to rounding, then corrected stepwise to the exact
+  // ones.
   Span columns{near(at_deg - reach_deg), near(at_deg + reach_deg)};
   while (columns.first > 0 && sees(columns.first - 1)) --columns.first;
   while (columns.first < centre.col && !sees(columns.first)) ++columns.first;

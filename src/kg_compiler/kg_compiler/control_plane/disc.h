@@ -1,5 +1,5 @@
-// The cells of a grid that lie within a distance of a cell: discs in metres,
-// which are ellipses in cells, and no two rows' need be alike.
+// The cells of a grid within a distance of a cell: discs in metres, which are
+// ellipses in cells whose shape may differ from row to row.
 //
 //   north = s(lat_b) - s(lat_a)       s: arc of the meridian from the equator
 //   east  = |lon - lon_a| / (degrees per metre eastward at row b)
@@ -16,7 +16,7 @@
 
 namespace kg_compiler {
 
-// Rows or columns [first, last).
+// Half-open range of rows or columns, [first, last).
 struct Span {
   int first = 0;
   int last = 0;
@@ -39,21 +39,21 @@ class Discs {
   Discs(const kg_base::Grid& grid, double radius_m, Span rows);
 
   double radius_m() const { return radius_m_; }
-  // All rows of the discs around the cells of the rows given.
+  // All rows covered by the discs around the centre rows.
   Span rows() const { return known_; }
-  // The rows of a disc around a cell of `row`, one of those given.
+  // The rows covered by a disc around a cell of `row`, one of the centre rows.
   Span Rows(int row) const;
-  // The columns that the disc around a cell has in row `other`, one of Rows().
+  // The columns that the disc around a cell covers in row `other`, which is one
+  // of Rows().
   Span Columns(kg_base::Cell centre, int other) const;
   // The same around every cell of `centres` in `row`, from west to east.
   void Columns(int row, Span centres, int other, std::vector<Span>* out) const;
-  // How far east and west a disc around a cell of `row` goes in row `other`
-  // [deg].
+  // Half width in row `other` of a disc around a cell of `row` [deg].
   double Reach_deg(int row, int other) const;
   double WidestReach_deg() const;
 
  private:
-  // r^2 - north^2 and the scale of row `other`.
+  // r^2 - north^2 [m^2] and the east-west scale of row `other`.
   struct Chord {
     double left_m2;
     double m_per_deg;
@@ -67,24 +67,24 @@ class Discs {
   const kg_base::Grid& grid_;
   double radius_m_;
   Span known_;
-  std::vector<double> north_m_;        // Of rows known_.
-  std::vector<double> m_per_lon_deg_;  // Likewise.
+  std::vector<double> north_m_;        // Meridian arc of rows known_.
+  std::vector<double> m_per_lon_deg_;  // Scale of rows known_.
 };
 
-// Columns as evenly spaced as files have them: then a reach in degrees is the
-// same number of cells around every column.
+// Columns that are evenly spaced up to the rounding found in files: a reach in
+// degrees then covers the same number of cells around every column.
 class EvenColumns {
  public:
   explicit EvenColumns(const kg_base::Grid& grid);
 
-  // How many columns lie within the reach on either side (but for the grid's
-  // edges); nothing if that is not sure to be the same for all columns.
+  // Number of columns within the reach on either side (away from the edges of
+  // the grid); nullopt unless it is certainly equal for all columns.
   std::optional<int> HalfWidth(double reach_deg) const;
 
  private:
   int cols_;
   double step_deg_;
-  double slack_deg_;  // Two gaps of as many steps differ by less than it.
+  double slack_deg_;  // Bound on the difference of equal-step gaps.
 };
 
 }  // namespace kg_compiler

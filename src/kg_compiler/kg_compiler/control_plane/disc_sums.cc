@@ -10,7 +10,8 @@ namespace {
 constexpr int kBits = 31;  // Sums of 2^32 cells fit in 63 bits.
 constexpr int kUneven = -1;
 
-// The columns within a gap of some columns, one more either side to be sure.
+// Columns within `gap_deg` of `cols`, plus one on either side as a margin for
+// rounding.
 Span Widened(const kg_base::Grid& grid, Span cols, double gap_deg) {
   const std::vector<double>& lon = grid.lon_deg();
   const auto west = std::lower_bound(lon.begin(), lon.begin() + cols.first,
@@ -23,8 +24,8 @@ Span Widened(const kg_base::Grid& grid, Span cols, double gap_deg) {
 
 using Run = DiscSums::Run;
 
-// sums[i] = sum of east[i] - west[i] over the runs, a group at a time, so that
-// a group's sums stay in registers.
+// sums[i] = sum of east[i] - west[i] over the runs, one group at a time, so
+// that the sums of a group stay in registers.
 inline __attribute__((always_inline)) void AddGroups(
     const std::vector<Run>& runs, int count, std::int64_t* sums) {
   for (int first = 0; first < count; first += DiscSums::kGroup) {
@@ -38,8 +39,8 @@ inline __attribute__((always_inline)) void AddGroups(
   }
 }
 
-// Values to the nearest multiple of the unit; those not > 0 to 0. Less than
-// 2^31, so int is wide enough.
+// Rounds values to the nearest multiple of the unit; values not > 0 become 0.
+// Results are below 2^31 and fit in int.
 inline __attribute__((always_inline)) void RoundToUnits(const float* values,
                                                         int count,
                                                         double per_unit,
@@ -51,7 +52,7 @@ inline __attribute__((always_inline)) void RoundToUnits(const float* values,
 }
 
 #if defined(__x86_64__)
-// The same in wider registers: exact, so the same numbers.
+// As AddGroups in wider registers; integer sums, so results are identical.
 __attribute__((target("avx2"))) void AddGroupsAvx2(const std::vector<Run>& runs,
                                                    int count,
                                                    std::int64_t* sums) {
@@ -89,7 +90,8 @@ DiscSums::DiscSums(const kg_base::Grid& grid, const kg_base::Raster& values,
   MeasureDiscs(rows);
 }
 
-// Floats >= 0 are in the order of their bits, and integers compare faster.
+// Compares bit patterns as integers, which is faster and preserves the order of
+// floats >= 0.
 float DiscSums::Largest() const {
   constexpr std::int32_t kInfinity = 0x7f800000;
   std::int32_t most = 0;
@@ -154,8 +156,8 @@ void DiscSums::Clear(int row, Span cols) {
   if (rows().Has(row)) cleared_[row - rows().first].push_back(cols);
 }
 
-// Room for what is seen from the strip's columns, for half widths that go
-// beyond the grid, and for the last group's surplus.
+// The strip covers all columns seen from the centres, half widths that extend
+// beyond the grid, and the surplus of the last group.
 void DiscSums::BeginStrip(Span cols) {
   const Span seen = Widened(grid_, cols, discs_.WidestReach_deg());
   strip_ = {std::min(seen.first, cols.first - widest_),

@@ -18,7 +18,7 @@ TEST(MeridianArc, IsTheGeodesicAlongAMeridian) {
   }
 }
 
-// The definition, cell by cell.
+// Definition of a disc, evaluated for one cell.
 bool Sees(const kg_base::Grid& grid, kg_base::Cell a, kg_base::Cell b,
           double radius_m) {
   const double north_m = MeridianArc_m(grid.lat_deg()[b.row]) -

@@ -1,5 +1,5 @@
-// What one agent pays for one traverse edge (ex:EdgeCost): every figure is that
-// of the flown path, and of what the edge's window adds to it.
+// Cost of one traverse edge for one agent (ex:EdgeCost), computed from the
+// flown path and the terms of the edge's window.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_EDGE_COST_H_
 #define KG_COMPILER_CONTROL_PLANE_EDGE_COST_H_
@@ -15,7 +15,7 @@ struct EdgeCost {
   double travel_s = 0.0;         // Departure to arrival.
   double energy_j = 0.0;         // Propulsion, holding station, hotel load.
   double hazard_s = 0.0;         // Hazard in [0, 1] integrated over time.
-  double isolation_s = 0.0;      // I: of having few other places to go to.
+  double isolation_s = 0.0;      // I: having few alternative places.
   double through_water_m = 0.0;  // Distance through water.
   double speed_mps = 0.0;        // Through water until the arrival.
   // Time integrals of the cost fields along the edge [unit s]; empty = no
@@ -24,7 +24,7 @@ struct EdgeCost {
   double seam_cost = 0.0;  // S, reward units.
 };
 
-// What the flight alone says; the rest is 0.
+// Costs that follow from the flight alone; all others are 0.
 inline EdgeCost CostOfFlight(const FlownPath& flight) {
   EdgeCost cost;
   cost.travel_s = flight.travel_s;
@@ -43,7 +43,7 @@ inline EdgeCost CostOfEdge(const TraverseEdge& edge) {
   return cost;
 }
 
-// Bit by bit; NaN differs from everything.
+// Exact comparison; NaN differs from everything.
 inline bool operator==(const EdgeCost& a, const EdgeCost& b) {
   return a.travel_s == b.travel_s && a.energy_j == b.energy_j &&
          a.hazard_s == b.hazard_s && a.isolation_s == b.isolation_s &&

@@ -29,7 +29,7 @@ double LegExposure(const kg_base::Grid& grid, const kg_base::ScalarField& field,
   return sum * whole_s / steps;
 }
 
-// Until the arrival: what follows in a track is rest at its end.
+// Integral until the arrival; the rest of the track is station keeping.
 double Exposure(const kg_base::Grid& grid, const kg_base::ScalarField& field,
                 const FlownPath& flight) {
   const std::vector<TimedPoint>& track = flight.track;

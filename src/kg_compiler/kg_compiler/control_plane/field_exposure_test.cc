@@ -38,7 +38,7 @@ kg_base::VectorField FieldWithWaves() {
   return field;
 }
 
-// Two legs, then at rest until a day is over.
+// Two legs, then at rest until the end of the day.
 FlownPath TwoLegs() {
   FlownPath flight;
   flight.track = {{{-90.5, 24.5}, 0.0},

@@ -9,7 +9,7 @@ namespace kg_compiler {
 
 // How an agent moves within a window (A22).
 enum class MovementMode {
-  kHops,   // From one waypoint a window to one of the next.
+  kHops,   // One waypoint per window, then one of the next.
   kEdges,  // Also along edges between the waypoints of a window.
 };
 const char* Name(MovementMode mode);  // "hops", "edges".

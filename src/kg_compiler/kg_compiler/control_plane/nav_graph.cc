@@ -29,10 +29,10 @@ std::string Where(const SeamRules& rules, const WindowRules& window) {
          std::to_string(window.window) + " (" + window.iri + "): ";
 }
 
-// The next cache on its way, made from the last one.
+// Builds the graphs and the next cache from the last one.
 class GraphBuilds {
  public:
-  // With `keep`, for one more time.
+  // `keep`: store the seams for the next call.
   GraphBuilds(const SeamRules& rules, const SeamCache& last, bool keep)
       : rules_(rules), last_(last), keep_(keep) {}
 
@@ -96,7 +96,7 @@ NavGraphs CompileNavGraphs(const SeamRules& rules,
         kg_base::PointWkt(rules.start) +
         ", which is on land, in a no_go area or off the grid");
   }
-  // A window's waypoints are where the next one's flights set out from.
+  // The waypoints of a window are the departure places of the next one.
   const SeamCache none;
   GraphBuilds graphs(rules, cache ? *cache : none, cache != nullptr);
   for (std::size_t t = 0; t < worlds.size(); ++t) {

@@ -17,7 +17,7 @@ namespace {
 
 using kg_base::LonLat;
 
-// A mission of a few windows on a small sea of random flow.
+// A mission of a few windows on a small grid of random flow.
 struct TestSea {
   explicit TestSea(unsigned seed, double flow_mps = 0.4) : rng(seed) {
     const int windows = 3;
@@ -223,7 +223,7 @@ TEST(NavGraph, ReusesWhatDidNotChangeAndRebuildsWhatDid) {
   sea.Compile(&cache);
   EXPECT_EQ(3, cache.counts.graphs_kept);
   for (int t = 0; t < 3; ++t) EXPECT_EQ(&first[t], &sea.graphs[t]);
-  // The last window's tensor alone changes.
+  // Only the tensor of the last window changes.
   sea.mission.windows[2].confidence = 0.5;
   sea.Compile(&cache);
   EXPECT_EQ(&first[0], &sea.graphs[0]);
@@ -279,7 +279,7 @@ TEST(NavGraph, IsTheSameBuiltAnewAsBuiltOnAnother) {
   ExpectSameGraphs(sea.graphs, incremental);
 }
 
-// Areas come, move and go; the cache is never asked to forget.
+// Areas appear, move and disappear; the cache is never cleared.
 TEST(NavGraph, IsTheSameFromACacheAfterAnyAreas) {
   int reaches_kept = 0, reaches = 0, flights_kept = 0, flights = 0;
   for (unsigned seed = 20; seed < 23; ++seed) {
@@ -386,7 +386,7 @@ TEST(NavGraph, HasEdgesWithinAWindowInTheModeEdgesOnly) {
   EXPECT_GT(asymmetric, 20);
 }
 
-// Of a place in still water, base travel 40 km.
+// Isolation of a place in still water with 40 km of base travel.
 double IsolationAmong(const std::vector<LonLat>& waypoints) {
   const kg_base::Grid grid = EvenGrid(-92, 23, 0.05, 40, 40);
   const kg_base::VectorField field = UniformFlow(grid, 0, 0);
@@ -439,7 +439,7 @@ TEST(NavGraph, ChargesIsolationByThePolicysWeightAndTheTimeUnderWay) {
   }
 }
 
-// Flights of equal length beside a forbidden area, nearer and nearer.
+// Flights of equal length past a forbidden area at decreasing distance.
 TEST(NavGraph, FindsMoreRiskTheNearerAForbiddenArea) {
   const kg_base::Grid grid = EvenGrid(-92, 23, 0.04, 50, 50);
   const kg_base::VectorField field = UniformFlow(grid, 0, 0);
@@ -448,7 +448,7 @@ TEST(NavGraph, FindsMoreRiskTheNearerAForbiddenArea) {
   mission.agents = {TestAgent("alpha")};
   kg_mission::Policy& policy = mission.agents[0].policy;
   policy.lambda_risk = 1.0;
-  policy.lambda_time_per_s = 1e-3;  // Else it would go round.
+  policy.lambda_time_per_s = 1e-3;  // Otherwise it would take a detour.
   policy.hazard_range_m = 8e3;
   mission.constraints = {AreaConstraint(
       "ex:no", kg_mission::ConstraintKind::kNoGo, Box(-92, 23, -91.8, 24.9))};
@@ -464,7 +464,7 @@ TEST(NavGraph, FindsMoreRiskTheNearerAForbiddenArea) {
     EXPECT_GT(price[0]->flight.hazard_s, last_s) << lon;
     last_s = price[0]->flight.hazard_s;
   }
-  // Each policy its own range.
+  // Each policy has its own hazard range.
   SeamRules far = rules;
   far.hazard_range_m = 16e3;
   const WindowTraversal other(far, far.windows[0], {&tensor, &field});

@@ -1,5 +1,5 @@
-// The graphs of an agent's windows, one after the other. Copies share graphs:
-// what did not change from one compile to the next is there once.
+// The graphs of an agent's windows, in order. Copies share graphs, so graphs
+// that did not change between compiles are stored once.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_NAV_GRAPHS_H_
 #define KG_COMPILER_CONTROL_PLANE_NAV_GRAPHS_H_
@@ -18,7 +18,7 @@ class NavGraphs {
  public:
   using Pointer = std::shared_ptr<const NavGraph>;
 
-  // Over the graphs themselves.
+  // Iterates over the graphs, not the pointers.
   class Iterator {
    public:
     using iterator_category = std::forward_iterator_tag;
@@ -66,7 +66,7 @@ class NavGraphs {
   }
   void clear() { graphs_.clear(); }
   void pop_back() { graphs_.pop_back(); }
-  // Puts another graph in the place of one.
+  // Replaces the i-th graph.
   void Replace(std::size_t i, NavGraph graph) {
     graphs_[i] = std::make_shared<const NavGraph>(std::move(graph));
   }

@@ -15,7 +15,7 @@ namespace {
 constexpr int kStrip = DiscSums::kStrip;
 constexpr int kGroup = DiscSums::kGroup;
 
-// From the first to the last allowed column of `cols` in a row.
+// Range from the first to the last allowed column of `cols` in a row.
 Span AllowedIn(const kg_base::Mask& allowed, const kg_base::Grid& grid, int row,
                Span cols) {
   const unsigned char* begin = allowed.data() + grid.Index({row, cols.first});
@@ -33,7 +33,7 @@ struct Box {
   Span cols;
 };
 
-// The least box that holds all allowed cells.
+// Bounding box of the allowed cells.
 Box AllowedBox(const kg_base::Grid& grid, const kg_base::Mask& allowed) {
   Box box{{}, {grid.cols(), 0}};
   for (int row = 0; row < grid.rows(); ++row) {
@@ -62,7 +62,8 @@ class Recurrence {
         row_best_(box.rows.size()) {
     allowed_.reserve(static_cast<std::size_t>(box.rows.size()) *
                      box.cols.size());
-    // Allowed cells of the box, row by row, and per strip where there are any.
+    // Copy the allowed cells of the box row by row, and record per strip the
+    // range of columns that contains them.
     for (int row = box.rows.first; row < box.rows.last; ++row) {
       const auto from = allowed.begin() + grid.Index({row, box.cols.first});
       allowed_.insert(allowed_.end(), from, from + box.cols.size());
@@ -73,7 +74,7 @@ class Recurrence {
     Respond(box);
   }
 
-  // The best allowed cell, the first of equals.
+  // The best allowed cell; ties go to the first.
   std::optional<RecurrencePick> Best() {
     const auto best = std::max_element(row_best_.begin(), row_best_.end());
     if (*best == 0) return std::nullopt;
@@ -84,7 +85,7 @@ class Recurrence {
                           sums_.Footprint(cell)};
   }
 
-  // Blanks the disc around a pick and forbids it to later picks.
+  // Zeroes the disc around a pick and excludes it from later picks.
   void Blank(kg_base::Cell pick) {
     const Span rows = blanks_.Rows(pick.row);
     Span widest{pick.col, pick.col + 1};
@@ -124,7 +125,8 @@ class Recurrence {
             std::min(box_.cols.first + east * kGroup, box_.cols.last)};
   }
 
-  // R of the allowed cells of a box of whole groups, and the best of its rows.
+  // Computes R for the allowed cells of a box of whole groups, and updates the
+  // maxima of its rows.
   void Respond(const Box& box) {
     if (box.rows.empty()) return;
     const int last = (box.cols.last - 1 - box_.cols.first) / kStrip;
@@ -171,7 +173,7 @@ class Recurrence {
     }
     return most;
   }
-  // The first column of a row where R is `response`, its best.
+  // The first column of a row where R equals `response`, the row's maximum.
   int ColumnOf(int row, std::int64_t response) {
     const std::int64_t* best = GroupBest(row);
     const auto group = std::find(best, best + groups_, response) - best;
@@ -187,14 +189,14 @@ class Recurrence {
     throw std::logic_error("no column has its row's best response");
   }
 
-  Box box_;  // Of the cells that are allowed to begin with.
+  Box box_;  // Bounding box of the initially allowed cells.
   DiscSums sums_;
   Discs blanks_;
   int strips_;
   int groups_;
-  kg_base::Mask allowed_;                 // Of the box.
-  std::vector<Span> extents_;             // Allowed at first, by row and strip.
-  std::vector<std::int64_t> group_best_;  // The largest R by row and group.
+  kg_base::Mask allowed_;      // Cells of box_ still allowed.
+  std::vector<Span> extents_;  // Initially allowed, by row and strip.
+  std::vector<std::int64_t> group_best_;  // Largest R by row and group.
   std::vector<std::int64_t> row_best_;
 };
 

@@ -1,4 +1,5 @@
-// Proximal Recurrence: a few places from which a sensor's footprint sees most.
+// Proximal Recurrence: selects the few places whose sensor footprints cover the
+// most utility.
 //
 // R = U * disc_r (convolution with the sensor's disc in metres, an ellipse in
 // cells); take the best allowed cell of R, zero U inside its disc (radius
@@ -7,9 +8,9 @@
 // Ioup, "STROOBnet Optimization via GPU-Accelerated Proximal Recurrence
 // Strategies", IEEE BigData 2023, 10.1109/BigData59044.2023.10386774 (A13).
 //
-// R is summed once, for the allowed cells only, and after each pick again where
-// a disc can see what was zeroed: the box of radius + spacing around it. Kept
-// is the largest R of every 16 cells of a row, and of every row.
+// R is summed once for the allowed cells, and after each pick again for cells
+// whose disc may cover zeroed ones: the box of radius + spacing around the
+// pick. The largest R of every 16 cells of a row, and of every row, is cached.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_PROXIMAL_RECURRENCE_H_
 #define KG_COMPILER_CONTROL_PLANE_PROXIMAL_RECURRENCE_H_
@@ -29,16 +30,16 @@ struct RecurrenceOptions {
 struct RecurrencePick {
   kg_base::Cell cell;
   double score = 0.0;  // R when it was picked: sum of U over the disc (A12).
-  // The cells that the score sums, ascending: those of the disc that are worth
-  // anything and that no earlier pick had blanked.
+  // Indices of the cells summed in the score, ascending: cells of the disc with
+  // non-zero utility that no earlier pick has blanked.
   std::vector<int> footprint;
 };
 
 // `utility` >= 0 without NaN; only cells with allowed = 1 and score > 0 are
-// picked. Best first. Utilities count in multiples of 2^-31 of a power of two
-// above the largest that is read, so that sums are exact; read is the box of
-// the allowed cells and what discs around them see. Throws std::logic_error if
-// sizes do not agree or a radius is not >= 0.
+// picked. Best first. Utilities are quantised to 2^-31 of a power of two above
+// the largest one read, so that sums are exact; the box of the allowed cells
+// and the cells covered by discs around them are read. Throws std::logic_error
+// if sizes do not agree or a radius is not >= 0.
 std::vector<RecurrencePick> ProximalRecurrence(
     const kg_base::Grid& grid, const kg_base::Raster& utility,
     const kg_base::Mask& allowed, const RecurrenceOptions& options);

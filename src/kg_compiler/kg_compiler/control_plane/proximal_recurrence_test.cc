@@ -11,10 +11,10 @@
 namespace kg_compiler {
 namespace {
 
-// For every cell, the cells within reach of it.
+// Indices of the cells within `reach_m` of each cell.
 std::vector<std::vector<int>> AllDiscs(const kg_base::Grid& grid,
                                        double reach_m) {
-  std::vector<double> north_m, m_per_deg;  // By row.
+  std::vector<double> north_m, m_per_deg;  // Per row.
   for (const double lat_deg : grid.lat_deg()) {
     north_m.push_back(MeridianArc_m(lat_deg));
     m_per_deg.push_back(1.0 / kg_base::LocalScale(lat_deg).lon_deg);
@@ -36,7 +36,7 @@ std::vector<std::vector<int>> AllDiscs(const kg_base::Grid& grid,
   return discs;
 }
 
-// Every disc summed anew, cell by cell, for every pick.
+// Reference: every disc summed from scratch, cell by cell, for every pick.
 std::vector<RecurrencePick> Naive(const kg_base::Grid& grid,
                                   kg_base::Raster utility,
                                   kg_base::Mask allowed,
@@ -94,8 +94,8 @@ TEST(ProximalRecurrence, PicksWhatTheNaiveLoopPicks) {
   }
 }
 
-// Evenly spaced columns, as files have them: the half widths are counted
-// beforehand, and two strips are wanted.
+// Evenly spaced columns, as in files: half widths are precomputed, and the grid
+// needs two strips.
 TEST(ProximalRecurrence, PicksWhatTheNaiveLoopPicksOnWideGrids) {
   std::mt19937 rng(23);
   for (int round = 0; round < 8; ++round) {
@@ -119,7 +119,7 @@ TEST(ProximalRecurrence, PicksWhatTheNaiveLoopPicksOnWideGrids) {
   }
 }
 
-// Few cells here and there, as within the reach of several places.
+// Scattered allowed cells, as within the reach of several places.
 TEST(ProximalRecurrence, PicksWhatTheNaiveLoopPicksAmongScatteredCells) {
   std::mt19937 rng(25);
   const kg_base::Grid grid = EvenGrid(-98, 25, 0.04, 7, 200);

@@ -1,5 +1,5 @@
-// Target 4: Proximal Recurrence against what one would write with OpenCV, 20
-// times (filter2D, minMaxLoc, zero the disc), in one process and on one thread.
+// Target 4: Proximal Recurrence against a direct OpenCV implementation, 20
+// picks (filter2D, minMaxLoc, zero the disc), in one process and on one thread.
 // The picks of both are compared, and with sums of doubles cell by cell.
 
 #include <cstring>
@@ -29,7 +29,7 @@ kg_base::Grid SquareCells(int rows, int cols) {
           EvenAxis(-0.5 * rows * lat_step, lat_step, rows)};
 }
 
-// Hills and noise, a fifth of it worth nothing.
+// Random hills and noise; the western fifth of the columns is 0.
 kg_base::Raster Utility(const kg_base::Grid& grid) {
   std::mt19937 rng(4);
   kg_base::Raster utility = RandomRaster(rng, grid.size(), 0.0, 0.3);
@@ -46,6 +46,7 @@ kg_base::Raster Utility(const kg_base::Grid& grid) {
       }
     }
   }
+  // Cells without value, as on land.
   for (std::size_t i = 0; i < utility.size(); ++i) {
     if (static_cast<int>(i) % grid.cols() < grid.cols() / 5) utility[i] = 0.0f;
   }
@@ -99,12 +100,13 @@ Cells OpenCvPicks(const kg_base::Grid& grid, kg_base::Raster utility,
   return picks;
 }
 
-// Every disc summed anew for every pick, in doubles.
+// Reference: every disc summed from scratch for every pick, in doubles.
 Cells PlainPicks(const kg_base::Grid& grid, kg_base::Raster utility,
                  int radius) {
   kg_base::Mask allowed(grid.size(), 1);
   Cells picks;
   while (static_cast<int>(picks.size()) < kPicks) {
+    // Exhaustive search; strict comparison, so ties go to the first cell.
     double most = 0.0;
     kg_base::Cell best;
     for (int r = 0; r < grid.rows(); ++r) {
@@ -136,7 +138,8 @@ class Case {
   Case(int rows, int cols)
       : grid_(SquareCells(rows, cols)), utility_(Utility(grid_)) {}
 
-  // The ratio of the times; prints times and how many picks are the same.
+  // Returns the ratio of the times; prints the times and the number of equal
+  // picks.
   double Run(int radius, int rounds) const {
     std::vector<RecurrencePick> ours;
     Cells theirs;
@@ -182,7 +185,7 @@ class Case {
   }
 
  private:
-  // A little more than r cells, so that rounding leaves no cell out.
+  // Radius slightly above r cells, so that rounding excludes no cell.
   static RecurrenceOptions Options(int radius) {
     const double radius_m = radius * kCell_m * 1.0002;
     return {radius_m, radius_m, kPicks};
@@ -226,7 +229,7 @@ void Full() {
 }  // namespace kg_compiler
 
 int main(int argc, char** argv) {
-  cv::setNumThreads(1);  // Ours has one, too.
+  cv::setNumThreads(1);  // Same number of threads as ours.
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
   quick ? kg_compiler::Quick() : kg_compiler::Full();
 }

@@ -5,8 +5,8 @@
 namespace kg_compiler {
 namespace {
 
-constexpr int kMaxIdle = 3;  // Constraints come and go, and waypoints with
-                             // them.
+constexpr int kMaxIdle = 3;  // Graphs; constraints and waypoints may
+                             // disappear and return.
 
 KeptSeams::Place PlaceOf(kg_base::LonLat position) {
   return {position.lon_deg, position.lat_deg};
@@ -18,7 +18,7 @@ bool Holds(const SurfacePatch& patch, const WindowSurface& surface,
          patch.SameAttenuation(surface, arrivals.read);
 }
 
-// Adds the time that it lives to a sum.
+// Adds its lifetime [s] to a sum.
 class ElapsedTimer {
  public:
   explicit ElapsedTimer(double* sum_s) : sum_s_(sum_s) {}
@@ -78,7 +78,8 @@ std::shared_ptr<const KeptSeams::Arrivals> SeamFlyer::Arrive(
   auto arrivals = std::make_shared<KeptSeams::Arrivals>();
   arrivals->reach = traversal_.ReachFrom(source);
   const kg_base::Grid& grid = traversal_.grid();
-  // Landings: cells reached no earlier than from when station can be held.
+  // Landings: cells reached no earlier than the time from which station can be
+  // held.
   for (const ReachedCell& cell : arrivals->reach.cells) {
     const kg_base::LonLat centre =
         grid.Centre({cell.index / grid.cols(), cell.index % grid.cols()});
@@ -87,7 +88,7 @@ std::shared_ptr<const KeptSeams::Arrivals> SeamFlyer::Arrive(
       arrivals->landings.push_back(cell.index);
     }
   }
-  // What was read is at least the source's own cell, also where nothing is
+  // The box read includes at least the source's own cell, even if no cell is
   // reached.
   arrivals->read = arrivals->reach.read;
   if (const std::optional<kg_base::Cell> cell = grid.CellAt(source)) {

@@ -1,12 +1,11 @@
-// What planning for one agent keeps from one time to the next: its graphs, and
-// within a window the arrival field and the flights of each place.
+// Cache of the planning for one agent between calls: its graphs, and within a
+// window the arrival field and the flights of each place.
 //
-// What is kept of a place is valid while nothing changed that was read to make
-// it: the terms it was flown on (WindowTraversal::Terms: motion, times, base
-// travel, field, prices, hazard range), and the tensor's cells in the box that
-// was read, compared bit by bit. So it does not matter who says what changed,
-// or if anybody does: a planner that is sent another tensor knows as much as
-// the knowledge graph.
+// The entry of a place is valid while its inputs are unchanged: the terms of
+// its flights (WindowTraversal::Terms: motion, times, base travel, field,
+// prices, hazard range), and the tensor's cells in the box that was read,
+// compared bit by bit. Validity therefore does not depend on change
+// notifications: a planner that receives another tensor can decide by itself.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_SEAM_CACHE_H_
 #define KG_COMPILER_CONTROL_PLANE_SEAM_CACHE_H_
@@ -24,27 +23,28 @@
 
 namespace kg_compiler {
 
-// How much was done, and how much taken over.
+// Numbers of items computed, and of items reused from the cache.
 struct SeamCounts {
-  int graphs = 0, graphs_kept = 0;    // Of windows.
-  int reaches = 0, reaches_kept = 0;  // Arrival fields, of the graphs built.
-  int flights = 0, flights_kept = 0;  // Likewise; those refused included.
-  double seams_s = 0.0;               // Spent on arrival fields and flights.
+  int graphs = 0, graphs_kept = 0;    // Window graphs.
+  int reaches = 0, reaches_kept = 0;  // Arrival fields of the graphs built.
+  int flights = 0, flights_kept = 0;  // Flights, including infeasible ones.
+  double seams_s = 0.0;  // Time spent on arrival fields and flights.
 };
 
-// The seams of one window, as they were kept. Immutable: copies share it.
+// Cached seams of one window. Immutable, shared between copies.
 struct KeptSeams {
   using Place = std::pair<double, double>;  // Longitude, latitude [deg].
-  // What a place's arrival field gives.
+  // Arrival field of a place.
   struct Arrivals {
     ReachMap reach;
-    std::vector<int> landings;  // Cells one can be at and hold from arrival on.
+    // Cells where station can be held from arrival on.
+    std::vector<int> landings;
     CellBox read;
     CellBox hazard;
   };
   struct Flown {
-    std::shared_ptr<const FlownPath> flight;  // Null = it cannot be flown.
-    int idle = 0;                             // Graphs since it was asked for.
+    std::shared_ptr<const FlownPath> flight;  // Null = infeasible.
+    int idle = 0;  // Number of graphs built since its last use.
   };
   struct Source {
     std::shared_ptr<const Arrivals> arrivals;
@@ -59,24 +59,24 @@ struct KeptSeams {
   PickMemo picks;
 };
 
-// Works a window's seams out, from what is kept of them where that holds. Holds
-// a reference to the traversal, which must outlive it.
+// Computes the seams of a window, reusing valid cache entries. Holds a
+// reference to the traversal, which must outlive it.
 class SeamFlyer {
  public:
   // `last` may be null.
   SeamFlyer(const WindowTraversal& traversal, const std::string& tensor_hash,
             const KeptSeams* last, SeamCounts* counts);
 
-  // Cells that one can be at coming from a place, holding station there from
-  // arrival until the window ends; ascending.
+  // Indices of the cells reachable from a place at which station can be held
+  // from arrival until the window ends; ascending.
   const std::vector<int>& Landings(kg_base::LonLat source);
   // Null = it cannot be flown.
   std::shared_ptr<const FlownPath> Fly(kg_base::LonLat source,
                                        kg_base::LonLat to);
   PickMemo* picks() { return &now_->picks; }
 
-  // All of it, for the next time; what was not asked for three times is let go.
-  // Nothing may be asked after it.
+  // Returns all entries for the next call; entries not used for three graphs in
+  // sequence are dropped. No other member may be called afterwards.
   std::shared_ptr<const KeptSeams> Keep();
 
  private:
@@ -91,9 +91,9 @@ class SeamFlyer {
 };
 
 struct SeamCache {
-  NavGraphs graphs;                                         // The last ones.
-  std::map<int, std::shared_ptr<const KeptSeams>> windows;  // By index.
-  SeamCounts counts;                                        // Of the last time.
+  NavGraphs graphs;  // Graphs of the last call.
+  std::map<int, std::shared_ptr<const KeptSeams>> windows;  // By window index.
+  SeamCounts counts;  // Counts of the last call.
 };
 
 }  // namespace kg_compiler

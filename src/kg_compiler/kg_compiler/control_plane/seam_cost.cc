@@ -9,7 +9,8 @@ double At(const std::vector<double>& values, std::size_t i) {
   return i < values.size() ? values[i] : 0.0;
 }
 
-// Name, symbol, unit, weight, quantity, policy properties, field.
+// The terms of every edge. Columns: name, symbol, unit, weight, quantity,
+// policy properties, field.
 std::vector<SeamTerm> FixedTerms() {
   return {
       {"time",
@@ -44,7 +45,7 @@ std::vector<SeamTerm> FixedTerms() {
        ""}};
 }
 
-// A term for each field that costs: the i-th of the quantities.
+// The term of the i-th entry of CostQuantities().
 SeamTerm FieldTerm(std::size_t i) {
   const kg_mission::SourceQuantity& quantity = kg_mission::CostQuantities()[i];
   SeamTerm term;

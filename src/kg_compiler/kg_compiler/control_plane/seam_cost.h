@@ -6,13 +6,13 @@
 //   time         lambda_time           t, travel time [s]
 //   energy       lambda_energy         E [J]
 //   risk         lambda_risk           H + I [s], hazard and isolation
-//   uncertainty  lambda_unc            1 - w of the window one arrives in
+//   uncertainty  lambda_unc            1 - w of the window of arrival
 //   wave_height  lambda_waveHeight     X, integral over the flight [m s]
 //   ...          likewise for every kg_core::CostQuantities()
 //
-// S is summed, hashed (HashWeights) and explained in loops over the rows. A new
-// term is a row here, if its quantity is in the edge; one of a further field is
-// a row of kg_core's source_quantities.cc and nothing here.
+// S is summed, hashed (HashWeights) and explained in loops over the rows. To
+// add a term whose quantity is stored in the edge, add a row here; to add a
+// term of a further field, add a row to kg_core's source_quantities.cc only.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_SEAM_COST_H_
 #define KG_COMPILER_CONTROL_PLANE_SEAM_COST_H_
@@ -29,14 +29,14 @@ namespace kg_compiler {
 struct SeamTerm {
   std::string name;
   std::string symbol;  // "lambda_time * t".
-  std::string unit;    // Of the quantity.
+  std::string unit;    // Unit of the quantity.
   std::function<double(const SeamWeights&)> weight;
-  // Of an edge into a window of confidence w.
+  // Quantity of an edge into a window of the given confidence w.
   std::function<double(const TraverseEdge&, double confidence)> quantity;
-  // The facts that it rests on, by the properties that say them.
+  // Properties of the policy facts that define the weight.
   std::vector<std::string> policy_properties;
-  std::string field;         // The kg_core::SourceQuantity, if it is of one.
-  bool is_optional = false;  // Absent (no bit changes) where its weight is 0.
+  std::string field;  // Name of its kg_core::SourceQuantity; may be empty.
+  bool is_optional = false;  // Omitted from sum and hash if its weight is 0.
 
   double Cost(const SeamWeights& weights, const TraverseEdge& edge,
               double confidence) const {
@@ -44,7 +44,7 @@ struct SeamTerm {
   }
 };
 
-// In the order in which they are summed.
+// All terms in the order of summation.
 const std::vector<SeamTerm>& SeamTerms();
 
 // S of an edge into a window of confidence w, in reward units.

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kMaxWaypoints = 20;
 
-// Hands out facts and notes them down, so that what is cited is what was read.
+// Passes facts through and records their IRIs, so that the cited facts are
+// exactly those read.
 class FactReading {
  public:
   template <typename Fact>
@@ -60,7 +61,7 @@ SeamWeights Weights(const kg_mission::Policy& policy) {
   return weights;
 }
 
-// Which paths are offered, beside their terms.
+// Copies the policy's rules for selecting paths.
 void TakePathRules(const kg_mission::Policy& policy, SeamRules* rules) {
   rules->hazard_range_m = policy.hazard_range_m;
   rules->hazard_budget_s =
@@ -175,7 +176,7 @@ SeamRules CompileSeamRules(const kg_mission::Mission& mission,
   rules.weights = Weights(policy);
   TakePathRules(policy, &rules);
   rules.movement_mode = MovementModeOf(team.movement_mode);
-  // What is left at the start, if that is stated, and never more than all.
+  // Energy left at the start if stated, capped by the agent's budget.
   rules.energy_budget_j =
       std::min(capabilities.energy_budget_j,
                agent.start_energy_j.value_or(capabilities.energy_budget_j));
@@ -206,7 +207,8 @@ void HashWeights(const SeamWeights& weights, kg_base::Hasher* hash) {
     if (term.is_optional && weight == 0.0) continue;
     if (term.is_optional) hash->Add(term.name);
     hash->Add(weight);
-    // It scales the isolation within the risk.
+    // The isolation weight is not a term of its own: it scales I within the
+    // risk term.
     if (term.name == "uncertainty") hash->Add(weights.isolation);
   }
 }

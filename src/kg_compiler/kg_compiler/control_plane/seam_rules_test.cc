@@ -25,8 +25,8 @@ kg_mission::Mission TestMission() {
 TEST(SeamRules, SpeakSiPerSecondAndJoule) {
   kg_mission::Mission mission = TestMission();
   mission.agents[0].policy.lambda_risk = 3.6;           // Per hour.
-  mission.agents[0].policy.lambda_time_per_s = 0.001;   // SI in the facts.
-  mission.agents[0].policy.lambda_energy_per_j = 1e-6;  // Likewise.
+  mission.agents[0].policy.lambda_time_per_s = 0.001;   // Facts are in SI.
+  mission.agents[0].policy.lambda_energy_per_j = 1e-6;  // Facts are in SI.
   mission.agents[0].policy.lambda_uncertainty = 0.25;
   const SeamRules rules = CompileSeamRules(mission, mission.agents[0], 0);
   EXPECT_DOUBLE_EQ(0.001, rules.weights.risk_per_s);
@@ -71,7 +71,7 @@ TEST(SeamRules, FollowTheMobilityAndTheEnergyThatIsLeft) {
   EXPECT_FALSE(SameButForWindows(hover, glider));
   agent.start_energy_j = 5e6;
   EXPECT_EQ(CompileSeamRules(mission, agent, 0).energy_budget_j, 5e6);
-  agent.start_energy_j = 5e7;  // More than the budget does not raise it.
+  agent.start_energy_j = 5e7;  // More than the budget: no effect.
   EXPECT_EQ(CompileSeamRules(mission, agent, 0).energy_budget_j, 1e7);
 }
 
@@ -152,11 +152,11 @@ TEST(SeamRules, AllowAtMostTwentyWaypointsAWindow) {
   EXPECT_EQ(20, CompileSeamRules(mission, mission.agents[0], 0).max_waypoints);
 }
 
-// One change of a fact; does it reach the rules?
+// One change of a fact and its expected effect on the rules.
 struct Change {
   const char* what;
   void (*apply)(kg_mission::Mission*);
-  const char* source;  // Whose fact; empty: rules must stay what they are.
+  const char* source;  // IRI of the changed fact; empty = no effect on rules.
 };
 
 const Change kChanges[] = {

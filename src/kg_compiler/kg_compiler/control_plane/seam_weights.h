@@ -10,18 +10,18 @@ namespace kg_compiler {
 // S = lambda_time t + lambda_energy E + lambda_risk (H + I)
 //     + lambda_uncertainty (1 - w)
 // with t [s], E [J], H the hazard integrated over time [s], I the isolation of
-// the place one goes to, over time [s] (nav_graph.h, A20), and w the confidence
-// of the window one arrives in (A55). In reward units, >= 0. The lambdas are
-// also what a flight is chosen by: a policy decides between fast and thrifty.
+// the destination, over time [s] (nav_graph.h, A20), and w the confidence of
+// the window of arrival (A55). In reward units, >= 0. The lambdas are also the
+// objective of the flight: a policy trades speed against energy.
 struct SeamWeights {
   double time_per_s = 0.0;
   double energy_per_j = 0.0;
   double risk_per_s = 0.0;
   double uncertainty = 0.0;
-  double isolation = 0.0;  // Hazard where no other waypoint is near.
-  // Of the fields that cost (kg_core's CostQuantities(), in their order), per
-  // second and unit; empty = none is weighed. With X the integral of such a
-  // field over the flight, S has a further term lambda_field X for each.
+  double isolation = 0.0;  // Hazard rate with no other waypoint near.
+  // Weights of the cost fields (kg_core's CostQuantities(), in their order),
+  // per second and unit; empty = all 0. With X the integral of such a field
+  // over the flight, S has a further term lambda_field X for each.
   std::vector<double> field_per_s = {};
 };
 

@@ -13,14 +13,14 @@
 namespace kg_compiler {
 namespace {
 
-constexpr int kFewWaypoints = 3;      // Below it, staying put is a choice, too.
+constexpr int kFewWaypoints = 3;  // With fewer, staying in place is offered.
 constexpr int kPicksPerWaypoint = 2;  // Some picks cannot be flown to.
 
-// A waypoint to be, with the flights to it.
+// A candidate waypoint with the flights to it.
 struct WaypointDraft {
   Waypoint waypoint;
   kg_base::Cell cell;
-  // By the source they come from.
+  // (source index, flight).
   std::vector<std::pair<int, std::shared_ptr<const FlownPath>>> flights;
 };
 
@@ -44,7 +44,7 @@ class GraphBuilder {
   }
 
  private:
-  // Keeps the place if it can be flown to from anywhere.
+  // Adds the place if it can be flown to from at least one source.
   bool Add(kg_base::LonLat position) {
     const std::optional<kg_base::Cell> cell = grid_.CellAt(position);
     if (!cell || !traversal_.IsOpen(*cell)) return false;
@@ -71,7 +71,8 @@ class GraphBuilder {
         drafts_.begin(), drafts_.end(),
         [&](const WaypointDraft& draft) { return draft.cell == cell; });
   }
-  // Is it the place that the plan in force ends at, which comes first?
+  // Is the cell the committed end of the current plan, which is the first
+  // draft?
   bool IsCommitted(kg_base::Cell cell) const {
     return in_.window->committed && !drafts_.empty() &&
            drafts_.front().waypoint.position == *in_.window->committed &&
@@ -86,7 +87,7 @@ class GraphBuilder {
     return static_cast<int>(drafts_.size()) >= in_.rules->max_waypoints;
   }
 
-  // The most rewarding first, so that they stay if there are too many.
+  // Events with the highest reward first, so that the limit drops the others.
   void AddEvents() {
     std::vector<EventRule> events = in_.window->events;
     std::stable_sort(events.begin(), events.end(),
@@ -98,7 +99,8 @@ class GraphBuilder {
     }
   }
 
-  // Cells reached from some source early enough to hold station from then on.
+  // Cells reachable from some source at which station can be held from arrival
+  // on.
   std::vector<int> Allowed() {
     std::vector<int> allowed;
     for (const kg_base::LonLat& source : in_.sources) {
@@ -200,7 +202,7 @@ class GraphBuilder {
     return isolation;
   }
 
-  // Those nearest first.
+  // Ids of the other waypoints, nearest first.
   static std::vector<int> Others(const std::vector<Waypoint>& waypoints,
                                  int from) {
     std::vector<std::pair<double, int>> others;

@@ -1,5 +1,5 @@
-// The navigation graph of one (agent, window), from the places the agent may be
-// at when the window begins.
+// Builds the navigation graph of one (agent, window) from the places where the
+// agent may be when the window begins.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_WINDOW_GRAPH_H_
 #define KG_COMPILER_CONTROL_PLANE_WINDOW_GRAPH_H_
@@ -21,10 +21,10 @@ struct WindowInputs {
   std::vector<kg_base::LonLat> sources;
 };
 
-// Of all that BuildWindowGraph reads.
+// Hash of all inputs that BuildWindowGraph reads.
 std::string WindowGraphHash(const WindowInputs& inputs);
 
-// A graph, and what the next one of this window may take over.
+// A graph, and the seams that the next graph of this window may reuse.
 struct BuiltWindow {
   NavGraph graph;
   std::shared_ptr<const KeptSeams> seams;
@@ -35,7 +35,8 @@ struct BuiltWindow {
 BuiltWindow BuildWindowGraph(const WindowInputs& inputs, const KeptSeams* last,
                              SeamCounts* counts);
 
-// May one be here in this window? False on land, in a no_go area, off the grid.
+// May an agent be at this position in this window? False on land, in a no_go
+// area and off the grid.
 bool IsOpenAt(const MissionTensor& tensor, kg_base::LonLat position);
 
 }  // namespace kg_compiler

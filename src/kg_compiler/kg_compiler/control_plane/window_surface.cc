@@ -18,7 +18,7 @@ std::vector<T> CutPatch(const std::vector<T>& cells, int cols,
   return cut;
 }
 
-// Row by row, the cells' bits (NaN = NaN).
+// Compares the bits of the cells row by row (NaN = NaN).
 template <typename T>
 bool Same(const std::vector<T>& patch, const CellBox& patch_box,
           const std::vector<T>& whole, int cols, const CellBox& box) {

@@ -1,5 +1,5 @@
-// What flights in one window depend on of its tensor: where one may be, and
-// what is soft. Parts of it are kept and compared with the next tensor's.
+// The part of a window's tensor that flights depend on: open cells and soft
+// constraints. Patches of it are cached and compared with the next tensor.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_WINDOW_SURFACE_H_
 #define KG_COMPILER_CONTROL_PLANE_WINDOW_SURFACE_H_
@@ -23,7 +23,7 @@ class SurfacePatch {
   SurfacePatch() = default;
   SurfacePatch(const WindowSurface& surface, const CellBox& box);
 
-  // Has `other` the same cells in a box? The box lies within the patch.
+  // Does `other` have the same values in a box, which lies within the patch?
   bool SameOpen(const WindowSurface& other, const CellBox& box) const;
   bool SameAttenuation(const WindowSurface& other, const CellBox& box) const;
 

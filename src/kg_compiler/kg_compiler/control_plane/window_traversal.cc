@@ -13,7 +13,7 @@
 namespace kg_compiler {
 namespace {
 
-// Cells that surely reach so far, at any row of a box.
+// Numbers of cells that certainly cover a distance in any row of a box.
 struct CellsFor {
   int rows = 0;
   int cols = 0;
@@ -22,8 +22,8 @@ CellsFor CellsWithin(const kg_base::Grid& grid, double metres) {
   double row_m = std::numeric_limits<double>::infinity(), col_m = row_m;
   const std::vector<double>& lon = grid.lon_deg();
   const std::vector<double>& lat = grid.lat_deg();
-  // The smallest cell of the grid in metres, along either axis. Rows change
-  // their length with the latitude by less than 1 %.
+  // Smallest cell of the grid in metres along either axis. The height of a row
+  // [m/deg] varies with latitude by less than 1 %.
   double least_lon_deg = row_m;
   for (std::size_t c = 1; c < lon.size(); ++c) {
     least_lon_deg = std::min(least_lon_deg, lon[c] - lon[c - 1]);
@@ -43,7 +43,7 @@ CellsFor CellsWithin(const kg_base::Grid& grid, double metres) {
   return {cells(row_m), cells(col_m)};
 }
 
-// The turning points of a flight.
+// Turning points of a flight, without repeated positions.
 std::vector<kg_base::LonLat> TrackOf(const FlownPath& flight) {
   std::vector<kg_base::LonLat> track;
   for (const TimedPoint& point : flight.track) {
@@ -54,7 +54,7 @@ std::vector<kg_base::LonLat> TrackOf(const FlownPath& flight) {
   return track;
 }
 
-// Flights of one window between places, arrival fields kept.
+// Flies between places within one window, caching the arrival fields.
 class RouteFlyer {
  public:
   explicit RouteFlyer(const WindowTraversal& traversal)
@@ -91,7 +91,8 @@ class RouteFlyer {
 
  private:
   const WindowTraversal& traversal_;
-  std::map<std::pair<double, double>, ReachMap> reaches_;  // By source.
+  // Arrival field per source (lon, lat) [deg].
+  std::map<std::pair<double, double>, ReachMap> reaches_;
 };
 
 }  // namespace
@@ -143,7 +144,7 @@ std::optional<TraverseEdge> WindowTraversal::FlyWalk(
   }
   const VoyageRequest voyage = VoyageFrom(source);
   std::optional<FlownPath> flight = FlyStretches(voyage, stretches);
-  // A thrifty walk may arrive too late; all at cruise speed is the fastest.
+  // A walk at slower speeds may arrive too late: retry at cruise speed.
   if (!flight && slow) {
     for (TrackStretch& stretch : stretches) {
       stretch.speed_mps = rules_.motion.cruise_mps;

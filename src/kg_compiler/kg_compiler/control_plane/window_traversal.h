@@ -1,6 +1,5 @@
-// Traversal within one window for one agent: where it may be, what is
-// dangerous, and what a flight there costs it. The only caller of traversal in
-// planning.
+// Traversal within one window for one agent: open cells, hazard, and the cost
+// of flights. The only caller of traversal in planning.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_WINDOW_TRAVERSAL_H_
 #define KG_COMPILER_CONTROL_PLANE_WINDOW_TRAVERSAL_H_
@@ -16,7 +15,7 @@
 
 namespace kg_compiler {
 
-// Holds references to what it is made of, which must outlive it.
+// Holds references to its constructor arguments, which must outlive it.
 class WindowTraversal {
  public:
   WindowTraversal(const SeamRules& rules, const WindowRules& window,
@@ -29,34 +28,34 @@ class WindowTraversal {
   const WindowSurface& surface() const { return surface_; }
   double begin_s() const { return window_.begin_s; }
 
-  // See traversal.h; departures are at the window's begin.
+  // As in traversal.h, with departures at the begin of the window.
   double HoldableFrom_s(kg_base::LonLat place) const;
   ReachMap ReachFrom(kg_base::LonLat source) const;
-  // Nothing if it cannot be flown. `reach` is that of `source`.
+  // Nullopt if it cannot be flown. `reach` is the result of ReachFrom(source).
   std::optional<FlownPath> Fly(kg_base::LonLat source, const ReachMap& reach,
                                kg_base::LonLat to) const;
 
-  // A walk from `source`: along the tracks of these flights, one after the
-  // other, each from when the one before has arrived; at their own speeds, or
-  // all at cruise speed if they cannot be flown so. Its isolation is that of
-  // its end. Stops, from and to not set.
+  // Flies a walk from `source` along the tracks of these flights in sequence,
+  // each departing when the previous one has arrived, at their own speeds, or
+  // all at cruise speed if that is infeasible. `isolation` is that of the end.
+  // Members via, from and to of the result are not set.
   std::optional<TraverseEdge> FlyWalk(kg_base::LonLat source,
                                       const std::vector<const FlownPath*>& legs,
                                       double isolation) const;
-  // 0 off the grid.
+  // Hazard at a place in [0, 1]; 0 off the grid.
   double HazardAt(kg_base::LonLat place) const;
 
-  // Hash of all but places and surface that reaches and flights depend on.
+  // Hash of all inputs of reaches and flights except places and surface.
   std::string Terms() const;
-  // Hazard looks so much farther than `read`, the box of a reach, for what is
-  // not open.
+  // Box in which closed cells affect the hazard inside `read`, the box of a
+  // reach.
   CellBox HazardBox(const CellBox& read) const;
 
-  // I of a place, for a second under way: the hazard of having few of the
-  // `waypoints` to go to instead (nav_graph.h). The place itself is not one.
+  // I of a place per second of travel: the hazard of having few of the
+  // `waypoints` as alternatives (nav_graph.h), not counting the place itself.
   double Isolation(kg_base::LonLat place,
                    const std::vector<kg_base::LonLat>& waypoints) const;
-  // The edge of a flight, from and to not set.
+  // The priced edge of a flight; from and to are not set.
   TraverseEdge Price(FlownPath flight, double isolation) const;
 
  private:
@@ -70,15 +69,15 @@ class WindowTraversal {
   const kg_base::VectorField& field_;
 };
 
-// A way between two places in one window, by way of others or not.
+// A route between two places in one window, optionally via others.
 struct WaypointRoute {
   kg_base::LonLat from;
   kg_base::LonLat to;
   std::vector<kg_base::LonLat> via = {};
 };
 
-// What each of `ways` costs, as it would be priced in a graph of these
-// waypoints; nothing where it cannot be flown. `via` of the edges is not set.
+// Prices each of `ways` as an edge of a graph of these waypoints; nullopt where
+// it cannot be flown. `via` of the edges is not set.
 std::vector<std::optional<TraverseEdge>> PriceWays(
     const WindowTraversal& traversal, const std::vector<WaypointRoute>& ways,
     const std::vector<kg_base::LonLat>& waypoints);

@@ -7,7 +7,7 @@
 namespace kg_compiler {
 namespace {
 
-// An open sea with a soft patch and a closed corner.
+// An open grid with a soft patch and a closed corner.
 MissionTensor RandomTensor(std::mt19937& rng, const kg_base::Grid& grid) {
   kg_base::Raster open(grid.size(), 1.f);
   kg_base::Raster attenuation(grid.size(), 1.f);
@@ -95,7 +95,7 @@ TEST(PriceWaysTest, AWayToAClosedPlaceOrOffTheGridHasNoPrice) {
   EXPECT_TRUE(prices[3]);
 }
 
-// The same sea, the same places: what a policy pays for decides how one goes.
+// Same world and places: the prices of the policy determine the speed.
 TEST(WindowSeaTest, TimeBuysSpeedAndEnergySavesIt) {
   std::mt19937 rng(8);
   const kg_base::Grid grid = EvenGrid(-92.0, 23.0, 0.05, 40, 40);

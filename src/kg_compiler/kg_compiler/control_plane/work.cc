@@ -39,8 +39,7 @@ WorkMap ComputeWork(const SeamRules& rules, const WindowRules& window,
     for (const ReachedCell& cell : traversal.ReachFrom(place).cells) {
       float& time_s = work.time_s[cell.index];
       const float arrival_s = static_cast<float>(cell.arrival_s);
-      // NaN compares false: not reached before. Closed cells stay what they
-      // are.
+      // NaN (not reached before) compares false. Closed cells keep their state.
       if (time_s <= arrival_s ||
           work.access[cell.index] < CellAccess::kTooFar) {
         continue;

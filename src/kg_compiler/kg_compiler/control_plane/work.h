@@ -1,15 +1,15 @@
-// What it takes an agent to get from a pose to every cell within one window:
-// the layers WORK and REACH, and FUSED_VIEW made of them (A7, A44).
+// Effort of an agent to get from a pose to every cell within one window: the
+// layers WORK and REACH, and FUSED_VIEW derived from them (A7, A44).
 //
-//   t(x)       earliest arrival at the centre of x, from the place one departs
-//              from, through the window's currents [s after departure]
+//   t(x)       earliest arrival at the centre of x from the departure, through
+//              the window's currents [s after departure]
 //   budget     min(end - begin, base_travel / V) [s]: no arrival is later
 //   REACH      1 where x is open and t(x) <= budget, else 0
-//   WORK       t / budget, in [0, 1]; nothing where REACH = 0
+//   WORK       t / budget, in [0, 1]; undefined where REACH = 0
 //   FUSED_VIEW U REACH (1 - WORK)
 //
-// Time, and not the seam cost S, because it is the same for every policy: what
-// S has beside hazard and holding station is t times a constant.
+// WORK uses time instead of the seam cost S because time is the same for every
+// policy: apart from hazard and holding station, S is t times a constant.
 
 #ifndef KG_COMPILER_CONTROL_PLANE_WORK_H_
 #define KG_COMPILER_CONTROL_PLANE_WORK_H_
@@ -33,20 +33,20 @@ enum class CellAccess : unsigned char {
 
 struct WorkMap {
   double budget_s = 0.0;
-  std::vector<CellAccess> access;  // By cell.
+  std::vector<CellAccess> access;  // Per cell.
   kg_base::Raster time_s;          // t; NaN where not reached.
 
-  // WORK of a cell; nothing where it is not reached.
+  // WORK of a cell in [0, 1]; nullopt where it is not reached.
   std::optional<double> Share(std::size_t cell) const;
 };
 
-// From the place, or whichever of several is nearest in time, departing when
-// the window begins. Places on land, forbidden or off the grid reach nothing.
+// Work from the nearest in time of `places`, departing when the window begins.
+// Places on land, forbidden or off the grid reach no cell.
 WorkMap ComputeWork(const SeamRules& rules, const WindowRules& window,
                     const WindowWorld& world,
                     const std::vector<kg_base::LonLat>& places);
 
-// `tensor` is the one of the work's world.
+// FUSED_VIEW of each cell; `tensor` must be the one `work` was computed with.
 kg_base::Raster FusedView(const MissionTensor& tensor, const WorkMap& work);
 
 }  // namespace kg_compiler

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSpeed_mps = 0.5;
 constexpr double kDay_s = 86400.0;
 
-// An open sea of 81 x 81 cells of 1.1 km about (-90, 0), in a uniform current.
+// Open water of 81 x 81 cells of 1.1 km around (-90, 0) in a uniform current.
 struct UniformSea {
   UniformSea(double east_mps, double north_mps)
       : grid(EvenGrid(-90.4, -0.4, 0.01, 81, 81)),
@@ -40,7 +40,7 @@ struct UniformSea {
     const MissionTensor tensor = Tensor();
     return ComputeWork(rules, window, {&tensor, &field}, places);
   }
-  // Time from the middle: |d - c t| = V t. Nothing if it cannot be reached.
+  // Time from the middle: |d - c t| = V t. Nullopt if it cannot be reached.
   std::optional<double> Exact_s(kg_base::Cell cell, double east_mps) const {
     const kg_base::LonLat to = grid.Centre(cell);
     const kg_base::DegreesPerMetre scale = kg_base::LocalScale(0.0);

@@ -19,7 +19,7 @@ ActiveConstraint Activate(const kg_mission::Constraint& fact,
   active.fact = &fact;
   active.effect = &kg_mission::EffectOf(fact.kind);
   if (active.forbids()) return active;
-  // The policy's own factor goes before the constraint's (A11).
+  // The policy's factor overrides the constraint's (A11).
   const auto& overrides = agent.policy.soft_overrides;
   const auto found = overrides.find(fact.iri);
   if (found == overrides.end()) {

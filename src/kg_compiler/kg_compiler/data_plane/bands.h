@@ -1,5 +1,6 @@
-// A raster in bands of rows, each shared by pointer: a copy costs the pointers,
-// and a change only the bands it is in. Rows begin at multiples of 64 bytes.
+// A raster in bands of rows, each shared by pointer: a copy copies pointers
+// only, and a change copies only the bands it touches. Rows are aligned to 64
+// bytes.
 
 #ifndef KG_COMPILER_DATA_PLANE_BANDS_H_
 #define KG_COMPILER_DATA_PLANE_BANDS_H_
@@ -20,7 +21,7 @@ template <typename T>
 class RowBands {
  public:
   RowBands() = default;
-  // Of values that are not set yet.
+  // Allocates all bands; values are uninitialised.
   RowBands(int rows, int cols) : rows_(rows), cols_(cols) {
     const std::size_t unit = kRowAlignment / sizeof(T);
     stride_ = (static_cast<std::size_t>(cols) + unit - 1) / unit * unit;
@@ -35,11 +36,11 @@ class RowBands {
   const T* Row(int row) const {
     return data_[BandOf(row)].get() + (row % kBandRows) * stride_;
   }
-  // To be written by whoever made the band: after construction, or Renew().
+  // Writable row; only after construction or Renew() of its band.
   T* RowToWrite(int row) {
     return data_[BandOf(row)].get() + (row % kBandRows) * stride_;
   }
-  // Copies the bands of rows [row, row_end), so that they can be written.
+  // Copies the bands of rows [row, row_end) to make them writable.
   void Renew(int row, int row_end) {
     if (row >= row_end) return;
     for (int band = BandOf(row); band <= BandOf(row_end - 1); ++band) {

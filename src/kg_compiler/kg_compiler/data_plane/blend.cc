@@ -33,8 +33,8 @@ void AddPrior(const WindowRasters& rasters, const ActivePrior& prior,
   if (!prior.fact->area) return;
   const kg_base::Mask inside =
       kg_base::RasteriseCentres(*prior.fact->area, grid);
-  // Without an edge the prior is 1 inside and 0 outside; with one it falls off
-  // as a Gaussian of the distance to the area (0 inside, so 1 there).
+  // Without a soft edge the prior is 1 inside and 0 outside; with one it is a
+  // Gaussian of the distance to the area (0 inside, hence 1 there).
   const double edge_m = prior.fact->edge_m;
   if (!(edge_m > 0.0)) {
     for (std::size_t i = 0; i < sum->size(); ++i) {
@@ -128,6 +128,7 @@ double LayerDivisor(const kg_mission::Policy& policy,
 void AddTerm(const WindowRasters& rasters, const kg_mission::Policy& policy,
              const kg_base::Mask& open, const BlendTerm& term,
              std::vector<double>* sum) {
+  // B and F: unscaled in paper_literal mode, otherwise divided by their scale.
   const auto add_layer = [&](const kg_base::Raster& values,
                              const std::optional<double>& stated) {
     if (policy.paper_literal) {
@@ -165,7 +166,7 @@ LayerBlend BlendLayers(const ActiveFacts& active,
   blend.priors.assign(rasters.grid.size(), 0.0);
   blend.masked.assign(rasters.grid.size(), 0.0);
   for (const BlendTerm& term : BlendTerms(active, policy)) {
-    // Priors and events are summed apart: they are a layer of their own.
+    // Priors and events have a separate sum, which is a layer by itself.
     const bool is_layer = term.kind == BlendTerm::Kind::kBase ||
                           term.kind == BlendTerm::Kind::kFront;
     AddTerm(rasters, policy, blend.open, term,
@@ -175,8 +176,9 @@ LayerBlend BlendLayers(const ActiveFacts& active,
   for (std::size_t i = 0; i < blend.masked.size(); ++i) {
     double& v = blend.masked[i];
     v += blend.priors[i];
-    // By the paper's letter masks stand before N, which is fitted on all water;
-    // else N is fitted on open cells and M_hard is applied last (A4).
+    // In paper_literal mode masks are applied before N, which is fitted on all
+    // water; otherwise N is fitted on open cells and M_hard is applied last
+    // (A4).
     if (policy.paper_literal) {
       v *= blend.open[i] ? blend.attenuation[i] : 0.0;
       blend.counted[i] = rasters.land[i] ? 0 : 1;
@@ -203,8 +205,7 @@ ValueNormaliser FitNormaliser(const std::vector<double>& values,
   if (inside.empty()) return {};
   const auto [min_value, max_value] =
       std::minmax_element(inside.begin(), inside.end());
-  // Where a kind leaves no range (all values equal, the percentile 0), the
-  // maximum takes its place.
+  // Degenerate range (all values equal, or percentile 0): use the maximum.
   const ValueNormaliser by_max{0.0, *max_value};
   switch (kind) {
     case kg_mission::Normalisation::kMax:

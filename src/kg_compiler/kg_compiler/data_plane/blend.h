@@ -1,6 +1,6 @@
 // The blend of Eq. 1 before its masks, and the normalisation N, in double
-// precision, cell by cell: the reference. Tensors are made in float32
-// (compile_blend.h) and agree with it to 1e-6; explanations are made of this.
+// precision, cell by cell: the reference. Tensors are computed in float32
+// (compile_blend.h) and agree with it to 1e-6; explanations use the reference.
 //
 //   V = alpha B + sum_k beta_k P_k + beta_poi P_events + gamma F(B)
 
@@ -19,14 +19,14 @@ namespace kg_compiler {
 
 // One summand of V.
 //   kBase   alpha B, B divided by the layer's scale: its maximum over open
-//           cells, or what is stated, or 1; negative values and no data count 0
-//           (paper_literal: B as it is).
-//   kFront  gamma F(B), F likewise.
+//           cells, or the stated scale, or 1; negative values and no data count
+//           as 0 (paper_literal: B unchanged).
+//   kFront  gamma F(B), F scaled in the same way.
 //   kPrior  beta_k P_k: 1 in cells whose centre is inside its area,
 //           exp(-d^2 / (2 edge^2)) at distance d from the nearest of them; or
-//           its raster as it is, where no data counts 0.
-//   kEvent  beta_poi value exp(-d^2 / (2 radius^2)); an event of no radius has
-//           no bump (A42).
+//           its raster unchanged, where no data counts as 0.
+//   kEvent  beta_poi value exp(-d^2 / (2 radius^2)); an event without radius
+//           has no bump (A42).
 struct BlendTerm {
   enum class Kind { kBase, kFront, kPrior, kEvent };
   Kind kind = Kind::kBase;
@@ -35,13 +35,13 @@ struct BlendTerm {
   const kg_mission::Event* event = nullptr;       // kEvent.
 };
 
-// Those of any weight, in the order in which they are summed.
+// The terms with non-zero weight, in the order of summation.
 std::vector<BlendTerm> BlendTerms(const ActiveFacts& active,
                                   const kg_mission::Policy& policy);
 
-// What a layer is divided by. `max_value` is its largest open value, `stated`
-// its ex:fullScale or ex:frontFullScale: throws kg_core::InputError if that is
-// wanted and not there. Infinite where the layer is 0 everywhere.
+// Divisor of a layer. `max_value` is its largest open value, `stated` its
+// ex:fullScale or ex:frontFullScale; throws kg_core::InputError if the policy
+// requires it and it is missing. Infinite if the layer is 0 everywhere.
 double LayerDivisor(const kg_mission::Policy& policy,
                     const std::optional<double>& stated, double max_value);
 
@@ -50,14 +50,14 @@ void AddTerm(const WindowRasters& rasters, const kg_mission::Policy& policy,
              const kg_base::Mask& open, const BlendTerm& term,
              std::vector<double>* sum);
 
-// What N is applied to, and what it is made of.
+// Input of N with its components.
 struct LayerBlend {
   kg_base::Mask open;               // M_hard.
   std::vector<double> attenuation;  // M_soft.
   std::vector<double> priors;       // sum beta P, events included.
   // max(0, V) M_soft; paper_literal: V M_soft M_hard.
   std::vector<double> masked;
-  // The cells that N is fitted on and U may be other than 0 on: open ones;
+  // Cells on which N is fitted and U may differ from 0: the open cells;
   // paper_literal: all water.
   kg_base::Mask counted;
 };
@@ -65,21 +65,21 @@ LayerBlend BlendLayers(const ActiveFacts& active,
                        const kg_mission::Policy& policy,
                        const WindowRasters& rasters);
 
-// N(x) = (x - low) / range, held in [0, 1]; 0 everywhere if range is 0.
+// N(x) = (x - low) / range, clamped to [0, 1]; 0 everywhere if range is 0.
 struct ValueNormaliser {
   double low = 0.0;
   double range = 0.0;
   double Apply(double x) const;
 };
 
-// From the counted cells' values alone (A4). kMax: low 0, range max. kMinMax:
-// the two extremes; a constant field as kMax. kPercentile: low 0, range the
-// 98th percentile (nearest rank), or the maximum where that is 0.
+// Fits N to the values of the counted cells (A4). kMax: low 0, range max.
+// kMinMax: the two extremes; a constant field as kMax. kPercentile: low 0,
+// range the 98th percentile (nearest rank), or the maximum where that is 0.
 ValueNormaliser FitNormaliser(const std::vector<double>& values,
                               const kg_base::Mask& counted,
                               kg_mission::Normalisation kind);
 
-// The one that covers both (A1, `horizon`): lowest low to highest top.
+// Normaliser that covers both (A1, `horizon`): lowest low to highest top.
 ValueNormaliser Merge(const ValueNormaliser& a, const ValueNormaliser& b);
 
 }  // namespace kg_compiler

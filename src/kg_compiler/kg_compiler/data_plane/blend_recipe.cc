@@ -7,7 +7,7 @@
 namespace kg_compiler {
 namespace {
 
-// By key and number; the same for both means the same raster.
+// Sort keys; equal keys mean equal rasters.
 auto Order(const HardZone& zone) { return std::tie(zone.patch->key); }
 auto Order(const SoftZone& zone) {
   return std::tie(zone.patch->key, zone.factor);
@@ -92,6 +92,7 @@ BlendRecipe WriteRecipe(const kg_mission::Mission& mission,
   recipe.land_hash = rasters.land_hash;
   if (active.reads_value) recipe.content_hash = rasters.content_hash;
   recipe.overlap = policy.soft_overlap;
+  // Masks: hard zones, and soft zones whose factor changes anything.
   for (const ActiveConstraint& constraint : active.constraints) {
     if (constraint.forbids()) {
       recipe.hard.push_back({writer.Extent(constraint)});
@@ -107,6 +108,8 @@ BlendRecipe WriteRecipe(const kg_mission::Mission& mission,
                        [&] { return PriorPatch(rasters, *prior.fact, key); }),
          static_cast<float>(prior.beta)});
   }
+  // Events are priors of weight beta_poi * value; without radius there is no
+  // bump (A42).
   for (const kg_mission::Event* event : active.events) {
     if (!(event->radius_m > 0.0)) continue;
     const std::string key = BumpKey(*event);
@@ -115,6 +118,7 @@ BlendRecipe WriteRecipe(const kg_mission::Mission& mission,
                        [&] { return BumpPatch(rasters.grid, *event, key); }),
          static_cast<float>(policy.beta_poi * event->value)});
   }
+  // Sorted by key, so that equal inputs give equal recipes.
   std::sort(recipe.hard.begin(), recipe.hard.end(), Before<HardZone>);
   std::sort(recipe.soft.begin(), recipe.soft.end(), Before<SoftZone>);
   std::sort(recipe.priors.begin(), recipe.priors.end(), Before<WeightedPatch>);

@@ -1,6 +1,6 @@
-// What a blend is made of, with everything looked up: the masks, the priors and
-// the factors of B and F. Two blends of one recipe are the same bits; what two
-// recipes differ in says which cells to make again.
+// All inputs of a blend, resolved: the masks, the priors and the factors of B
+// and F. Blends of equal recipes are bit-identical; the difference of two
+// recipes determines which cells to recompute.
 
 #ifndef KG_COMPILER_DATA_PLANE_BLEND_RECIPE_H_
 #define KG_COMPILER_DATA_PLANE_BLEND_RECIPE_H_
@@ -29,26 +29,26 @@ struct WeightedPatch {
   float weight = 0.0f;
 };
 
-// Lists are in the order of keys, so that what stays between two recipes stays
-// in order, and names do not matter.
+// Lists are sorted by key, so that items common to two recipes have the same
+// order, independent of names.
 struct BlendRecipe {
   std::string land_hash;
   std::string content_hash;  // Empty if B is not read.
   std::vector<HardZone> hard;
   std::vector<SoftZone> soft;
-  std::vector<WeightedPatch> priors;  // And events.
+  std::vector<WeightedPatch> priors;  // Priors and events.
   kg_mission::SoftOverlap overlap = kg_mission::SoftOverlap::kProduct;
-  LayerTable::Weights weights;  // Set last: by M_hard and the layers' scales.
+  LayerTable::Weights weights;  // Set last: depend on M_hard and the scales.
 };
 
-// All but the weights. Takes patches from `known`, if it is of the same grid
-// and land, from the cache, or makes them.
+// Fills all but the weights. Takes patches from `known`, if it has the same
+// grid and land, or from the cache; computes the others.
 BlendRecipe WriteRecipe(const kg_mission::Mission& mission,
                         const kg_mission::Policy& policy,
                         const ActiveFacts& active, const WindowRasters& rasters,
                         const BlendRecipe* known, DataPlaneCache* cache);
 
-// The boxes in which two recipes of one land differ.
+// Boxes in which two recipes with the same land differ.
 std::vector<CellBox> HardChanges(const BlendRecipe& a, const BlendRecipe& b);
 std::vector<CellBox> SoftChanges(const BlendRecipe& a, const BlendRecipe& b);
 std::vector<CellBox> PriorChanges(const BlendRecipe& a, const BlendRecipe& b);

@@ -5,8 +5,8 @@
 namespace kg_compiler {
 namespace {
 
-// A field that does not fit the caches is written past them: it is not read
-// again soon, and what it would displace is.
+// Fields from this size on bypass the caches (non-temporal stores): they are
+// not read again soon and would displace data that is.
 constexpr std::size_t kStreamFrom_bytes = std::size_t{16} << 20;
 
 struct RowSegment {
@@ -14,11 +14,11 @@ struct RowSegment {
   int n = 0;
 };
 
-// What part of a box's row lies in a stretch.
+// Overlap of a row of a box with a segment.
 struct ColumnOverlap {
-  int begin = 0;  // In the stretch.
+  int begin = 0;  // Columns within the segment.
   int end = 0;
-  int from = 0;  // In the box's row.
+  int from = 0;  // First column within the box's row.
   bool empty() const { return begin >= end; }
 };
 
@@ -29,14 +29,14 @@ ColumnOverlap Meet(const CellBox& box, kg_base::Cell first, int n) {
   return {begin, end, first.col + begin - box.col};
 }
 
-// Sums and products that more than one prior or zone go into.
+// Accumulators for segments with more than one prior or zone.
 struct SegmentSums {
   float p[kTileCols];
   float s[kTileCols];
 };
 
-// The one item that is there and covers the stretch, else null. `count` says
-// how many are there.
+// The only item that overlaps the segment, if it covers all of it; otherwise
+// null. `count` receives the number of overlapping items.
 template <typename T>
 const T* OnlyCover(const std::vector<T>& items, const RowSegment& at,
                    int* count) {
@@ -90,7 +90,7 @@ bool IsStreamed(const BlendedField& field) {
 
 constexpr float kNoLayer[kTileCols] = {};
 
-// V' to `y`; the extremes of the stretch's open cells.
+// Writes V' to `y`; returns the extremes of the segment's open cells.
 ValueExtremes ComputeSegment(const WindowRasters& rasters,
                              const BlendedField& field, const RowSegment& at,
                              float* y) {
@@ -174,7 +174,7 @@ void ComputeRows(const WindowRasters& rasters, int row, int row_end,
     for (int t = 0; t < tiling.across; ++t) {
       const int col = t * width;
       const RowSegment at{{r, col}, std::min(width, tiling.cols - col)};
-      // A large field is computed in the cache and then written past it.
+      // A large field is computed in a cached buffer, then streamed to memory.
       alignas(kRowAlignment) float y[kTileCols];
       float* made = is_streamed ? y : to + col;
       const ValueExtremes found = ComputeSegment(rasters, *field, at, made);
@@ -211,7 +211,7 @@ void MeasureTiles(const CellBox& box, BlendedField* field) {
   for (int band = first_band; band <= last_band; ++band) {
     for (int t = box.col / width; t <= (box.col_end - 1) / width; ++t) {
       const int i = band * tiling.across + t;
-      // Of the whole tile: what left the box may have been its extreme.
+      // Rescan the whole tile: an overwritten cell may have been its extreme.
       const CellBox tile = tiling.Box(i);
       field->extremes[i] = {};
       for (int r = tile.row; r < tile.row_end; ++r) {

@@ -1,6 +1,6 @@
-// What is made from the tensor before is, bit by bit, what is made from
-// nothing; sparse masks are the whole grid's; every option agrees with the
-// double-precision reference.
+// Incremental updates are bit-identical to compiling from scratch; sparse masks
+// equal those of the whole grid; every option agrees with the double-precision
+// reference.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ constexpr Layer kLayers[] = {Layer::kReward,      Layer::kUncertainty,
                              Layer::kPolicy,      Layer::kAttenuation,
                              Layer::kFeasibility, Layer::kFused};
 
-// A window on a grid of some tiles, with coast, gaps and hashes that are true.
+// A window on a grid of several tiles, with coast, gaps and valid hashes.
 class World {
  public:
   explicit World(unsigned seed, int rows = 53, int cols = 301)
@@ -129,7 +129,7 @@ class World {
     mission.events.push_back(event);
   }
 
-  // One or a few facts at once.
+  // Changes one or a few facts at once.
   void Change() {
     do {
       ChangeOne();
@@ -200,7 +200,7 @@ class World {
   kg_base::Grid grid_;
 };
 
-// NaN equals NaN: land, in feasibility.
+// Bitwise comparison: NaN equals NaN (land in feasibility).
 bool SameBits(const kg_base::Raster& a, const kg_base::Raster& b) {
   return a.size() == b.size() &&
          std::equal(a.begin(), a.end(), b.begin(), [](float x, float y) {
@@ -260,7 +260,7 @@ TEST(BoxUpdate, ComputesTheBoxesOnlyAndLeavesTheTensorBeforeAsItWas) {
   EXPECT_GE(second.cells_computed,
             38u * 38u);  // Centres on the edge may round.
   EXPECT_LE(second.cells_computed, 40u * 40u);
-  world.mission.windows[0].confidence = 0.3;  // Nothing of V.
+  world.mission.windows[0].confidence = 0.3;  // V is unchanged.
   EXPECT_EQ(0u, CompileTensor(world.Inputs(), &second).cells_computed);
   EXPECT_EQ(0u, CompileTensor(world.Inputs(), &second).cells_computed);
   EXPECT_TRUE(SameBits(before, first.Get(Layer::kFused)));
@@ -355,7 +355,8 @@ TEST(FusedPass, SaysWhichScaleIsMissingWhereItIsFixed) {
   EXPECT_NO_THROW(CompileTensor(world.Inputs(), nullptr));
 }
 
-// By hand: V = B + P, soft 0.5 in the west, hard in the middle; w = 0.5.
+// Computed by hand: V = B + P, soft zone of 0.5 in the west, hard zone in the
+// middle; w = 0.5.
 TEST(PaperLiteral, MasksAndWeighsBeforeItNormalisesOverAllWater) {
   const kg_base::Grid grid = EvenGrid(0, 0, 1, 2, 3);
   World world(1);
@@ -371,7 +372,7 @@ TEST(PaperLiteral, MasksAndWeighsBeforeItNormalisesOverAllWater) {
   mission.constraints[0].attenuation = 0.5;
   world.rasters =
       TestRasters(grid, {-4, 100, 2, 8, 6, kGap}, {0, 0, 0, 0, 0, 1});
-  // w V M: -1 0 1, 2 3 land; the forbidden cell is lifted, as A4 says.
+  // w V M: -1 0 1, 2 3 land; the forbidden cell is lifted above 0 (see A4).
   const kg_base::Raster wanted = {0.f, 0.25f, 0.5f, 0.75f, 1.f, 0.f};
   const MissionTensor tensor = CompileTensor(world.Inputs(), nullptr);
   const kg_base::Raster fused = tensor.Get(Layer::kFused);

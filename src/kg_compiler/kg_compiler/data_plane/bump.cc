@@ -22,7 +22,7 @@ IndexSpan SpanBetween(const std::vector<double>& centres, double low,
           static_cast<int>(end - centres.begin())};
 }
 
-// A row of a bump: its columns, and the scale there.
+// A row of a bump: its columns and the scale of the row.
 struct BumpRow {
   IndexSpan cols;
   double north_m;

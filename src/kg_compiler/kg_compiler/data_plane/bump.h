@@ -1,4 +1,4 @@
-// Gaussian bumps on a grid: events, and how far a soft edge reaches.
+// Gaussian bumps on a grid: events, and the extent of soft edges.
 
 #ifndef KG_COMPILER_DATA_PLANE_BUMP_H_
 #define KG_COMPILER_DATA_PLANE_BUMP_H_

@@ -1,5 +1,5 @@
-// A rectangle of cells, half open: what sparse masks, updates, reaches and what
-// is kept of them are about.
+// A half-open rectangle of cells: extent of sparse masks, updates, reaches and
+// cache entries.
 
 #ifndef KG_COMPILER_DATA_PLANE_CELL_BOX_H_
 #define KG_COMPILER_DATA_PLANE_CELL_BOX_H_
@@ -35,7 +35,7 @@ inline CellBox Common(const CellBox& a, const CellBox& b) {
           std::max(a.col, b.col), std::min(a.col_end, b.col_end)};
 }
 
-// The smallest box that holds both; an empty one counts for nothing.
+// The smallest box that contains both; empty boxes are ignored.
 inline CellBox Join(const CellBox& a, const CellBox& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;
@@ -43,8 +43,8 @@ inline CellBox Join(const CellBox& a, const CellBox& b) {
           std::min(a.col, b.col), std::max(a.col_end, b.col_end)};
 }
 
-// So many rows and columns more on every side, as far as the grid goes. A box
-// of no rows grows, too: it is a line between cells.
+// The box extended by `rows` and `cols` on every side, clipped to the grid. A
+// box without rows grows as well: it is a line between cells.
 inline CellBox Grown(const CellBox& box, int rows, int cols,
                      const kg_base::Grid& grid) {
   return Common(

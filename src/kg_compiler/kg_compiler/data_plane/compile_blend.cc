@@ -15,11 +15,12 @@ namespace {
 
 using kg_mission::Policy;
 
-// Within it products and sums of squares neither overflow nor lose digits.
+// Magnitudes for which float32 products and sums of squares neither overflow
+// nor lose digits.
 constexpr float kSmallest = 1e-30f;
 constexpr float kLargest = 1e30f;
 
-// Below this a thread costs more than it brings.
+// Below this size starting threads costs more than it saves.
 constexpr std::size_t kThreadsFrom_cells = 2'000'000;
 
 bool IsComfortable(float x) {
@@ -84,7 +85,7 @@ class BlendCompiler {
     });
   }
 
-  // False if some number is not for float32.
+  // False if some number is outside the safe range of float32.
   bool SetWeights() {
     LayerTable::Weights& weights = field_->recipe.weights;
     weights.op = policy_.front_operator;
@@ -104,7 +105,7 @@ class BlendCompiler {
     return fits;
   }
 
-  // What B and F are divided by; infinite where the layer is to be 0.
+  // Divisors of B and F; infinite where the layer is to be 0.
   double ValueScale() const {
     const double max_value =
         policy_.layer_scale == kg_mission::LayerScale::kWindow
@@ -183,7 +184,7 @@ class BlendCompiler {
     field_->masked = RowBands<float>(field_->tiling.rows, field_->tiling.cols);
     CloseCells(rasters_.land, field_->recipe, WholeGrid(rasters_.grid),
                &field_->state);
-    // In units of the largest magnitude, so that float32 neither overflows nor
+    // Scale by the largest magnitude, so that float32 neither overflows nor
     // loses small values.
     double max_value = 0.0;
     for (std::size_t i = 0; i < blend.masked.size(); ++i) {
@@ -232,7 +233,7 @@ class BlendCompiler {
   const std::shared_ptr<const BlendedField>& previous_;
   std::shared_ptr<BlendedField> field_ = std::make_shared<BlendedField>();
   bool has_same_sea_ = false;
-  std::vector<CellBox> changes_;  // Of soft zones, priors, events.
+  std::vector<CellBox> changes_;  // Changed soft zones, priors, events.
   std::vector<CellBox> hard_changes_;
 };
 

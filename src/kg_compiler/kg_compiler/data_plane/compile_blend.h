@@ -1,5 +1,5 @@
-// Facts and rasters -> the blend of a tensor, from nothing or from the one
-// before.
+// Computes the blend of a tensor from facts and rasters, from scratch or by
+// updating the previous one.
 
 #ifndef KG_COMPILER_DATA_PLANE_COMPILE_BLEND_H_
 #define KG_COMPILER_DATA_PLANE_COMPILE_BLEND_H_
@@ -15,16 +15,16 @@ namespace kg_compiler {
 
 struct MadeBlend {
   std::shared_ptr<const BlendedField> field;
-  // That were computed: all, those in the boxes that changed, or none where
-  // nothing did.
+  // Number of cells computed: all, those in changed boxes, or 0 if nothing
+  // changed.
   std::size_t cells = 0;
 };
 
-// Where the recipes differ in masks, priors and events only, and the layers'
-// scales stay, the rest is taken from `previous` (which may be null). Bit by
-// bit what is made from nothing. Paper_literal, and layers or weights out of
-// float32's comfortable range (1e-30 to 1e30), go the slow way through the
-// reference (blend.h).
+// If the recipes differ in masks, priors and events only, and the layers'
+// scales are unchanged, all other cells are copied from `previous` (may be
+// null). The result is bit-identical to one from scratch. Paper_literal, and
+// layers or weights outside float32's safe range (1e-30 to 1e30), use the
+// slower reference (blend.h).
 MadeBlend CompileBlend(const TensorInputs& inputs, const ActiveFacts& active,
                        const std::shared_ptr<const BlendedField>& previous);
 

@@ -29,8 +29,8 @@ void ForEachOpen(const BlendedField& field, const Visit& visit) {
   }
 }
 
-// The first entry up to which at least `rank` are counted; what is before it is
-// taken off `rank`.
+// First entry at which the cumulative count reaches `rank`; the counts before
+// it are subtracted from `rank`.
 std::uint32_t Select(const std::vector<std::size_t>& counts,
                      std::size_t* rank) {
   std::uint32_t i = 0;
@@ -38,8 +38,8 @@ std::uint32_t Select(const std::vector<std::size_t>& counts,
   return i;
 }
 
-// Nearest rank, by the upper half of the bits and then by the lower one:
-// floats >= 0 are ordered as their bits are.
+// Nearest-rank percentile by two histogram passes over the upper and then the
+// lower 16 bits: floats >= 0 have the order of their bit patterns.
 float Percentile(const BlendedField& field) {
   std::vector<std::size_t> counts(1 << 16, 0);
   std::size_t all = 0;
@@ -72,7 +72,7 @@ RowScale FitScale(const BlendedField& field, const kg_mission::Policy& policy,
     return n;
   }
   const ValueExtremes all = field.All();
-  if (!(all.max >= all.min)) return n;  // No cell counts.
+  if (!(all.max >= all.min)) return n;  // No cell counted.
   const float min_value = before * all.min, max_value = before * all.max;
   n.range =
       max_value;  // N divides by the maximum, unless a policy says otherwise.
@@ -114,7 +114,7 @@ void CompiledTensor::GetRow(Layer layer, kg_base::Cell first, int n,
   const float* y = field_->masked.Row(first.row) + first.col;
   const unsigned char* state = field_->state.Row(first.row) + first.col;
   switch (layer) {
-    // Also where it is forbidden: what a place would be worth, without w_t.
+    // Also in forbidden cells: the value of a place without masks and w_t.
     case Layer::kReward:
       Normalise(y, unweighted_, n, values);
       for (int c = 0; c < n; ++c) {

@@ -1,5 +1,5 @@
-// The content of a compiled tensor: its blend, and N apart from it. Layers are
-// made when asked for; a changed extremum or confidence rewrites nothing.
+// Content of a compiled tensor: its blend, and N stored separately. Layers are
+// computed on request, so a changed extremum or confidence rewrites no data.
 
 #ifndef KG_COMPILER_DATA_PLANE_COMPILED_TENSOR_H_
 #define KG_COMPILER_DATA_PLANE_COMPILED_TENSOR_H_
@@ -13,8 +13,8 @@
 
 namespace kg_compiler {
 
-// N of a blend whose values are multiplied by `before` first: low and range in
-// the field's unit. `horizon` in its place, if given.
+// N of a blend whose values are first multiplied by `before`; low and range in
+// the field's unit. `horizon` replaces the fit, if given.
 RowScale FitScale(const BlendedField& field, const kg_mission::Policy& policy,
                   float before, const HorizonScale* horizon);
 
@@ -27,7 +27,7 @@ class CompiledTensor : public TensorContent {
   float At(Layer layer, std::size_t cell) const override;
   kg_base::Raster Get(Layer layer) const override;
 
-  // A row's columns [first.col, first.col + n), n <= kTileCols.
+  // Columns [first.col, first.col + n) of row first.row; n <= kTileCols.
   void GetRow(Layer layer, kg_base::Cell first, int n, float* values) const;
 
   const std::shared_ptr<const BlendedField>& field() const { return field_; }
@@ -37,7 +37,7 @@ class CompiledTensor : public TensorContent {
 
   std::shared_ptr<const BlendedField> field_;
   RowScale scale_;
-  RowScale unweighted_;  // The same without w_t after N.
+  RowScale unweighted_;  // As the fused scale, without w_t.
   float doubt_ = 0.0f;
 };
 

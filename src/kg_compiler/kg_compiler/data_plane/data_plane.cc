@@ -39,7 +39,7 @@ bool IsPost(const kg_mission::Policy& policy) {
          !policy.paper_literal;
 }
 
-// What stands for a raster that is read from a file.
+// Hashes the identity of a raster that is read from a file.
 void HashRaster(const Mission& mission, const kg_mission::RasterRef& ref,
                 kg_base::Hasher* hash) {
   const auto file = mission.files.find(ref.file_iri);
@@ -57,7 +57,7 @@ void HashConstraints(const Mission& mission, const ActiveFacts& active,
     const kg_mission::Constraint& fact = *constraint.fact;
     hash->Add(constraint.forbids() ? 1.0 : 0.0);
     if (!constraint.forbids()) hash->Add(constraint.attenuation);
-    // Only where the cover is not the usual one of what forbids or attenuates.
+    // Only if the cover differs from the default for its effect.
     const bool is_touched =
         constraint.effect->cover == kg_base::CellCover::kTouched;
     if (is_touched != constraint.forbids()) {
@@ -88,7 +88,7 @@ void HashPriors(const Mission& mission, const ActiveFacts& active,
     hash->Add(prior.fact->edge_m);
   }
   hash->Add(static_cast<double>(active.events.size()));
-  // A weight that nothing is multiplied with does not count.
+  // beta_poi matters only if there are events.
   if (!active.events.empty()) hash->Add(beta_poi);
   for (const kg_mission::Event* event : active.events) {
     hash->Add(event->position.lon_deg);
@@ -98,7 +98,7 @@ void HashPriors(const Mission& mission, const ActiveFacts& active,
   }
 }
 
-// Each where it makes a difference.
+// Hashes each option only where it affects the result.
 void HashOptions(const kg_mission::Policy& policy, const ActiveFacts& active,
                  const WindowRasters& rasters, kg_base::Hasher* hash) {
   if (policy.paper_literal) {
@@ -122,13 +122,13 @@ void HashOptions(const kg_mission::Policy& policy, const ActiveFacts& active,
   const auto is_soft = [](const ActiveConstraint& constraint) {
     return !constraint.forbids() && constraint.attenuation != 1.0;
   };
-  // How zones combine matters from two on.
+  // The combination of soft zones matters only if there are two or more.
   const bool can_overlap = std::count_if(active.constraints.begin(),
                                          active.constraints.end(), is_soft) > 1;
   if (can_overlap) hash->Add(static_cast<double>(policy.soft_overlap));
 }
 
-// Of everything that CompileTensor reads, and nothing else.
+// Hash of exactly the inputs that CompileTensor reads.
 std::string HashOf(const TensorInputs& in, const ActiveFacts& active) {
   const kg_mission::Policy& policy = in.agent->policy;
   const WindowRasters& rasters = *in.rasters;
@@ -167,7 +167,7 @@ std::vector<std::string> SourcesOf(const TensorInputs& in,
   }
   for (const kg_mission::Event* event : active.events)
     sources.insert(event->iri);
-  sources.erase("");  // Of rasters and overrides that there are not.
+  sources.erase("");  // Entries of absent rasters and overrides.
   return {sources.begin(), sources.end()};
 }
 
@@ -187,6 +187,7 @@ HorizonScale MeasureHorizon(
     const MadeBlend made = CompileBlend(inputs, active, nullptr);
     const RowScale n = FitScale(*made.field, agent.policy,
                                 static_cast<float>(window.confidence), nullptr);
+    // Convert from the field's unit; constant zero windows do not contribute.
     const ValueNormaliser own{n.low * made.field->unit,
                               n.range * made.field->unit};
     if (own.range > 0.0) all = all.range > 0.0 ? Merge(all, own) : own;
@@ -269,7 +270,7 @@ MissionTensor CompilePrepared(const TensorRequest& request,
                : nullptr;
   const MadeBlend made =
       CompileBlend(inputs, request.active, before ? before->field() : nullptr);
-  // The confidence w_t stands before N or after it; after it in mode `post`,
+  // The confidence w_t is applied before or after N; after it in mode `post`,
   // because N would cancel it (A1).
   const float w = static_cast<float>(window.confidence);
   const bool post = IsPost(agent.policy);

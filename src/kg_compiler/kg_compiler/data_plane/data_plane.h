@@ -5,20 +5,22 @@
 //
 //   N       divides by the maximum over feasible cells (A5; minmax and
 //           percentile by policy); an all-zero field stays zero.
-//   w_t     after N, else it would cancel (A1; `pre` and `horizon` by policy).
-//   M_soft  product (or least) of the attenuations of the soft zones a cell's
-//           centre is in (A10), the policy's softOverrides in place of their
-//           own factor; those that the agent must avoid are in M_hard (A11).
-//   M_hard  0 where a no_go area touches the cell (supercover) or a mask has
-//           it, within its buffer (Euclidean or Chebyshev, in cells), and on
-//           land; applied last, so forbidden cells are exactly 0 (A4).
+//   w_t     after N, which would otherwise cancel it (A1; `pre` and `horizon`
+//           by policy).
+//   M_soft  product (or minimum) of the attenuations of the soft zones that
+//           contain the cell's centre (A10), with the policy's softOverrides
+//           replacing their factors; zones that the agent must avoid are part
+//           of M_hard (A11).
+//   M_hard  0 where a no_go area touches the cell (supercover) or a mask
+//           contains it, within its buffer (Euclidean or Chebyshev, in cells),
+//           and on land; applied last, so forbidden cells are exactly 0 (A4).
 //   F       gradient magnitude per km (Sobel or central, NaN-aware), divided by
-//           its maximum over the window's feasible cells (A16), or by what is
-//           stated; skipped for gamma = 0. B likewise.
-//   P       areas, 1 inside, with soft edges; rasters as they are.
+//           its maximum over the window's feasible cells (A16), or by the
+//           stated scale; skipped for gamma = 0. B is scaled likewise.
+//   P       areas, 1 inside, with soft edges; rasters unchanged.
 //   Events  value-weighted Gaussian bumps in the windows they are active (A42).
 //
-//   paper_literal: U = N( w_t V M_soft M_hard ), layers as they are, N min-max
+//   paper_literal: U = N( w_t V M_soft M_hard ), layers unscaled, N min-max
 //           over all water; 0 on land.
 //
 // In float32, one pass over the rows; see compile_blend.h and
@@ -41,7 +43,7 @@
 
 namespace kg_compiler {
 
-// `rasters` of every window of the mission, by index.
+// Common N of all windows. `rasters`: one per window of the mission, by index.
 HorizonScale MeasureHorizon(
     const kg_mission::Mission& mission, const kg_mission::Agent& agent,
     const std::vector<std::shared_ptr<const WindowRasters>>& rasters,
@@ -50,10 +52,10 @@ HorizonScale MeasureHorizon(const kg_mission::Mission& mission,
                             const kg_mission::Agent& agent,
                             const std::vector<WindowRasters>& rasters);
 
-// The reference: a tensor on its way in double precision, what N is applied to,
-// N, and what the confidence w_t is multiplied into. U = after N(masked) on the
-// cells that count, 0 elsewhere; w_t stands either in `after` (A1, `post`) or,
-// by `before`, in masked already.
+// The reference: intermediate results of a tensor in double precision: the
+// input of N, N, and the factor w_t. U = after N(masked) on the counted cells,
+// 0 elsewhere; w_t is either in `after` (A1, `post`) or, via `before`, already
+// in masked.
 struct TensorBlend {
   LayerBlend blend;
   ValueNormaliser n;
@@ -65,42 +67,42 @@ TensorBlend BlendTensor(const kg_mission::Agent& agent,
                         const WindowRasters& rasters, const ActiveFacts& active,
                         const HorizonScale* horizon);
 
-// What compiling a tensor reads, selected once for its hash, its provenance and
+// Inputs of compiling a tensor, selected once for its hash, its provenance and
 // its blend.
 struct TensorRequest {
   TensorInputs inputs;
   ActiveFacts active;
   std::string hash;  // As TensorHash.
-  // The horizon's, else the IRIs of the facts and files that are read, sorted:
-  // the policy, the window and the field whose gaps are land always; the value
+  // From the horizon, or the sorted IRIs of the facts and files that are read:
+  // always the policy, the window and the field whose gaps are land; the value
   // layer and its file if alpha or gamma is not 0; every constraint, weighted
-  // prior and bumping event in force, with the policy's ex:SoftOverride or
-  // ex:PriorWeight of it, and for each that the agent must avoid what says so
-  // (an inference, or the agent); the agent itself only if one of them is in
-  // force for naming it.
+  // prior and event with a bump in force, with the policy's ex:SoftOverride or
+  // ex:PriorWeight of it, and for each zone that the agent must avoid the fact
+  // stating so (an inference, or the agent); the agent itself only if one of
+  // them is in force because it names the agent.
   std::vector<std::string> sources;
 };
 TensorRequest PrepareTensor(const TensorInputs& inputs);
 
-// Makes again only what differs from `previous`, if that is given and was
-// compiled: any tensor will do, best is that of the same agent and window
-// before the facts changed. The result is the same, bit by bit, whatever
-// `previous` is; `cells_computed` says what it took. Throws std::logic_error if
-// the rasters' sizes or the horizon do not agree with the rest.
+// Recomputes only the differences from `previous`, if given and compiled: any
+// tensor is valid, ideally that of the same agent and window before the facts
+// changed. The result is bit-identical for every `previous`; `cells_computed`
+// reports the work done. Throws std::logic_error if the rasters' sizes or the
+// horizon do not agree with the rest.
 MissionTensor CompilePrepared(const TensorRequest& request,
                               const MissionTensor* previous);
 MissionTensor CompileTensor(const TensorInputs& inputs,
                             const MissionTensor* previous);
 
-// From nothing.
+// Compiles from scratch.
 MissionTensor CompileTensor(const kg_mission::Mission& mission,
                             const kg_mission::Agent& agent,
                             const kg_mission::TimeWindow& window,
                             const WindowRasters& rasters,
                             const HorizonScale* horizon = nullptr);
 
-// The hash CompileTensor would give, without the work: of everything it would
-// read, and nothing else. Equal hash = equal layers, whoever's they are.
+// The hash that CompileTensor would return, without compiling: covers exactly
+// the inputs it would read. Equal hash = equal layers, for any agent.
 std::string TensorHash(const kg_mission::Mission& mission,
                        const kg_mission::Agent& agent,
                        const kg_mission::TimeWindow& window,

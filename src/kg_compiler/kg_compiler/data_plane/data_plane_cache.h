@@ -1,8 +1,7 @@
-// What tensors have in common beyond their own window and agent, found again by
-// content: the rasters of areas on a grid, what is known of a value layer.
+// Content-addressed cache of data shared by tensors of different windows and
+// agents: the rasters of areas on a grid, and the tables of value layers.
 //
-// Holds nothing alive: what no tensor uses any more is forgotten. Safe to use
-// from several threads.
+// Holds weak references only: entries that no tensor uses expire. Thread-safe.
 
 #ifndef KG_COMPILER_DATA_PLANE_DATA_PLANE_CACHE_H_
 #define KG_COMPILER_DATA_PLANE_DATA_PLANE_CACHE_H_
@@ -19,8 +18,8 @@ namespace kg_compiler {
 
 class DataPlaneCache {
  public:
-  // The patch of this grid, land and key, or what `make` makes. `land` is the
-  // hash of grid and land.
+  // The patch for this grid, land and key; calls `make` if there is none.
+  // `land` is the hash of grid and land.
   template <typename Make>
   std::shared_ptr<const MaskPatch> Mask(const std::string& land,
                                         const std::string& key,
@@ -40,7 +39,7 @@ class DataPlaneCache {
     return Find(content, &tables_, make);
   }
 
-  // How many were asked for and had to be made.
+  // Number of requests that had to be computed (cache misses).
   int made() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return made_;
@@ -50,7 +49,7 @@ class DataPlaneCache {
   template <typename T>
   using Known = std::map<std::string, std::weak_ptr<const T>>;
 
-  // Two threads may make the same at the same time; the first one's is used.
+  // Two threads may compute the same entry concurrently; the first result wins.
   template <typename T, typename Make>
   std::shared_ptr<const T> Find(const std::string& key, Known<T>* known,
                                 const Make& make) {

@@ -18,8 +18,9 @@ using kg_mission::Constraint;
 using kg_mission::ConstraintKind;
 using kg_mission::Mission;
 
-// Eq. 1 once more: double precision, a loop over cells, everything from its
-// definition (GEOS predicates on cell boxes, geodesics, all-pairs distances).
+// Reference implementation of Eq. 1: double precision, a loop over cells, every
+// term from its definition (GEOS predicates on cell boxes, geodesics, all-pairs
+// distances).
 class Reference {
  public:
   Reference(const Mission& mission, const Agent& agent, int window,
@@ -102,7 +103,7 @@ class Reference {
     return std::hypot(i / Cols() - j / Cols(), i % Cols() - j % Cols());
   }
   static double Positive(double x) { return x > 0 ? x : 0.0; }
-  // Negative: a hard constraint.
+  // Factor of a constraint; negative = hard.
   double Factor(const Constraint& c) const {
     if (c.kind == ConstraintKind::kNoGo) return -1.0;
     const auto& overrides = agent_.policy.soft_overrides;
@@ -137,7 +138,7 @@ class Reference {
     return prior.edge_m > 0 ? std::exp(-0.5 * std::pow(least / prior.edge_m, 2))
                             : 0.0;
   }
-  // By the east-west scale of j's row, as distance_transform.h says.
+  // Distance with the east-west scale of j's row, as in distance_transform.h.
   double Distance(int j, int i) const {
     const kg_base::LonLat a = Centre(j), b = Centre(i);
     return std::hypot(
@@ -181,7 +182,8 @@ class Reference {
   const Agent& agent_;
   int window_;
   const WindowRasters& in_;
-  std::map<std::string, std::vector<bool>> inside_;  // By constraint, prior.
+  // Cells inside, by IRI of constraint or prior.
+  std::map<std::string, std::vector<bool>> inside_;
   std::vector<bool> open_;
   double most_value_ = 1.0;
   double most_front_ = 1.0;
@@ -277,9 +279,9 @@ kg_base::Raster FusedOf(const Mission& mission, const WindowRasters& rasters) {
       .Get(Layer::kFused);
 }
 
-// By hand: B/4 everywhere, the corridor adds 0.5 in the middle column, the zone
-// halves the top row, the south-west cell is forbidden; the largest open value
-// is 0.5 + 6/8 = 1.25, and w = 0.8.
+// Computed by hand: B/4 everywhere, the corridor adds 0.5 in the middle column,
+// the zone halves the top row, the south-west cell is forbidden; the largest
+// open value is 0.5 + 6/8 = 1.25, and w = 0.8.
 TEST(DataPlane, GivesTheThreeByThreeExampleWorkedByHand) {
   const kg_base::Grid grid = EvenGrid(0, 0, 1, 3, 3);
   Mission mission = PlainMission(0.8);
@@ -382,7 +384,7 @@ TEST(DataPlane, KeepsForbiddenCellsExactlyZeroAndTheirPeaksOutOfTheScale) {
   EXPECT_EQ(1.0f, fused[4]);
 }
 
-// Before N: a weight's finite difference is its own layer.
+// Before N, the finite difference with respect to a weight is its layer.
 TEST(DataPlane, ChangesOneTermOnlyWithEachWeight) {
   std::mt19937 rng(8);
   const kg_base::Grid grid = UnevenGrid(rng, 9, 9);
@@ -511,7 +513,7 @@ TEST(DataPlane, HashCoversWhatIsReadAndNothingElse) {
   }
 }
 
-// What is changed of a mission, its first agent's policy, or the rasters.
+// Mission and rasters that a test case may modify.
 struct HashedWorld {
   Mission mission;
   WindowRasters rasters;
@@ -562,7 +564,7 @@ void SquareOfNothing(HashedWorld* w) {
 void Hazard(HashedWorld* w) { w->policy().hazard_range_m = 1.0; }
 void Isolation(HashedWorld* w) { w->policy().isolation_weight = 9.0; }
 
-// Every option, where it makes a difference and where it does not.
+// Every option, where it affects the result and where it does not.
 TEST(DataPlane, HashCoversAnOptionWhereItMatters) {
   std::mt19937 rng(31);
   const kg_base::Grid grid = UnevenGrid(rng, 8, 8);
@@ -603,7 +605,7 @@ TEST(DataPlane, HashCoversAnOptionWhereItMatters) {
   }
 }
 
-// A raster is known by its file's contents and what is taken of it.
+// A raster is identified by its file's contents and the part that is read.
 TEST(DataPlane, HashCoversWhatARasterIsReadFrom) {
   std::mt19937 rng(32);
   const kg_base::Grid grid = UnevenGrid(rng, 8, 8);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Centres' positions along the meridian [m from the first].
+// Positions of the row centres along the meridian [m], relative to the first.
 std::vector<double> Northings_m(const kg_base::Grid& grid) {
   std::vector<double> north_m(1, 0.0);
   const std::vector<double>& lat_deg = grid.lat_deg();
@@ -72,8 +72,8 @@ class LowerEnvelope {
 
  private:
   void Add(const std::vector<double>& f, int i) {
-    // A member that the new parabola undercuts before it begins is never the
-    // lowest: off the stack.
+    // Pop members that the new parabola undercuts before their interval begins:
+    // they are never the lowest.
     double begin = -kInfinity;
     while (!members_.empty()) {
       const int j = members_.back();
@@ -90,7 +90,7 @@ class LowerEnvelope {
 
   const std::vector<double>& y_;
   std::vector<int> members_;
-  std::vector<double> begins_;  // Where each member becomes the lowest.
+  std::vector<double> begins_;  // Begin of each member's interval.
 };
 
 kg_base::Mask GrowRound(int rows, int cols, const kg_base::Mask& set,
@@ -110,7 +110,7 @@ kg_base::Mask GrowRound(int rows, int cols, const kg_base::Mask& set,
 // entry.
 void GrowLine(const unsigned char* in, int size, int step, int reach,
               unsigned char* out) {
-  int last = -reach - 1;  // The last set one so far.
+  int last = -reach - 1;  // Index of the last set entry so far.
   for (int i = 0; i < size + reach; ++i) {
     if (i < size && in[static_cast<std::ptrdiff_t>(i) * step]) last = i;
     const int at = i - reach;

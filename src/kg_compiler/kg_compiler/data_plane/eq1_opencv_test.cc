@@ -1,7 +1,7 @@
-// Eq. 1 once more, as a user of OpenCV writes it: whole matrices of doubles,
-// one step after the other, on random worlds of even grids. Nothing of the data
-// plane but CompileTensor() is called; areas, scales and buffers are made here
-// from their definitions.
+// Independent implementation of Eq. 1 with OpenCV: whole matrices of doubles,
+// step by step, on random worlds with even grids. The data plane is used only
+// through CompileTensor(); areas, scales and buffers are computed here from
+// their definitions.
 
 #include <gtest/gtest.h>
 
@@ -76,13 +76,13 @@ bool IsInside(const Polygon& polygon, const kg_base::LonLat& at) {
   return is_odd;
 }
 
-// A mission with all that Eq. 1 has, and what its facts mean as matrices.
+// A mission with all terms of Eq. 1, and its facts as matrices.
 struct World {
   kg_base::Grid grid;
   Mission mission;
   WindowRasters rasters;
-  std::vector<Polygon> areas;  // Of priors without a raster, in order.
-  std::vector<std::pair<cv::Mat, double>> soft;  // Inside, factor.
+  std::vector<Polygon> areas;  // Areas of priors without a raster, in order.
+  std::vector<std::pair<cv::Mat, double>> soft;  // (inside, factor).
   cv::Mat open;
 
   const Policy& policy() const { return mission.agents[0].policy; }
@@ -125,7 +125,8 @@ void AddMaskZone(const std::string& iri, const kg_mission::Constraint& zone,
       std::make_shared<const kg_base::Mask>(std::move(mask));
 }
 
-// The cells of a mask and those within a distance of 1.5 cells, or in a square.
+// The mask dilated by the zone's buffer: Euclidean radius of 1.5 cells, or a
+// square.
 cv::Mat Grown(const cv::Mat& mask, const kg_mission::Constraint& zone) {
   if (zone.buffer_cells == 0.0) return mask;
   const int reach = static_cast<int>(zone.buffer_cells);
@@ -205,7 +206,7 @@ void AddEvents(std::mt19937& rng, World* w) {
   }
 }
 
-// Every option in turn; the sizes leave vectors and tiles unfilled.
+// Cycles through every option; sizes leave partial vectors and tiles.
 World RandomWorld(std::mt19937& rng, int round) {
   World w;
   w.grid = EvenGrid(-92.0, 24.0, 0.04, 17 + round % 5, 30 + 53 * (round % 6));
@@ -240,7 +241,7 @@ cv::Mat Filtered(const cv::Mat& m, const cv::Mat& kernel) {
   return filtered;
 }
 
-// Values with 0 in their gaps, and 1 where there are none.
+// Values with gaps set to 0, and a mask that is 1 where there is data.
 struct Known {
   cv::Mat values, is_there;
 };
@@ -256,13 +257,13 @@ Known KnownOf(const World& w, const kg_base::Raster& raster) {
   return known;
 }
 
-// Kilometres from a cell to the one before it and the one after it.
+// Distances [km] from a cell to the previous and the next one.
 struct Steps {
   cv::Mat before, after;
 };
 
-// Slopes along `axis` (a row, or its transpose), in the mean of three parallel
-// ones that weigh 1, `middle` and 1; of what is there.
+// Mean slope [B/km] along one axis, for Sobel over three parallel lines with
+// weights 1, 2, 1; only differences with data count.
 cv::Mat Slope(const Known& b, const Steps& km, bool is_east, bool is_sobel) {
   const auto along = [&](double low, double own, double high) {
     const cv::Mat kernel = (cv::Mat_<double>(1, 3) << low, own, high);
@@ -325,8 +326,8 @@ cv::Mat Layer01(const World& w, const cv::Mat& layer, double stated) {
   }
 }
 
-// exp(-d^2 / (2 edge^2)) from the nearest cell inside, eastward lengths at the
-// scale of its row.
+// exp(-d^2 / (2 edge^2)) with d from the nearest cell inside; eastward lengths
+// use the scale of that cell's row.
 cv::Mat SoftEdge(const World& w, const cv::Mat& inside, double edge_km) {
   const std::vector<double>& lat = w.grid.lat_deg();
   const std::vector<double>& lon = w.grid.lon_deg();

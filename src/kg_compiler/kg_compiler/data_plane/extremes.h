@@ -1,4 +1,4 @@
-// What a cell is to M_hard, and the extremes of values over open cells.
+// State of a cell in M_hard, and the extremes of values over open cells.
 
 #ifndef KG_COMPILER_DATA_PLANE_EXTREMES_H_
 #define KG_COMPILER_DATA_PLANE_EXTREMES_H_

@@ -12,7 +12,7 @@
 namespace kg_compiler {
 
 // Sobel weights 1 2 1 over 4, that is 0.25 and 0.5, which are exact in binary.
-// The order of the sums is fixed: another one would change the last bit.
+// The order of summation is fixed: another one would change the last bit.
 KG_INLINE float SobelAt(const FrontRows& rows, int c) {
   const float* s = rows.south;
   const float* m = rows.middle;

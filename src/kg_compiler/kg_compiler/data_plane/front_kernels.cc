@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
 
-// One row of the stretch with its neighbours, NaN where there is no data.
+// One row of the segment plus one column on either side; NaN = no data.
 struct PaddedRow {
   float at[kTileCols + 2];
 };
@@ -44,13 +44,13 @@ KG_WIDE void Central(const FrontRows& in, int n, float* __restrict f) {
 
 namespace {
 
-// Sums of slopes and of the weights they have, by column.
+// Weighted sums of slopes and sums of their weights, by column.
 struct SlopeSums {
   float sum[kTileCols + 2];
   float weight[kTileCols + 2];
 };
 
-// What scales a difference: by column (east) or for all (north).
+// Inverse step lengths of differences: per column (east) or constant (north).
 struct StepScales {
   const float* both;
   const float* after;
@@ -60,8 +60,8 @@ struct StepScales {
 
 }  // namespace
 
-// `before`, `middle`, `after` are neighbours; a difference is taken over what
-// is there of them.
+// Adds weighted slopes at `middle`; differences use those of the neighbours
+// `before` and `after` that have data.
 KG_WIDE void AddSlopes(const float* __restrict before,
                        const float* __restrict middle,
                        const float* __restrict after, const StepScales& scales,
@@ -79,7 +79,7 @@ KG_WIDE void AddSlopes(const float* __restrict before,
     const float with_before = a == a ? both_scale[c] : before_scale[c];
     const float scale = b == b ? with_before : after_scale[c];
     const float slope = (high - low) * scale * factor;
-    // Both neighbours gone leaves middle - middle, which is no slope.
+    // Without both neighbours the slope would be middle - middle: weight 0.
     const float sides = (a == a ? 1.0f : 0.0f) + (b == b ? 1.0f : 0.0f);
     const float known = slope == slope ? sides : 0.0f;
     sum[c] += known > 0.0f ? weight * slope : 0.0f;
@@ -128,7 +128,7 @@ void FrontWithGaps(const FrontRows& rows, bool is_sobel, GapEnds ends, int n,
             n + 2, &north_slopes);
   const float* sum = north_slopes.sum + 1;
   const float* weight = north_slopes.weight + 1;
-  // Step 4: means over what there is, and the length of the two.
+  // Step 4: weighted means of both components, and the norm of the gradient.
   const float side = is_sobel ? 1.0f : 0.0f;
   for (int c = 0; c < n; ++c) {
     const float gx = Mean(east.sum[c], east.weight[c]);

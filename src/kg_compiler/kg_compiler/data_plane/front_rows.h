@@ -17,11 +17,11 @@ struct FrontRows {
   const float* north = nullptr;
   // Degrees of longitude per kilometre in these rows.
   float south_deg_per_km = 0, middle_deg_per_km = 0, north_deg_per_km = 0;
-  // 1 / kilometres: from the southern row to the northern, and to the middle
-  // one from either.
+  // Inverse row distances [1/km]: south to north, south to middle, and middle
+  // to north.
   float per_km = 0, per_km_south = 0, per_km_north = 0;
-  // By column: 1 / degrees from the column before to the one after, and from
-  // this column to the one after.
+  // Inverse column distances [1/deg], by column: from the previous to the next
+  // column, and from this column to the next.
   const float* per_deg = nullptr;
   const float* per_deg_after = nullptr;
 };

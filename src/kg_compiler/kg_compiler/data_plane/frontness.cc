@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kNoFront = std::numeric_limits<float>::quiet_NaN();
 
-// Kilometres from each row to the next, and per degree of longitude in a row.
+// Distance from each row to the next [km], and scale of a row [km/deg].
 struct GridScales {
   std::vector<double> row_step_km;
   std::vector<double> km_per_lon_deg;
@@ -38,7 +38,7 @@ struct NeighbourDifference {
   double before_km, after_km;  // Distances to the middle.
 };
 
-// False where there is nothing to difference.
+// False where no difference can be formed.
 bool Slope(const NeighbourDifference& d, double* slope) {
   const bool has_before = std::isfinite(d.before);
   const bool has_after = std::isfinite(d.after);

@@ -1,10 +1,11 @@
-// Frontness: how steep a value layer is, per kilometre (A14, A16).
+// Frontness: magnitude of the gradient of a value layer, per km (A14, A16).
 //
 //   F = sqrt(gx^2 + gy^2),  gx the Sobel-weighted mean (1, 2, 1) of the
 //   eastward differences in the rows r-1, r, r+1, gy likewise of the northward
-//   differences in the columns; a difference is over its own length on WGS84.
+//   differences in the columns; each difference is divided by its length on
+//   WGS84.
 //
-// kCentral takes the differences of the cell's own row and column alone.
+// kCentral uses only the differences in the cell's own row and column.
 //
 // No data (non-finite): a difference is central where both neighbours have
 // data, one-sided where one and the middle have, left out of the mean
@@ -19,8 +20,8 @@
 
 namespace kg_compiler {
 
-// In units of `values` per km. Double precision inside; layer_table.h makes the
-// same in float32 for tensors.
+// F in units of `values` per km, computed in double precision; layer_table.h is
+// the float32 counterpart for tensors.
 kg_base::Raster GradientPerKm(
     const kg_base::Grid& grid, const kg_base::Raster& values,
     kg_mission::FrontOperator op = kg_mission::FrontOperator::kSobel);

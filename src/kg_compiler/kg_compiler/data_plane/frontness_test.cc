@@ -46,7 +46,8 @@ TEST(Frontness, OfANorthwardRampIsItsSlopeAlsoBesideGaps) {
 
 TEST(Frontness, OfAnObliqueRampJoinsBothComponents) {
   std::mt19937 rng(4);
-  const kg_base::Grid grid = UnevenGrid(rng, 6, 6);  // Small: x is not curved.
+  // Small: x is nearly linear.
+  const kg_base::Grid grid = UnevenGrid(rng, 6, 6);
   const kg_base::Raster slope = GradientPerKm(grid, Plane(grid, 0.3, 0.4));
   for (const float s : slope) EXPECT_NEAR(0.5, s, 3e-3);
 }

@@ -9,8 +9,8 @@
 namespace kg_compiler {
 namespace {
 
-// 1 / steps between entries of an axis: over two of them, and over the one to
-// the next.
+// Inverse distances between entries of an axis: from the previous to the next
+// entry, and from each entry to the next.
 struct Inverse {
   std::vector<float> both, after;
 };
@@ -62,7 +62,7 @@ int IndexOf(kg_mission::FrontOperator op) {
   return op == kg_mission::FrontOperator::kSobel ? 0 : 1;
 }
 
-// The same row from a later column on.
+// The row advanced by `cols` columns.
 PassRow Shifted(PassRow row, int cols) {
   row.values += cols;
   row.state += cols;
@@ -155,8 +155,8 @@ const LayerTable::GapFronts& LayerTable::GapFrontsOf(
       FrontWithGaps(RowsAt(value, row, col), is_sobel,
                     {col > 0, col + n < cols}, n, f);
     };
-    // The outermost columns always, for they lack a neighbour; of the others
-    // only segments with gaps in or around them.
+    // Store F of the outermost columns, which lack a neighbour, and of segments
+    // with gaps in or around them.
     gaps.first.resize(tiling_.rows);
     gaps.last.resize(tiling_.rows);
     float f[kTileCols];
@@ -255,7 +255,8 @@ const LayerTable::Tiles& LayerTable::FrontTiles(
   return fronts_[k];
 }
 
-// The tile with the largest first: usually all of it is open, and that is it.
+// Visits tiles by descending maximum: usually the first one is all open, and
+// its maximum is the result.
 template <typename Evaluate>
 float LayerTable::MaxOpen(const Tiles& tiles,
                           const RowBands<unsigned char>& state,

@@ -1,7 +1,7 @@
-// What is known of a window's value layer B once, for all tensors made of it:
-// the grid's scales, where it has gaps, and how large B and its frontness are
-// in each tile, so that their maxima over the open cells of any tensor (A16)
-// cost a look at a tile or two, not a pass.
+// Precomputed data of a window's value layer B, shared by all its tensors: the
+// grid's scales, the gaps, and the maxima of B and its frontness in each tile,
+// so that the maxima over the open cells of any tensor (A16) need only one or
+// two tiles instead of a full pass.
 
 #ifndef KG_COMPILER_DATA_PLANE_LAYER_TABLE_H_
 #define KG_COMPILER_DATA_PLANE_LAYER_TABLE_H_
@@ -18,8 +18,8 @@
 
 namespace kg_compiler {
 
-// How a grid is cut into tiles: kBandRows rows by at most kTileCols columns, as
-// even as whole vectors allow.
+// Partition of a grid into tiles of kBandRows rows by at most kTileCols
+// columns, with widths as equal as whole vectors allow.
 struct TileLayout {
   TileLayout() = default;
   TileLayout(int grid_rows, int grid_cols) : rows(grid_rows), cols(grid_cols) {
@@ -33,20 +33,20 @@ struct TileLayout {
 
   int rows = 0;
   int cols = 0;
-  int width = 0;   // Of a tile, in columns.
+  int width = 0;   // Width of a tile [columns].
   int across = 0;  // Tiles in a row.
 };
 
 class LayerTable {
  public:
-  // Keeps no reference to `value`, but must always be asked with it.
+  // Keeps no reference to `value`; all calls must pass the same raster.
   LayerTable(const kg_base::Grid& grid, const kg_base::Raster& value);
 
   const TileLayout& tiling() const { return tiling_; }
   // The largest |B|, 0 if there is none.
   float max_abs() const { return max_abs_; }
 
-  // What a pass is made of beyond the layers, see PassRow; all at its first
+  // Inputs of a pass besides the layers, see PassRow; pointers are to its first
   // column. Columns [col, col + n) of a row, within one tile.
   struct Weights {
     float base = 0.0f;
@@ -63,16 +63,16 @@ class LayerTable {
                      const RowBands<unsigned char>& state) const;
 
  private:
-  using Tiles = std::vector<float>;  // The largest in each, wherever.
+  using Tiles = std::vector<float>;  // Maximum per tile over all cells.
   void FindGaps(const kg_base::Raster& value);
   FrontRows RowsAt(const kg_base::Raster& value, int row, int col) const;
-  // F where the neighbourhood has gaps, made once: row after row of the tiles
-  // with gaps, and the first and the last column.
+  // F where the neighbourhood has gaps, computed once: the rows of tiles with
+  // gaps in sequence, and the first and the last column.
   struct GapFronts {
     std::once_flag made;
-    std::vector<std::size_t> begin;  // By row and tile across.
+    std::vector<std::size_t> begin;  // Offset in values, by row and tile.
     std::vector<float> values;
-    std::vector<float> first, last;  // By row.
+    std::vector<float> first, last;  // F of the outermost columns, per row.
   };
   const GapFronts& GapFrontsOf(const kg_base::Raster& value,
                                kg_mission::FrontOperator op) const;
@@ -90,15 +90,15 @@ class LayerTable {
                 const Evaluate& evaluate) const;
 
   TileLayout tiling_;
-  std::vector<float> deg_per_km_;    // Of longitude, by row.
-  std::vector<float> per_km_;        // By row: from the row before to the next.
-  std::vector<float> per_km_after_;  // By row: to the next one.
-  std::vector<float> per_deg_;       // By column, likewise, in degrees.
+  std::vector<float> deg_per_km_;    // Degrees of longitude per km, by row.
+  std::vector<float> per_km_;        // By row: previous to next row [1/km].
+  std::vector<float> per_km_after_;  // By row: this to next row [1/km].
+  std::vector<float> per_deg_;       // By column, likewise [1/deg].
   std::vector<float> per_deg_after_;
-  std::vector<unsigned char> gaps_;  // By row and tile across.
+  std::vector<unsigned char> gaps_;  // 1 = has gaps, by row and tile.
   float max_abs_ = 0.0f;
   Tiles values_;
-  mutable std::once_flag made_[2];  // By operator, when first asked for.
+  mutable std::once_flag made_[2];  // By operator, set on first use.
   mutable Tiles fronts_[2];
   mutable GapFronts gap_fronts_[2];
 };

@@ -1,6 +1,6 @@
-// Constraints on the grid, whole rasters of them: where one may be at all
-// (M_hard), and how much less a place is worth (M_soft). The reference that
-// patches.h is held to, and what explanations are made of.
+// Constraints as whole rasters: the cells that may be entered (M_hard), and the
+// attenuation of the value of a place (M_soft). Reference for patches.h, and
+// used by explanations.
 
 #ifndef KG_COMPILER_DATA_PLANE_MASKS_H_
 #define KG_COMPILER_DATA_PLANE_MASKS_H_
@@ -15,18 +15,19 @@
 namespace kg_compiler {
 
 // M_hard: 1 = open. 0 on land, in every cell that a hard area touches
-// (supercover, A15) or a hard mask has, and within its buffer, or the land's.
+// (supercover, A15) or a hard mask contains, and within its buffer or the
+// land's.
 kg_base::Mask OpenCells(const WindowRasters& rasters,
                         const std::vector<ActiveConstraint>& constraints);
 
-// M_soft: the product of the factors of the soft zones that a cell's centre is
-// in (A10), or in whose buffer it is, or the least of them. 1 elsewhere.
+// M_soft: the product, or the minimum, of the factors of the soft zones whose
+// area or buffer contains the cell's centre (A10). 1 elsewhere.
 std::vector<double> Attenuations(
     const WindowRasters& rasters,
     const std::vector<ActiveConstraint>& constraints,
     kg_mission::SoftOverlap overlap);
 
-// 1 in the cells that one constraint holds in, its buffer included (Euclidean
+// 1 in the cells where one constraint applies, including its buffer (Euclidean
 // or Chebyshev, in cells). Throws std::logic_error if the constraint's mask is
 // not among the rasters.
 kg_base::Mask ConstraintExtent(const WindowRasters& rasters,

@@ -1,10 +1,10 @@
-// The mission tensor of one (agent, window): the data plane's product and all
-// that the control plane may know of the world's rasters.
+// The mission tensor of one (agent, window): the data plane's product and the
+// only view of the world's rasters in the control plane.
 //
-// A tensor is a name in front of a content. The content is immutable and shared
-// by pointer among tensors alike, so that a copy costs a few strings; layers
-// are made of it when they are asked for. Every process that holds a content,
-// compiled or received, gets the same bits of the layers it has.
+// A tensor is a hash with a content. The content is immutable and shared by
+// pointer among equal tensors, so that a copy costs a few strings; layers are
+// computed from it on request. Every process that holds a content, compiled or
+// received, gets bit-identical layers.
 
 #ifndef KG_COMPILER_DATA_PLANE_MISSION_TENSOR_H_
 #define KG_COMPILER_DATA_PLANE_MISSION_TENSOR_H_
@@ -34,18 +34,18 @@ struct TensorLayer {
   kg_base::Raster values;
 };
 
-// What tensors are made of. Two kinds: compiled (compiled_tensor.h), and layers
-// held as they came (below). Safe to read from several threads.
+// Content of a tensor. Two kinds: compiled (compiled_tensor.h), and layers
+// stored as received (below). Safe to read from several threads.
 class TensorContent {
  public:
   virtual ~TensorContent() = default;
   virtual bool Has(Layer layer) const = 0;
-  // Of a layer that it has, and of a cell of the grid.
+  // Value of one cell of a layer; the layer and the cell must exist.
   virtual float At(Layer layer, std::size_t cell) const = 0;
   virtual kg_base::Raster Get(Layer layer) const = 0;
 };
 
-// Layers as they are: of a message, which has only some.
+// Content that stores the given layers, e.g. the subset in a message.
 std::shared_ptr<const TensorContent> HoldLayers(
     std::vector<TensorLayer> layers);
 
@@ -54,20 +54,20 @@ struct MissionTensor {
   int window = 0;
   double confidence = 1.0;
   kg_base::Grid grid;
-  std::string hash;  // Of the inputs and parameters it is made of.
-  // The facts and files read to make it: its prov:wasDerivedFrom. Sorted.
+  std::string hash;  // Hash of its inputs and parameters.
+  // Facts and files read to compute it (prov:wasDerivedFrom), sorted.
   std::vector<std::string> derived_from;
   std::shared_ptr<const TensorContent> content;
-  // Cells of the blend that were computed to make it: the grid's size, or fewer
-  // where a previous content was updated or shared.
+  // Number of cells of the blend computed for it: the grid's size, or fewer if
+  // a previous content was updated or shared.
   std::size_t cells_computed = 0;
 
   bool Has(Layer layer) const { return content && content->Has(layer); }
-  // One cell of a layer. Throws std::logic_error if the layer is not there,
-  // std::out_of_range if the cell is not.
+  // One cell of a layer. Throws std::logic_error if there is no such layer,
+  // std::out_of_range if there is no such cell.
   float At(Layer layer, std::size_t cell) const;
-  // The whole layer, made anew by every call: keep what it returns. Throws
-  // std::logic_error if the layer is not there.
+  // The whole layer, recomputed by every call: store the result. Throws
+  // std::logic_error if there is no such layer.
   kg_base::Raster Get(Layer layer) const;
 };
 

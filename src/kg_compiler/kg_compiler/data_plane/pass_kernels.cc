@@ -10,7 +10,7 @@
 namespace kg_compiler {
 namespace {
 
-// F of one cell of a row, by kind of kernel.
+// Source of F in a kernel.
 enum class Front { kNone, kStored, kSobel, kCentral };
 
 template <Front kind>
@@ -33,7 +33,7 @@ enum class Soft { kNone, kInside, kSoftness };
 
 template <Front kind, bool has_priors, Soft soft>
 KG_INLINE ValueExtremes Loop(const PassRow& in, int n, float* __restrict y) {
-  const PassRow row = in;  // Its own: nothing in it changes with y.
+  const PassRow row = in;  // Local copy: cannot alias y.
   std::int32_t min_bits = kNoMinimum, max_bits = -1;
   for (int c = 0; c < n; ++c) {
     float v = LayersAt<kind>(row, c);
@@ -55,7 +55,7 @@ KG_INLINE ValueExtremes Loop(const PassRow& in, int n, float* __restrict y) {
   return OfBits(min_bits, max_bits);
 }
 
-// The same row from a later column on.
+// The row advanced by c columns.
 KG_INLINE PassRow From(PassRow row, int c) {
   if (row.rows.middle) {
     row.rows.south += c;
@@ -72,15 +72,15 @@ KG_INLINE PassRow From(PassRow row, int c) {
   return row;
 }
 
-// What is read from memory 2 KB on, while a chunk of the row is made: the
-// processor sees the rows coming, but late.
+// Software prefetch 2 KB ahead while a chunk of the row is computed: the
+// hardware prefetcher detects the rows, but too late.
 constexpr int kChunk = 128;
 constexpr int kAhead = 512;
 
 template <typename T>
 KG_INLINE void Fetch(const T* from) {
   if (!from) return;
-  // May be beyond the raster: nothing is read there, only asked for.
+  // The address may be beyond the raster: a prefetch does not access it.
   const auto begin = reinterpret_cast<std::uintptr_t>(from);
   for (std::size_t i = 0; i < kChunk * sizeof(T); i += 64) {
     __builtin_prefetch(
@@ -96,8 +96,8 @@ KG_INLINE void FetchAhead(const PassRow& row) {
   Fetch(row.state);
 }
 
-// What the blocks leave over is done as a block that begins earlier: cells that
-// are made twice are the same both times.
+// The remainder is processed as a full block that begins earlier: cells
+// computed twice give the same result.
 template <Front kind, bool has_priors, Soft soft>
 KG_INLINE ValueExtremes Blocks(const PassRow& row, int n, float* y) {
   if (n < kBlock) return Loop<kind, has_priors, soft>(row, n, y);

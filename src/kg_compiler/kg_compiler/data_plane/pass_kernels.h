@@ -1,5 +1,5 @@
 // One pass over a segment of a row: layers, priors, M_soft and the extremes of
-// the open cells; the same bits at every vector width (row_kernels.h).
+// the open cells; bit-identical at every vector width (row_kernels.h).
 
 #ifndef KG_COMPILER_DATA_PLANE_PASS_KERNELS_H_
 #define KG_COMPILER_DATA_PLANE_PASS_KERNELS_H_
@@ -17,17 +17,17 @@ struct PassRow {
   const float* fronts = nullptr;  // F, PassStored.
   float base = 0.0f;
   float front = 0.0f;
-  const float* priors = nullptr;  // p, 0 where there is no data; or null.
+  const float* priors = nullptr;  // p, no data counts as 0; or null.
   float weight = 0.0f;
   // s: `factor` where inside, 1 elsewhere; or `softness`; or, both null, 1.
   const unsigned char* inside = nullptr;
   float factor = 1.0f;
   const float* softness = nullptr;
   const unsigned char* state = nullptr;
-  // Prefetch what lies 2 KB ahead: the rows come from memory, not a cache.
+  // Prefetch 2 KB ahead: the rows are in main memory, not in a cache.
   bool is_far = false;
 };
-// Each returns the extremes of y over the cells whose state is kOpen.
+// Compute y; return its extremes over the cells whose state is kOpen.
 ValueExtremes PassBase(const PassRow& row, int n, float* y);
 ValueExtremes PassStored(const PassRow& row, int n, float* y);
 ValueExtremes PassSobel(const PassRow& row, int n, float* y);

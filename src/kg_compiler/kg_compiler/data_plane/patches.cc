@@ -27,15 +27,15 @@ std::string FileKey(const kg_mission::Mission& mission,
          std::to_string(static_cast<int>(ref.resampling));
 }
 
-// Different for different numbers.
+// Unique text of a number (hexadecimal, exact).
 std::string Digits(double x) {
   char digits[40];
   std::snprintf(digits, sizeof(digits), "%a", x);
   return digits;
 }
 
-// Two cells beyond the centres that lie within: the edges of what is touched
-// are then the whole grid's.
+// Box two cells beyond the centres inside the area's bounds, so that the
+// touched cells at its edges are the same as on the whole grid.
 CellBox BoxAround(const Grid& grid, const kg_base::Geometry& area) {
   const auto range = [](const std::vector<double>& centres, double low,
                         double high) {
@@ -63,7 +63,7 @@ Grid Within(const Grid& grid, const CellBox& box) {
           part(grid.lat_deg(), box.row, box.row_end)};
 }
 
-// Of what is set; empty if nothing is.
+// Bounding box of the set cells; empty if there is none.
 CellBox Tight(const CellBox& box, const Mask& inside) {
   CellBox tight{box.row_end, box.row, box.col_end, box.col};
   for (int r = box.row; r < box.row_end; ++r) {
@@ -84,7 +84,7 @@ CellBox Tight(const CellBox& box, const Mask& inside) {
   return tight.empty() ? CellBox{} : tight;
 }
 
-// The part of a box's mask that lies in another one; 0 outside of the first.
+// The mask of box `from` resampled on box `to`; 0 outside `from`.
 Mask Cut(const CellBox& from, const Mask& inside, const CellBox& to) {
   Mask part(to.size(), 0);
   const CellBox common = Common(from, to);
@@ -102,7 +102,7 @@ Mask Cut(const CellBox& from, const Mask& inside, const CellBox& to) {
   return part;
 }
 
-// A box and its mask, not buffered yet.
+// Extent of a constraint before buffering.
 MaskPatch BarePatch(const WindowRasters& rasters,
                     const ActiveConstraint& constraint) {
   const kg_mission::Constraint& fact = *constraint.fact;
@@ -182,8 +182,8 @@ ValuePatch PriorPatch(const WindowRasters& rasters,
   const Mask inside = kg_base::RasteriseCentres(*prior.area, Within(grid, box));
   const CellBox tight = Tight(box, inside);
   if (tight.empty()) return {std::move(key), {}, values};
-  // A soft edge reaches beyond the area; further out it is below float32's
-  // notice (7 sigma: 2e-11).
+  // A soft edge extends beyond the area up to 7 sigma, where it is negligible
+  // in float32 (2e-11).
   const CellBox reached =
       prior.edge_m > 0.0
           ? BoxWithin(grid, tight, kBumpReach_sigmas * prior.edge_m)

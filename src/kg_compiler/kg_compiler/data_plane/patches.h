@@ -1,8 +1,8 @@
-// Rasters that are 0 outside of a box of cells: what constraints, areas of
-// priors and events leave on a grid. A small area costs its box, not the grid.
+// Rasters that are 0 outside a box of cells: constraints, areas of priors and
+// events on a grid. The cost of an area is that of its box, not of the grid.
 //
-// A patch is named by all that it is made of but the grid (and, of the land,
-// but the land): equal keys on one grid and land are equal patches.
+// The key of a patch covers all its inputs except the grid and the land: equal
+// keys on the same grid and land mean equal patches.
 
 #ifndef KG_COMPILER_DATA_PLANE_PATCHES_H_
 #define KG_COMPILER_DATA_PLANE_PATCHES_H_
@@ -21,9 +21,9 @@ namespace kg_compiler {
 struct MaskPatch {
   std::string key;
   CellBox box;
-  kg_base::Mask inside;  // Of the box, row by row: 1 = inside.
+  kg_base::Mask inside;  // Cells of the box, row-major: 1 = inside.
 
-  // The box's first column is [0].
+  // Row of the mask; [0] is the first column of the box.
   const unsigned char* Row(int row) const {
     return inside.data() + static_cast<std::size_t>(row - box.row) * box.cols();
   }
@@ -32,7 +32,7 @@ struct MaskPatch {
 struct ValuePatch {
   std::string key;
   CellBox box;
-  // Of the box, row by row. NaN = no data, counts 0.
+  // Values of the box, row-major. NaN = no data, counts as 0.
   std::shared_ptr<const kg_base::Raster> values;
 
   const float* Row(int row) const {
@@ -41,15 +41,15 @@ struct ValuePatch {
   }
 };
 
-// The extent of a constraint, its buffer included; see masks.h, which says the
-// same for whole grids.
+// The extent of a constraint, including its buffer; masks.h is the counterpart
+// for whole grids.
 std::string ConstraintKey(const kg_mission::Mission& mission,
                           const ActiveConstraint& constraint);
 MaskPatch ConstraintPatch(const WindowRasters& rasters,
                           const ActiveConstraint& constraint, std::string key);
 
 // A prior in [0, 1] (its soft edge ends at 7 sigma, where it is 2e-11), or its
-// raster as it is.
+// raster unchanged.
 std::string PriorKey(const kg_mission::Mission& mission,
                      const kg_mission::PriorLayer& prior);
 ValuePatch PriorPatch(const WindowRasters& rasters,

@@ -50,7 +50,7 @@ KG_WIDE ValueExtremes OpenExtremes(const float* __restrict y,
 
 namespace {
 
-// By a product: divisions are what takes the time.
+// Uses a reciprocal: divisions would dominate the run time.
 struct HeldScale {
   explicit HeldScale(const RowScale& n)
       : scale(n.scale),

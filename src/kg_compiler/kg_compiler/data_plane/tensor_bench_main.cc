@@ -1,15 +1,15 @@
-// Benchmark: the data plane's pass against the memory's bandwidth, OpenCV step
-// by step, numpy and threads (targets 1, 2 and 3).
+// Benchmark: the data plane's pass against memory bandwidth, OpenCV step by
+// step, numpy and threads (targets 1, 2 and 3).
 //
 //   tensor_bench [--quick]
 //   tensor_bench --repeat FOLDER COUNT     (the C++ side of a numpy pair)
 //
 // One mission on two grids: B with its frontness (central differences), a prior
 // that is a raster, a soft zone and a hard one. Compulsory traffic is counted
-// as B 4 + prior 4 + soft 4 + hard 1 + U 4 = 17 bytes a cell; the soft zone is
-// held in one byte, so that 14 move. KG_TENSOR_BENCH_NUMPY is the command of
-// numpy's side (scripts/bench_tensor_numpy.py); without it that is not
-// compared.
+// as B 4 + prior 4 + soft 4 + hard 1 + U 4 = 17 bytes per cell; the soft zone
+// is stored in one byte, so 14 bytes are transferred. KG_TENSOR_BENCH_NUMPY is
+// the command of the numpy side (scripts/bench_tensor_numpy.py); without it
+// that comparison is skipped.
 
 #include <pthread.h>
 
@@ -61,8 +61,8 @@ void PinTo(unsigned core) {
   pthread_setaffinity_np(pthread_self(), sizeof(cores), &cores);
 }
 
-// Seconds of `repeats` passes shared by threads that keep to their rows and
-// their core.
+// Time [s] of `repeats` passes divided among threads, each pinned to a core and
+// with a fixed range of rows.
 double ThreadedSeconds(World* world, int threads, int repeats) {
   return Seconds([&] {
     std::vector<std::thread> workers;
@@ -91,7 +91,7 @@ double Share(Triad* triad, const World& world, int rounds, const Work& work) {
   return Median(shares);
 }
 
-// Of one 40 x 40 cell zone that comes and goes in one window.
+// Update after adding one zone of 40 x 40 cells in one window.
 void MeasureUpdate(World* world, int rounds) {
   const kg_base::LonLat a = world->grid.Centre({100, 100});
   const kg_base::LonLat b = world->grid.Centre({139, 139});
@@ -103,6 +103,7 @@ void MeasureUpdate(World* world, int rounds) {
   TensorInputs in = world->Inputs();
   in.mission = &with;
   in.agent = &with.agents[0];
+  // Each round updates from the tensor without the zone.
   std::vector<double> seconds;
   std::size_t cells = 0;
   for (int i = 0; i < rounds; ++i) {
@@ -121,7 +122,7 @@ void WriteFile(const std::string& path, const void* data, std::size_t bytes) {
              static_cast<std::streamsize>(bytes));
 }
 
-// Whole processes, numpy's and ours, in turn.
+// Alternates whole processes, numpy's and ours.
 void MeasureNumpy(World* world, Size size, const char* self, bool is_quick) {
   const char* numpy = std::getenv("KG_TENSOR_BENCH_NUMPY");
   if (!numpy) {
@@ -139,6 +140,7 @@ void MeasureNumpy(World* world, Size size, const char* self, bool is_quick) {
   WriteFile(path + "/hard", world->rasters.constraint_masks["ex:hard"]->data(),
             world->grid.size());
   WriteFile(path + "/fused", world->fused.data(), floats);
+  // Enough repetitions that process start-up is negligible (1.5e8 cells).
   const int count =
       std::max(2, static_cast<int>((is_quick ? 2e6 : 1.5e8) /
                                    static_cast<double>(world->grid.size())));
@@ -161,6 +163,7 @@ void MeasureNumpy(World* world, Size size, const char* self, bool is_quick) {
 void Measure(Size size, bool is_quick, const char* self) {
   World world(size);
   const int rounds = is_quick ? 3 : size.rows > 1000 ? 15 : 301;
+  // Target 1: share of the memory bandwidth, required for large grids only.
   Triad triad(world.grid.size());
   const bool is_large = size.rows > 1000 || is_quick;
   world.Materialised();
@@ -180,6 +183,7 @@ void Measure(Size size, bool is_quick, const char* self) {
               1e-6 * static_cast<double>(world.grid.size()) /
                   CpuSeconds([&] { world.Lazy(); }),
               size.Name().c_str());
+  // Target 2: OpenCV and numpy.
   OpenCvSteps steps(world);
   const double ratio = PairedCpuRatio(
       rounds, [&] { world.Materialised(); }, [&] { steps.Run(); });
@@ -189,6 +193,7 @@ void Measure(Size size, bool is_quick, const char* self) {
           ""},
          MaxDifference(steps.Run(), world.fused));
   MeasureNumpy(&world, size, self, is_quick);
+  // Target 3: threads.
   const int repeats = is_quick ? 2 : size.rows > 1000 ? 10 : 500;
   const double speedup = PairedRatio(
       is_quick ? 1 : 9, [&] { ThreadedSeconds(&world, 2, repeats); },
@@ -207,7 +212,7 @@ std::vector<T> ReadFile(const std::string& path, std::size_t size) {
   return values;
 }
 
-// Reads what numpy's side reads, and makes U as often.
+// Reads the same input as the numpy side and computes U `count` times.
 int Repeat(const std::string& path, Size size, int count) {
   World world(size);
   const std::size_t cells = world.grid.size();

@@ -1,4 +1,4 @@
-// What one tensor is compiled from.
+// Inputs of compiling one tensor.
 
 #ifndef KG_COMPILER_DATA_PLANE_TENSOR_INPUTS_H_
 #define KG_COMPILER_DATA_PLANE_TENSOR_INPUTS_H_
@@ -16,20 +16,19 @@ namespace kg_compiler {
 struct HorizonScale {
   double low = 0.0;
   double range = 0.0;
-  std::vector<std::string> derived_from;  // What every window's blend read.
+  std::vector<std::string> derived_from;  // Inputs of all windows' blends.
 };
 
-// The first four must be there; all must outlive what is made with them.
+// The first four are required; all must outlive objects made with them.
 struct TensorInputs {
   const kg_mission::Mission* mission = nullptr;
   const kg_mission::Agent* agent = nullptr;
   const kg_mission::TimeWindow* window = nullptr;
   const WindowRasters* rasters = nullptr;
-  // If and only if the policy's confidence mode is kHorizon.
+  // Set if and only if the policy's confidence mode is kHorizon.
   const HorizonScale* horizon = nullptr;
-  // Where tensors that are compiled one after the other, or at the same time,
-  // find what they have in common. It goes by the rasters' hashes, so they
-  // must be those of what is there.
+  // Cache of common data for tensors compiled in sequence or concurrently. It
+  // is keyed by the rasters' hashes, which must therefore be valid.
   DataPlaneCache* cache = nullptr;
 };
 

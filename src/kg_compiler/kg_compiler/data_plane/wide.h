@@ -11,8 +11,8 @@
 
 #include "kg_compiler/data_plane/extremes.h"
 
-// Compiles a function for several instruction sets; the dynamic linker takes
-// the best one. Not under sanitizers, which are not initialised at that time.
+// Compiles a function for several instruction sets; the dynamic linker selects
+// the best one. Disabled under sanitizers, which are not yet initialised then.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define KG_WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
@@ -31,8 +31,8 @@ inline float Positive(float x) {
   return held > 0.0f ? held : 0.0f;
 }
 
-// Floats >= 0 are ordered as their bits are. The maximum of integers is
-// vectorised without permission to reorder floating-point operations.
+// Floats >= 0 have the order of their bit patterns. The integer maximum can be
+// vectorised without reordering floating-point operations.
 inline std::int32_t Bits(float x) {
   std::int32_t bits;
   std::memcpy(&bits, &x, sizeof(bits));

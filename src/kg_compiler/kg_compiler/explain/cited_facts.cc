@@ -157,7 +157,7 @@ Facts CitedFacts::Constraint(const kg_mission::Agent& agent,
   return std::move(facts) + MustAvoid(agent.iri, iri);
 }
 
-// Said by an operator, or concluded: then by which rule from which facts.
+// Stated by an operator, or inferred: then quotes the rule and its facts.
 Facts CitedFacts::MustAvoid(const std::string& agent_iri,
                             const std::string& zone_iri) const {
   Facts facts = QuoteTriple(agent_iri, "ex:mustAvoid", zone_iri);

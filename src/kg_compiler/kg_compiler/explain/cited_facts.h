@@ -1,6 +1,6 @@
-// Facts as they stand in a world, quoted for explanations: which triples each
-// term of the equations goes back to. Only what the world holds is quoted; a
-// default that nobody stated has no triple.
+// Quotes the facts of a world for explanations: the triples behind each term of
+// the equations. Only triples in the world are quoted; a default value that was
+// not stated has no triple.
 
 #ifndef KG_COMPILER_EXPLAIN_CITED_FACTS_H_
 #define KG_COMPILER_EXPLAIN_CITED_FACTS_H_
@@ -18,7 +18,7 @@ namespace kg_compiler {
 
 using Facts = std::vector<std::string>;
 
-// One thing of the world and some of its properties, by prefixed names.
+// One subject and some of its properties, by prefixed names.
 struct Citation {
   std::string subject;  // IRI.
   std::vector<const char*> properties;
@@ -26,19 +26,19 @@ struct Citation {
 
 class CitedFacts {
  public:
-  // Quotes facts, what is inferred, the state of the agents and, if named, one
-  // plan's graph. `view` must outlive this.
+  // Quotes from facts, inferences, the state of the agents and, if named, one
+  // plan's graph. `view` must outlive this object.
   explicit CitedFacts(const kg_core::GraphView& view,
                       const std::string& plan_graph = "");
 
   // Every triple of the subject with one of the properties ("ex:gamma_front").
   Facts Quote(const Citation& citation) const;
   Facts Quote(const std::vector<Citation>& citations) const;
-  // The triple as given, if the world holds it.
+  // The given triple, if it is in the world.
   Facts QuoteTriple(const std::string& subject, const char* property,
                     const std::string& object_iri) const;
 
-  // The agent's policy, and what of it matters.
+  // The agent's policy with the given properties.
   Facts Policy(const kg_mission::Agent& agent,
                const std::vector<const char*>& properties) const;
   Facts Capabilities(const kg_mission::Agent& agent,
@@ -48,7 +48,7 @@ class CitedFacts {
   Facts Term(const kg_mission::Agent& agent, const BlendTerm& term) const;
   Facts Constraint(const kg_mission::Agent& agent,
                    const ActiveConstraint& constraint) const;
-  // That the agent must keep out of a soft zone, and why.
+  // The fact that the agent must avoid a soft zone, and its reasons.
   Facts MustAvoid(const std::string& agent_iri,
                   const std::string& zone_iri) const;
   Facts Window(const kg_mission::TimeWindow& window,
@@ -56,7 +56,7 @@ class CitedFacts {
   Facts Event(const std::string& iri) const;
 
  private:
-  // What a raster was read from, down to the file's hash.
+  // Source of a raster, down to the file's hash.
   Facts File(const std::optional<kg_mission::RasterRef>& raster) const;
   // The node of the policy that names `target`, and its value.
   Facts Entry(const kg_mission::Agent& agent, const char* link,

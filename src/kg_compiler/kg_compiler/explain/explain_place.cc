@@ -19,7 +19,8 @@ namespace kg_compiler {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kMaxDoublings = 5;  // Of the window's length, looking farther.
+// Largest number of times that the search doubles the window's length.
+constexpr int kMaxDoublings = 5;
 
 std::string Hours(double seconds) {
   return Short(seconds / kg_base::kSecondsPerHour) + " h";
@@ -79,6 +80,8 @@ class Place {
 
   Explanation Forbidden() const {
     Explanation explanation = Named("forbidden", "m", "");
+    // Add the constraints one by one: each contributes the increase of the
+    // distance to the nearest open cell.
     std::vector<ActiveConstraint> so_far;
     double before_m = MetresToOpen(OpenCells(rasters_, {}));
     std::vector<std::string> names;
@@ -137,8 +140,8 @@ class Place {
         });
   }
 
-  // The least time in which the place's cell is reached from a source, if less
-  // than `below_s`.
+  // Least travel time [s] from a source to the place's cell, if less than
+  // `below_s`.
   double Travel_s(kg_base::LonLat source, double below_s) const {
     VoyageRequest voyage = From(source);
     voyage.departure.base_travel_m = kInfinity;
@@ -154,7 +157,7 @@ class Place {
     return below_s;
   }
 
-  // From the nearest source first: it bounds the search from the others.
+  // Nearest source first: its result bounds the search from the others.
   double LeastTravel_s() const {
     std::vector<std::pair<double, kg_base::LonLat>> sources;
     for (const kg_base::LonLat& source : in_.sources) {
@@ -178,6 +181,7 @@ class Place {
     const double allowed_s = Allowed_s();
     if (least_s < allowed_s) return std::nullopt;
     if (least_s == kInfinity) return NoWay();
+    // The binding limit: the window's length or the base travel.
     const bool by_window = Window_s() <= allowed_s;
     Explanation explanation = Named(
         "unreachable", "s",
@@ -208,12 +212,13 @@ class Place {
     return explanation;
   }
 
-  // It is reached in time; what is left is the current there until the end.
+  // The place is reached in time, so the cause is the current there until the
+  // end.
   Explanation Unholdable() const {
     const MotionModel& motion = in_.seam.rules->motion;
     double speed_mps = 0.0;
     if (const auto at = field_->grid.Locate(in_.place)) {
-      // Linear between slices: the largest speed is at one of them.
+      // Linear between slices, so the largest speed occurs at a slice.
       for (const kg_base::FieldSlice& slice : field_->slices) {
         const auto c = field_->Sample(*at, slice.time_s);
         if (!c) continue;

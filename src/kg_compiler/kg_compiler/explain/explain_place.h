@@ -1,14 +1,15 @@
-// What keeps an agent from a place in a window, with the margin it misses it
-// by:
+// Why an agent cannot use a place in a window, with the margin by which it
+// fails:
 //
 //   forbidden     metres to the nearest open cell; each constraint contributes
-//                 what it adds to those before it
-//   unreachable   seconds that the least travel time found exceeds what the
-//                 window, or the base travel, allows
-//   unholdable    m/s of current beyond the greatest speed when the window ends
+//                 its increment over the preceding ones
+//   unreachable   seconds by which the least travel time found exceeds the time
+//                 allowed by the window or the base travel
+//   unholdable    m/s by which the strongest current there, in the window's
+//                 data, exceeds the maximum speed
 //
 // Least travel times come from the search that finds waypoints (traversal.h),
-// with later and later deadlines, in the window's own currents and areas.
+// with increasing deadlines, in the window's own currents and areas.
 
 #ifndef KG_COMPILER_EXPLAIN_EXPLAIN_PLACE_H_
 #define KG_COMPILER_EXPLAIN_EXPLAIN_PLACE_H_
@@ -27,11 +28,11 @@ namespace kg_compiler {
 struct PlaceQuestion {
   TensorInputs tensor;
   SeamContext seam;
-  std::vector<kg_base::LonLat> sources;  // Where the window may begin.
+  std::vector<kg_base::LonLat> sources;  // Possible positions at begin.
   kg_base::LonLat place;
 };
 
-// Nothing if a flight to the place exists.
+// Nullopt if a flight to the place exists.
 std::optional<Explanation> WhyUnreachable(const PlaceQuestion& question,
                                           const CitedFacts& facts);
 

@@ -40,8 +40,8 @@ class SeamExplainer {
   }
 
  private:
-  // Terms that fall into parts, or read better in words of their own, have
-  // somebody to say them; the others are told by their row.
+  // Terms with several parts, or with a specific text, have their own method;
+  // the others are explained from their table row.
   void AddTerm(const SeamTerm& term) {
     using Teller = void (SeamExplainer::*)();
     static const std::map<std::string, Teller> kTellers = {
@@ -64,7 +64,7 @@ class SeamExplainer {
     }
     Facts facts =
         facts_.Policy(*in_.agent, properties) + MotionFacts(in_, facts_);
-    // The layers of the window that the quantity was integrated over.
+    // Cite the layers of this window that provided the quantity.
     for (const auto& field : in_.compilation->mission.cost_fields) {
       const bool is_met =
           field.quantity == term.field && field.window == in_.window->window;
@@ -93,7 +93,7 @@ class SeamExplainer {
   void AddEnergy() {
     const double weight = in_.rules->weights.energy_per_j;
     const MotionModel& motion = in_.rules->motion;
-    // Under way V t through the medium; the rest was made to hold station.
+    // V t through the medium until the arrival; the rest is station keeping.
     const double swum_m = flight_.speed_mps * flight_.travel_s;
     const double held_m = flight_.through_water_m - swum_m;
     const double whole_s = in_.window->end_s - in_.window->begin_s;

@@ -1,11 +1,11 @@
-// Why a seam costs what it costs:
+// Explains the cost of a seam by its terms:
 //
 //   S = lambda_time t + lambda_energy E + lambda_risk (H + I)
 //       + lambda_unc (1 - w) + sum of lambda_field X     (seam_cost.h)
 //   E = energy_per_m (V t + m held on station) + hotel_load (whole window)
 //
-// each product a contribution, the energy's three and the risk's two apart.
-// Terms of weight 0 are left out.
+// Each product is a contribution; the three parts of energy and the two of risk
+// are listed separately. Terms of weight 0 are omitted.
 
 #ifndef KG_COMPILER_EXPLAIN_EXPLAIN_SEAM_H_
 #define KG_COMPILER_EXPLAIN_EXPLAIN_SEAM_H_
@@ -18,7 +18,7 @@
 
 namespace kg_compiler {
 
-// One agent's seams into one window.
+// Inputs for explaining one agent's seams into one window.
 struct SeamContext {
   const Compilation* compilation = nullptr;
   const kg_mission::Agent* agent = nullptr;
@@ -30,12 +30,12 @@ SeamContext FindSeamContext(const Compilation& compilation,
                             const kg_mission::Agent& agent,
                             const SeamRules& rules, int window);
 
-// In reward units; the value is the edge's seam_cost.
+// Explains the edge's seam_cost, in reward units.
 Explanation ExplainSeam(const SeamContext& context, const TraverseEdge& edge,
                         const CitedFacts& facts);
 
-// Facts of the ways into the window: its times, how the agent moves, and the
-// work field down to its file.
+// Facts behind all flights into the window: its times, the motion of the agent,
+// and the work field down to its file.
 Facts MotionFacts(const SeamContext& context, const CitedFacts& facts);
 
 }  // namespace kg_compiler

@@ -80,7 +80,7 @@ void TensorExplainer::AddZones(const ActiveFacts& active) {
   }
 }
 
-// Descriptions, in the order in which Evaluate() makes the values.
+// Fills the descriptions, in the order of the values from Evaluate().
 
 void TensorExplainer::DescribeParts() {
   for (const BlendTerm& term : terms_) Describe(term);
@@ -195,7 +195,7 @@ void TensorExplainer::Evaluate(std::size_t cell,
     *next++ += scale_ * (unmasked * factor - y);
     y = unmasked * factor;
   }
-  // Land, then the hard zones; after four parts of the scale.
+  // Parts of M_hard (land, then the hard zones) follow four parts of the scale.
   double* const hard = next + 4;
   if (policy.paper_literal) {
     const double left = scale_ * y;
@@ -259,7 +259,7 @@ Explanation TensorExplainer::ExplainSum(const std::vector<int>& cells) const {
 Explanation TensorExplainer::ExplainCell(kg_base::Cell cell) const {
   const std::size_t i = in_.rasters->grid.Index(cell);
   Explanation explanation = ExplainSum({static_cast<int>(i)});
-  // What forbids the cell is said also where there is nothing to take off.
+  // Constraints that forbid the cell are listed even if they change nothing.
   const std::size_t first = parts_.size() - hard_.size() - 1;
   const auto add = [&](bool closed, const Part& part) {
     const auto same = [&](const Contribution& c) {

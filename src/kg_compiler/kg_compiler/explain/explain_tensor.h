@@ -1,20 +1,19 @@
-// Why a mission tensor has the value it has: Eq. 1 at a cell, or summed over
-// the cells of a footprint, in the order of the equation.
+// Explains the value of a mission tensor: Eq. 1 at a cell, or summed over the
+// cells of a footprint, in the order of the equation.
 //
 //   U = w N( max(0, V) M_soft ) M_hard,  N(y) = (y - low) / range in [0, 1]
 //
-//   contributions: each term of V over range; what the clamp at 0 adds; what
-//   each soft zone in force takes off, one after the other; with `pre` and
-//   `horizon` what w takes off here; -low / range; what holding N in [0, 1]
-//   changes; with `post` what w takes off; and for a forbidden cell all that is
-//   left, taken off by the first constraint that forbids it (those after it
-//   are listed with 0). With ex:softOverlap "min" a zone takes off what it
-//   lowers the least factor so far by. With ex:paperLiteral nothing is clamped
-//   and constraints take off what is left before N.
+//   contributions: each term of V over range; the change by the clamp at 0; the
+//   reduction by each soft zone in force, in sequence; with `pre` and `horizon`
+//   the reduction by w at this point; -low / range; the change by clamping N to
+//   [0, 1]; with `post` the reduction by w; and for a forbidden cell the whole
+//   remainder, attributed to the first constraint that forbids it (later ones
+//   are listed with 0). With ex:softOverlap "min" a zone contributes only the
+//   amount by which it lowers the minimum factor so far. With ex:paperLiteral
+//   nothing is clamped and constraints remove the remainder before N.
 //
-// The terms are those of blend.h, the constraints those of masks.h, the scale
-// that of BlendTensor(): the reference, in double precision, that the tensor's
-// float32 agrees with to 1e-6.
+// Terms from blend.h, constraints from masks.h, scale from BlendTensor(), i.e.
+// the double-precision reference; the float32 tensor agrees with it to 1e-6.
 
 #ifndef KG_COMPILER_EXPLAIN_EXPLAIN_TENSOR_H_
 #define KG_COMPILER_EXPLAIN_EXPLAIN_TENSOR_H_
@@ -30,8 +29,8 @@
 
 namespace kg_compiler {
 
-// Of a compilation. Throws kg_core::InputError if it has no such tensor, saying
-// which windows there are.
+// Finds the inputs of a tensor in a compilation. Throws kg_core::InputError
+// that lists the existing windows if there is no such tensor.
 TensorInputs FindTensorInputs(const Compilation& compilation,
                               const kg_mission::Agent& agent, int window);
 const MissionTensor& FindTensor(const Compilation& compilation,
@@ -42,10 +41,10 @@ class TensorExplainer {
   // Keeps pointers into `inputs` and a reference to `facts`.
   TensorExplainer(const TensorInputs& inputs, const CitedFacts& facts);
 
-  // U at the cell.
+  // Explains U at a cell.
   Explanation ExplainCell(kg_base::Cell cell) const;
-  // The contributions to the sum of U over cells (indices of the grid): a
-  // waypoint's score. Throws kg_core::InputError for a cell off the grid.
+  // Explains the sum of U over cells (grid indices), i.e. a waypoint's score.
+  // Throws kg_core::InputError for a cell off the grid.
   Explanation ExplainSum(const std::vector<int>& cells) const;
 
  private:
@@ -53,12 +52,12 @@ class TensorExplainer {
     ActiveConstraint constraint;
     kg_base::Mask inside;
   };
-  // What a contribution is before it has a value; parts come in this order.
+  // Description of a contribution without its value, in output order.
   struct Part {
     std::string term;
     std::string text;
     Facts facts;
-    bool is_kept = false;  // Also where it is 0.
+    bool is_kept = false;  // Listed even if 0.
   };
   void AddTerms(const ActiveFacts& active);
   void AddZones(const ActiveFacts& active);
@@ -78,7 +77,7 @@ class TensorExplainer {
   double scale_ = 1.0;  // 1 / range; 1 if the field is 0 everywhere.
   TensorBlend made_;
   std::vector<BlendTerm> terms_;
-  std::vector<std::vector<double>> term_values_;  // By term, by cell.
+  std::vector<std::vector<double>> term_values_;  // [term][cell].
   std::vector<Zone> soft_;
   std::vector<Zone> hard_;
   std::vector<Part> parts_;

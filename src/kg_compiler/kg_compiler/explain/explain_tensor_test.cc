@@ -139,7 +139,7 @@ TEST_F(ExplainTensor, PartsSumToTheCompiledTensorAtEveryCell) {
         const Explanation cell = explainer.ExplainCell({r, c});
         const double compiled = fused[tensor.grid.Index({r, c})];
         ASSERT_NEAR(cell.value, cell.Sum(), 1e-9) << seed;
-        // Tensors are made in float32, explanations in double precision.
+        // Tensors are computed in float32, explanations in double precision.
         ASSERT_NEAR(compiled, cell.value, 1e-6) << seed;
         for (const Contribution& part : cell.parts) {
           closed += part.term.rfind("M_hard", 0) == 0;
@@ -169,15 +169,15 @@ TEST_F(ExplainTensor, AFootprintsPartsSumToAWaypointsScore) {
              kg_base::Mask(tensor.grid.size(), 1), {15e3, 9e3, 6})) {
       const Explanation sum = explainer.ExplainSum(pick.footprint);
       EXPECT_NEAR(sum.value, sum.Sum(), 1e-9);
-      // Float32 is all that lies between: 1e-6 a cell, and errors that mostly
-      // cancel.
+      // The only difference is float32 rounding: 1e-6 per cell, with errors
+      // that mostly cancel, hence sqrt(n).
       EXPECT_NEAR(pick.score, sum.value,
                   1e-6 * std::sqrt(static_cast<double>(pick.footprint.size())));
     }
   }
 }
 
-// Where a part is the last but for factors of 1, it is what the fact makes.
+// If only factors of 1 follow a part, removing its fact changes U by the part.
 TEST_F(ExplainTensor, ASoftZoneTakenAwayChangesUByItsContribution) {
   int checked = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
@@ -202,7 +202,7 @@ TEST_F(ExplainTensor, ASoftZoneTakenAwayChangesUByItsContribution) {
           a.parts.begin(), a.parts.end(), [](const Contribution& part) {
             return part.term.rfind("M_hard", 0) == 0;
           });
-      // The maximum must not have moved: then all scales are the same.
+      // Require an unchanged maximum, so that all scales are equal.
       if (!zone || !is_open || !base || base->value == 0.0 ||
           base->value != same->value) {
         continue;

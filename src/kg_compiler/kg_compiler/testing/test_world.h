@@ -1,5 +1,5 @@
-// What the tests of this package build their worlds from: seeded random grids,
-// masks and fields, and mission facts with plain values.
+// Building blocks of the tests' worlds: seeded random grids, masks and fields,
+// and mission facts with simple values.
 
 #ifndef KG_COMPILER_TESTING_TEST_WORLD_H_
 #define KG_COMPILER_TESTING_TEST_WORLD_H_
@@ -34,7 +34,7 @@ inline kg_base::Grid EvenGrid(double west, double south, double step, int rows,
   return {EvenAxis(west, step, cols), EvenAxis(south, step, rows)};
 }
 
-// Spacing varies by a third either way.
+// Grid with random spacing within +- 1/3 of the mean.
 inline kg_base::Grid UnevenGrid(std::mt19937& rng, int rows, int cols) {
   std::vector<double> lon(1, -92.0), lat(1, 23.0);
   for (int c = 1; c < cols; ++c)

@@ -1,4 +1,4 @@
-// Earliest arrivals at cell centres, in tiles made when first touched: a fan
+// Earliest arrivals at cell centres, in tiles allocated on first access: a fan
 // that stays near its source costs nothing for the rest of the grid.
 
 #ifndef KG_COMPILER_TRAVERSAL_ARRIVALS_H_
@@ -33,7 +33,7 @@ class ArrivalTiles {
     return tile ? tile[(cell.row % kTile) * kTile + cell.col % kTile].arrival_s
                 : std::numeric_limits<double>::infinity();
   }
-  // Cells reached, by index.
+  // Reached cells, ascending by grid index.
   std::vector<ReachedCell> Reached() const;
 
  private:

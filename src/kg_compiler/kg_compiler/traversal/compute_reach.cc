@@ -12,8 +12,9 @@ namespace {
 
 constexpr int kSlowerMargin_cells = 4;
 
-// What slower voyages may read, too: less than the fastest would until the
-// deadline, but for what their own steps look at in passing.
+// Box that also covers the slower voyages: they stay inside the box of the
+// fastest one run until the deadline, except for the neighbourhood that their
+// own steps inspect (kSlowerMargin_cells).
 CellBox WithSlower(const VoyageRequest& voyage, const CellBox& read) {
   CellBox box = read;
   if (voyage.departure.base_travel_m <

@@ -1,4 +1,4 @@
-// The reach of a voyage: the fan of extremals, run to the deadline.
+// Reachable set of a voyage: the fan of extremals, run to the deadline.
 
 #ifndef KG_COMPILER_TRAVERSAL_COMPUTE_REACH_H_
 #define KG_COMPILER_TRAVERSAL_COMPUTE_REACH_H_
@@ -8,7 +8,7 @@
 
 namespace kg_compiler {
 
-// Where one can be before the deadline at full speed. Empty if the departure
+// Cells reachable before the deadline at full speed. Empty if the departure
 // itself is not in an open cell.
 ReachMap ComputeReach(const VoyageRequest& voyage);
 

@@ -15,15 +15,17 @@ constexpr int kMaxSeeds = 6;
 constexpr double kStep_cells = 0.5;
 constexpr double kFineStep_cells = 0.08;
 constexpr double kTolerance_cells = 0.05;
-constexpr double kExpected = 0.005;  // Later than the fan: look further.
+// Relative delay against the fan's arrival up to which a flight is accepted.
+constexpr double kExpected = 0.005;
 constexpr double kNearCells = 1.0;
-constexpr double kSame = 1e-3;  // Of two courses' times.
-// Shares of the speed kept back from a course, for the flight along its legs:
-// where the current is the stronger, the very edge of what can be reached
-// leaves nothing to correct with.
+constexpr double kSame = 1e-3;  // Relative difference of equal travel times.
+// Fractions of the speed held in reserve when computing a course, so that the
+// flight along its legs can correct: where the current is stronger than the
+// agent, a course at the edge of the reachable cone leaves no margin.
 constexpr double kReserves[] = {0.0, 0.005, 0.02, 0.05};
 
-// The cells of a box whose flights read nothing outside of it.
+// The inner box whose flights read nothing outside of `box`: interpolation
+// reaches one cell further.
 CellBox Inside(const CellBox& box, const kg_base::Grid& grid) {
   return {box.row > 0 ? box.row + 1 : 0,
           box.row_end < grid.rows() ? box.row_end - 1 : box.row_end,
@@ -54,8 +56,8 @@ std::optional<FlownPath> FastestCrossing::Best(bool as_expected) const {
   std::optional<FlownPath> best = Fly({voyage_.departure.from, to_});
   const std::vector<ExtremalShooter::Guess> guesses = Guesses();
   if (guesses.empty()) return best;
-  // The more speed is kept back, the more there is to correct with, and the
-  // later one arrives: the first reserve whose course can be flown is taken.
+  // A larger reserve leaves more margin for correction but arrives later: take
+  // the first reserve whose course can be flown.
   for (const double reserve : kReserves) {
     const ExtremalShooter shooter(voyage_, reach_,
                                   (1.0 - reserve) * voyage_.motion.cruise_mps);
@@ -69,21 +71,22 @@ std::optional<FlownPath> FastestCrossing::Best(bool as_expected) const {
     }
     if (refused_s.empty()) break;  // No course: none with less speed.
   }
-  // Round corners, straight legs may do where no extremal could be flown.
+  // Straight legs round the corners may work where no extremal could be flown.
   for (const ExtremalShooter::Guess& guess : guesses) {
     if (guess.root > 0) KeepFaster(Fly(Corners(guess.root)), &best);
   }
   return best;
 }
 
-// About as early as the fan says of a cell as far away.
+// True if the arrival agrees with the fan's within 0.5 % plus the time for one
+// cell (the guess is for a cell centre, not for the place itself).
 bool FastestCrossing::IsExpected(double travel_s,
                                  const ExtremalShooter::Guess& guess) const {
   const double near_s = kNearCells / reach_.cells_per_s;
   return travel_s <= (1.0 + kExpected) * guess.arrival_s + near_s;
 }
 
-// Straight from corner to corner.
+// Waypoints from the departure through the corners to the target.
 std::vector<kg_base::LonLat> FastestCrossing::Corners(int root) const {
   std::vector<kg_base::LonLat> via(1, to_);
   for (; root > 0; root = reach_.roots[root].parent) {
@@ -109,8 +112,7 @@ std::optional<FlownPath> FastestCrossing::Fly(const TimedCourse& course) const {
   return Fly(via);
 }
 
-// Extremals through the cells around, the earliest first, the place's own
-// cell before all others.
+// Extremals through the cells around the target, nearest cell centre first.
 std::vector<ExtremalShooter::Guess> FastestCrossing::Guesses() const {
   const kg_base::Cell target = CellOf(grid_, at_);
   struct Seed {
@@ -129,7 +131,7 @@ std::vector<ExtremalShooter::Guess> FastestCrossing::Guesses() const {
       seeds.push_back({away, found});
     }
   }
-  // By distance; equals stay in the order of rows and columns.
+  // Sort by distance; ties keep the row-major order.
   std::stable_sort(
       seeds.begin(), seeds.end(),
       [](const Seed& a, const Seed& b) { return a.rank_s < b.rank_s; });
@@ -142,7 +144,8 @@ std::vector<ExtremalShooter::Guess> FastestCrossing::Guesses() const {
   return guesses;
 }
 
-// Not again the course that was refused.
+// Flies the course of one guess; skipped if its time matches a course that was
+// already rejected.
 std::optional<FlownPath> FastestCrossing::Shoot(
     const ExtremalShooter& shooter, const ExtremalShooter::Guess& guess,
     std::vector<double>* refused_s) const {

@@ -1,4 +1,5 @@
-// The fastest flight of one voyage to one place: courses by shooting, flown.
+// The fastest flight of one voyage to one place: candidate courses found by
+// shooting, then integrated (flown).
 
 #ifndef KG_COMPILER_TRAVERSAL_CROSSING_H_
 #define KG_COMPILER_TRAVERSAL_CROSSING_H_
@@ -13,15 +14,15 @@ namespace kg_compiler {
 
 class FastestCrossing {
  public:
-  // `reach` is that of the voyage, or of one at about its speed; all must
-  // outlive it. `at` is `to` in cell units.
+  // `reach` belongs to the voyage or to one at about its speed. All references
+  // must outlive this object. `at` is `to` in cell units.
   FastestCrossing(const VoyageRequest& voyage, const ReachMap& reach,
                   kg_base::LonLat to, kg_base::GridPoint at);
 
-  // Never slower than straight there.
+  // Fastest flight found; never slower than the straight leg.
   std::optional<FlownPath> Fastest() const { return Best(true); }
-  // The first found, for a reach at another speed, which does not tell when
-  // to expect it.
+  // First flight found; for a reach at another speed, whose arrival times
+  // cannot be used to judge the result.
   std::optional<FlownPath> First() const { return Best(false); }
 
  private:
@@ -38,7 +39,7 @@ class FastestCrossing {
   const VoyageRequest& voyage_;
   const ReachMap& reach_;
   const kg_base::Grid& grid_;
-  CellBox inside_;  // Flights in it read nothing that the reach did not.
+  CellBox inside_;  // Flights inside read only cells the reach has read.
   kg_base::LonLat to_;
   kg_base::GridPoint at_;
 };

@@ -3,7 +3,7 @@
 namespace kg_compiler {
 namespace {
 
-// (col, row, p_lon, p_lat).
+// State vector (col, row, p_lon, p_lat).
 Eigen::Vector4d ToVector(const ExtremalState& at) {
   return {at.col, at.row, at.p_lon, at.p_lat};
 }
@@ -17,7 +17,7 @@ ExtremalState ToState(const Eigen::Vector4d& at) {
 ExtremalState SetOut(const FlowSampler& flow, kg_base::GridPoint from,
                      double heading_rad) {
   const kg_base::LonLat scale = flow.Scale(from.row);
-  const double unit = scale.lon_deg;  // So that |p| is about 1.
+  const double unit = scale.lon_deg;  // Normalises |p| to about 1.
   return {from.col, from.row, std::cos(heading_rad) / scale.lon_deg * unit,
           std::sin(heading_rad) / scale.lat_deg * unit};
 }

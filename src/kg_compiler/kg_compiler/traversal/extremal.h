@@ -1,4 +1,4 @@
-// Extremals of Zermelo's problem: the tracks on which one arrives first.
+// Extremals of Zermelo's problem: the tracks of earliest arrival.
 //
 // With x = (lon, lat) [deg], scale s(lat) = (s_lon, s_lat) [deg/m], current c
 // [m/s], speed V through water and p the covector normal to the front [1/deg],
@@ -8,9 +8,9 @@
 //   dp_j/dt = -sum_i p_i s_i dc_i/dx_j  -  [j = lat] sum_i p_i ds_i/dlat
 //             (c_i + V h_i)
 //
-// the same as Zermelo's heading equation, without its angles. Positions are
-// kept in cell units; p crosses centre lines, where the spacing and the
-// gradients of a bilinear field jump, without a jump.
+// which is Zermelo's heading equation without angles. Positions are in cell
+// units. p stays continuous across centre lines, where the spacing and the
+// gradients of a bilinear field jump.
 //
 // E. Zermelo, ZAMM 11(2), 1931, pp. 114-124; A. E. Bryson and Y.-C. Ho,
 // "Applied Optimal Control", 1975, section 2.7.
@@ -30,20 +30,20 @@ struct ExtremalState {
   double p_lon = 0.0, p_lat = 0.0;  // Normal of the front [1/deg].
 };
 
-// Setting out from a place; heading counter-clockwise from east.
+// Initial state at a place; heading [rad] counter-clockwise from east.
 ExtremalState SetOut(const FlowSampler& flow, kg_base::GridPoint from,
                      double heading_rad);
 
-// Heading of an extremal, counter-clockwise from east.
+// Heading of an extremal [rad], counter-clockwise from east.
 double HeadingOf(const FlowSampler& flow, const ExtremalState& at);
 
-// Steers extremals of one speed through one flow.
+// Integrates extremals of one speed through one flow.
 class ExtremalStepper {
  public:
   ExtremalStepper(const FlowSampler& flow, double speed_mps)
       : flow_(flow), speed_mps_(speed_mps) {}
 
-  // Times at which one step of Runge and Kutta's method (RK4) looks.
+  // Sampling times of one Runge-Kutta (RK4) step: begin, middle, end.
   struct Step {
     Step(const FlowSampler& flow, double begin_s, double length_s);
     double length_s;
@@ -51,12 +51,12 @@ class ExtremalStepper {
   };
   ExtremalState Advance(const ExtremalState& from, const Step& step) const;
 
-  // Over ground, in cells per second.
+  // Velocity over ground [cells/s].
   kg_base::GridPoint Velocity(const ExtremalState& at,
                               const FlowSampler::Moment& moment) const;
 
  private:
-  // Of (col, row, p_lon, p_lat), per second.
+  // Time derivative of (col, row, p_lon, p_lat) [1/s].
   Eigen::Vector4d Rate(const ExtremalState& at,
                        const FlowSampler::Moment& moment) const;
 

@@ -10,7 +10,7 @@ namespace {
 
 // Zermelo's heading equation, with angles and by Euler's method:
 // d theta/dt = v_x sin^2 + (u_x - v_y) sin cos - u_y cos^2, theta from east
-// (and the meridians' convergence, which a kilometre at 1 N does not feel).
+// (the convergence of meridians is negligible over a kilometre at 1 N).
 TEST(ExtremalStepper, FollowsZermelosHeadingEquation) {
   const double deg = 0.0001;
   kg_base::VectorField field =
@@ -49,7 +49,7 @@ TEST(ExtremalStepper, FollowsZermelosHeadingEquation) {
   }
 }
 
-// Of fourth order where the field is smooth: half the step, a sixteenth.
+// Fourth order where the field is smooth: half the step, 1/16 of the error.
 TEST(ExtremalStepper, IsOfFourthOrderWithinAPatch) {
   std::mt19937 rng(4);
   kg_base::VectorField field = UniformFlow(EvenGrid(-91, 24, 1.0, 4, 4), 0, 0);

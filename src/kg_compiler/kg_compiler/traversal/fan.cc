@@ -16,18 +16,18 @@ constexpr std::size_t kMaxRays = 20000;
 // Lengths in cells.
 constexpr double kFirstStep = 0.75;
 constexpr double kMaxStep = 6.0;
-constexpr double kStepsToOneCell = 40.0;  // Then they grow.
-constexpr double kWidest = 4.0;           // Between neighbours.
+constexpr double kStepsToOneCell = 40.0;  // Steps grow from here on.
+constexpr double kWidest = 4.0;           // Largest gap between neighbours
 constexpr double kWidestBent = 1.5;       // ... where the front bends by
-constexpr double kBent = 0.3;             // this slope,
+constexpr double kBent = 0.3;             // this slope.
 constexpr double kWidestNearClosed = 0.7;
 constexpr double kWidestAtDead = 0.1;
 constexpr double kLate = 0.7;    // Share of a step by which a ray may be late.
-constexpr double kFillIn = 1.0;  // Gaps that the front's shape fills.
-constexpr std::size_t kMaxReplayed = 50;  // Steps; beyond, it fills them all.
-constexpr double kWidestSharp = 0.4;      // ... where by this one,
+constexpr double kFillIn = 1.0;  // Gaps up to this are filled by interpolation.
+constexpr std::size_t kMaxReplayed = 50;  // Steps; beyond: always interpolate.
+constexpr double kWidestSharp = 0.4;      // ... where it bends by kSharp.
 constexpr double kSharp = 0.3;
-constexpr double kThinner = 1.0;   // One is left out between two so close
+constexpr double kThinner = 1.0;   // A ray is dropped between two this close
 constexpr double kThinBend = 0.2;  // whose front bends by less than this.
 
 bool Finite(const ExtremalState& at) {
@@ -70,9 +70,10 @@ double ExtremalFan::StepLength_s() const {
   const double length_s = cells / fastest_;
   const double slice_s = flow_.NextSlice_s(now_s_) - now_s_;
   const double rest_s = latest_s_ - now_s_;
-  // Steps end on the field's slices, where its change in time bends: unless
-  // that made a step of less than 0.3 of its length. What is within 0.1 % of
-  // the end goes to the end, lest a step of rounding errors remains.
+  // Steps end on the field's slices, where its time derivative jumps, unless
+  // that would shorten the step to less than 0.3 of its length. A step that
+  // ends within 0.1 % of the remaining time is extended to the end, so that no
+  // step of rounding-error length remains.
   const double wanted_s =
       slice_s > 0.3 * length_s && slice_s < length_s ? slice_s : length_s;
   return wanted_s > 0.999 * rest_s ? rest_s : wanted_s;
@@ -133,7 +134,8 @@ ExtremalStrand ExtremalFan::Advance(const Stride& stride,
   ExtremalStrand strand{from, helm_.Advance(from, *stride.step), heading_rad,
                         false};
   if (!Finite(strand.end)) strand.end = from;
-  // Outside it would leave the field for good.
+  // Clamp to one cell beyond the grid: the extrapolated field is meaningless
+  // farther out.
   strand.end.col = std::clamp(strand.end.col, -1.0, grid_.cols() + 0.0);
   strand.end.row = std::clamp(strand.end.row, -1.0, grid_.rows() + 0.0);
   Touch(PlaceOf(from));
@@ -148,7 +150,7 @@ ExtremalStrand ExtremalFan::Advance(const Stride& stride,
   return strand;
 }
 
-// Neighbours stay linked while both live.
+// Keeps a live ray for the next step, not yet linked to its neighbour.
 void ExtremalFan::Keep(const Stride& stride, const ExtremalStrand& strand) {
   if (strand.dead) return;
   next_.push_back({strand.end, strand.heading_rad, stride.root, false});
@@ -185,8 +187,8 @@ ExtremalState ExtremalFan::Replay(int root, double heading_rad) const {
   return at;
 }
 
-// Neighbours far apart get the true extremal between them, whose heading at
-// the root is known; close ones the front's middle.
+// New ray between two neighbours: if they are far apart, the true extremal at
+// the mean of their headings at the root; if close, the midpoint of the front.
 std::optional<ExtremalState> ExtremalFan::Insert(
     const Stride& stride, const ExtremalStrand& a,
     const ExtremalStrand& b) const {
@@ -219,8 +221,8 @@ void ExtremalFan::Between(const Stride& stride, const ExtremalStrand& a,
   }
   Paint(stride, a, b, sweep);
   if (!a.dead && !b.dead && !next_.empty()) next_.back().linked = true;
-  // One of two was stopped: at a corner, or along an edge that the other
-  // grazes.
+  // Exactly one of the two was stopped: at a corner, or along an edge that the
+  // other one grazes.
   if (a.dead == b.dead) return;
   FindCornersBeside(stride, a.dead ? b : a);
   FindGraze(stride, a.dead ? b : a, a.dead ? a : b);
@@ -285,8 +287,8 @@ void ExtremalFan::PaintCell(const Stride& stride, const ExtremalStrand& a,
   node.spread_rad = static_cast<float>(std::abs(b.heading_rad - a.heading_rad));
 }
 
-// Earlier at all four centres around, by more than a step: what sets out from
-// here comes later everywhere than what set out before.
+// True if all four surrounding centres were reached earlier by more than
+// margin_s_: this ray cannot improve any arrival any more.
 bool ExtremalFan::IsLate(const ExtremalState& at) const {
   const int row = std::clamp(static_cast<int>(at.row), 0, grid_.rows() - 2);
   const int col = std::clamp(static_cast<int>(at.col), 0, grid_.cols() - 2);
@@ -297,14 +299,15 @@ bool ExtremalFan::IsLate(const ExtremalState& at) const {
          arrivals_.Arrival_s({row + 1, col + 1}) < late_s;
 }
 
-// Can what lies between two do without one more?
+// True if the front between two rays is short and straight enough to need no
+// ray between them.
 bool ExtremalFan::IsThin(const ExtremalState& a, const ExtremalState& b) const {
   const CellOffset na = NormalOf(flow_, a), nb = NormalOf(flow_, b);
   return (PlaceOf(b) - PlaceOf(a)).norm() < kThinner && na.dot(nb) > 0.0 &&
          std::abs(Cross(na, nb)) < kThinBend * na.dot(nb);
 }
 
-// Leaves out rays that come late, and those between close neighbours.
+// Drops rays that are late and rays between close neighbours.
 void ExtremalFan::Thin() {
   rays_.clear();
   bool linked = false;  // Is the next a neighbour of the last one kept?
@@ -326,7 +329,8 @@ void ExtremalFan::Thin() {
   }
 }
 
-// What the extremals felt, and what was looked at around their tracks.
+// Box of all cells read: the field samples of the extremals, and the blocks of
+// cells inspected around their tracks.
 CellBox ExtremalFan::ReadBox() const {
   const auto down = [](double at, int felt) {
     const int cell = static_cast<int>(std::floor(at)) - 2;

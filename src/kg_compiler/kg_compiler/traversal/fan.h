@@ -1,11 +1,11 @@
-// The fan of extremals from a departure, advanced in common steps of time and
-// painted to the earliest arrival at each cell centre.
+// The fan of extremals from a departure, advanced in common time steps and
+// rasterised to the earliest arrival at each cell centre.
 //
-// Neighbours that part, or whose front bends, get another between them; those
-// that come too late everywhere around are dropped, as are those closer than
-// needed. An extremal ends on what is closed and at the grid's edge. Where one
-// passes a corner of what is closed, or grazes its edge, a fan of its own sets
-// out into the shadow, in order of time, as often as needed.
+// A ray is inserted between neighbours that diverge or whose front bends; rays
+// that are late at all surrounding centres are dropped, as are rays closer than
+// needed. An extremal ends at closed cells and at the edge of the grid. Where
+// one passes a corner of a closed region, or grazes its edge, a new fan starts
+// into the shadow, in order of time, repeatedly if needed.
 
 #ifndef KG_COMPILER_TRAVERSAL_FAN_H_
 #define KG_COMPILER_TRAVERSAL_FAN_H_
@@ -24,7 +24,7 @@ namespace kg_compiler {
 
 class ExtremalFan {
  public:
-  explicit ExtremalFan(const VoyageRequest& voyage);  // Must outlive it.
+  explicit ExtremalFan(const VoyageRequest& voyage);  // Kept by reference.
   ReachMap Run();
 
  private:
@@ -32,24 +32,24 @@ class ExtremalFan {
     ExtremalState at;
     double heading_rad;
     int root;
-    bool linked;  // The next in the list is its neighbour.
+    bool linked;  // The next ray in the list is its neighbour.
   };
-  // A place from which a fan of its own may set out.
+  // A place from which a new fan may start.
   struct Restart {
     double time_s;
     kg_base::GridPoint place;
-    int root;            // From which it is reached,
-    double heading_rad;  // leaving it so (give or take the spread),
+    int root;            // Root of the extremal that reaches the place.
+    double heading_rad;  // At that root, +- spread_rad.
     double spread_rad;
-    double arriving_rad;  // and arriving so.
-    int side;             // Of the shadow: 1 = left of the heading, -1 = right.
-    int key;              // Of the corner; -1 = none.
+    double arriving_rad;  // Heading on arrival at the place.
+    int side;  // Side of the shadow: 1 = left of the heading, -1 = right.
+    int key;   // Corner, 4 * cell index + diagonal; -1 = none (graze).
   };
   struct Graze {
     Restart restart;
-    kg_base::Cell shadow;  // Not reached yet if there is a shadow.
+    kg_base::Cell shadow;  // Cell not reached yet if there is a shadow.
   };
-  // A chain of extremals of one root being advanced by one step.
+  // One time step of a chain of extremals that share a root.
   struct Stride {
     const ExtremalStepper::Step* step;
     double begin_s;
@@ -63,12 +63,14 @@ class ExtremalFan {
                     std::size_t first);
   ExtremalStrand Advance(const Stride& stride, const ExtremalState& from,
                          double heading_rad);
-  // The extremal half way in heading, from its root on, at a stride's begin.
+  // Integrates the extremal that left `root` at a heading, up to the begin of
+  // the current step.
   ExtremalState Replay(int root, double heading_rad) const;
   std::optional<ExtremalState> Insert(const Stride& stride,
                                       const ExtremalStrand& a,
                                       const ExtremalStrand& b) const;
-  // What lies between two neighbours: more of them where needed, else painted.
+  // Handles the strip between two neighbours: inserts rays where they are too
+  // far apart, otherwise rasterises it.
   void Between(const Stride& stride, const ExtremalStrand& a,
                const ExtremalStrand& b, int depth);
   bool IsWide(const ExtremalStrand& a, const ExtremalStrand& b,
@@ -104,19 +106,22 @@ class ExtremalFan {
   ArrivalTiles arrivals_;
   double latest_s_;
   double now_s_ = 0.0;
-  std::vector<ExtremalStepper::Step> steps_;  // So far.
+  std::vector<ExtremalStepper::Step> steps_;  // Common steps completed so far.
   struct FirstStep {
-    ExtremalStepper::Step step;  // From the root's time to the next common one.
-    std::size_t next;            // Of steps_.
+    // From the root's time to the next common time.
+    ExtremalStepper::Step step;
+    std::size_t next;  // Index into steps_ of the step that follows.
   };
-  std::vector<FirstStep> first_steps_;  // By root, but for the departure.
-  double margin_s_ = 0.0;               // By which a ray may be late and live.
-  double fastest_ = 1e-9;               // [cells/s], in the last step.
+  // Indexed by root - 1 (no entry for the departure).
+  std::vector<FirstStep> first_steps_;
+  double margin_s_ = 0.0;  // Delay at which a ray is still kept.
+  double fastest_ = 1e-9;  // Largest speed in the last step [cells/s].
   std::vector<Ray> rays_, next_;
-  std::vector<Restart> restarts_;  // Found in this step, not yet begun.
+  std::vector<Restart> restarts_;  // Found in this step, not yet started.
   std::vector<Graze> grazes_;
-  std::unordered_set<int> rounded_;  // Corners, by key.
-  // Of all places looked at.
+  // Keys of the corners already used as roots.
+  std::unordered_set<int> rounded_;
+  // Bounding box of all positions visited, in cell units.
   CellOffset low_ = CellOffset::Zero(), high_ = CellOffset::Zero();
   ReachMap reach_;
 };

@@ -1,4 +1,4 @@
-// Where fans set out anew: corners of what is closed, and grazed edges.
+// Starts of new fans: corners of closed regions, and grazed edges.
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,11 @@ constexpr double kCornerBegin_rad = -0.15;  // Across the arriving heading.
 constexpr double kCornerEnd_rad = 0.9 * kg_base::kPi;  // Into the shadow.
 
 // Lengths in cells.
-constexpr double kBeside = 0.3;  // A corner passed so close is reached.
+constexpr double kBeside = 0.3;  // A corner passed closer than this is reached.
 constexpr double kBesideSpread_rad = 0.02;
-constexpr double kHeadOn = 0.4;  // Of a corner: sine of the angle to its sides.
-constexpr double kGrazeAhead = 1.5;  // Clear for so long: past the edge.
+constexpr double kHeadOn = 0.4;  // Sine of the angle to the sides of a corner.
+// A free distance of this length ahead means that the edge has been passed.
+constexpr double kGrazeAhead = 1.5;
 constexpr double kGrazeAside = 0.8;
 
 }  // namespace
@@ -42,7 +43,8 @@ void ExtremalFan::FindCorners(const Stride& stride, const ExtremalStrand& a,
   }
 }
 
-// An extremal without a neighbour may pass a corner close by.
+// Finds corners passed closely by an extremal at the end of a chain, which no
+// strip between neighbours would cover.
 void ExtremalFan::FindCornersBeside(const Stride& stride,
                                     const ExtremalStrand& strand) {
   const CellOffset from = PlaceOf(strand.begin);
@@ -53,8 +55,8 @@ void ExtremalFan::FindCornersBeside(const Stride& stride,
       (!sight_.NearClosed(a) && !sight_.NearClosed(b))) {
     return;
   }
-  // All corners around the segment: those whose foot lies on it, at a distance
-  // below kBeside, are passed.
+  // A corner is passed if its projection falls on the segment and its distance
+  // to it is below kBeside.
   for (int row = std::min(a.row, b.row) - 1; row <= std::max(a.row, b.row) + 1;
        ++row) {
     for (int col = std::min(a.col, b.col) - 1;
@@ -80,18 +82,20 @@ void ExtremalFan::FindCornersBeside(const Stride& stride,
   }
 }
 
-// `found` knows all but how one arrives, and its time from the step's begin.
+// Completes `found` (arrival heading, side, absolute time) and queues it.
+// On entry found.time_s counts from the begin of the step.
 void ExtremalFan::AddCorner(const Stride& stride, Restart found,
                             const CellOffset& from,
                             const ExtremalStrand& near) {
-  // Within the step, whatever the front's bow says.
+  // Clamp to the step: the cubic front may extrapolate beyond it.
   found.time_s = stride.begin_s +
                  std::clamp(found.time_s, 0.0, 0.999 * stride.step->length_s);
   if (rounded_.count(found.key) || !(found.time_s < latest_s_) ||
       !sight_.IsClear({from.y(), from.x()}, found.place)) {
     return;
   }
-  // Going by it, neither towards the corner nor away from it.
+  // Accept only rays that pass beside the corner, not rays that head towards it
+  // or away from it.
   const CellOffset go = PlaceOf(near.end) - PlaceOf(near.begin);
   const kg_base::Cell d =
       LineOfSight::kDiagonals[static_cast<std::size_t>(found.key % 4)];
@@ -107,9 +111,9 @@ void ExtremalFan::AddCorner(const Stride& stride, Restart found,
   restarts_.push_back(found);
 }
 
-// The last that passes beside closed cells, next to one that is stopped by
-// them: unless it is about to be stopped itself, what lies behind is in its
-// shadow.
+// Handles the last live ray beside closed cells, whose neighbour was stopped by
+// them: unless it is about to be stopped itself, the region behind the closed
+// cells is in its shadow and needs a new fan.
 void ExtremalFan::FindGraze(const Stride& stride, const ExtremalStrand& alive,
                             const ExtremalStrand& dead) {
   const CellOffset end = PlaceOf(alive.end);
@@ -157,7 +161,8 @@ std::vector<ExtremalFan::Ray> ExtremalFan::ShadowRays(const Restart& restart) {
   return rays;
 }
 
-// Earliest first: a corner behind another is reached in the same step.
+// Starts the queued fans, earliest first: a corner behind another one may be
+// reached within the same step.
 void ExtremalFan::Restarts(double end_s) {
   const auto later = [](const Restart& a, const Restart& b) {
     return a.time_s > b.time_s || (a.time_s == b.time_s && a.key > b.key);

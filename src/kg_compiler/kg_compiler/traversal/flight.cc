@@ -18,8 +18,8 @@ double Speed(const kg_base::Velocity& c) {
   return std::hypot(c.east_mps, c.north_mps);
 }
 
-// The slices' times between two times [s after the departure's], both ends
-// included: between them the current at a place is linear in time.
+// Slice times between two times [s after the departure], plus both ends:
+// between knots the current at a place is linear in time.
 std::vector<double> Knots(const kg_base::VectorField& field, double epoch_s,
                           double begin_s, double end_s) {
   std::vector<double> knots(1, begin_s);
@@ -31,7 +31,8 @@ std::vector<double> Knots(const kg_base::VectorField& field, double epoch_s,
   return knots;
 }
 
-// Holding station: metres made through the water to stay.
+// Distance through water [m] needed to hold station over the knots; nullopt if
+// the current is unknown or above max_mps.
 std::optional<double> Hold_m(const LegFlyer& flyer, const MotionModel& motion,
                              kg_base::GridPoint at,
                              const std::vector<double>& knots) {
@@ -40,8 +41,8 @@ std::optional<double> Hold_m(const LegFlyer& flyer, const MotionModel& motion,
     const double span_s = knots[k + 1] - knots[k];
     const int steps =
         std::max(1, static_cast<int>(std::ceil(span_s / kHoldCheck_s)));
-    // Trapezoids of the speed that staying takes: the field's, or more where
-    // the agent pays for staying aloft.
+    // Trapezoidal rule over the speed needed to stay: that of the current, or
+    // rest_mps if larger.
     double before_mps = kNotFlown;
     for (int i = 0; i <= steps; ++i) {
       const auto c = flyer.Current(at, knots[k] + span_s * i / steps);
@@ -54,8 +55,8 @@ std::optional<double> Hold_m(const LegFlyer& flyer, const MotionModel& motion,
   return through_m;
 }
 
-// Where on [0, 1] from c to d, |c| > limit >= |d|, the speed falls to the
-// limit.
+// Parameter in [0, 1] from c to d, |c| > limit >= |d|, at which the speed drops
+// to the limit.
 double CrossingShare(const kg_base::Velocity& c, const kg_base::Velocity& d,
                      double limit_mps) {
   const Eigen::Vector2d from(c.east_mps, c.north_mps);
@@ -81,8 +82,9 @@ void CheckStretches(const VoyageDeparture& departure,
   }
 }
 
-// The voyage at a stretch's speed, when `through_m` have been made in
-// `spent_s`: the same departure, and what is left of the base travel.
+// The voyage at a stretch's speed after `through_m` of travel in `spent_s`: the
+// same departure, with the base travel adjusted so that the latest arrival
+// accounts for the distance already used.
 VoyageRequest OnStretch(VoyageRequest voyage, const TrackStretch& stretch,
                         double through_m, double spent_s) {
   voyage.motion.cruise_mps = stretch.speed_mps;
@@ -90,7 +92,7 @@ VoyageRequest OnStretch(VoyageRequest voyage, const TrackStretch& stretch,
   return voyage;
 }
 
-// Adds one stretch to a flight, holding station not included.
+// Appends one stretch to a flight, without holding station.
 bool FlyStretch(const LegFlyer& flyer, const TrackStretch& stretch,
                 double begin_s, FlownPath* flight) {
   for (std::size_t i = 0; i < stretch.via.size(); ++i) {
@@ -106,7 +108,7 @@ bool FlyStretch(const LegFlyer& flyer, const TrackStretch& stretch,
   return true;
 }
 
-// Adds holding station until the deadline, where the flight has got to.
+// Adds holding station at the end of the flight until the deadline.
 bool HoldStation(const VoyageRequest& voyage, const LegFlyer& flyer,
                  FlownPath* flight) {
   const MotionModel& motion = voyage.motion;
@@ -135,7 +137,7 @@ std::optional<FlownPath> FlyAll(const VoyageRequest& voyage,
   FlownPath flight;
   flight.speed_mps = stretches.front().speed_mps;
   flight.track.push_back({voyage.departure.from, begin_s});
-  // Each stretch at its speed, with what the ones before left of base travel.
+  // Each stretch at its speed, with the base travel left by the previous ones.
   for (const TrackStretch& stretch : stretches) {
     const double before_s = flight.travel_s;
     const VoyageRequest piece =
@@ -145,7 +147,7 @@ std::optional<FlownPath> FlyAll(const VoyageRequest& voyage,
     }
     flight.through_water_m += stretch.speed_mps * (flight.travel_s - before_s);
   }
-  // Of several speeds the mean; of one the speed itself, to the last bit.
+  // Mean speed for several stretches; a single one keeps its speed bit for bit.
   if (stretches.size() > 1 && flight.travel_s > 0.0) {
     flight.speed_mps = flight.through_water_m / flight.travel_s;
   }
@@ -164,8 +166,8 @@ double HoldableFrom_s(const VoyageRequest& voyage, kg_base::LonLat place) {
   const std::vector<double> knots =
       Knots(*voyage.world.field, departure.time_s, 0.0,
             departure.deadline_s - departure.time_s);
-  // From the deadline back: the last knot at which the field is too strong, and
-  // between it and the next the moment from which it is not.
+  // Backwards from the deadline: find the last knot with too strong a current,
+  // then the time after it at which the speed drops to max_mps.
   std::optional<kg_base::Velocity> later;
   for (std::size_t k = knots.size(); k-- > 0;) {
     const auto c = flyer.Current(*at, knots[k]);

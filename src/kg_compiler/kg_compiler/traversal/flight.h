@@ -13,36 +13,36 @@
 
 namespace kg_compiler {
 
-// Earliest time from which station can be held at a place until the deadline:
-// |boost_gain * current| <= max_mps all along. Infinite if not even then, or
-// where the current is unknown.
+// Earliest time from which station can be held at a place until the deadline,
+// i.e. |boost_gain * current| <= max_mps throughout. Infinite if it cannot be
+// held at the deadline itself, or where the current is unknown.
 double HoldableFrom_s(const VoyageRequest& voyage, kg_base::LonLat place);
 
 // Flies along `via` (first = departure, legs straight in longitude and
 // latitude), holding V = cruise_mps through water on every leg. Nothing if a
 // leg cannot be held in the current, leaves the open cells (every cell the leg
 // touches counts, both beside a corner it passes), the deadline passes, or
-// station cannot be held then. A leg is held where 99.8 % of V make up for the
-// cross current and at least 0.2 % of V are left over ground, looked at every
+// station cannot be held then. A leg can be held where 99.8 % of V compensate
+// the cross current and at least 0.2 % of V are left over ground, sampled every
 // 0.05 cells.
 std::optional<FlownPath> FlyTrack(const VoyageRequest& voyage,
                                   const std::vector<kg_base::LonLat>& via);
 
-// A stretch of a way at one speed through water. Its first place is where the
-// one before ended, or the departure.
+// A part of a track flown at one speed through water. Its first place is the
+// end of the previous stretch, or the departure.
 struct TrackStretch {
   std::vector<kg_base::LonLat> via;
   double speed_mps = 0.0;
 };
 
-// Stretches one after the other, each flown as FlyTrack does from when the one
-// before has arrived. Station is held at the end of the last only; base travel
-// is what all of them take together. speed_mps of the flight is the mean until
-// the arrival.
+// Flies the stretches in sequence, each as FlyTrack does, starting when the
+// previous one has arrived. Station is held at the end of the last only; the
+// base travel limit applies to their sum. speed_mps of the flight is the mean
+// until the arrival.
 std::optional<FlownPath> FlyStretches(
     const VoyageRequest& voyage, const std::vector<TrackStretch>& stretches);
 
-// FlyTrack, where what lies outside of `box` counts as closed; null = no box.
+// As FlyTrack, with cells outside `box` treated as closed; null = no box.
 std::optional<FlownPath> FlyTrackWithin(const VoyageRequest& voyage,
                                         const std::vector<kg_base::LonLat>& via,
                                         const CellBox* box);

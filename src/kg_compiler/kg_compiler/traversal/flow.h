@@ -1,7 +1,7 @@
-// The current as extremals feel it: c = boost_gain current with its exact
+// The current sampled for extremals: c = boost_gain current with its exact
 // gradients, bilinear in cell units and linear in time, and the scale of
 // WGS84. Missing corners count as no flow (vector_field.h); beyond the outer
-// centres the outer cell holds.
+// centres the value is held constant.
 
 #ifndef KG_COMPILER_TRAVERSAL_FLOW_H_
 #define KG_COMPILER_TRAVERSAL_FLOW_H_
@@ -26,7 +26,7 @@ struct FlowCorners {
         se(east[1], north[1]),
         nw(east[cols], north[cols]),
         ne(east[cols + 1], north[cols + 1]) {}
-  // To `share` of the way to a later slice.
+  // Interpolates linearly towards a later slice; `share` in [0, 1].
   void Towards(const FlowCorners& later, double share) {
     sw += share * (later.sw - sw);
     se += share * (later.se - se);
@@ -41,7 +41,7 @@ struct FlowCorners {
   bool IsMissing() const { return (sw + se + nw + ne).isNaN().any(); }
 };
 
-// A bilinear interpolation, and its change per cell step east and north.
+// Bilinear interpolation: value and derivatives per cell step east and north.
 struct FlowSlope {
   Eigen::Array2d value, east, north;
 };
@@ -55,22 +55,23 @@ inline FlowSlope Bilinear(const FlowCorners& c, double north, double east) {
 
 class FlowSampler {
  public:
-  explicit FlowSampler(const VoyageRequest& voyage);  // Must outlive it.
+  explicit FlowSampler(const VoyageRequest& voyage);  // Kept by reference.
 
-  // The slices around a time [s after the departure's].
+  // The two slices that bracket a time [s after the departure].
   struct Moment {
     const float *east0, *north0, *east1, *north1;
-    double share;  // Of the second slice.
+    double share;  // Weight of the second slice, in [0, 1].
   };
   Moment At(double time_s) const;
-  // The first slice's time after `time_s`; infinite after the last.
+  // Time of the first slice after `time_s` [s after the departure]; infinite
+  // after the last.
   double NextSlice_s(double time_s) const;
 
   struct Sample {
-    double east, north;                   // [m/s]
-    double east_col, north_col;           // Per cell step eastwards [m/s].
-    double east_row, north_row;           // Per cell step northwards [m/s].
-    double lon_per_m, lat_per_m;          // Degrees per metre here,
+    double east, north;           // [m/s]
+    double east_col, north_col;   // Derivatives per cell step east [m/s].
+    double east_row, north_row;   // Derivatives per cell step north [m/s].
+    double lon_per_m, lat_per_m;  // Degrees per metre here,
     double lon_per_m_row, lat_per_m_row;  // and their change per row.
     double cols_per_deg, rows_per_deg;
   };
@@ -84,7 +85,7 @@ class FlowSampler {
   kg_base::LonLat Scale(double row) const;
 
   const kg_base::Grid& grid() const { return field_.grid; }
-  // The cells that were asked for since it was made, or last told to forget.
+  // Box of the cells sampled since construction or the last Forget().
   const CellBox& felt() const { return felt_; }
   void Forget() const { felt_ = kNothing; }
 
@@ -101,16 +102,17 @@ class FlowSampler {
   double gain_;
   double epoch_s_;
   int rows_, cols_;
-  std::vector<double> slice_s_;  // After the departure's time.
-  std::vector<double> deg_per_col_, deg_per_row_;  // By interval.
+  std::vector<double> slice_s_;  // Slice times [s after the departure].
+  // Spacing and its inverse, per interval between centres.
+  std::vector<double> deg_per_col_, deg_per_row_;
   std::vector<double> cols_per_deg_, rows_per_deg_;
-  // By row, made when first asked for (0 = not yet).
+  // Degrees per metre, by row; computed on first use (0 = not yet).
   mutable std::vector<double> lon_per_m_, lat_per_m_;
   static constexpr CellBox kNothing{INT_MAX, 0, INT_MAX, 0};
   mutable CellBox felt_ = kNothing;
 };
 
-// In the header: inlined, extremals take half the time.
+// Defined in the header: inlining halves the run time of the extremals.
 inline void FlowSampler::Interpolate(const Moment& moment, std::size_t corner,
                                      double north, double east,
                                      Sample* at) const {

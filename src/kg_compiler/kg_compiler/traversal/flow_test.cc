@@ -8,7 +8,7 @@
 namespace kg_compiler {
 namespace {
 
-// A random sea with land, between two random slices.
+// A random world with land and a field of two random slices.
 TestFlowWorld RandomSea(std::mt19937& rng) {
   TestFlowWorld sea(
       RandomFlow(rng, UnevenGrid(rng, 20, 25), 0.8, 7200, kDay_s));

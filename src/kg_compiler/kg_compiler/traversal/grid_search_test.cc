@@ -42,8 +42,8 @@ TEST(Moves, TouchBothCellsBesideACorner) {
   }
 }
 
-// A search's move is its leg flown with the search's care, but for where the
-// middle of a part is thought to be reached.
+// A move equals its leg flown with kSearch, except for the time estimate at the
+// middle of each part.
 TEST(Mover, AgreesWithTheLegFlown) {
   std::mt19937 rng(41);
   int made = 0, differ = 0;

@@ -9,7 +9,7 @@
 namespace kg_compiler {
 namespace {
 
-// Indices whose centres lie within `reach` of those in [first, last].
+// Range of indices whose centres lie within `reach` of [first, last].
 struct Span {
   int begin, end;  // Half open.
 };
@@ -23,7 +23,7 @@ Span Widen(const std::vector<double>& centres, int first, int last,
           static_cast<int>(end - centres.begin())};
 }
 
-// A part of the world: its own little grid, and what is closed there.
+// A rectangular part of the grid with its mask of closed cells.
 struct Patch {
   Patch(const kg_base::Grid& grid, const kg_base::Mask& open, Span r, Span c)
       : rows(r), cols(c) {
@@ -50,7 +50,7 @@ struct Patch {
   bool any = false;
 };
 
-// At least two centres, which a grid needs.
+// Extends a span to at least two centres, the minimum for a Grid.
 Span AtLeastTwo(Span span, int size) {
   if (span.end - span.begin >= 2) return span;
   return span.begin > 0 ? Span{span.begin - 1, span.end}
@@ -73,6 +73,8 @@ void HazardMap::Make(int tile_row, int tile_col, Tile* tile) const {
   const int r0 = tile_row * kTile, c0 = tile_col * kTile;
   const int r1 = std::min(r0 + kTile, grid_.rows()) - 1;
   const int c1 = std::min(c0 + kTile, grid_.cols()) - 1;
+  // Patch = tile plus the reach of the first term on every side, so that the
+  // distances inside the tile are exact.
   const double reach_m = kRanges * range_m_;
   const double north_deg =
       reach_m / std::min(grid_.MetresPerRow(r0) / grid_.lat_axis().Spacing(r0),

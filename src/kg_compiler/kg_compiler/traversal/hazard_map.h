@@ -1,11 +1,11 @@
-// Hazard in [0, 1] near what is not open, made where it is asked for (A20):
+// Hazard in [0, 1] near cells that are not open, computed on demand (A20):
 //
 //   h(x) = max( exp(-d(x) / range), 1 - attenuation(x) )
 //
 // d [m] from the cell's centre to the nearest centre that is not open
 // (distance_transform.h); the first term is 0 beyond kRanges ranges (there it
-// would be less than 0.0025), so that no cell depends on what lies farther.
-// Threads may ask at the same time.
+// would be less than 0.0025), so that no cell depends on cells farther away.
+// Thread-safe.
 
 #ifndef KG_COMPILER_TRAVERSAL_HAZARD_MAP_H_
 #define KG_COMPILER_TRAVERSAL_HAZARD_MAP_H_
@@ -32,7 +32,8 @@ class HazardMap {
   static constexpr int kTile = 32;
   struct Tile {
     std::once_flag made;
-    std::vector<float> near;  // Empty = nothing closed within reach.
+    // First term; empty = no closed cell within reach.
+    std::vector<float> near;
   };
 
   void Make(int tile_row, int tile_col, Tile* tile) const;

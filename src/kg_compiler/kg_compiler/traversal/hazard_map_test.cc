@@ -26,7 +26,7 @@ TEST(HazardMap, RisesTowardsAWallAndInsideASoftZone) {
   EXPECT_NEAR(std::exp(-d / 10e3), hazard.At({25, 35}), 1e-4);
 }
 
-// The whole grid's distances at once, against tiles asked for in any order.
+// Distances of the whole grid at once, against tiles computed in any order.
 TEST(HazardMap, IsTheFormulaUpToSixRangesAndNothingBeyond) {
   std::mt19937 rng(3);
   int near = 0, beyond = 0;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMaxStep_s = 600.0;
 
-// Metres per degree along a leg, by a parabola through its ends and middle
+// Metres per degree along a leg: parabola through its ends and its middle
 // (error below 1e-6 for legs within two degrees of latitude).
 class LegScale {
  public:
@@ -21,7 +21,7 @@ class LegScale {
         m_(At(0.5 * (from.lat_deg + to.lat_deg))),
         b_(At(to.lat_deg)) {}
 
-  // Metres east and north, per degree of longitude and latitude.
+  // Metres east per degree of longitude, and north per degree of latitude.
   Eigen::Vector2d operator()(double s) const {
     const double wa = (1.0 - s) * (1.0 - 2.0 * s);
     const double wm = 4.0 * s * (1.0 - s);
@@ -34,10 +34,10 @@ class LegScale {
     const kg_base::DegreesPerMetre scale = kg_base::LocalScale(lat_deg);
     return {1.0 / scale.lon_deg, 1.0 / scale.lat_deg};
   }
-  Eigen::Vector2d a_, m_, b_;  // At the ends and in the middle.
+  Eigen::Vector2d a_, m_, b_;  // Scale at the begin, the middle and the end.
 };
 
-// A leg under way: s in [0, 1] along it.
+// Progress along a leg, parameterised by s in [0, 1].
 class LegProgress {
  public:
   LegProgress(const LegFlyer& flyer, const TrackLeg& leg, double speed_mps,
@@ -56,7 +56,7 @@ class LegProgress {
         {from_.lon_deg + s * lon_, from_.lat_deg + s * lat_});
   }
 
-  // ds/dt [1/s] at s and a time; nothing if the leg cannot be held there.
+  // ds/dt [1/s] at s and time_s; nullopt if the leg cannot be held there.
   std::optional<double> Rate(kg_base::GridPoint at, double s,
                              double time_s) const {
     const std::optional<kg_base::Velocity> c = flyer_.Current(at, time_s);
@@ -78,13 +78,13 @@ class LegProgress {
  private:
   const LegFlyer& flyer_;
   kg_base::LonLat from_;
-  double lon_, lat_;  // Degrees from end to end.
+  double lon_, lat_;  // Difference from end to end [deg].
   LegScale scale_;
   double speed_mps_, most_across_mps_, least_mps_;
 };
 
-// May one go straight from a cell to itself or one beside it? Past a corner
-// only if both cells beside the corner are open, too.
+// Is the step from a cell to itself or to one of its 8 neighbours allowed? A
+// diagonal step needs both cells beside the corner to be open.
 bool MayCross(const LegFlyer& flyer, kg_base::Cell a, kg_base::Cell b) {
   if (a == b) return true;
   if (!flyer.IsOpen(b)) return false;
@@ -129,8 +129,8 @@ kg_base::Cell LegFlyer::CellOf(kg_base::GridPoint at) const {
   return kg_compiler::CellOf(grid(), at);
 }
 
-// Second order: the rate in the middle of each step, at the time one gets there
-// by the rate at its begin.
+// Midpoint method (second order): the rate at the middle of each step, at the
+// time predicted from the rate at its begin.
 std::optional<LegEnd> LegFlyer::Fly(const TrackLeg& leg,
                                     const LegCare& care) const {
   const LegProgress progress(*this, leg, motion_.cruise_mps, care.slack);
@@ -142,8 +142,8 @@ std::optional<LegEnd> LegFlyer::Fly(const TrackLeg& leg,
   const double cells = std::hypot(to->row - at->row, to->col - at->col);
   const double longest =
       1.0 / std::max(1.0, std::ceil(cells / care.step_cells));
-  // The end of a step is exactly 1 on the last one: a rest of less than 1e-9 is
-  // taken along.
+  // The last step ends exactly at s = 1: a remainder below 1e-9 is merged into
+  // it.
   double s = 0.0;
   while (s < 1.0) {
     const std::optional<double> begin = progress.Rate(*at, s, end.arrive_s);
@@ -156,7 +156,7 @@ std::optional<LegEnd> LegFlyer::Fly(const TrackLeg& leg,
     if (!middle || !next) return std::nullopt;
     const std::optional<double> rate =
         progress.Rate(*middle, s + 0.5 * h, end.arrive_s + 0.5 * h / *begin);
-    // Steps are below a cell, so that the next cell is this one or beside it.
+    // Steps are shorter than a cell, so the next cell is this one or adjacent.
     if (!rate || !MayCross(*this, CellOf(*at), CellOf(*next))) {
       return std::nullopt;
     }
@@ -167,7 +167,7 @@ std::optional<LegEnd> LegFlyer::Fly(const TrackLeg& leg,
     s = h == 1.0 - s ? 1.0 : s + h;
     at = next;
   }
-  // The leg must be held at its very end, too.
+  // The leg must also be held at its very end.
   if (!progress.Rate(*at, 1.0, end.arrive_s)) return std::nullopt;
   return end;
 }

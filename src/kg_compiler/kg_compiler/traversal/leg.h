@@ -11,9 +11,9 @@
 
 namespace kg_compiler {
 
-// How carefully to fly. `slack`: the share of V that must be left, of the
-// heading and of the way made good, so that what lies between two samples of
-// the current cannot undo the leg.
+// Step size and safety margin of the integration. `slack`: fraction of V that
+// must remain both in the cross-current correction and in the ground speed, so
+// that the current between two samples cannot make the leg infeasible.
 struct LegCare {
   double step_cells;
   double slack;
@@ -23,29 +23,30 @@ inline constexpr LegCare kFlight = {0.1, 0.002};
 struct TrackLeg {
   kg_base::LonLat from;
   kg_base::LonLat to;
-  double depart_s = 0.0;  // After the departure's time.
+  double depart_s = 0.0;  // Seconds after the departure.
 };
 
 struct LegEnd {
-  double arrive_s = 0.0;  // After the departure's time.
+  double arrive_s = 0.0;  // Seconds after the departure.
   double hazard_s = 0.0;
 };
 
-// When one must be there [s after the departure's time]: by the deadline, and
-// before the base travel is used up.
+// Latest arrival [s after the departure]: the deadline, or the time at which
+// the base travel is used up, whichever is earlier.
 double LatestArrival_s(const MotionModel& motion,
                        const VoyageDeparture& departure);
 
 // Flies legs of one departure.
 class LegFlyer {
  public:
-  // The voyage must outlive it. What lies outside of `box`, if any is given,
-  // counts as closed.
+  // The voyage must outlive this object. Cells outside `box`, if given, count
+  // as closed.
   explicit LegFlyer(const VoyageRequest& voyage, const CellBox* box = nullptr);
 
   std::optional<LegEnd> Fly(const TrackLeg& leg, const LegCare& care) const;
 
-  // c = boost_gain current; nothing where unknown. Time after the departure's.
+  // c = boost_gain current, at `time_s` after the departure; nullopt where
+  // unknown.
   std::optional<kg_base::Velocity> Current(kg_base::GridPoint at,
                                            double time_s) const;
   bool IsOpen(kg_base::Cell cell) const;
@@ -58,7 +59,7 @@ class LegFlyer {
   const MotionModel& motion_;
   CellBox box_;
   double epoch_s_;
-  double latest_s_;  // After the departure's time.
+  double latest_s_;  // Latest arrival [s after the departure].
 };
 
 }  // namespace kg_compiler

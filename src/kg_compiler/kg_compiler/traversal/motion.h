@@ -5,15 +5,16 @@
 
 namespace kg_compiler {
 
-// Motion through water and its price.
+// Speeds through water and energy consumption.
 struct MotionModel {
-  double cruise_mps = 0.0;      // Through water, along a seam.
-  double max_mps = 0.0;         // For holding station only.
-  double boost_gain = 1.0;      // Share of the current that carries (A17).
-  double energy_per_m_j = 0.0;  // Through water (A46).
+  double cruise_mps = 0.0;  // Through water, along a seam.
+  double max_mps = 0.0;     // For holding station only.
+  double boost_gain = 1.0;  // Fraction of the current that acts on it (A17).
+  // Propulsion energy per metre through water (A46).
+  double energy_per_m_j = 0.0;
   double hotel_load_w = 0.0;
-  // Least speed that holding station is paid for: 0, or the cruise speed of
-  // what hovers.
+  // Lower bound of the speed charged for holding station [m/s]: 0, or the
+  // cruise speed for an agent that must hover.
   double rest_mps = 0.0;
 };
 

@@ -12,36 +12,36 @@
 
 namespace kg_compiler {
 
-// A cell one can be at, with the earliest arrival found.
+// A reachable cell with the earliest arrival found.
 struct ReachedCell {
   double arrival_s = 0.0;    // At its centre, seconds after departure.
-  int index = 0;             // Of the grid.
-  int root = 0;              // Where the extremal that comes first set out.
-  float heading_rad = 0.0f;  // Through water then, counter-clockwise from east,
-  float spread_rad = 0.0f;   // between extremals so far apart.
+  int index = 0;             // Grid index of the cell.
+  int root = 0;              // Root of the extremal that arrives first.
+  float heading_rad = 0.0f;  // Its heading at the root, ccw from east.
+  float spread_rad = 0.0f;   // Heading difference of the bracketing rays.
 };
 
-// Where extremals set out: the departure, and the corners of what is closed,
-// which tracks go round.
+// A start of extremals: the departure, or a corner of a closed region that
+// tracks go round.
 struct ReachRoot {
   kg_base::GridPoint place;
-  double time_s = 0.0;  // After the departure.
+  double time_s = 0.0;  // Seconds after the departure.
   int parent = -1;      // The root from which it is reached; -1 = departure.
-  double heading_rad = 0.0;  // With which one leaves the parent to get there,
-  double spread_rad = 0.0;   // between extremals so far apart.
+  double heading_rad = 0.0;  // Heading at the parent that leads here.
+  double spread_rad = 0.0;   // Heading difference of the bracketing rays.
 };
 
 class SlowerReaches;
 
 struct ReachMap {
-  std::vector<ReachedCell> cells;  // By index.
+  std::vector<ReachedCell> cells;  // Ascending by index.
   std::vector<ReachRoot> roots;    // The departure first.
-  double cells_per_s = 0.0;        // The fastest met.
-  // Neither this reach nor any flight that Traverse finds by it reads the
-  // world's `open` or field outside of it. (Hazard at a cell in it depends on
-  // what is open within HazardMap::kRanges ranges.)
+  double cells_per_s = 0.0;        // Largest speed over ground met.
+  // Box outside of which neither this reach nor any flight that Traverse finds
+  // with it reads the world's `open` or field. (Hazard at a cell inside depends
+  // on the open cells within HazardMap::kRanges ranges.)
   CellBox read;
-  // At slower speeds, made when first needed; null if energy has no price.
+  // Reaches at slower speeds, computed on demand; null if energy has no price.
   std::shared_ptr<SlowerReaches> slower;
 
   const ReachedCell* Find(int index) const;  // Null = not reached.

@@ -1,4 +1,4 @@
-// The promises of traversal, measured: closed forms, brute force, real files.
+// Quality of traversal against closed forms, brute force and real files.
 
 #include "kg_compiler/traversal/testing/seam_quality.h"
 
@@ -24,7 +24,7 @@ TEST(SeamQuality, IsWithinAFifthOfAPercentOfFiveClosedForms) {
   }
 }
 
-// The cone of what can be reached downstream need not hold its source.
+// The cone of places reachable downstream need not contain its source.
 TEST(SeamQuality, ReachesTheConeOfAStrongCurrentAndNothingElse) {
   const ClosedForm form = closed_forms::Uniform("", 1.3, 0.8);
   const TestFlowWorld sea(form.field);
@@ -56,8 +56,8 @@ TEST(SeamQuality, ReachesTheConeOfAStrongCurrentAndNothingElse) {
   EXPECT_LE(outside, inside / 200);
 }
 
-// The same field, three times finer: bilinear in between as on the coarse one,
-// so that both are the same water.
+// The same field sampled three times finer; bilinear interpolation makes both
+// fields identical.
 TestFlowWorld Finer(const TestFlowWorld& sea) {
   const auto fine = [](const std::vector<double>& axis) {
     std::vector<double> centres;
@@ -88,8 +88,8 @@ TestFlowWorld Finer(const TestFlowWorld& sea) {
   return finer;
 }
 
-// What Dijkstra finds on a grid three times finer and FlyTrack confirms on the
-// true one is found, too, and not later, islands and coasts or not.
+// Every place that Dijkstra reaches on a grid three times finer, and FlyTrack
+// confirms on the original one, is found and not later, with or without land.
 TEST(SeamQuality, MissesNothingThatAFineGridSearchFliesTo) {
   std::mt19937 rng(13);
   int flown = 0, missed = 0, late = 0;

@@ -10,13 +10,15 @@
 namespace kg_compiler {
 namespace {
 
-constexpr double kHit_cells = 0.01;  // Near enough.
-constexpr double kBent_cells = 0.5;  // A course is bent by that, if need be.
-constexpr int kMaxTimings = 10;      // Corrections of the time.
+constexpr double kHit_cells = 0.01;  // Accepted miss distance.
+constexpr double kBent_cells = 0.5;  // Largest correction spread over a course.
+constexpr int kMaxTimings = 10;      // Newton iterations for the time.
 constexpr double kTimed_cells = 1e-4;
-constexpr double kMaxShift_cells = 1.5;  // Of the front, in a correction.
-constexpr double kFarthest_cells = 8.0;  // A shot that misses by more is void.
-constexpr int kWidenings = 4;            // Of the spread, each by three.
+// Largest shift of the front per iteration.
+constexpr double kMaxShift_cells = 1.5;
+// A shot that misses by more is discarded.
+constexpr double kFarthest_cells = 8.0;
+constexpr int kWidenings = 4;  // Widenings of the spread, by a factor of 3.
 constexpr double kLeastSpread_rad = 1e-6;
 constexpr int kMaxHalvings = 30;
 constexpr double kSolveStep_cells = 0.5;
@@ -49,8 +51,8 @@ FarthestPoint FarthestBetween(const TimedCourse& course, std::size_t a,
 
 TimedCourse Simplify(const TimedCourse& course, double tolerance_cells) {
   if (course.size() < 3) return course;
-  // Douglas and Peucker's algorithm, in time: the point farthest from where
-  // linear interpolation has it is kept, and both halves are looked at again.
+  // Douglas-Peucker algorithm in time: keep the point farthest from its linear
+  // interpolation, then split there and process both halves.
   std::vector<bool> kept(course.size(), false);
   kept.front() = kept.back() = true;
   std::vector<std::pair<std::size_t, std::size_t>> open = {
@@ -78,7 +80,8 @@ ExtremalShooter::ExtremalShooter(const VoyageRequest& voyage,
       helm_(flow_, speed_mps),
       latest_s_(LatestArrival_s(voyage.motion, voyage.departure)) {}
 
-// To the guessed time, then on or back until the front is at the target.
+// Integrates to the guessed time, then forward or back until the front is at
+// the target.
 std::optional<ShotAt> ExtremalShooter::Fire(const ShotLeg& leg,
                                             double heading_rad) const {
   flow_.Forget();
@@ -131,9 +134,9 @@ bool OnBothSides(const std::optional<ShotAt>& a,
 
 }  // namespace
 
-// Illinois: regula falsi that halves the weight of an end kept twice. The best
-// shot, if it is none that hits: where extremals cross and cross again a line
-// of centres along which the current is strongest, none may.
+// Illinois method: regula falsi that halves the weight of an end kept twice.
+// Returns the best shot even if none hits, which happens where extremals
+// repeatedly cross a line of centres along which the current is strongest.
 std::optional<ShotAt> ExtremalShooter::Between(const ShotLeg& leg, ShotAt a,
                                                ShotAt b) const {
   double weight_a = a.left, weight_b = b.left;
@@ -141,8 +144,8 @@ std::optional<ShotAt> ExtremalShooter::Between(const ShotLeg& leg, ShotAt a,
   std::optional<ShotAt> best = a;
   KeepBetter(b, &best);
   for (int i = 0; i < kMaxHalvings && std::abs(best->left) > kHit_cells; ++i) {
-    // Every fourth step halves the interval: regula falsi alone creeps where m
-    // is steep on one side.
+    // Every fourth step bisects: regula falsi alone converges slowly where m is
+    // steep on one side.
     const bool halve = i % 4 == 3;
     const double share = halve ? 0.5 : weight_a / (weight_a - weight_b);
     const auto shot =
@@ -168,8 +171,8 @@ std::optional<ShotAt> ExtremalShooter::Search(const ShotLeg& leg) const {
   std::optional<ShotAt> low = Fire(leg, leg.heading_rad), high = low;
   std::optional<ShotAt> best = low;
   if (best && std::abs(best->left) < kHit_cells) return best;
-  // Where nothing has crossed, what lands left of the target sets out too far
-  // to the left: the other way first.
+  // As long as extremals have not crossed, a shot that passes left of the
+  // target started too far to the left: search to the right first.
   double turn_rad = std::max(leg.spread_rad, kLeastSpread_rad);
   if (low && low->left > 0.0) turn_rad = -turn_rad;
   for (int i = 0; i < kWidenings; ++i, turn_rad *= 3.0) {
@@ -206,7 +209,7 @@ bool ExtremalShooter::Trace(const ShotLeg& leg, const ShotAt& shot,
     at = helm_.Advance(at, ExtremalStepper::Step(flow_, time_s, step_s));
     if (!IsWithin(flow_.felt(), reach_.read)) return false;
   }
-  // What it misses by is made good evenly all along.
+  // Distribute the remaining miss linearly along the course.
   const CellOffset miss = PlaceOf(at) - CellOffset{leg.to.col, leg.to.row};
   if (!(miss.norm() < 2.0 * kBent_cells)) return false;
   for (int i = 0; i < steps; ++i) {
@@ -220,14 +223,14 @@ bool ExtremalShooter::Trace(const ShotLeg& leg, const ShotAt& shot,
 std::optional<TimedCourse> ExtremalShooter::To(kg_base::GridPoint place,
                                                const Guess& guess,
                                                double step_cells) const {
-  std::vector<int> roots;  // From the last back to the departure.
+  std::vector<int> roots;  // From the last root back to the departure.
   for (int root = guess.root; root >= 0; root = reach_.roots[root].parent) {
     roots.push_back(root);
   }
   TimedCourse course;
   double begin_s = 0.0;
-  // From the departure through the corners: each leg is shot from where and
-  // when the one before arrived.
+  // From the departure through the corners: each leg starts where and when the
+  // previous one arrived.
   for (std::size_t i = roots.size(); i-- > 0;) {
     const ReachRoot& root = reach_.roots[roots[i]];
     ShotLeg leg{root.place,
@@ -244,7 +247,7 @@ std::optional<TimedCourse> ExtremalShooter::To(kg_base::GridPoint place,
       leg.spread_rad = next.spread_rad;
       leg.duration_s = next.time_s - root.time_s;
     }
-    // Coarse steps to solve for the heading, then those wanted for the course.
+    // Coarse steps to solve for the heading, then finer ones for the course.
     leg.step_s = std::min(kSolveStep_cells / reach_.cells_per_s,
                           leg.duration_s / kFewestSteps);
     const auto shot = Solve(leg);

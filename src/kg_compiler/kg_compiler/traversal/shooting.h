@@ -1,13 +1,13 @@
-// Shooting: the extremal that goes through a place. Where its front passes the
-// place, the place lies to the left of it or to the right,
+// Shooting: finds the extremal through a place. When its front passes the
+// place, the signed miss distance to the left is
 //
 //   m(theta) = n x (x(theta, T) - target) / |n|,  T: n . (x - target) = 0
 //
-// with the front's normal n; the root of m between two headings of the fan
-// that have the place between them is found by regula falsi (Illinois). m is
-// continuous, though not smooth where extremals cross the lines between cell
-// centres, so that Newton's method would get lost. Leg by leg through the
-// corners that the fan went round.
+// with the front's normal n. The root of m between two headings of the fan that
+// bracket the place is found by regula falsi (Illinois variant). m is
+// continuous, but not smooth where extremals cross the lines between cell
+// centres, so Newton's method would not converge reliably. Solved leg by leg
+// through the corners that the fan went round.
 //
 // M. Dowell and P. Jarratt, BIT 11(2), 1971, pp. 168-174.
 
@@ -30,11 +30,11 @@ struct CoursePoint {
 };
 using TimedCourse = std::vector<CoursePoint>;
 
-// The points without which linear interpolation in time stays within
-// `tolerance_cells` of all that are given.
+// A subset of the points whose linear interpolation in time stays within
+// `tolerance_cells` of all given points.
 TimedCourse Simplify(const TimedCourse& course, double tolerance_cells);
 
-// How one heading does.
+// Result of one heading.
 struct ShotAt {
   double heading_rad = 0.0;
   double duration_s = 0.0;
@@ -43,12 +43,13 @@ struct ShotAt {
 
 class ExtremalShooter {
  public:
-  // Both must outlive it. Extremals go at `speed_mps` through water.
+  // `voyage` and `reach` must outlive this object. Extremals have the speed
+  // `speed_mps` through water.
   ExtremalShooter(const VoyageRequest& voyage, const ReachMap& reach,
                   double speed_mps);
 
-  // What an extremal is guessed to be: from a root, at a heading (give or take
-  // a spread), arriving then.
+  // Initial guess of an extremal: root, heading at the root (+- spread) and
+  // arrival [s after the departure].
   struct Guess {
     int root = 0;
     double heading_rad = 0.0;
@@ -71,8 +72,8 @@ class ExtremalShooter {
   std::optional<ShotAt> Solve(const ShotLeg& leg) const;
   std::optional<ShotAt> Search(const ShotLeg& leg) const;
   std::optional<ShotAt> Between(const ShotLeg& leg, ShotAt a, ShotAt b) const;
-  // The leg's extremal at a heading for so long; nothing if it leaves what the
-  // reach read.
+  // Appends the extremal of `shot` to the course; false if it leaves the box
+  // that the reach has read.
   bool Trace(const ShotLeg& leg, const ShotAt& shot, TimedCourse* course) const;
 
   const ReachMap& reach_;

@@ -6,11 +6,11 @@
 namespace kg_compiler {
 namespace {
 
-// Cells from the corner of a closed cell at which it is passed.
+// Distance [cells] at which the corner of a closed cell is passed.
 constexpr double kCornerGap = 0.02;
 
-// Where on the line from a to a + d, of which `at` has been gone, the next edge
-// between cells is crossed along one axis.
+// Next crossing of a cell edge along one axis of the line from a to b, as a
+// fraction of the line.
 struct AxisWalk {
   AxisWalk(double a, double b, int cell)
       : step(b > a ? 1 : -1),
@@ -42,7 +42,7 @@ bool LineOfSight::IsClear(kg_base::GridPoint a, kg_base::GridPoint b) const {
   // axis, at shares row.next and col.next of the line.
   while (!(cell == last)) {
     if (row.next > 1.0 && col.next > 1.0) return IsOpen(last);
-    // Through a corner: both cells beside it must be open.
+    // The line passes a corner: both cells beside it must be open.
     const bool both = std::abs(row.next - col.next) < kSame;
     const kg_base::Cell up{cell.row + row.step, cell.col};
     const kg_base::Cell beside{cell.row, cell.col + col.step};

@@ -1,4 +1,4 @@
-// Which cells may be entered, and what lies in the way of a straight line.
+// Cells that may be entered, and line-of-sight tests between positions.
 
 #ifndef KG_COMPILER_TRAVERSAL_SIGHT_H_
 #define KG_COMPILER_TRAVERSAL_SIGHT_H_
@@ -31,23 +31,23 @@ inline kg_base::Cell CellOf(const kg_base::Grid& grid, kg_base::GridPoint at) {
 
 class LineOfSight {
  public:
-  // What lies outside of `box` counts as closed. The world must outlive it.
+  // Cells outside `box` count as closed. The world must outlive this object.
   LineOfSight(const TraversalWorld& world, const CellBox& box);
 
-  // In the box, open, and with a current.
+  // Is the cell in the box, open, and with a known current?
   bool IsOpen(kg_base::Cell cell) const {
     if (!Holds(box_, cell)) return false;
     const std::size_t i = grid_.Index(cell);
     return open_[i] == 1 && east_mps_[i] == east_mps_[i];  // NaN = no data.
   }
-  // Position on the grid, and in the box?
+  // Does the position lie on the grid and in the box?
   bool Contains(kg_base::GridPoint at) const {
     return at.row > box_.row - 0.5 && at.row < box_.row_end - 0.5 &&
            at.col > box_.col - 0.5 && at.col < box_.col_end - 0.5;
   }
-  // May one go straight from a to b (in cell units)? Every cell that the line
-  // touches must be open, both beside a corner that it passes; not asked of
-  // the cell of a.
+  // Is the straight line from a to b (in cell units) free? Every cell it
+  // touches must be open, including both cells beside a corner it passes; the
+  // cell of `a` is not tested.
   bool IsClear(kg_base::GridPoint a, kg_base::GridPoint b) const;
 
   // Is a cell of a block of kBlock by kBlock, or one beside it, closed?
@@ -70,7 +70,8 @@ class LineOfSight {
   const kg_base::Raster& east_mps_;
   CellBox box_;
   int block_cols_;
-  std::vector<signed char> near_closed_;  // By block: -1 = not known yet.
+  // Per block: 1, 0, or -1 = not computed yet.
+  std::vector<signed char> near_closed_;
 };
 
 }  // namespace kg_compiler

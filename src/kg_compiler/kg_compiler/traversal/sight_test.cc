@@ -30,7 +30,8 @@ TEST(LineOfSight, SeesEveryCellThatALineTouches) {
     if (!open) {
       ASSERT_FALSE(got);
     } else if (!got) {
-      // A sliver between two looks: then a line a little aside is blocked, too.
+      // The sampling may miss a sliver: then a line slightly to the side is
+      // blocked as well.
       bool sliver = false;
       for (const double d : {-2e-3, 2e-3}) {
         sliver = sliver ||
@@ -65,7 +66,7 @@ TEST(LineOfSight, FindsCornersToGoRoundAndWhatIsNearTheCoast) {
   EXPECT_EQ(8u, sight.Corners({11, 11}));
   EXPECT_TRUE(sight.NearClosed({8, 8}));
   EXPECT_FALSE(sight.NearClosed({2, 2}));
-  sea.open[9 * 20 + 10] = 0;  // Now a wall, two cells long.
+  sea.open[9 * 20 + 10] = 0;  // Two closed cells in a row.
   EXPECT_EQ(0u, sight.Corners({9, 9}));
   EXPECT_EQ(1u, sight.Corners({8, 9}));
 }

@@ -1,5 +1,5 @@
-// Reaches at slower speeds through water, made when first asked for: slower may
-// be cheaper. Threads may ask at the same time.
+// Reaches at slower speeds through water, which may be cheaper; computed on
+// demand. Thread-safe.
 
 #ifndef KG_COMPILER_TRAVERSAL_SLOWER_REACHES_H_
 #define KG_COMPILER_TRAVERSAL_SLOWER_REACHES_H_
@@ -15,12 +15,12 @@ namespace kg_compiler {
 class SlowerReaches {
  public:
   static constexpr int kCount = 5;
-  // Of the full speed; descending.
+  // Fractions of the full speed, descending.
   static constexpr std::array<double, kCount> kShares = {0.75, 0.5, 0.3, 0.15,
                                                          0.05};
 
-  // The k-th; null if it reads anything outside of `read`. The voyage (at full
-  // speed) and `read` must be the same at every call.
+  // Reach at kShares[k]; null if it reads anything outside `read`. The voyage
+  // (at full speed) and `read` must be the same at every call.
   const ReachMap* At(int k, const VoyageRequest& voyage, const CellBox& read);
 
  private:

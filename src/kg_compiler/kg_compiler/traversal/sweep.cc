@@ -6,9 +6,11 @@
 namespace kg_compiler {
 namespace {
 
-constexpr double kTouch = 1e-9;      // Shared edges belong to both sides.
-constexpr double kSteepest = 0.6;    // Of a front that a cubic follows.
-constexpr double kSlantest = 0.2;    // Share of the motion across the front.
+// Tolerance: shared edges belong to both sides.
+constexpr double kTouch = 1e-9;
+constexpr double kSteepest = 0.6;  // Largest slope at which the cubic is used.
+// Least fraction of the motion normal to the front.
+constexpr double kSlantest = 0.2;
 constexpr double kNoLength = 1e-12;  // [cells]
 constexpr double kRefined = 1e-3;    // [cells]
 
@@ -42,7 +44,7 @@ std::optional<ExtremalState> Halfway(const FlowSampler& flow,
     middle = middle + (0.125 * length) * (ta - tb);
     const CellOffset tangent = (1.5 / length) * chord - 0.25 * (ta + tb);
     const CellOffset across{-tangent.y(), tangent.x()};
-    // The side of it that the extremals move to.
+    // Orient the normal towards the motion of the extremals.
     const double side = across.dot(normal) < 0.0 ? -1.0 : 1.0;
     normal = side * across;
   }
@@ -83,13 +85,13 @@ FrontSweep::FrontSweep(const FlowSampler& flow, const ExtremalStrand& a,
       motion_(a1_ - a0_),
       twist_((b1_ - a1_) - begin_edge_),
       length_s_(length_s) {
-  // Each triangle's linear map is inverted once, for all places that are asked.
+  // Invert the linear map of each triangle once, for all calls of Find().
   const CellOffset end_edge = b1_ - a1_;
   const double det_a = Cross(begin_edge_, b1_ - a0_);
   const double det_b = Cross(b1_ - a0_, motion_);
   if (std::abs(det_a) > kNoLength) inverse_a_ = 1.0 / det_a;
   if (std::abs(det_b) > kNoLength) inverse_b_ = 1.0 / det_b;
-  // The mean motion of both ends tells the bows which way is ahead.
+  // The mean motion of both ends defines the forward direction of the bows.
   motion_ = 0.5 * (motion_ + (b1_ - b0_));
   begin_bow_ =
       BowOf(begin_edge_, NormalOf(flow, a.begin), NormalOf(flow, b.begin));
@@ -98,8 +100,8 @@ FrontSweep::FrontSweep(const FlowSampler& flow, const ExtremalStrand& a,
       end_bow_.length > kNoLength
           ? std::abs(Cross(end_edge, motion_)) / end_bow_.length
           : 0.0;
-  // The front's own speed, if it moves across itself and not mostly along, and
-  // is smooth enough for a cubic; else it is taken to be the chord.
+  // Speed of the front along its normal, if it moves mostly along the normal
+  // and is smooth enough for a cubic; otherwise the chord is used.
   if (across > kSlantest * motion_.norm() && Slope() < kSteepest) {
     s_per_cell_ = length_s_ / across;
   }

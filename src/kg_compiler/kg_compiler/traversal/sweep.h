@@ -1,5 +1,5 @@
-// What lies between two neighbouring extremals during one step, and when the
-// front comes over it.
+// The strip between two neighbouring extremals during one step, and the time at
+// which the front passes each place in it.
 //
 //   X(s, w) = (1-w) [(1-s) a0 + s b0] + w [(1-s) a1 + s b1]
 //   t = begin + w length - y(s, w) / v
@@ -21,7 +21,7 @@ namespace kg_compiler {
 // An extremal during one step.
 struct ExtremalStrand {
   ExtremalState begin, end;
-  double heading_rad = 0.0;  // When it left its root.
+  double heading_rad = 0.0;  // Heading at its root.
   bool dead = false;         // Ended in this step.
 };
 
@@ -34,8 +34,8 @@ inline CellOffset PlaceOf(const ExtremalState& at) { return {at.col, at.row}; }
 // The front's normal in cell units.
 CellOffset NormalOf(const FlowSampler& flow, const ExtremalState& at);
 
-// Half way along the front between two extremals, by a cubic through both with
-// their normals; nothing where the front is not smooth enough between them.
+// Midpoint of the front between two extremals, on a cubic through both that
+// matches their normals; nullopt where the front is not smooth enough.
 std::optional<ExtremalState> Halfway(const FlowSampler& flow,
                                      const ExtremalState& a,
                                      const ExtremalState& b);
@@ -49,18 +49,18 @@ class FrontSweep {
     double across = 0.0;  // s
     double along = 0.0;   // w
   };
-  // Where a place is, if between the two.
+  // Coordinates (s, w) of a place; nullopt if it is not in the strip.
   std::optional<Share> Find(const CellOffset& place) const;
-  double Time_s(Share share) const;  // After the step's begin.
+  double Time_s(Share share) const;  // Seconds after the begin of the step.
   CellOffset BeginAt(double across) const { return a0_ + across * begin_edge_; }
 
-  CellOffset low() const;  // The box around it.
+  CellOffset low() const;  // Bounding box of the strip.
   CellOffset high() const;
-  // The largest slope of the front against its chords; how smooth it is.
+  // Largest slope of the front against its chords, a measure of smoothness.
   double Slope() const;
 
  private:
-  struct Bow {  // The front against one chord.
+  struct Bow {  // Deviation of the front from one chord.
     double length = 0.0, slope_a = 0.0, slope_b = 0.0;
     double Ahead(double s) const;
   };

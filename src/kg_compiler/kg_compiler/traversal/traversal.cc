@@ -1,4 +1,4 @@
-// Traverse: the price decides how fast to go.
+// Traverse: selects the speed through water by the cost of the flight.
 
 #include "kg_compiler/traversal/traversal.h"
 
@@ -19,11 +19,11 @@ constexpr int kRefinements = 10;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kNear_cells = 2;
 constexpr double kHoldStep_s = 1800.0;
-constexpr double kWorth = 1e-3;  // Share of the cost that is worth trying for.
-constexpr double kSure = 0.9;    // Share of what is held, between the samples.
+constexpr double kWorth = 1e-3;  // Least relative cost reduction worth trying.
+constexpr double kSure = 0.9;    // Safety factor for currents between samples.
 
-// One cannot be at a place before this: the first arrival in the cells around,
-// among which it lies. Infinite if there is none within a cell more.
+// Lower bound of the arrival at a place: the earliest arrival in the
+// surrounding cells. Infinite if no cell within kNear_cells is reached.
 double Earliest_s(const ReachMap& reach, const kg_base::Grid& grid,
                   kg_base::Cell place) {
   for (int around = 1; around <= kNear_cells; ++around) {
@@ -42,7 +42,7 @@ double Earliest_s(const ReachMap& reach, const kg_base::Grid& grid,
   return kInfinity;
 }
 
-// Shares of the full speed: those tried, with their reaches, fastest first.
+// A candidate speed as a fraction of the full speed, with its flight and cost.
 struct SpeedChoice {
   double share = 1.0;
   double cost = kInfinity;
@@ -66,10 +66,10 @@ class SpeedSearch {
 
   std::optional<FlownPath> Cheapest() const {
     SpeedChoice best = Try(1.0, reach_);
-    // From fast to slow; the bound on the arrival only grows.
+    // From fast to slow: the lower bound on the arrival can only grow.
     double earliest_s = NotBefore(EarliestBy(reach_), best);
     int chosen = -1;
-    bool between = false;  // May the cheapest lie next to the fastest?
+    bool between = false;  // May the optimum lie next to the fastest?
     for (int k = 0; k < SlowerReaches::kCount; ++k) {
       const double share = SlowerReaches::kShares[k];
       if (!IsWorthIt(share, earliest_s, best)) continue;
@@ -94,9 +94,9 @@ class SpeedSearch {
     const kg_base::Grid& grid = voyage_.world.field->grid;
     return Earliest_s(reach, grid, CellOf(grid, at_));
   }
-  // Less than this no flight at a speed v costs that arrives at `earliest_s` or
-  // later: whenever it does, each second until the deadline takes either v or
-  // the current's speed |c| to hold against.
+  // Lower bound of the cost of any flight at a speed v that arrives at
+  // `earliest_s` or later: each second until the deadline is charged either
+  // with v or with the speed |c| of the current to hold against.
   double LeastCost(double share, double earliest_s) const {
     if (!(earliest_s <= whole_s_)) return kInfinity;
     const double own_mps = share * voyage_.motion.cruise_mps;
@@ -121,7 +121,7 @@ class SpeedSearch {
     return least < kInfinity &&
            (!best.flight || least < best.cost - kWorth * (best.cost - anyway));
   }
-  // Who goes slower than that is not earlier.
+  // A slower flight cannot arrive before a faster one.
   static double NotBefore(double earliest_s, const SpeedChoice& faster) {
     return faster.flight ? std::max(earliest_s, faster.flight->travel_s)
                          : earliest_s;
@@ -146,8 +146,8 @@ class SpeedSearch {
     }
     return choice;
   }
-  // Golden section between the speeds on either side of the one chosen, which
-  // has the least cost of the three; what cannot be flown costs infinitely.
+  // Golden-section search between the two speeds adjacent to the chosen one,
+  // which has the least cost of the three; infeasible speeds cost infinity.
   SpeedChoice Refined(SpeedChoice best, int chosen) const {
     const int last = SlowerReaches::kCount - 1;
     double low = chosen == last ? 0.0 : SlowerReaches::kShares[chosen + 1];
@@ -156,8 +156,8 @@ class SpeedSearch {
         chosen < 0 ? reach_ : *reach_.slower->At(chosen, voyage_, reach_.read);
     double high = chosen <= 0 ? 1.0 : SlowerReaches::kShares[chosen - 1];
     for (int i = 0; i < kRefinements; ++i) {
-      // Probe the longer of the two intervals; the best stays between low and
-      // high, whichever of both the probe replaces.
+      // Probe the longer of the two intervals; the best stays bracketed by low
+      // and high.
       const bool up = high - best.share > best.share - low;
       const double share =
           up ? best.share + (1.0 - kGolden) * (high - best.share)
@@ -176,7 +176,7 @@ class SpeedSearch {
   kg_base::LonLat to_;
   kg_base::GridPoint at_;
   double whole_s_;
-  std::vector<double> current_mps_;  // At the place, in even steps of time.
+  std::vector<double> current_mps_;  // |c| at the place, in equal time steps.
 };
 
 }  // namespace

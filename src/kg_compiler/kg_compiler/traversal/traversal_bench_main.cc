@@ -3,9 +3,9 @@
 //   traversal_bench [--quick]
 //
 // 5: flights against closed forms of 5 flows. 6: every claim on two real files
-// of currents (where they are beside the repository) flown again by an
+// of currents (if present next to the repository), reintegrated by an
 // independent integrator. 7: one-to-all against this folder's Dijkstra with 32
-// neighbours on the same grid, and the errors of both; bounded to a day, too.
+// neighbours on the same grid, and the errors of both; also limited to one day.
 
 #include <cstdio>
 #include <cstring>
@@ -57,6 +57,7 @@ void ReportTruth(bool quick) {
       std::printf("          %s is not there: not flown\n", file);
       continue;
     }
+    // The same currents for slow and fast agents.
     for (const double cruise_mps : {0.3, 0.5, 1.0}) {
       const SeamTruth truth =
           TruthOn(*sea, cruise_mps, {quick ? 1 : 5, quick ? 5 : 1, 1});
@@ -118,6 +119,7 @@ void ReportSpeed(bool quick) {
          PairedRatio(
              rounds, [&] { ComputeReach(voyage); },
              [&] { GridSearch(voyage, 32); }));
+  // Second part: the usual planning case, a voyage limited to one day.
   std::printf("          OMPL's RRT* is not built in: not compared\n");
   const TestFlowWorld gulf(GulfLikeFlow(1, 0, kDay_s, 10800));
   for (const double cruise_mps : {0.3, 0.5, 1.0}) {

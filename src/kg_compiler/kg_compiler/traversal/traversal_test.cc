@@ -19,7 +19,7 @@ using kg_base::VectorField;
 
 kg_base::Grid TestGrid() { return EvenGrid(-91, 24, 0.04, 50, 50); }
 
-// Metres over ground per second towards a bearing in a uniform current.
+// Ground speed [m/s] towards a bearing in a uniform current.
 double ClosedFormSpeed(double v, double east, double north, double bearing) {
   const double along = east * std::sin(bearing) + north * std::cos(bearing);
   const double across = east * std::cos(bearing) - north * std::sin(bearing);
@@ -123,7 +123,7 @@ TEST(Traverse, RoundsAVortexFasterWithItThanAgainstIt) {
   EXPECT_GT(with + against, 2 * calm);
 }
 
-// Steps along the track of a thousandth of its legs: every cell must be open.
+// Samples the track at 1/1000 of each leg: every cell must be open.
 void ExpectOpen(const TestFlowWorld& sea, const FlownPath& flight) {
   for (std::size_t i = 0; i + 1 < flight.track.size(); ++i) {
     const LonLat a = flight.track[i].position, b = flight.track[i + 1].position;
@@ -241,7 +241,7 @@ TEST(ComputeReach, IsEmptyFromAForbiddenCellAndFromOutsideTheGrid) {
   EXPECT_EQ(0u, count({-90, 25}));
 }
 
-// Setting out later along one track never brings one there earlier.
+// A later departure on the same track never arrives earlier.
 TEST(FlyTrack, KeepsTheOrderOfDepartures) {
   std::mt19937 rng(37);
   int compared = 0;
@@ -287,7 +287,7 @@ TEST(FlyTrack, TakesAtRestWhatCruisingTakesOfWhatHovers) {
   ASSERT_TRUE(flight);
   EXPECT_NEAR(0.5 * kDay_s, flight->through_water_m, 1.0);
   EXPECT_NEAR(2.0 * 0.5 * kDay_s + 3.0 * kDay_s, flight->energy_j, 2.0);
-  // Where the field is faster, that is what it takes.
+  // A faster current determines the speed needed to hold station.
   const TestFlowWorld fast(UniformFlow(TestGrid(), 0.8, 0.0));
   const auto held =
       FlyTrack(fast.From(motion, {{-90, 25}, 0, kDay_s}), {{-90, 25}});
@@ -336,7 +336,7 @@ TEST(FlyTrack, StopsWhereTheBaseTravelIsUsedUp) {
       FlyTrack(sea.From(Glider(0.5), {from, 0, kDay_s, 0.99 * d}), {from, to}));
 }
 
-// Three tracks of random places, each at a speed of its own.
+// Three tracks of random places, each with its own speed.
 std::vector<TrackStretch> RandomStretches(std::mt19937& rng,
                                           const kg_base::Grid& grid,
                                           LonLat from) {
@@ -372,7 +372,7 @@ TEST(FlyStretches, IsEveryTrackFlownFromWhereAndWhenTheOneBeforeEnds) {
       if (!feasible) break;
       at_s += leg->travel_s;
       through_m += stretch.speed_mps * leg->travel_s;
-      // The last holds station; what it takes for that comes on top.
+      // The last stretch holds station; its energy is added.
       energy_j = leg->through_water_m - stretch.speed_mps * leg->travel_s;
     }
     ASSERT_EQ(feasible, flight.has_value());
@@ -478,7 +478,7 @@ TEST(HoldableFrom, IsTheLastMomentTheCurrentIsTooStrong) {
   EXPECT_GT(inside, 5);
 }
 
-// Whatever lies outside of what a reach read may change.
+// Cells outside the read box of a reach may change without effect.
 TEST(ComputeReach, ReadsNothingOutsideOfItsBoxNorDoItsFlights) {
   std::mt19937 rng(39);
   int flown = 0, inside = 0;
@@ -533,8 +533,8 @@ TEST(ComputeReach, ReadsNothingOutsideOfItsBoxNorDoItsFlights) {
   EXPECT_GT(inside, 1000);
 }
 
-// |D/T - c| is the least speed through water that brings one to D by T in a
-// steady uniform current; later there is nothing to hold against.
+// |D/T - c| is the least speed through water that reaches D by T in a steady
+// uniform current; arriving at T leaves no time to hold station.
 TEST(Traverse, SpendsTheLeastEnergyThatAUniformCurrentAsksFor) {
   std::mt19937 rng(40);
   int flown = 0;
@@ -549,7 +549,7 @@ TEST(Traverse, SpendsTheLeastEnergyThatAUniformCurrentAsksFor) {
     const double least_mps = std::hypot(d * std::sin(bearing) / kDay_s - east,
                                         d * std::cos(bearing) / kDay_s - north);
     if (!(least_mps > 0.05 && least_mps < 0.48)) continue;
-    // Else that speed brings one there before T already, and the current past.
+    // Otherwise that speed arrives before T and the current carries past D.
     const double x = d * std::sin(bearing), y = d * std::cos(bearing);
     if (!(x * (x / kDay_s - east) + y * (y / kDay_s - north) > 0.0)) continue;
     VoyageRequest voyage = sea.From(Glider(0.5), {from, 0.0, kDay_s});

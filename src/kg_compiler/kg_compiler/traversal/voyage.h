@@ -1,5 +1,5 @@
-// What a traversal is asked (a world, an agent's motion, a departure, prices)
-// and what it answers (a flight). Values only; traversal.h has the equations.
+// Input of a traversal (world, motion model, departure, prices) and its result
+// (a flight). Values only; traversal.h has the equations.
 // Times are Unix seconds unless said otherwise, lengths metres, energy joules.
 
 #ifndef KG_COMPILER_TRAVERSAL_VOYAGE_H_
@@ -32,7 +32,7 @@ struct FlownPath {
   double speed_mps = 0.0;  // Through water until the arrival.
 };
 
-// The world as one window's traversal sees it. All on one grid.
+// The world for the traversal of one window. All members share one grid.
 struct TraversalWorld {
   const kg_base::VectorField* field = nullptr;
   const kg_base::Mask* open = nullptr;  // 1 = may be entered.
@@ -41,22 +41,22 @@ struct TraversalWorld {
 
 struct VoyageDeparture {
   kg_base::LonLat from;
-  double time_s = 0.0;  // Unix seconds, as the deadline.
+  double time_s = 0.0;  // Unix seconds, as is deadline_s.
   double deadline_s = 0.0;
-  // Most that may be travelled through water to get there (A17); holding
+  // Limit of the distance through water until the arrival (A17); holding
   // station does not count.
   double base_travel_m = std::numeric_limits<double>::infinity();
 };
 
-// What a flight is chosen by: the price of a second under way, of a joule, and
-// of a second at hazard 1. All 0 or only per_s set: the fastest.
+// Weights of the flight's cost: per second under way, per joule, and per second
+// at hazard 1. All 0 or only per_s set: the fastest flight.
 struct FlightPrice {
   double per_s = 0.0;
   double per_j = 0.0;
   double per_hazard_s = 0.0;
 };
 
-// Who sets out from where, into what world.
+// Complete input of one traversal.
 struct VoyageRequest {
   TraversalWorld world;
   MotionModel motion;

@@ -1,4 +1,4 @@
-// Lines of `make bench`: one for each target, with the goal and the measured
+// Output of `make bench`: one line per target, with the goal and the measured
 // value.
 
 #ifndef KG_BASE_COMMON_TESTING_BENCH_REPORT_H_
@@ -16,10 +16,10 @@
 namespace kg_base {
 
 struct BenchTarget {
-  int number = 0;    // Of the table in docs/performance.md.
-  std::string what;  // What is measured, against what.
+  int number = 0;    // Number in the table of docs/performance.md.
+  std::string what;  // Measured quantity and baseline.
   double goal = 0.0;
-  bool at_least = true;  // Else at most.
+  bool at_least = true;  // false: at most.
   std::string unit;      // "x", "%", "ms", ...
 };
 
@@ -54,8 +54,8 @@ double Milliseconds(const Work& work) {
   return 1000.0 * Seconds(work);
 }
 
-// Median of the ratios seconds(b) / seconds(a), a and b timed in turn, so that
-// what else the machine does touches both alike. `seconds` times one of them.
+// Median of the ratios seconds(b) / seconds(a), with a and b timed alternately,
+// so that other load affects both equally. `seconds` times one of them.
 template <typename Clock, typename A, typename B>
 double PairedRatioBy(const Clock& seconds, int rounds, const A& a, const B& b) {
   std::vector<double> ratios;

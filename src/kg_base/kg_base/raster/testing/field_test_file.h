@@ -1,4 +1,4 @@
-// For tests: writes small gridded files of every shape, and finds the real
+// For tests: writes small gridded files of every shape, and locates the real
 // ones.
 
 #ifndef KG_BASE_RASTER_TESTING_FIELD_TEST_FILE_H_
@@ -23,10 +23,10 @@ namespace kg_base {
 
 enum class Fill { kAttribute, kFloatAttribute, kMissingValue, kDefault, kNan };
 
-// What to write. The defaults are a plain HYCOM-like file.
+// Contents to write. The defaults are a plain HYCOM-like file.
 struct TestFile {
   int format = 0;              // NC_64BIT_OFFSET, NC_64BIT_DATA, NC_NETCDF4.
-  std::string order = "tzyx";  // Of the variables' dimensions; t, z at will.
+  std::string order = "tzyx";  // Order of dimensions; t and z are optional.
   std::vector<double> lon{-98, -97.9, -97.8, -97.7};
   std::vector<double> lat{21, 21.1, 21.25};
   std::vector<double> depth{0, 10};
@@ -39,7 +39,7 @@ struct TestFile {
   std::string time_units = "hours since 2000-01-01 00:00:00";
   std::string calendar = "standard";
   std::string speed_units = "m/s";
-  double speed_factor = 1.0;  // Written = m/s times this.
+  double speed_factor = 1.0;  // Written value = m/s * speed_factor.
   std::string east_name = "water_u";
   std::string east_standard = "eastward_sea_water_velocity";
   bool north = true;
@@ -47,7 +47,7 @@ struct TestFile {
   bool coordinate_attributes = true;
   bool curvilinear = false;
   bool all_land = false;
-  double odd_value = NAN;  // In the north-eastern cell of the first time.
+  double odd_value = NAN;  // Value in the north-eastern cell, first time.
   double all_value = NAN;
   std::map<std::string, double> east_numbers;  // More attributes.
 };
@@ -55,7 +55,7 @@ struct TestFile {
 inline bool TestLand(double lon, double lat) {
   return std::abs(lat - 21.0) < 1e-6 && std::abs(lon + 98.0) < 1e-6;
 }
-// Another value for every longitude, latitude, time and depth, at most 2 m/s.
+// Distinct speed for every longitude, latitude, time and depth, at most 2 m/s.
 inline double TestSpeed(double lon, double lat, double hours, double depth) {
   const double speed = std::sin(7.0 * lon) + 0.5 * std::sin(11.0 * lat) +
                        0.3 * std::sin(hours) + 0.2 * std::sin(depth);
@@ -137,7 +137,8 @@ class TestFileWriter {
     } else if (spec_.fill == Fill::kAttribute) {
       variable.putAtt("_FillValue", netCDF::ncFloat, fill);
     } else if (spec_.fill == Fill::kFloatAttribute) {
-      // The library insists on the own type for _FillValue, not for this one.
+      // The library requires the variable's type for _FillValue, but not for
+      // missing_value.
       variable.putAtt("missing_value", netCDF::ncFloat, fill);
     } else if (spec_.fill == Fill::kMissingValue) {
       variable.putAtt("missing_value", netCDF::ncDouble, fill);
@@ -156,8 +157,8 @@ class TestFileWriter {
       std::vector<double> values = Axis(axis);
       const bool spread = spec_.curvilinear && (axis == 'y' || axis == 'x');
       if (spread) values.resize(spec_.lat.size() * spec_.lon.size(), 0.0);
-      // With start and count: an unlimited time has no length until it is
-      // written, and a scalar no index at all.
+      // Use start and count: an unlimited time has no length until it is
+      // written, and a scalar has no index.
       std::vector<std::size_t> count{values.size()};
       if (spread) count = {spec_.lat.size(), spec_.lon.size()};
       const std::vector<std::size_t> start(count.size(), 0);
@@ -208,7 +209,7 @@ class TestFileWriter {
   std::map<char, netCDF::NcVar> vars_;
 };
 
-// A file in a folder of its own; both gone afterwards.
+// A file in a temporary folder; both are removed by the destructor.
 class TempFile {
  public:
   TempFile() {
@@ -247,7 +248,7 @@ inline const std::vector<FieldQuantity>& BothVelocities() {
   return kBoth;
 }
 
-// The error's text; "read" when there is none.
+// The error text; "read" if there is none.
 template <typename Function>
 std::string InputErrorOf(const Function& function) {
   try {
@@ -258,7 +259,7 @@ std::string InputErrorOf(const Function& function) {
   return "read";
 }
 
-// The path of a real data file; "" where it is not there.
+// The path of a real data file; "" if it is not present.
 inline std::string SharedData(const std::string& name) {
   const char* folder = std::getenv("KG_SHARED_DATA");
   // Tests run in the package's folder, src/kg_base.

@@ -1,4 +1,4 @@
-// For tests: writes NetCDF files of any variables on one grid.
+// For tests: writes NetCDF files with any variables on one grid.
 
 #ifndef KG_BASE_RASTER_TESTING_TEST_RASTER_FILE_H_
 #define KG_BASE_RASTER_TESTING_TEST_RASTER_FILE_H_
@@ -14,15 +14,15 @@ namespace kg_base {
 
 struct TestVariable {
   std::string name;
-  std::string standard_name;  // "": none, and no units.
+  std::string standard_name;  // "" = no standard_name and no units.
   std::string units;
   std::vector<Raster> steps;  // NaN = no data.
-  bool has_time = true;       // Else the first step is all there is.
+  bool has_time = true;       // false: only the first step is written.
 };
 
 struct TestRasterFile {
   Grid grid;
-  std::vector<double> hours;  // Since 2026-06-01 00:00.
+  std::vector<double> hours;  // Hours since 2026-06-01 00:00.
   std::vector<TestVariable> variables;
 };
 
@@ -49,7 +49,7 @@ class TestRasterFileWriter {
  private:
   static constexpr float kFill = 1e30f;
 
-  // None, and no dimension, without values.
+  // Adds an axis; without values neither variable nor dimension.
   netCDF::NcVar Axis(const std::string& name, const std::string& units,
                      const std::vector<double>& values) {
     if (values.empty()) return {};
@@ -59,7 +59,7 @@ class TestRasterFileWriter {
     return axis;
   }
   netCDF::NcVar Define(const TestVariable& variable) {
-    // Latitude and longitude are the last two; time stands before them.
+    // Latitude and longitude are the last two dimensions, after time.
     const auto first = variable.has_time ? dims_.begin() : dims_.end() - 2;
     const netCDF::NcVar field =
         nc_.addVar(variable.name, netCDF::ncFloat,

@@ -1,5 +1,4 @@
-// What tensor_bench compares the pass with: the memory's bandwidth, and Eq. 1
-// in OpenCV's steps.
+// Baselines for tensor_bench: memory bandwidth, and Eq. 1 in OpenCV steps.
 
 #ifndef KG_COMPILER_DATA_PLANE_TESTING_TENSOR_BENCH_PEERS_H_
 #define KG_COMPILER_DATA_PLANE_TESTING_TENSOR_BENCH_PEERS_H_
@@ -20,7 +19,7 @@
 
 namespace kg_compiler {
 
-// Of this thread alone, so that other programs' turns do not count.
+// CPU time of this thread [s], independent of other processes.
 template <typename Work>
 double CpuSeconds(const Work& work) {
   const auto now = [] {
@@ -33,7 +32,7 @@ double CpuSeconds(const Work& work) {
   return now() - begin;
 }
 
-// a = b + s c, the better of ordinary stores and those past the caches.
+// a = b + s c, with ordinary or non-temporal stores, whichever is faster.
 class Triad {
  public:
   explicit Triad(std::size_t size) : a_(size), b_(size, 1.0f), c_(size, 2.0f) {}
@@ -62,7 +61,7 @@ class Triad {
   std::vector<float> a_, b_, c_;
 };
 
-// What a user of OpenCV writes, one call after the other.
+// Straightforward sequence of OpenCV calls.
 class OpenCvSteps {
  public:
   explicit OpenCvSteps(const World& world) : w_(world) {

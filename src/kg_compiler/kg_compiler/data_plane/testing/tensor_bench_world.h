@@ -26,7 +26,8 @@ struct Size {
   }
 };
 
-// The border is forbidden: there OpenCV and the pass differ by design.
+// The border cells are forbidden because OpenCV and the pass treat them
+// differently.
 struct World {
   explicit World(Size size)
       : grid(EvenGrid(-98.0, 18.1, 21.6 / size.cols, size.rows, size.cols)) {
@@ -91,7 +92,7 @@ struct World {
     ComputeRows(rasters, row, row_end, &field);
   }
   void Lazy() { Lazy(0, grid.rows()); }
-  // The pass, and U as a raster.
+  // Runs the pass and computes U as a raster.
   void Materialised() {
     Lazy();
     RowScale n = FitScale(field, mission.agents[0].policy, 1.0f, nullptr);

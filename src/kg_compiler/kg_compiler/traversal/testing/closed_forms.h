@@ -1,4 +1,4 @@
-// For tests and benchmarks: flows whose earliest arrivals are known, on a plane
+// For tests and benchmarks: flows with known earliest arrivals, on a plane
 // (540 x 384 steps of 0.001 degree around 0 N 0 E, where WGS84 is one to 1e-5).
 // V = 1 m/s; places in metres from the middle, x east, y north.
 
@@ -30,7 +30,7 @@ inline kg_base::LonLat OnPlane(Metres at) {
 struct ClosedForm {
   std::string name;
   kg_base::VectorField field;
-  // Earliest arrival [s]; infinite where one cannot get to within a day.
+  // Earliest arrival [s]; infinite where not reachable within a day.
   std::function<double(Metres from, Metres to)> optimum_s;
 };
 
@@ -38,8 +38,8 @@ namespace closed_forms {
 
 inline constexpr double kDay_s = 86400.0;
 
-// The first time at which `late_m(T) <= 0` (how far one falls short), looked
-// for in steps and then halved.
+// First time T with `late_m(T) <= 0` (distance still missing [m]): bracketed in
+// steps of 40 s, then bisected.
 inline double First(const std::function<double(double)>& late_m) {
   constexpr double kStep_s = 40.0;
   for (double t = 0.0; t < kDay_s; t += kStep_s) {
@@ -91,8 +91,8 @@ inline ClosedForm Uniform(const std::string& name, double east, double north) {
 }
 
 // c = (s y, 0): tan(theta) = p - s t along an extremal, which integrates to
-// what is below; at T one is between the westernmost and the easternmost place
-// of one's latitude.
+// the expression below; the places reached at T on a given latitude lie between
+// the westernmost and the easternmost one.
 inline double ShearX(double s, Metres from, double y, double t, double sign) {
   const double k = sign * s * (y - from.y);
   double low = -1e6, high = 1e6;  // p
@@ -126,7 +126,7 @@ inline ClosedForm Shear() {
           }};
 }
 
-// In the frame that turns with it there is no flow.
+// There is no flow in the rotating frame.
 inline ClosedForm Vortex() {
   const double spin = 0.8 / 36800.0;
   return {"solid-body vortex, |c| to 0.8 V",

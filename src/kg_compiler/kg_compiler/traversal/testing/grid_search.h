@@ -1,7 +1,7 @@
-// Dijkstra's search over cell centres, moves to 16 or 32 neighbours timed at
-// the moment one sets out. For tests and benchmarks: the peer that the fan of
-// extremals is measured against. It claims what cannot be flown and misses what
-// can where the current is stronger than the agent.
+// Dijkstra's search over cell centres, with moves to 16 or 32 neighbours timed
+// at their departure. For tests and benchmarks: the baseline for the fan of
+// extremals. Where the current is stronger than the agent, it reports places
+// that cannot be flown to and misses places that can.
 
 #ifndef KG_COMPILER_TRAVERSAL_TESTING_GRID_SEARCH_H_
 #define KG_COMPILER_TRAVERSAL_TESTING_GRID_SEARCH_H_
@@ -20,17 +20,17 @@
 
 namespace kg_compiler {
 
-// The share of V that must be left, of the heading and of the way made good.
+// Step 1 cell; 5 % of V must remain in heading correction and ground speed.
 inline constexpr LegCare kSearch = {1.0, 0.05};
 
 struct GridReachedCell {
-  int index = 0;           // Of the grid.
+  int index = 0;           // Grid index of the cell.
   double arrival_s = 0.0;  // At its centre, seconds after departure.
-  int parent = -1;         // Index of the cell one comes from, -1 = departure.
+  int parent = -1;         // Index of the previous cell, -1 = departure.
 };
 
 struct GridReach {
-  std::vector<GridReachedCell> cells;  // By index.
+  std::vector<GridReachedCell> cells;  // Ascending by index.
 
   const GridReachedCell* Find(int index) const {
     const auto at =
@@ -40,7 +40,7 @@ struct GridReach {
                          });
     return at != cells.end() && at->index == index ? &*at : nullptr;
   }
-  // From cell centre to cell centre, the departure first.
+  // Track through cell centres, starting with the departure.
   std::vector<kg_base::LonLat> Track(const kg_base::Grid& grid,
                                      kg_base::LonLat from, int index) const {
     std::vector<kg_base::LonLat> track;
@@ -59,11 +59,11 @@ struct GridReach {
 struct Move {
   int rows = 0;
   int cols = 0;
-  // Offsets of all cells that the segment touches, both beside a corner, but
-  // for the one it starts in.
+  // Offsets of all cells that the segment touches (both cells beside a corner),
+  // except the one it starts in.
   std::vector<kg_base::Cell> touched;
-  // Where the current is sampled: in the middle of equal parts, each no longer
-  // than a cell. The south-west centre of four and the shares of the others.
+  // Sample of the current at the middle of equal parts, each no longer than a
+  // cell: south-west centre of four and the bilinear weights.
   struct Sample {
     kg_base::Cell corner;
     double north = 0.0;
@@ -87,7 +87,7 @@ class Mover {
 
  private:
   struct TimedCourse {
-    double length_m, east, north;  // East and north: of the unit vector.
+    double length_m, east, north;  // (east, north): unit vector.
   };
   TimedCourse CourseOf(const Move& move, kg_base::Cell from) const;
   // boost_gain current; no data counts as no flow.
@@ -99,7 +99,7 @@ class Mover {
   double speed_mps_;
   double boost_gain_;
   double latest_s_;
-  std::vector<double> slice_s_;                  // After the departure's time.
+  std::vector<double> slice_s_;                  // [s after the departure].
   std::vector<kg_base::DegreesPerMetre> scale_;  // By row.
 };
 
@@ -244,7 +244,8 @@ inline std::optional<double> Mover::Arrival(const Move& move,
   const double part_m =
       course.length_m / static_cast<double>(move.samples.size());
   double time_s = depart_s;
-  double half_s = 0.0;  // To the middle of the next part, by the last rate.
+  // Time to the middle of the next part, from the last rate.
+  double half_s = 0.0;
   for (const Move::Sample& sample : move.samples) {
     const kg_base::Velocity c = Current(sample, from, time_s + half_s);
     const double along = c.east_mps * course.east + c.north_mps * course.north;
@@ -273,8 +274,8 @@ struct Node {
   bool settled = false;
 };
 
-// Nodes of the cells touched, in tiles made when first touched: a search that
-// stays near its source costs nothing for the rest of the grid.
+// Search nodes, in tiles allocated on first access: a search that stays near
+// its source costs nothing for the rest of the grid.
 class Nodes {
  public:
   explicit Nodes(const kg_base::Grid& grid)

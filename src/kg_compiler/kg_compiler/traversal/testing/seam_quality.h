@@ -1,5 +1,5 @@
-// For tests and benchmarks: how good flights are, against closed forms and on
-// real files.
+// For tests and benchmarks: quality of flights against closed forms and on real
+// files.
 
 #ifndef KG_COMPILER_TRAVERSAL_TESTING_SEAM_QUALITY_H_
 #define KG_COMPILER_TRAVERSAL_TESTING_SEAM_QUALITY_H_
@@ -17,15 +17,15 @@ namespace kg_compiler {
 
 struct SeamError {
   int targets = 0;
-  int missed = 0;     // Reachable, no flight.
-  int claimed = 0;    // Flights to where one cannot get.
-  double mean = 0.0;  // Of the shares above the optimum.
+  int missed = 0;     // Reachable places without a flight.
+  int claimed = 0;    // Flights to places that are not reachable.
+  double mean = 0.0;  // Relative excess over the optimum.
   double most = 0.0;
   double least = 0.0;
 };
 
-// Flights in a flow of known optimum, to `count` places all over it. In the
-// last 0.3 % before a day or the edge of a cone nothing is asked.
+// Flights in a flow of known optimum, to `count` random places. Places within
+// 0.3 % of the day limit or of the edge of a cone are not judged.
 inline SeamError AgainstOptimum(const ClosedForm& form, int count,
                                 unsigned seed) {
   std::mt19937 rng(seed);
@@ -63,15 +63,15 @@ inline SeamError AgainstOptimum(const ClosedForm& form, int count,
 
 struct SeamTruth {
   int claimed = 0;
-  int infeasible = 0;  // Claimed, but not to be flown.
-  int reachable = 0;   // By some flown path.
-  int missed = 0;      // ... without a claim.
-  double worst = 0.0;  // Share by which a claimed time differs from the flown.
-  double above_grid = 0.0;  // Share above the best flown path of a grid search.
+  int infeasible = 0;       // Claimed, but cannot be flown.
+  int reachable = 0;        // Reached by some flown path.
+  int missed = 0;           // ... without a claim.
+  double worst = 0.0;       // Largest relative error of a claimed time.
+  double above_grid = 0.0;  // Relative excess over the best flown grid path.
 };
 
-// Every such-and-such cell centre that the fan or a grid search of 16 or 32
-// neighbours reaches from one place, flown again by the independent integrator.
+// Takes every `every`-th cell centre that the fan or a grid search of 16 or 32
+// neighbours reaches from one place; an independent integrator flies it again.
 inline void AddTruth(const VoyageRequest& voyage, const TestFlowWorld& sea,
                      int every, SeamTruth* truth) {
   const kg_base::Grid& grid = sea.field.grid;
@@ -117,7 +117,7 @@ inline void AddTruth(const VoyageRequest& voyage, const TestFlowWorld& sea,
 
 struct TruthSample {
   int sources = 1;
-  int every = 1;  // Of so many cells, one is looked at.
+  int every = 1;  // One cell in `every` is tested.
   unsigned seed = 1;
 };
 

@@ -1,6 +1,6 @@
-// What tests and benchmarks of traversal sail on: a sea made of a field, the
-// real files where they are, and an integrator that shares no code with the
-// library, to fly again what it claims.
+// Worlds for tests and benchmarks of traversal: a generated field, the real
+// files if present, and an integrator that shares no code with the library, to
+// verify its flights.
 
 #ifndef KG_COMPILER_TRAVERSAL_TESTING_TEST_FLOW_WORLD_H_
 #define KG_COMPILER_TRAVERSAL_TESTING_TEST_FLOW_WORLD_H_
@@ -50,8 +50,8 @@ struct TestFlowWorld {
   std::unique_ptr<HazardMap> hazard;  // None unless set.
 };
 
-// The straightforward integrator: c bilinear by its definition, RK4 in time
-// with 30 s steps along each leg. Seconds of travel; nothing if the track
+// Reference integrator: c bilinear by its definition, RK4 in time with 30 s
+// steps along each leg. Returns the travel time [s]; nullopt if the track
 // leaves the open cells or cannot be held.
 class Refly {
  public:
@@ -146,8 +146,8 @@ class Refly {
   const MotionModel& m_;
 };
 
-// The currents of a real file, as they are from its first step on; nothing
-// where the file is not there.
+// The currents of a real file from its first time step on; nullopt if the file
+// is not present.
 inline std::optional<TestFlowWorld> RealSea(const std::string& file) {
   const char* folder = std::getenv("KG_SHARED_DATA");
   const std::string path =
