@@ -17,8 +17,8 @@
 
 namespace kg_compiler {
 
-// Exposure per entry of kg_core's CostQuantities(), in their order; 0 for those
-// that `field` does not have. Empty if it has none.
+// Exposure per entry of kg_mission's CostQuantities(), in their order; 0 for
+// those that `field` does not have. Empty if it has none.
 std::vector<double> FieldExposures(const kg_base::VectorField& field,
                                    const FlownPath& flight);
 

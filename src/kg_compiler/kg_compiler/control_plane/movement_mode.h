@@ -13,7 +13,7 @@ enum class MovementMode {
   kEdges,  // Also along edges between the waypoints of a window.
 };
 const char* Name(MovementMode mode);  // "hops", "edges".
-// Throws kg_core::InputError for another name.
+// Throws kg_base::InputError for another name.
 MovementMode MovementModeOf(const std::string& name);
 
 }  // namespace kg_compiler

@@ -48,7 +48,7 @@ struct SeamCache;
 // another, and receives those of this one. Results unaffected by changes are
 // reused: whole graphs, and within a window the arrival fields and flights of
 // each place; the result is bit-identical to one without cache. Throws
-// kg_core::InputError if the agent cannot be anywhere by the end of some window
+// kg_base::InputError if the agent cannot be anywhere by the end of some window
 // (naming it), or starts on land or in a no_go area; the cache is then
 // unchanged.
 NavGraphs CompileNavGraphs(const SeamRules& rules,

@@ -8,7 +8,7 @@
 //   risk         lambda_risk           H + I [s], hazard and isolation
 //   uncertainty  lambda_unc            1 - w of the window of arrival
 //   wave_height  lambda_waveHeight     X, integral over the flight [m s]
-//   ...          likewise for every kg_core::CostQuantities()
+//   ...          likewise for every kg_mission::CostQuantities()
 //
 // S is summed, hashed (HashWeights) and explained in loops over the rows. To
 // add a term whose quantity is stored in the edge, add a row here; to add a
@@ -35,7 +35,7 @@ struct SeamTerm {
   std::function<double(const TraverseEdge&, double confidence)> quantity;
   // Properties of the policy facts that define the weight.
   std::vector<std::string> policy_properties;
-  std::string field;  // Name of its kg_core::SourceQuantity; may be empty.
+  std::string field;  // Name of its kg_mission::SourceQuantity; may be empty.
   bool is_optional = false;  // Omitted from sum and hash if its weight is 0.
 
   double Cost(const SeamWeights& weights, const TraverseEdge& edge,

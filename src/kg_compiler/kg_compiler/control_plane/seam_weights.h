@@ -19,7 +19,7 @@ struct SeamWeights {
   double risk_per_s = 0.0;
   double uncertainty = 0.0;
   double isolation = 0.0;  // Hazard rate with no other waypoint near.
-  // Weights of the cost fields (kg_core's CostQuantities(), in their order),
+  // Weights of the cost fields (kg_mission's CostQuantities(), in their order),
   // per second and unit; empty = all 0. With X the integral of such a field
   // over the flight, S has a further term lambda_field X for each.
   std::vector<double> field_per_s = {};

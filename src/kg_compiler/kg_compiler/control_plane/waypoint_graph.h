@@ -36,7 +36,7 @@ struct TraverseEdge {
   FlownPath flight;  // The whole path, including stops.
   double seam_cost = 0.0;    // S, in reward units.
   double isolation_s = 0.0;  // I.
-  // X, time integral along the flight of each of kg_core's CostQuantities()
+  // X, time integral along the flight of each of kg_mission's CostQuantities()
   // [unit s]; empty where the window's field has none.
   std::vector<double> exposures = {};
   // Waypoints of this window visited on the way, in order: a walk.

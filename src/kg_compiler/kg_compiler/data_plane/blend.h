@@ -40,7 +40,7 @@ std::vector<BlendTerm> BlendTerms(const ActiveFacts& active,
                                   const kg_mission::Policy& policy);
 
 // Divisor of a layer. `max_value` is its largest open value, `stated` its
-// ex:fullScale or ex:frontFullScale; throws kg_core::InputError if the policy
+// ex:fullScale or ex:frontFullScale; throws kg_base::InputError if the policy
 // requires it and it is missing. Infinite if the layer is 0 everywhere.
 double LayerDivisor(const kg_mission::Policy& policy,
                     const std::optional<double>& stated, double max_value);

@@ -25,7 +25,7 @@ struct SeamContext {
   const SeamRules* rules = nullptr;
   const WindowRules* window = nullptr;
 };
-// Throws kg_core::InputError if the window is not planned.
+// Throws kg_base::InputError if the window is not planned.
 SeamContext FindSeamContext(const Compilation& compilation,
                             const kg_mission::Agent& agent,
                             const SeamRules& rules, int window);

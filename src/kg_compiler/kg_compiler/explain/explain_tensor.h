@@ -29,7 +29,7 @@
 
 namespace kg_compiler {
 
-// Finds the inputs of a tensor in a compilation. Throws kg_core::InputError
+// Finds the inputs of a tensor in a compilation. Throws kg_base::InputError
 // that lists the existing windows if there is no such tensor.
 TensorInputs FindTensorInputs(const Compilation& compilation,
                               const kg_mission::Agent& agent, int window);
@@ -44,7 +44,7 @@ class TensorExplainer {
   // Explains U at a cell.
   Explanation ExplainCell(kg_base::Cell cell) const;
   // Explains the sum of U over cells (grid indices), i.e. a waypoint's score.
-  // Throws kg_core::InputError for a cell off the grid.
+  // Throws kg_base::InputError for a cell off the grid.
   Explanation ExplainSum(const std::vector<int>& cells) const;
 
  private:

@@ -59,7 +59,7 @@ struct Subcommand {
   const char* summary;    // One line.
   const char* help;       // The rest of --help; ends with a line end.
   std::vector<Option> options;
-  // Returns an exit status. May throw UsageError, kg_core::InputError and
+  // Returns an exit status. May throw UsageError, kg_base::InputError and
   // std::runtime_error, whose text is shown as the one line of the error.
   int (*run)(const Arguments& arguments);
 };

@@ -12,7 +12,7 @@ namespace kg_engine {
 
 // `write` makes a temporary file beside `path`, which is then renamed to it; if
 // anything fails nothing is left and `path` is what it was. `path` must be
-// absolute. Throws kg_core::InputError in one line.
+// absolute. Throws kg_base::InputError in one line.
 void WriteAtomically(const std::string& path,
                      absl::FunctionRef<void(const std::string& path)> write);
 void WriteAtomically(const std::string& path, std::string_view text);

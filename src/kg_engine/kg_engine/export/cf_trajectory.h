@@ -11,7 +11,7 @@
 
 namespace kg_engine {
 
-// Writes a classic NetCDF file. Throws kg_core::InputError that names the path
+// Writes a classic NetCDF file. Throws kg_base::InputError that names the path
 // if it cannot, or if the plan has no track at all.
 void WriteCfTrajectory(const PlanTracks& plan, const std::string& path);
 

@@ -46,7 +46,7 @@ struct PlanTracks {
   std::vector<PlannedAgent> agents;  // By id.
 };
 
-// Of the plan graph (its IRI). Throws kg_core::InputError if there is no plan
+// Of the plan graph (its IRI). Throws kg_base::InputError if there is no plan
 // in it.
 PlanTracks ReadPlanTracks(const kg_core::GraphView& view,
                           const std::string& plan_graph);

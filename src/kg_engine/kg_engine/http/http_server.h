@@ -27,7 +27,7 @@ class HttpServer {
       std::function<kg_engine::HttpResponse(const kg_engine::HttpRequest&)>;
 
   // Listens on 127.0.0.1 when this returns; calls `handler` from its threads.
-  // Throws kg_core::InputError if the port cannot be had.
+  // Throws kg_base::InputError if the port cannot be had.
   HttpServer(const HttpServerOptions& options, Handler handler);
   // Takes no more requests, waits for those whose handler has been called.
   ~HttpServer();

@@ -58,7 +58,7 @@ class AgentPlanner {
 
   // Plans under what `request` asks of this agent: around those committed, at
   // its prices. Nothing if it does not ask, is of another cycle, or of a run
-  // that has ended. Throws kg_core::InputError for prices that make no sense.
+  // that has ended. Throws kg_base::InputError for prices that make no sense.
   std::optional<PlannerAnswer> PlanAgain(
       const kg_selector::RoundRequest& request);
 

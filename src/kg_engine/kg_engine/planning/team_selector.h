@@ -40,7 +40,7 @@ struct SelectorAnswer {
 
 class TeamSelector {
  public:
-  // A new cycle begins. Throws kg_core::InputError (unknown mode, ...).
+  // A new cycle begins. Throws kg_base::InputError (unknown mode, ...).
   SelectorAnswer Take(const TeamTask& task);
   // In any order, also before the task of their cycle is here.
   SelectorAnswer Take(const kg_selector::AgentCandidates& candidates);

@@ -28,7 +28,7 @@ class MissionPlanning {
   explicit MissionPlanning(MissionServer* server) : server_(server) {}
 
   // One cycle from where the agents are; the plan is recorded with its graphs.
-  // Throws kg_core::InputError if the facts cannot be compiled.
+  // Throws kg_base::InputError if the facts cannot be compiled.
   const kg_selector::CommittedPlan& Plan();
 
   // Of the last cycle.

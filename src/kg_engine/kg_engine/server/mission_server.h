@@ -53,7 +53,7 @@ class MissionServer {
  public:
   // Opens the state folder's store, or makes it from the mission folder. A
   // store whose mission has ended is put aside (store-<n>.db) and begun anew.
-  // Throws kg_core::InputError; for a store that holds another mission, too.
+  // Throws kg_base::InputError; for a store that holds another mission, too.
   explicit MissionServer(MissionFolders folders);
 
   // One transaction, decided: durable when this returns accepted.
@@ -94,7 +94,7 @@ class MissionServer {
 
   // Compiles what is dirty for the windows still to be planned and starts the
   // next cycle, from where the agents are now (start_state.h). Throws
-  // kg_core::InputError; then no cycle has begun. The plan's facts say that it
+  // kg_base::InputError; then no cycle has begun. The plan's facts say that it
   // is stale from an accepted change of facts, or the begin of a cycle, until
   // the next one is recorded.
   std::shared_ptr<const kg_compiler::Compilation> BeginCycle();

@@ -41,7 +41,7 @@ struct TrackLiteral {
 };
 TrackLiteral ToLiteral(const std::vector<Track>& parts);
 
-// Throws kg_core::InputError if the two do not fit, or times go back.
+// Throws kg_base::InputError if the two do not fit, or times go back.
 std::vector<Track> FromLiteral(const TrackLiteral& literal);
 
 }  // namespace kg_engine

@@ -24,7 +24,7 @@ struct Range {
   T max;
 };
 
-// All functions throw kg_core::InputError, naming the node and the key.
+// All functions throw kg_base::InputError, naming the node and the key.
 class ParameterReader {
  public:
   explicit ParameterReader(const ros::NodeHandle& own);

@@ -32,7 +32,7 @@ kg_msgs::Check::Response ToMessage(const kg_engine::CheckAnswer& answer);
 kg_engine::ExportRequest FromMessage(const kg_msgs::Export::Request& request);
 kg_msgs::Export::Response ToMessage(const kg_engine::ExportAnswer& answer);
 
-// Throws kg_core::InputError for a kind of question that there is not.
+// Throws kg_base::InputError for a kind of question that there is not.
 kg_selector::PlanQuestion FromMessage(const kg_msgs::Why::Request& request);
 // But for the world version.
 kg_msgs::Why::Response ToMessage(const kg_compiler::Explanation& explanation);

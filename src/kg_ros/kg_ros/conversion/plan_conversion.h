@@ -1,5 +1,5 @@
 // Waypoint graphs, pathlets, candidates, requests and plans <-> messages. From
-// a message every number that is planned by is checked: kg_core::InputError
+// a message every number that is planned by is checked: kg_base::InputError
 // names the field.
 
 #ifndef KG_ROS_CONVERSION_PLAN_CONVERSION_H_
@@ -29,7 +29,7 @@ namespace kg_ros {
 
 std::vector<kg_msgs::TimedPoint> ToMessage(
     const std::vector<kg_compiler::TimedPoint>& track);
-// Throws kg_core::InputError if times do not ascend or are not finite.
+// Throws kg_base::InputError if times do not ascend or are not finite.
 std::vector<kg_compiler::TimedPoint> FromMessage(
     const std::vector<kg_msgs::TimedPoint>& message);
 
@@ -41,7 +41,7 @@ std::vector<kg_msgs::StageTime> ToMessage(
     const std::vector<kg_selector::StageTime>& stages);
 
 kg_msgs::NavGraph ToMessage(const kg_engine::AgentGraph& graph);
-// Throws kg_core::InputError if ids are not those of the order, or numbers are
+// Throws kg_base::InputError if ids are not those of the order, or numbers are
 // not finite.
 kg_engine::AgentGraph FromMessage(const kg_msgs::NavGraph& message);
 

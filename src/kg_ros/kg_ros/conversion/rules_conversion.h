@@ -1,5 +1,5 @@
 // Seam rules and coordination rules <-> messages. From a message every number
-// is checked: kg_core::InputError names the field.
+// is checked: kg_base::InputError names the field.
 
 #ifndef KG_ROS_CONVERSION_RULES_CONVERSION_H_
 #define KG_ROS_CONVERSION_RULES_CONVERSION_H_

@@ -1,5 +1,5 @@
 // Rasters of the data plane <-> messages. From a message everything is checked
-// (sizes, order, finiteness of axes): kg_core::InputError names the field.
+// (sizes, order, finiteness of axes): kg_base::InputError names the field.
 
 #ifndef KG_ROS_CONVERSION_TENSOR_CONVERSION_H_
 #define KG_ROS_CONVERSION_TENSOR_CONVERSION_H_

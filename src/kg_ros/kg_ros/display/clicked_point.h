@@ -25,7 +25,7 @@
 namespace kg_ros {
 
 // The longitude is within 180 degrees of the projection's centre; both are NaN
-// if the point is not finite. Throws kg_core::InputError, in one line that
+// if the point is not finite. Throws kg_base::InputError, in one line that
 // names the frame, if no transform leads from it to `map` or `earth`.
 kg_base::LonLat ToPosition(const geometry_msgs::PointStamped& clicked,
                            const tf2::BufferCore& frames,

@@ -42,7 +42,7 @@ namespace kg_ros {
 
 class KgNode {
  public:
-  // Opens the mission: throws kg_core::InputError.
+  // Opens the mission: throws kg_base::InputError.
   KgNode(const kg_engine::MissionFolders& folders,
          const kg_engine::SparqlHttpOptions& http, const ros::NodeHandle& node,
          const ros::NodeHandle& own);

@@ -50,7 +50,7 @@ struct PlanQuestion {
   std::string id;  // kEvent: IRI or "ex:seep". kRejection: its number or IRI.
 };
 
-// Throws kg_core::InputError if there is nothing of the kind to explain, saying
+// Throws kg_base::InputError if there is nothing of the kind to explain, saying
 // what there is.
 kg_compiler::Explanation Explain(const PlannedWorld& world,
                                  const PlanQuestion& question);

@@ -37,19 +37,19 @@ struct PlannedWorld {
 // Planners and selectors may name agents by their ex:id: makes it their IRIs.
 void NameAgentsByIri(PlannedWorld* world);
 
-// By ex:id, "ex:alpha" or IRI. Throws kg_core::InputError naming those known.
+// By ex:id, "ex:alpha" or IRI. Throws kg_base::InputError naming those known.
 const kg_mission::Agent& FindAgent(const PlannedWorld& world,
                                    const std::string& name);
-// With a graph for each of its windows; throws kg_core::InputError if they have
+// With a graph for each of its windows; throws kg_base::InputError if they have
 // not all come.
 const TeamMember& FindMember(const PlannedWorld& world,
                              const kg_mission::Agent& agent);
-// Index of a window in the member's graphs; throws kg_core::InputError.
+// Index of a window in the member's graphs; throws kg_base::InputError.
 std::size_t FindStage(const TeamMember& member, int window);
 // The path committed for an agent; null = none.
 const Pathlet* FindPath(const PlannedWorld& world,
                         const std::string& agent_iri);
-// The same; throws kg_core::InputError with the reason if it has none.
+// The same; throws kg_base::InputError with the reason if it has none.
 const Pathlet& NeedPath(const PlannedWorld& world,
                         const kg_mission::Agent& agent);
 // Those committed before an agent's path, in order; all if it has none.

@@ -28,7 +28,7 @@ struct WaypointName {
   int id = 0;
 };
 
-// All throw kg_core::InputError for what is not there.
+// All throw kg_base::InputError for what is not there.
 kg_compiler::Explanation WhyNotWaypoint(const PlannedWorld& world,
                                         const kg_mission::Agent& agent,
                                         const WaypointName& waypoint);

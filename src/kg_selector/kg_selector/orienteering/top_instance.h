@@ -31,7 +31,7 @@ struct TopInstance {
   std::vector<double> scores;
 };
 
-// Throws kg_core::InputError with file and line, and what was expected.
+// Throws kg_base::InputError with file and line, and what was expected.
 TopInstance ReadTopInstance(const std::string& path);
 
 // Lines of a file name and the published value. By name; throws likewise.

@@ -30,13 +30,13 @@ struct TopScore {
 };
 
 // The files of a folder by name, the reference file and hidden ones left out.
-// Throws kg_core::InputError if there is no such folder, or nothing in it.
+// Throws kg_base::InputError if there is no such folder, or nothing in it.
 std::vector<std::string> ListInstances(const std::string& folder,
                                        const std::string& reference_file);
 
 // Every `step`th instance. Scores by set: what stands before the first dot of
 // a file's name. A line on `out` for each set and for each instance without a
-// reference. Throws kg_core::InputError for a bad file, std::logic_error if a
+// reference. Throws kg_base::InputError for a bad file, std::logic_error if a
 // plan breaks a rule.
 std::map<std::string, TopScore> RunTop(const std::string& folder,
                                        const std::string& reference_file,

@@ -46,7 +46,7 @@ kg_compiler::SeamRules OpenRules(const kg_compiler::SeamRules& rules,
                                  const PlanRequest& request);
 
 // The trellis of `open` (OpenRules) less the prices of `request`. Throws
-// kg_core::InputError for a price that is negative or not finite, and for a
+// kg_base::InputError for a price that is negative or not finite, and for a
 // waypoint that is not there.
 kg_planner::Trellis PricedTrellis(const kg_compiler::SeamRules& open,
                                   const kg_compiler::NavGraphs& graphs,

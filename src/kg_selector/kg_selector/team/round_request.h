@@ -74,7 +74,7 @@ struct AskedOf {
   double separation_m = 0.0;  // From those committed.
 };
 // What the request asks of an agent; nothing if it does not. Prices without an
-// agent are for all. Throws kg_core::InputError if a price is not a finite
+// agent are for all. Throws kg_base::InputError if a price is not a finite
 // number >= 0.
 std::optional<AskedOf> AskOf(const RoundRequest& request,
                              const std::string& agent);

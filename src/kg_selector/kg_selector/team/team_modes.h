@@ -35,7 +35,7 @@ std::vector<std::string> TeamModeNames();
 // "greedy, auction, priced or exact", each name in `quote`: for error messages.
 std::string TeamModeChoices(const std::string& quote = "");
 
-// By rules.mode. Throws kg_core::InputError for another one, and, of a mode
+// By rules.mode. Throws kg_base::InputError for another one, and, of a mode
 // with columns, for a fairness that is not known.
 std::unique_ptr<Coordinator> MakeCoordinator(
     const TeamRules& rules, const std::vector<std::string>& agents);

@@ -33,7 +33,7 @@ class PlannedTestWorld {
     mission.coordination.candidates_per_agent = 4;
   }
 
-  // Of `mission` as it is now. Throws kg_core::InputError if an agent cannot be
+  // Of `mission` as it is now. Throws kg_base::InputError if an agent cannot be
   // planned.
   PlannedWorld Plan() {
     PlannedWorld world;
