@@ -1,4 +1,5 @@
-// Changes of facts from the command line: checked, logged, refused whole.
+// Changes of facts from the command line: checked, logged, accepted or rejected
+// as a whole.
 
 #ifndef KG_ENGINE_COMMAND_CHANGE_H_
 #define KG_ENGINE_COMMAND_CHANGE_H_
@@ -11,15 +12,14 @@
 
 namespace kg_engine::command {
 
-// Stages `update` as a running node would: with what its files say, if they are
-// due, and its log entry. A plan that was there is marked stale. Returns the
-// reasons to refuse it.
+// Stages `update` as a running node would: with pending ingest of files and its
+// log entry. Marks an existing plan stale. Returns the reasons for rejection.
 std::vector<std::string> Stage(const kg_core::FactUpdate& update,
                                const std::string& data_folder,
                                const Target& target,
                                kg_core::Transaction* transaction);
 
-// Commits, or shows the reasons, a line each; what is to be returned.
+// Commits, or prints the reasons, one per line; returns the exit status.
 int Finish(const std::vector<std::string>& reasons,
            kg_core::Transaction* transaction);
 

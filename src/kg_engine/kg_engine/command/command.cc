@@ -42,7 +42,7 @@ const Subcommand* FindSubcommand(const std::string& name) {
   return nullptr;
 }
 
-// Errors are one line, whatever their text.
+// Prints an error as one line.
 int Complain(const std::string& who, std::string what, int status) {
   std::replace(what.begin(), what.end(), '\n', ' ');
   std::cerr << who << ": " << what << std::endl;

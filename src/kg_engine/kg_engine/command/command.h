@@ -1,4 +1,4 @@
-// The program `kg`: subcommands over a store or a mission folder. Needs no
+// The program `kg`: subcommands on a store or a mission folder. Needs no ROS
 // master and never initialises ROS.
 //
 // A subcommand is one file with a `const Subcommand`, declared here, and one
@@ -15,13 +15,12 @@
 
 namespace kg_engine::command {
 
-// Exit statuses: of what was done, what was refused or found wrong, and what
-// was asked for wrongly.
+// Exit statuses: success, rejected or faults found, usage error.
 inline constexpr int kDone = 0;
 inline constexpr int kRefused = 1;
 inline constexpr int kMisused = 2;
 
-// The command line is wrong; says how, in one line.
+// A usage error of the command line; the text is one line.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -32,7 +31,7 @@ struct Option {
   bool has_value = false;
 };
 
-// The command line of a subcommand. "-" and what follows "--" are words.
+// Parsed command line of a subcommand. "-" and arguments after "--" are words.
 struct Arguments {
   std::vector<std::string> words;
   std::map<std::string, std::vector<std::string>> options;
@@ -40,7 +39,7 @@ struct Arguments {
   bool Has(const std::string& option) const {
     return options.count(option) != 0;
   }
-  // The one value of an option; throws UsageError if it is given twice.
+  // The single value of an option; throws UsageError if it is given twice.
   std::optional<std::string> One(const std::string& option) const;
   std::vector<std::string> All(const std::string& option) const;
   // Throws UsageError if there are fewer words than `least` or more than
@@ -49,7 +48,7 @@ struct Arguments {
                    const std::string& expected) const;
 };
 
-// Throws UsageError for an option that is not there or lacks its value.
+// Throws UsageError for an unknown option or a missing value.
 Arguments ParseArguments(const std::vector<std::string>& line,
                          const std::vector<Option>& options);
 
@@ -76,7 +75,7 @@ extern const Subcommand kServe;
 extern const Subcommand kWhy;
 extern const Subcommand kCheck;
 
-// The whole program: `line` is the command line without the program's name.
+// Runs the program: `line` is the command line without the program's name.
 int RunCommand(const std::vector<std::string>& line);
 
 }  // namespace kg_engine::command

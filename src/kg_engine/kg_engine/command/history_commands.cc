@@ -26,7 +26,7 @@ std::uint64_t Version(const std::string& text) {
   throw UsageError("expected a world version, not " + text);
 }
 
-// Names may hold anything; a line is a line.
+// Escapes names so that each entry stays on one line.
 std::string Shown(const std::string& name) {
   std::string shown;
   for (const char c : name) {

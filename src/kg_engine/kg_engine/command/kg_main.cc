@@ -1,5 +1,5 @@
-// kg: asks, changes, checks and compares a store or a mission folder from the
-// command line; see command.h.
+// kg: queries, changes, checks and compares a store or a mission folder from
+// the command line; see command.h.
 
 #include <string>
 #include <vector>

@@ -19,7 +19,7 @@ using kg_core::QueryResult;
 
 constexpr std::size_t kMaxQueryBytes = 1u << 20;
 
-// -e TEXT, a file, or standard input.
+// Query text from -e TEXT, a file, or standard input.
 std::string QueryText(const Arguments& arguments) {
   const auto text = arguments.One("-e");
   if (text && arguments.words.size() > 1) {

@@ -27,7 +27,7 @@ int ReadPort(const Arguments& arguments) {
   throw UsageError("expected --port N, 0 to 65535");
 }
 
-// One at a time: a transaction waits for the one before.
+// Serialised: a transaction waits for the previous one.
 kg_engine::UpdateVerdict Decide(const kg_core::FactUpdate& update,
                                 const std::string& data_folder,
                                 const Target& target) {
@@ -46,7 +46,7 @@ kg_engine::UpdateVerdict Decide(const kg_core::FactUpdate& update,
   return verdict;
 }
 
-// For all threads that are begun after it.
+// Blocks the signals for all threads started later.
 sigset_t BlockEndSignals() {
   sigset_t signals;
   sigemptyset(&signals);

@@ -29,9 +29,9 @@ bool IsOntology(const fs::path& folder) {
          fs::exists(folder / "shapes.ttl");
 }
 
-// Where an ontology may be. Beside the program: in the prefix it is installed
-// in, or in that of kg_mission where every package has its own; a development
-// space's prefix/.catkin lists its sources. Then where it was built from.
+// Candidate folders of the ontology: the install prefix of the program, or that
+// of kg_mission if every package has its own; the sources listed in a
+// development space's prefix/.catkin; the source folder of the build.
 std::vector<fs::path> OntologyPlaces() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);

@@ -1,5 +1,5 @@
-// What a subcommand works on: a store that is there, or a mission folder that
-// is read into memory.
+// Target of a subcommand: an existing store, or a mission folder read into
+// memory.
 
 #ifndef KG_ENGINE_COMMAND_TARGET_H_
 #define KG_ENGINE_COMMAND_TARGET_H_
@@ -11,25 +11,26 @@
 
 namespace kg_engine::command {
 
-// The folder of mission.ttl and shapes.ttl: beside the installed or built
-// program, else where it was built from. Throws InputError that lists where it
-// looked.
+// The folder of mission.ttl and shapes.ttl: next to the installed or built
+// program, else in the source tree. Throws InputError listing the places
+// searched.
 std::string OntologyFolder();
 
 struct Target {
   std::unique_ptr<kg_core::Store> store;
-  std::string mission_folder;  // Where files are looked up; may be empty.
+  std::string mission_folder;  // Folder for file lookup; may be empty.
 };
 
-// Does OpenTarget read `path` as a mission? A folder with a store is a store.
+// Whether OpenTarget reads `path` as a mission. A folder with a store is a
+// store.
 bool IsMissionFolder(const std::string& path);
 
-// Throws InputError, also if the store is in use by a running node. Where a
-// mission's files are not there, what ingest would state is left out, and a
-// line on stderr says so. `data_folder`: where files are looked up first.
+// Throws InputError, also if the store is in use by a running node. If a
+// mission's files are missing, ingested facts are omitted and a line on stderr
+// says so. `data_folder` is searched first for files.
 Target OpenTarget(const std::string& path, const std::string& data_folder);
-// Only a store; made, with the ontology in it, if `path` is not there and ends
-// in .db.
+// Opens a store. OpenOrMakeStore creates it, with the ontology, if `path` does
+// not exist and ends in .db.
 Target OpenStore(const std::string& path);
 Target OpenOrMakeStore(const std::string& path);
 

@@ -21,7 +21,7 @@ using kg_base::InputError;
 using kg_core::RdfSyntaxName;
 using kg_core::Statement;
 
-// "graph:facts", "<iri>" or "http://...".
+// Graph IRI from "graph:facts", "<iri>" or "http://...".
 std::string GraphIri(const std::string& text) {
   if (text.find("://") != std::string::npos && text[0] != '<') return text;
   const kg_core::Term term = kg_core::ParseTurtleTerm(text);
@@ -41,7 +41,7 @@ const RdfSyntaxName& SyntaxOf(const Arguments& arguments) {
       "in .ttl, .trig, .nt or .nq");
 }
 
-// Whole or not at all: an export that was cut short must not look like one.
+// Writes atomically, so that an interrupted export leaves no partial file.
 void WriteFile(const std::string& path, const std::string& text) {
   const std::string part = path + ".part";
   std::ofstream out(part, std::ios::binary);
@@ -85,14 +85,15 @@ bool IsKeptByTheStore(const Statement& statement) {
           statement.subject.text.compare(0, log.size(), log) == 0);
 }
 
-// What files bring: facts as an update, other graphs as they are.
+// Content of imported files: facts as an update, other graphs unchanged.
 struct Imported {
   kg_core::FactUpdate update;
   std::vector<Statement> others;
   std::size_t left_out = 0;
 };
 
-// Files of one call share no blank nodes; facts of all are one update.
+// Files of one call share no blank nodes; the facts of all files form one
+// update.
 Imported ReadFiles(const Arguments& arguments) {
   Imported imported;
   const kg_core::Term graph =

@@ -17,7 +17,7 @@ using kg_core::FactUpdate;
 
 constexpr std::size_t kMaxUpdateBytes = 64u << 20;
 
-// "set", "add" and "remove" with their facts, word by word.
+// Parses "set", "add" and "remove" with their facts.
 void ReadFact(const std::vector<std::string>& words, FactUpdate* update) {
   const std::string& what = words[1];
   const auto word = [&](std::size_t i) {

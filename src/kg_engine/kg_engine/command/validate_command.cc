@@ -27,8 +27,8 @@ int Show(const std::vector<Violation>& violations, bool as_report) {
   return violations.empty() ? kDone : kRefused;
 }
 
-// What would speak against the file as a mission's facts; with a report, what
-// the shapes alone say.
+// Validates the file as a mission's facts; with `as_report` against the shapes
+// only.
 int ValidateFile(const std::string& file, bool as_report) {
   kg_core::Store store("");
   kg_core::Transaction transaction = store.Begin();

@@ -1,5 +1,5 @@
-// kg why TARGET: compiles and plans in process, from where the agents are, and
-// explains as kg/why does.
+// kg why TARGET: compiles and plans in process, from the agents' current
+// positions, and explains as kg/why does.
 
 #include <cstdlib>
 #include <iostream>
@@ -34,7 +34,7 @@ int ToInt(const std::string& text, const std::string& option) {
   throw UsageError(option + ": expected a whole number, not '" + text + "'");
 }
 
-// The halves of "a,b".
+// Splits "a,b" at the comma.
 std::pair<std::string, std::string> Split(const std::string& text,
                                           const std::string& option) {
   const std::size_t comma = text.find(',');
@@ -49,7 +49,7 @@ kg_base::LonLat ToPlace(const std::string& text, const std::string& option) {
   return {ToNumber(lon, option), ToNumber(lat, option)};
 }
 
-// "0,3", or "0,5,3" by way of 5.
+// Parses "0,3", or "0,5,3" via 5.
 void ReadEdge(const std::string& text, PlanQuestion* question) {
   auto [from, rest] = Split(text, "--edge");
   question->from = ToInt(from, "--edge");
@@ -61,7 +61,7 @@ void ReadEdge(const std::string& text, PlanQuestion* question) {
   question->to = ToInt(rest, "--edge");
 }
 
-// What is asked about, by the option that says it.
+// Sets the subject of the question from its option.
 void ReadSubject(const std::string& option, const std::string& text,
                  PlanQuestion* question) {
   if (option == "--cell" || option == "--place") {
@@ -112,6 +112,7 @@ PlannedWorld Plan(const Target& target, const std::string& data_folder) {
   world.compilation =
       StartFrom(start, *compiler.Compile(mission, world.view->world_version(),
                                          FirstWindowToPlan(start, mission)));
+  // Plan from scratch: the command line has no earlier plan to reuse.
   kg_selector::PlannedMission planned =
       kg_selector::PlanMission(*world.compilation, nullptr);
   world.rules = kg_selector::ToTeamRules(*world.compilation);

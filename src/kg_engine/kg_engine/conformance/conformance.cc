@@ -28,7 +28,7 @@ using Outcome = ConformanceTest::Outcome;
 struct TestKind {
   const char* vocabulary;
   const char* name;
-  std::string (*run)(const TestCase& test);  // Null: cannot be run.
+  std::string (*run)(const TestCase& test);  // Null = cannot be run.
 };
 constexpr TestKind kKinds[] = {
     {kMf, "QueryEvaluationTest", RunQueryTest},
@@ -66,7 +66,8 @@ class ManifestRunner {
                  absl::FunctionRef<void(const ConformanceTest&)> done)
       : root_(std::move(root)), done_(done) {}
 
-  // The tests of a manifest and of those that it includes; each file once.
+  // Runs the tests of a manifest and of the manifests it includes; each file
+  // once.
   void RunManifest(const std::string& url) {
     if (!manifests_.insert(url).second) return;
     DocumentStore documents;
@@ -105,7 +106,7 @@ class ManifestRunner {
     }
   }
 
-  // The members of lists, and what stands without one.
+  // Values of a property; lists are expanded to their members.
   static std::vector<Term> Listed(const DocumentStore& documents,
                                   const std::string& url, const Term& manifest,
                                   const char* property) {
@@ -144,7 +145,7 @@ class ManifestRunner {
     Report(std::move(report));
   }
 
-  // The first type that is known. Of old, none means query evaluation.
+  // The first known type. In old manifests no type means query evaluation.
   static const TestKind* GetKind(const TestCase& test, std::string* name) {
     const auto types =
         test.All(test.subject, std::string(kg_core::kRdf) + "type");

@@ -1,5 +1,5 @@
-// Runs W3C test suites that lie in folders: SPARQL query and update
-// (evaluation, syntax, result formats) and SHACL.
+// Runs W3C test suites from folders: SPARQL query and update (evaluation,
+// syntax, result formats) and SHACL.
 //
 //   for (const ConformanceTest& test : RunConformance("data-sparql11")) ...
 //
@@ -22,12 +22,13 @@ namespace kg_engine {
 
 struct ConformanceTest {
   enum class Outcome { kPassed, kFailed, kNotRun };
-  std::string group;  // The manifest's folder, below the folder that is run.
-  std::string name;   // The end of its IRI, or mf:name.
+  // The manifest's folder, relative to the folder that is run.
+  std::string group;
+  std::string name;  // Last part of its IRI, or mf:name.
   std::string iri;
   std::string kind;  // "QueryEvaluationTest", "Validate", ...
   Outcome outcome = Outcome::kFailed;
-  std::string message{};  // One line: what differs, or why it was not run.
+  std::string message{};  // One line: the difference, or why it was not run.
 };
 
 // Runs every test of every manifest below `folder` (files manifest*.ttl and
@@ -45,8 +46,7 @@ struct ConformanceCount {
 };
 ConformanceCount CountOutcomes(const std::vector<ConformanceTest>& tests);
 
-// The tests as a table in Markdown, group by group; the same for the same
-// outcomes. Ends with the counts.
+// Markdown table of the tests by group, followed by counts. Deterministic.
 std::string ConformanceTable(const std::vector<ConformanceTest>& tests);
 
 }  // namespace kg_engine

@@ -1,4 +1,4 @@
-// The runner itself, on suites made here: it must see what is wrong.
+// Tests of the runner with generated suites: it must detect failures.
 
 #include "kg_engine/conformance/conformance.h"
 
@@ -42,7 +42,7 @@ class Suite {
   void File(const std::string& name, const std::string& text) {
     std::ofstream(Path(name)) << text;
   }
-  // A manifest of one test ":t", the rest of whose description is `test`.
+  // Writes a manifest of one test ":t" with the description `test`.
   void Manifest(const std::string& test) {
     File("manifest.ttl",
          kPrefixes +
@@ -67,7 +67,7 @@ constexpr char kQueryTest[] =
 
 struct QueryCase {
   std::string query;
-  std::string file;  // Of the expected result,
+  std::string file;  // File name of the expected result.
   std::string result;
 };
 

@@ -1,4 +1,4 @@
-// The files that a manifest's tests name, by IRI.
+// Files referenced by a manifest's tests, by IRI.
 
 #ifndef KG_ENGINE_CONFORMANCE_DOCUMENTS_H_
 #define KG_ENGINE_CONFORMANCE_DOCUMENTS_H_
@@ -25,28 +25,28 @@ inline constexpr char kRs[] =
     "http://www.w3.org/2001/sw/DataAccess/tests/result-set#";
 inline constexpr char kSht[] = "http://www.w3.org/ns/shacl-test#";
 
-// What has no name in the tests: the default graph.
+// Name of the default graph, which has none in the tests.
 inline constexpr char kDefaultGraph[] = "urn:kg:default";
 
-// Thrown where a test cannot be run here; says why.
+// Thrown if a test cannot be run here; the text is the reason.
 class NotRun : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// file:// with what is no plain character as %XX, and back. An IRI that names
-// no file throws NotRun: nothing is fetched.
+// Converts between paths and file:// URLs with %XX escapes. A URL that is not a
+// file throws NotRun: nothing is fetched.
 std::string UrlOfPath(const std::string& path);
 std::string PathOfUrl(const std::string& url);
 
-// All of these throw InputError that names the file.
+// The following throw InputError naming the file.
 std::string GetText(const std::string& url);
 // RDF by the file's suffix: RDF/XML, N-Triples, N-Quads, TriG; else Turtle.
 std::vector<kg_core::Statement> CollectStatements(const std::string& url,
                                                   const std::string& graph);
 
-// Graphs that are named by their files' URLs and read once, so that their
-// blank nodes are the same as data, as shapes and in the expected report.
+// Graphs named by their files' URLs, each read once, so that blank nodes are
+// shared between data, shapes and expected report.
 class DocumentStore {
  public:
   void Load(const std::string& url);

@@ -21,7 +21,7 @@ using kg_core::Term;
 
 constexpr int kMaxNesting = 200;
 
-// What an element hands down to those within it.
+// Context inherited by nested elements.
 struct XmlScope {
   std::map<std::string, std::string> prefixes;
   std::string language;
@@ -29,11 +29,11 @@ struct XmlScope {
   int depth = 0;
 };
 
-// A tag with its names resolved.
+// A tag with resolved names.
 struct RdfXmlElement {
   kg_base::XmlTag tag;
   std::string iri;
-  std::map<std::string, std::string> attributes;  // By IRI.
+  std::map<std::string, std::string> attributes;  // Keyed by IRI.
   XmlScope scope;
 };
 
@@ -64,6 +64,7 @@ class RdfXmlParser {
     element.tag = reader_.Next();
     element.scope = outer;
     if (++element.scope.depth > kMaxNesting) reader_.Expected("less nesting");
+    // Pass 1: declarations that apply to the names of this element.
     for (const auto& [name, value] : element.tag.full_attributes) {
       if (name == "xmlns") element.scope.prefixes[""] = value;
       if (name.rfind("xmlns:", 0) == 0) {
@@ -75,6 +76,7 @@ class RdfXmlParser {
     const std::string& name = element.tag.full_name;
     if (name.empty() || name[0] == '/') return element;
     element.iri = Resolve(name, element.scope, true);
+    // Pass 2: resolve attributes with the complete scope.
     for (const auto& [attribute, value] : element.tag.full_attributes) {
       if (attribute.rfind("xml", 0) == 0) continue;
       element.attributes[Resolve(attribute, element.scope, false)] = value;
@@ -86,7 +88,7 @@ class RdfXmlParser {
                       bool has_default) const {
     const std::size_t colon = name.find(':');
     const bool is_bare = colon == std::string::npos;
-    // Of old, attributes of RDF stood without a prefix.
+    // Older RDF/XML has RDF attributes without a prefix.
     if (is_bare && !has_default) return Rdf(name.c_str());
     const auto found =
         scope.prefixes.find(is_bare ? "" : name.substr(0, colon));
@@ -129,7 +131,7 @@ class RdfXmlParser {
     return found->second;
   }
 
-  // The node that an element describes, by the attributes that may name it.
+  // The node described by an element, from its naming attributes.
   std::optional<Term> Named(const RdfXmlElement& element, const char* about) {
     if (const auto iri = Attribute(element, about)) {
       return ResolveIri(*iri, element.scope);
@@ -155,7 +157,7 @@ class RdfXmlParser {
     return *node;
   }
 
-  // Property attributes: those that are none of the syntax's own.
+  // Property attributes: attributes that are not part of the RDF/XML syntax.
   bool SayAttributes(const RdfXmlElement& element, const Term& node) {
     bool any = false;
     for (const auto& [name, value] : element.attributes) {
@@ -208,7 +210,7 @@ class RdfXmlParser {
     ReadPlainProperty(element, subject, property);
   }
 
-  // A node within it, attributes that speak of one, or text.
+  // Property value: a nested node, property attributes, or text.
   void ReadPlainProperty(const RdfXmlElement& element, const Term& subject,
                          const std::string& property) {
     std::optional<Term> object = Named(element, "resource");

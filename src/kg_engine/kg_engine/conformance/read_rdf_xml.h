@@ -1,5 +1,4 @@
-// Reads RDF/XML, the syntax of the oldest tests' results and data.
-// https://www.w3.org/TR/rdf-syntax-grammar/
+// Reads RDF/XML, used by the oldest tests for results and data.
 
 #ifndef KG_ENGINE_CONFORMANCE_READ_RDF_XML_H_
 #define KG_ENGINE_CONFORMANCE_READ_RDF_XML_H_
@@ -11,10 +10,10 @@
 
 namespace kg_engine {
 
-// Node and property elements, rdf:about, ID, nodeID, resource, datatype, li,
-// parseType Resource and Collection, property attributes, xml:lang and
-// xml:base. Throws InputError for anything else, such as a DTD, parseType
-// Literal or reification.
+// Supported: node and property elements, rdf:about, ID, nodeID, resource,
+// datatype, li, parseType Resource and Collection, property attributes,
+// xml:lang and xml:base. Throws InputError for anything else, such as a DTD,
+// parseType Literal or reification.
 std::vector<kg_core::Statement> ParseRdfXml(std::string_view text,
                                             const kg_core::RdfSource& source);
 

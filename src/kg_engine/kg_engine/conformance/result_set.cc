@@ -45,7 +45,7 @@ const SyntaxFormat* FindFormat(const std::string& url) {
   return nullptr;
 }
 
-// CSV writes blank nodes as text.
+// Restores blank nodes, which CSV writes as text.
 QueryResult WithBlanks(QueryResult result) {
   for (Row& row : result.rows) {
     for (std::optional<Term>& term : row) {
@@ -121,15 +121,16 @@ class ResultSetReader {
   const std::string& url_;
 };
 
-// Numbers by value; labels of results are not those of rows.
+// Canonical form: numbers by value; blank node labels prefixed to differ from
+// those of rows.
 Term Canonical(const Term& term) {
   if (term.is_blank()) return Blank("result" + term.text);
   const auto number = kg_core::sparql::ToNumber(term);
   return number ? kg_core::sparql::ToTerm(*number) : term;
 }
 
-// Rows as statements about one blank node each, so that they are a bag and
-// share the blank nodes in them.
+// Rows as statements about one blank node each, so that they compare as a bag
+// and share their blank nodes.
 Statements CollectRows(const QueryResult& result, bool is_ordered) {
   const Term graph = Iri(kDefaultGraph);
   Statements statements;
@@ -182,7 +183,7 @@ Lines FormatLines(const Statements& statements) {
   return lines;
 }
 
-// The first line that only one side has.
+// First line that occurs on one side only.
 std::string FirstOnly(const Lines& got, const Lines& want) {
   for (const std::string& line : want) {
     if (got.count(line) < want.count(line)) return "; lacks " + line;

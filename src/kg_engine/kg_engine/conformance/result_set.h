@@ -1,4 +1,4 @@
-// Expected results: read from any of their formats, and compared.
+// Expected results: reading from any of their formats, and comparison.
 
 #ifndef KG_ENGINE_CONFORMANCE_RESULT_SET_H_
 #define KG_ENGINE_CONFORMANCE_RESULT_SET_H_
@@ -13,23 +13,24 @@ namespace kg_engine::conformance {
 
 struct ExpectedResult {
   kg_core::QueryResult result;
-  // Of CONSTRUCT and DESCRIBE, whose form the file does not say: kConstruct.
+  // Result of CONSTRUCT or DESCRIBE; the file does not distinguish them:
+  // kConstruct.
   std::vector<kg_core::Statement> statements;
   bool is_ordered = false;  // rs:index numbers the rows.
 };
 
-// The result in the file at `url`: .srx, .srj, .csv, .tsv, or RDF, which is a
-// rs:ResultSet or a graph.
+// Reads the result at `url`: .srx, .srj, .csv, .tsv, or RDF with a rs:ResultSet
+// or a graph.
 ExpectedResult ReadExpected(const std::string& url);
 
-// What `got` becomes when it is written and read in the format of `url`, so
-// that writers are tested too; RDF has no writer to go through.
+// Round trip of `got` through the format of `url`, so that writers are tested
+// too; RDF has no writer and is returned unchanged.
 kg_core::QueryResult ThroughFormat(const kg_core::QueryResult& got,
                                    const std::string& url);
 
-// "" if they are the same: rows as a bag up to the labels of blank nodes, with
-// numbers by value; ordered if that is expected. `is_lax`: of REDUCED, rows may
-// be there less often. https://www.w3.org/2001/sw/DataAccess/tests/README
+// "" if equal: rows as a bag up to the labels of blank nodes, with numbers by
+// value; ordered if the expected result is. `is_lax`: for REDUCED, rows may
+// occur less often. https://www.w3.org/2001/sw/DataAccess/tests/README
 std::string Difference(const kg_core::QueryResult& got,
                        const ExpectedResult& want, bool is_lax);
 // "" if the datasets are isomorphic.

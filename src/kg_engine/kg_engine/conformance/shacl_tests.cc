@@ -1,5 +1,4 @@
-// Tests of SHACL, report by report, result by result.
-// https://w3c.github.io/data-shapes/data-shapes-test-suite/
+// SHACL tests: compares validation reports result by result.
 
 #include <algorithm>
 #include <set>
@@ -51,7 +50,7 @@ std::string Shown(const GraphView& view, const std::string& graph,
   return term ? ToTurtle(*term) : "";
 }
 
-// The results of the report at `report`.
+// Formats the results of the report at `report`.
 Lines FormatLines(const GraphView& view, const std::string& graph,
                   const Term& report) {
   Lines lines;
@@ -71,7 +70,7 @@ Lines FormatLines(const GraphView& view, const std::string& graph,
   return lines;
 }
 
-// Labels of blank nodes are not kept by writing and reading.
+// Removes blank node labels, which change in a write-read cycle.
 Lines WithoutLabels(const Lines& lines) {
   Lines without;
   for (const std::string& line : lines) {
@@ -86,7 +85,7 @@ Lines WithoutLabels(const Lines& lines) {
   return without;
 }
 
-// What the report in Turtle says, read again.
+// Parses a Turtle report and formats its results.
 Lines LinesOfReport(const std::string& turtle) {
   const std::string graph = "urn:kg:report";
   kg_core::Store store("");
@@ -115,7 +114,8 @@ std::string Difference(const Lines& got, const Lines& want) {
   return sizes;
 }
 
-// A message that is expected must be there; others may be.
+// The first expected message that is missing, or ""; extra messages are
+// allowed.
 std::string LackingMessage(const TestCase& test, const Term& report,
                            const std::vector<Violation>& found) {
   std::set<Term> messages;
@@ -130,7 +130,8 @@ std::string LackingMessage(const TestCase& test, const Term& report,
   return "";
 }
 
-// SHACL-SPARQL and SHACL-JS are other parts of the recommendation.
+// Throws NotRun for SHACL-SPARQL and SHACL-JS, which are not part of SHACL
+// Core.
 void RefuseOtherThanCore(const GraphView& view, const std::string& shapes) {
   for (const char* property :
        {"sparql", "select", "ask", "construct", "js", "jsFunctionName",

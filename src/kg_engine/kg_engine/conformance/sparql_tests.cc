@@ -24,14 +24,14 @@ constexpr int kNesting = 200;
 constexpr char kServiceDescription[] =
     "http://www.w3.org/ns/sparql-service-description#";
 
-// Time is not what these tests test, and some machines are slow.
+// Generous limits: these tests do not test time, and some machines are slow.
 kg_core::QueryLimits Limits() {
   kg_core::QueryLimits limits;
   limits.seconds = 60.0;
   return limits;
 }
 
-// A file and the graph that it is read into.
+// A file and the graph into which it is read.
 struct GraphSource {
   std::string url;
   std::string graph;
@@ -65,8 +65,8 @@ std::string RequestUrl(const TestCase& test) {
   throw kg_base::InputError("the action names no query");
 }
 
-// Its text, with where it stands as base: on the first line, so that positions
-// in errors keep their lines.
+// Request text with its URL as BASE, on the first line so that positions in
+// errors keep their line numbers.
 std::string MakeRequest(const std::string& url) {
   std::string text = GetText(url);
   if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);
@@ -111,8 +111,8 @@ void Fill(const std::vector<GraphSource>& sources, Store* store) {
   change.Commit(kg_core::WorldChange::kYes);
 }
 
-// What FROM and FROM NAMED of the query name and the manifest does not: the
-// test's stand-in for reading the web.
+// Adds graphs named by FROM and FROM NAMED but not by the manifest: replaces
+// dereferencing from the web.
 void AddGraphsOfQuery(const std::string& request,
                       std::vector<GraphSource>* sources) {
   const kg_core::sparql::Query query =
@@ -126,7 +126,7 @@ void AddGraphsOfQuery(const std::string& request,
   }
 }
 
-// Requests that end in .ru are updates, whatever their type is.
+// Files that end in .ru are updates, regardless of their type.
 bool IsUpdate(const TestCase& test, const std::string& url) {
   return std::filesystem::path(url).extension() == ".ru" ||
          test.kind.find("Update") != std::string::npos;
@@ -186,7 +186,7 @@ std::string RunPositiveSyntaxTest(const TestCase& test) {
 
 std::string RunNegativeSyntaxTest(const TestCase& test) {
   const std::string url = RequestUrl(test);
-  GetText(url);  // A file that is not there is no bad syntax.
+  GetText(url);  // A missing file is not a syntax error.
   try {
     Parse(test, url);
   } catch (const kg_base::InputError&) {

@@ -1,4 +1,4 @@
-// Outcomes as a table for docs.
+// Markdown table of outcomes for the documentation.
 
 #include <map>
 #include <string>
@@ -11,7 +11,7 @@ namespace {
 using Outcome = ConformanceTest::Outcome;
 using Tests = std::vector<ConformanceTest>;
 
-// In a cell of a table, in one line.
+// Escapes text for a one-line table cell.
 std::string FormatCell(const std::string& text) {
   std::string cell;
   for (const char c : text) {

@@ -11,11 +11,11 @@ namespace kg_engine::conformance {
 
 struct TestCase {
   DocumentStore* documents;  // Holds the manifest.
-  std::string manifest;      // Its URL.
-  kg_core::Term subject;     // The test.
+  std::string manifest;      // URL of the manifest.
+  kg_core::Term subject;     // The test's node.
   std::string kind;          // Local name of its type.
 
-  // The values of a property in the manifest, by its whole IRI.
+  // Values of a property in the manifest, by its full IRI.
   std::optional<kg_core::Term> One(const kg_core::Term& node,
                                    const std::string& property) const {
     return documents->One(manifest, node, property);
@@ -24,13 +24,13 @@ struct TestCase {
                                  const std::string& property) const {
     return documents->All(manifest, node, property);
   }
-  // Throws InputError if the manifest does not say.
+  // Throw InputError if the manifest lacks the property.
   kg_core::Term Action() const;
   kg_core::Term Result() const;
 };
 
 // Each returns the difference between actual and expected result; "" if none.
-// All throw NotRun, and InputError for what cannot be read.
+// All throw NotRun, and InputError for unreadable files.
 std::string RunQueryTest(const TestCase& test);
 std::string RunUpdateTest(const TestCase& test);
 std::string RunPositiveSyntaxTest(const TestCase& test);

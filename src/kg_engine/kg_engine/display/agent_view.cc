@@ -27,7 +27,7 @@ const WindowRules* WindowOf(const SeamRules& rules, int window) {
   return nullptr;
 }
 
-// Where the plan has the agent when a window ends.
+// Planned position of the agent at the end of a window.
 std::optional<LonLat> PlannedStop(const kg_selector::CommittedPlan& plan,
                                   const std::string& agent_id, int window) {
   for (const kg_selector::PathAssignment& assignment : plan.assignments) {
@@ -39,7 +39,7 @@ std::optional<LonLat> PlannedStop(const kg_selector::CommittedPlan& plan,
   return std::nullopt;
 }
 
-// What is left of a window that has begun.
+// Remaining part of a window that has begun.
 WindowRules Rest(WindowRules window, double time_s) {
   const double begin_s = std::clamp(time_s, window.begin_s, window.end_s);
   window.base_travel_m *=

@@ -1,5 +1,5 @@
-// What an operator looks at: one agent in one window of one compilation, and
-// where the agent can come from.
+// The operator's view: one agent in one window of one compilation, and the
+// positions from which it can depart.
 
 #ifndef KG_ENGINE_DISPLAY_AGENT_VIEW_H_
 #define KG_ENGINE_DISPLAY_AGENT_VIEW_H_
@@ -21,26 +21,26 @@ struct Scene {
   std::shared_ptr<const kg_compiler::Compilation> compilation;
   int window = 0;
   std::map<std::string, AgentPose> poses;  // By ex:id.
-  double time_s = 0.0;                     // Mission time, Unix seconds.
-  kg_selector::CommittedPlan plan;         // The last one committed.
+  double time_s = 0.0;                     // Mission time [Unix s].
+  kg_selector::CommittedPlan plan;         // Last committed plan.
 };
 
-// The way of an agent through a window. Keeps what it was made of.
+// View of an agent in a window. Shares ownership of its inputs.
 class AgentView {
  public:
-  // Nothing if the agent has no tensor, currents or rules of the window.
+  // Nullopt if the agent has no tensor, currents or rules for the window.
   static std::optional<AgentView> Of(const Scene& scene,
                                      const std::string& agent_id);
 
   const kg_compiler::MissionTensor& tensor() const { return *tensor_; }
-  // Where the agent departs from in this window: where it is, in the first
-  // window that is planned; after that the plan's waypoint of the window
-  // before, or where it is if there is none.
+  // Departure positions of the agent in this window: its current position in
+  // the first planned window; later the plan's waypoint of the previous window,
+  // or the current position if there is none.
   const std::vector<kg_base::LonLat>& places() const { return places_; }
 
   kg_compiler::WorkMap WorkFrom(
       const std::vector<kg_base::LonLat>& places) const;
-  // Equal if WorkFrom gives the same from the same places.
+  // Cache key: equal keys give equal results of WorkFrom for these places.
   std::string WorkKey(const std::vector<kg_base::LonLat>& places) const;
 
  private:

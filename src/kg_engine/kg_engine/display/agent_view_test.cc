@@ -87,7 +87,7 @@ TEST(AgentView, HasLessReachAsTheWindowPasses) {
   const int all = Reached(*AgentView::Of(scene, "alpha"));
   scene.time_s = 0.5 * kDay_s;
   const int rest = Reached(*AgentView::Of(scene, "alpha"));
-  EXPECT_NEAR(static_cast<double>(rest) / all, 0.25, 0.05);  // Areas.
+  EXPECT_NEAR(static_cast<double>(rest) / all, 0.25, 0.05);  // Ratio of areas.
   scene.time_s = 2.0 * kDay_s;
   EXPECT_EQ(Reached(*AgentView::Of(scene, "alpha")), 0);
 }
@@ -95,7 +95,7 @@ TEST(AgentView, HasLessReachAsTheWindowPasses) {
 TEST(AgentView, LeavesFromThePlannedStopInLaterWindows) {
   Scene scene = TwoWindows();
   scene.window = 1;
-  scene.time_s = 0.5 * kDay_s;  // Of window 0: window 1 is whole.
+  scene.time_s = 0.5 * kDay_s;  // Within window 0; window 1 is complete.
   EXPECT_EQ(AgentView::Of(scene, "alpha")->places(),
             std::vector<LonLat>{kStart});
   Plan(&scene);

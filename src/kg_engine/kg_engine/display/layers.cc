@@ -22,7 +22,7 @@ std::int8_t ToPercent(double share) {
       std::lround(100.0 * std::clamp(share, 0.0, 1.0)));
 }
 
-// `values` times `scale` plus `offset`; no data where either raster has none.
+// scale * values + offset; no data where either raster has none.
 Percents Scaled(const MissionTensor& tensor, const kg_base::Raster& values,
                 double scale, double offset = 0.0) {
   const kg_base::Raster feasibility = tensor.Get(Layer::kFeasibility);
@@ -34,8 +34,7 @@ Percents Scaled(const MissionTensor& tensor, const kg_base::Raster& values,
   return percents;
 }
 
-// What is shown as 100: so many of the cells that are worth anything are at
-// most this.
+// Value displayed as 100: the kShare quantile of the nonzero cells.
 float TopOfScale(const kg_base::Raster& values) {
   constexpr double kShare = 0.995;
   std::vector<float> worth;

@@ -13,7 +13,7 @@ using kg_compiler::Layer;
 
 constexpr float kLand = std::numeric_limits<float>::quiet_NaN();
 
-// Six cells in two rows: worthless, forbidden, land / three of value.
+// Six cells in two rows: zero value, forbidden, land / three with value.
 kg_compiler::MissionTensor SixCells() {
   kg_compiler::MissionTensor tensor;
   tensor.grid = kg_base::Grid({-90.0, -89.9, -89.7}, {25.0, 25.1});
@@ -27,7 +27,7 @@ kg_compiler::MissionTensor SixCells() {
   return tensor;
 }
 
-// From the third cell of value: the first is too far.
+// Work from the third cell with value: the first one is out of reach.
 kg_compiler::WorkMap Work() {
   kg_compiler::WorkMap work;
   work.budget_s = 1000.0;

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using kg_base::InputError;
 
-// Gone at the end of its life, if it has not become something else.
+// Deleted on destruction unless it has been renamed.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& path)

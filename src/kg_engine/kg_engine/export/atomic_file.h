@@ -1,4 +1,4 @@
-// Files that are there whole or not at all.
+// Atomic file writes.
 
 #ifndef KG_ENGINE_EXPORT_ATOMIC_FILE_H_
 #define KG_ENGINE_EXPORT_ATOMIC_FILE_H_
@@ -10,8 +10,8 @@
 
 namespace kg_engine {
 
-// `write` makes a temporary file beside `path`, which is then renamed to it; if
-// anything fails nothing is left and `path` is what it was. `path` must be
+// `write` writes a temporary file next to `path`, which is then renamed to
+// `path`; on failure nothing is left and `path` is unchanged. `path` must be
 // absolute. Throws kg_base::InputError in one line.
 void WriteAtomically(const std::string& path,
                      absl::FunctionRef<void(const std::string& path)> write);

@@ -16,7 +16,7 @@ struct Ragged {
   std::vector<double> time_s, lon_deg, lat_deg;
 };
 
-// Both sides of the antimeridian are one place: a cut is one point.
+// Joins parts: the two points of a cut at the antimeridian become one.
 Ragged Flatten(const PlanTracks& plan) {
   Ragged all;
   for (const PlannedAgent& agent : plan.agents) {

@@ -24,7 +24,7 @@ using kg_core::GraphView;
 
 constexpr char kGotoFile[] = "goto_l10.ma";
 
-// Answers in text where no path is given.
+// Returns the text if no path is given; else writes the file.
 std::string Deliver(const std::string& path, std::string text) {
   if (path.empty()) return text;
   WriteAtomically(path, text);
@@ -76,7 +76,7 @@ struct PlanFormat {
 constexpr PlanFormat kPlanFormats[] = {
     {"geojson", GeoJson}, {"gpx", Gpx}, {"goto", Goto}, {"netcdf", NetCdf}};
 
-// Of the store; throws InputError.
+// Expands and checks a graph name; throws InputError if the store lacks it.
 std::string GraphNamed(const GraphView& view, const std::string& name) {
   const std::string iri = kg_core::ExpandPrefixed(name).value_or(name);
   if (kg_core::sparql::HasGraph(view, iri)) return iri;

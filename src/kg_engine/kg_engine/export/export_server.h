@@ -1,6 +1,6 @@
-// Exports: facts in the syntaxes of RDF, plans in the formats of maps, GPS,
-// gliders and ocean data. Reads a snapshot of the store and nothing else, so it
-// may run while facts change, and after a restart.
+// Exports: facts in RDF syntaxes, plans in formats for maps, GPS, gliders and
+// ocean data. Reads only a snapshot of the store, so it can run while facts
+// change, and after a restart.
 
 #ifndef KG_ENGINE_EXPORT_EXPORT_SERVER_H_
 #define KG_ENGINE_EXPORT_EXPORT_SERVER_H_
@@ -13,15 +13,15 @@
 
 namespace kg_engine {
 
-// The names of the formats, e.g. "turtle", "netcdf".
+// Names of the formats, e.g. "turtle", "netcdf".
 std::vector<std::string> ExportFormats();
 
 struct ExportRequest {
   std::string format;  // One of ExportFormats().
-  // IRIs, or with our prefixes; empty: the facts, or the current plan. Of a
-  // plan one at most.
+  // IRIs, or prefixed names; empty = the facts, or the current plan. Plan
+  // formats: at most one.
   std::vector<std::string> graphs;
-  // File to write (of "goto": folder), absolute; empty: the answer has `data`.
+  // File to write ("goto": folder), absolute; empty = answer in `data`.
   std::string path;
 };
 
@@ -32,7 +32,7 @@ struct ExportAnswer {
   std::string data;
 };
 
-// Writes the file, if one is asked for, whole or not at all. "goto" writes
+// Writes the file, if requested, atomically. "goto" writes
 // <path>/<agent>/goto_l10.ma for every agent.
 ExportAnswer Export(const kg_core::GraphView& view,
                     const ExportRequest& request);

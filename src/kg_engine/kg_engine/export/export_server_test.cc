@@ -1,5 +1,5 @@
-// Exports of a planned mission, and the corners of each format. What programs
-// of others make of the files: src/mission/test/export_test.py.
+// Exports of a planned mission, and edge cases of each format. For external
+// readers of these files see src/mission/test/export_test.py.
 
 #include "kg_engine/export/export_server.h"
 
@@ -38,7 +38,7 @@ using kg_base::ParseJson;
 
 constexpr std::size_t kMaxBytes = 64u << 20;
 
-// Eastward over the antimeridian within window 0.
+// Eastward across the antimeridian within window 0.
 PlanTracks Crossing() {
   PlanTracks plan;
   plan.run_iri = "http://example.org/mission/plan/1";
@@ -213,8 +213,8 @@ TEST_F(ExportServerTest, APlanIsExportedFromTheStoreAloneAfterARestart) {
   EXPECT_TRUE(Export(server, "gpx", {PlanGraph(1).text}).ok);
 }
 
-// The plan with its way bent, as by currents: between any two points half an
-// hour apart or more a turning point 2 km beside the straight line.
+// The plan with bent tracks, as under currents: between two points half an hour
+// or more apart a turning point 2 km beside the straight line.
 kg_selector::CommittedPlan Bent(kg_selector::CommittedPlan plan) {
   for (kg_selector::PathAssignment& assignment : plan.assignments) {
     Track bent;
@@ -277,7 +277,8 @@ Track TrackOfNetCdf(const std::string& path) {
   return track;
 }
 
-// Within what facts leave out of a track (10 m), a second and a centimetre.
+// Tolerances: track simplification in facts (10 m), one second and one
+// centimetre.
 void ExpectSameWay(const Track& committed, const Track& exported) {
   ASSERT_GE(exported.size(), 2u);
   for (const auto& point : committed) {

@@ -196,6 +196,7 @@ std::string DegreesAndMinutes(const double degrees) {
 
 std::string ToGotoList(const PlanTracks& plan, const PlannedAgent& agent) {
   std::string waypoints;
+  // Executed stops are omitted: the list is what is left to fly.
   int count = 0;
   for (const PlannedStop& stop : agent.stops) {
     if (stop.status != "planned") continue;

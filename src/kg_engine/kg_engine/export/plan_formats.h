@@ -1,4 +1,4 @@
-// A plan in the formats of others, as text.
+// A plan in external text formats.
 
 #ifndef KG_ENGINE_EXPORT_PLAN_FORMATS_H_
 #define KG_ENGINE_EXPORT_PLAN_FORMATS_H_
@@ -10,18 +10,18 @@
 
 namespace kg_engine {
 
-// A FeatureCollection: each agent's way as a LineString (a MultiLineString
-// where it passes the antimeridian) with the times of its points in the
-// property "coordTimes", nested like the coordinates; each stop as a Point.
+// A FeatureCollection: each agent's track as a LineString (a MultiLineString if
+// it crosses the antimeridian) with the times of its points in the property
+// "coordTimes", nested like the coordinates; each stop as a Point.
 // https://www.rfc-editor.org/rfc/rfc7946
 std::string ToGeoJson(const PlanTracks& plan);
 
-// GPX 1.1: each stop a wpt, each agent a trk with times.
+// GPX 1.1: a wpt per stop, a trk with times per agent.
 // https://www.topografix.com/GPX/1/1/
 std::string ToGpx(const PlanTracks& plan);
 
-// The stops still to be made of one agent, as a Slocum glider's list of
-// waypoints, degrees and minutes as DDDMM.mmmm, longitude first:
+// The remaining stops of one agent, as a Slocum glider's waypoint list, degrees
+// and minutes as DDDMM.mmmm, longitude first:
 //
 //   behavior_name=goto_list
 //   <start:b_arg>
@@ -33,8 +33,8 @@ std::string ToGpx(const PlanTracks& plan);
 //   <end:waypoints>
 std::string ToGotoList(const PlanTracks& plan, const PlannedAgent& agent);
 
-// "-9054.0000" of -90.9: minutes in four decimals (0.2 m), carried into whole
-// degrees.
+// Formats -90.9 as "-9054.0000": minutes with four decimals (0.2 m); rounding
+// carries into the degrees.
 std::string DegreesAndMinutes(double degrees);
 
 }  // namespace kg_engine

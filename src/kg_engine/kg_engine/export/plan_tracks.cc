@@ -93,6 +93,7 @@ class PlanReader {
          kg_core::Objects(view_, graph_, node, Ex("visits"))) {
       stop.events.push_back(event.text);
     }
+    // The path is optional; its last point gives the end time.
     stop.time_s = std::numeric_limits<double>::quiet_NaN();
     const TrackLiteral path = {Text(node, "pathWKT"), Text(node, "pathTimes")};
     if (!path.wkt.empty()) {
@@ -103,7 +104,7 @@ class PlanReader {
     agent.stops.push_back(std::move(stop));
   }
 
-  // Parts that meet become one.
+  // Sorts stops and joins adjacent parts.
   static void Finish(PlannedAgent* agent) {
     std::sort(agent->stops.begin(), agent->stops.end(),
               [](const PlannedStop& a, const PlannedStop& b) {

@@ -1,6 +1,6 @@
-// A plan as the store holds it: every agent's stops and the way between them,
-// for those who write it in the formats of others. Needs no node and no topic,
-// so a plan can be exported after a restart.
+// A plan as read from the store: every agent's stops and tracks, for the
+// writers of export formats. Needs no node and no topic, so a plan can be
+// exported after a restart.
 
 #ifndef KG_ENGINE_EXPORT_PLAN_TRACKS_H_
 #define KG_ENGINE_EXPORT_PLAN_TRACKS_H_
@@ -20,7 +20,7 @@ struct PlannedStop {
   std::string window_iri;
   std::string status;        // "planned" or "executed".
   kg_base::LonLat position;  // At the end of the window.
-  double time_s = 0.0;       // End of its path; NaN: it has none.
+  double time_s = 0.0;       // End time of its path [Unix s]; NaN = no path.
   double reward = 0.0;
   double seam_cost = 0.0;
   double travel_h = 0.0;            // ex:costHours.
@@ -32,9 +32,8 @@ struct PlannedStop {
 struct PlannedAgent {
   std::string id;
   std::string iri;
-  std::vector<PlannedStop> stops;  // By window.
-  // The whole way, cut only where it passes the antimeridian or where there is
-  // no path for a while.
+  std::vector<PlannedStop> stops;  // Sorted by window.
+  // The whole track, cut only at the antimeridian and at gaps without a path.
   std::vector<Track> parts;
 };
 
@@ -43,11 +42,11 @@ struct PlanTracks {
   unsigned long long world_version = 0;
   std::string status;  // "ok", "stale", ...
   std::string mission_name;
-  std::vector<PlannedAgent> agents;  // By id.
+  std::vector<PlannedAgent> agents;  // Sorted by id.
 };
 
-// Of the plan graph (its IRI). Throws kg_base::InputError if there is no plan
-// in it.
+// Reads the plan graph with this IRI. Throws kg_base::InputError if it contains
+// no plan.
 PlanTracks ReadPlanTracks(const kg_core::GraphView& view,
                           const std::string& plan_graph);
 

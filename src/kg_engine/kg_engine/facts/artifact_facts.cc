@@ -21,7 +21,7 @@ using kg_core::Iri;
 using kg_core::Prov;
 using kg_core::Term;
 
-// One activity of a plane, stated with the first artifact that it made.
+// One activity of a plane, written with the first artifact that it made.
 class Plane {
  public:
   Plane(Term activity, kg_core::Transaction* transaction)
@@ -31,7 +31,7 @@ class Plane {
 
   const Term& activity() const { return activity_; }
 
-  // Goes on with the artifact's statements; null if it is known already.
+  // Begins the artifact's statements; null if it is already described.
   FactWriter* Make(const Term& node, const char* type) {
     if (IsDescribed(transaction_->view(), node)) return nullptr;
     made_ = true;

@@ -1,6 +1,6 @@
-// What was compiled, as facts of the provenance graph: every artifact once,
-// under the activity that made it, with exactly what it was made of. A later
-// cycle that takes an artifact as it is finds it there.
+// Compiled artifacts as facts of the provenance graph: every artifact once,
+// with the activity that made it and its exact inputs. A later cycle that
+// reuses an artifact refers to the existing facts.
 //
 //   ex:tensor\/alpha\/w2\/<id>  a ex:HeatmapArtifact ; ex:hash ;
 //       prov:wasDerivedFrom ... ; prov:wasGeneratedBy ex:compile\/phi2\/12
@@ -24,23 +24,23 @@
 
 namespace kg_engine {
 
-// Is it described in the provenance graph?
+// Whether the provenance graph describes `node`.
 bool IsDescribed(const kg_core::GraphView& view, const kg_core::Term& node);
 
-// When the planes worked on a cycle. Unix seconds.
+// Times of the planes' work on a cycle [Unix s].
 struct CompileTimes {
   double began_s = 0.0;
-  double tensors_s = 0.0;  // Phi 2 had ended.
-  double ended_s = 0.0;    // Phi 1 had.
+  double tensors_s = 0.0;  // End of Phi 2.
+  double ended_s = 0.0;    // End of Phi 1.
 };
 
-// Stages what the provenance graph does not have yet of a cycle's tensors and
-// seam rules, with the activities that made it.
+// Stages the facts missing from the provenance graph about a cycle's tensors
+// and seam rules, with the activities that made them.
 void StageArtifacts(const kg_compiler::Compilation& compilation,
                     std::uint64_t cycle, const CompileTimes& times,
                     kg_core::Transaction* transaction);
 
-// Stages what the plan of a run commits an agent to.
+// Stages the places to which the plan of a run commits an agent.
 void StageCommitment(std::uint64_t run, const kg_compiler::SeamRules& rules,
                      kg_core::Transaction* transaction);
 

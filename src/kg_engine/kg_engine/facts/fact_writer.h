@@ -1,4 +1,4 @@
-// Collects statements about one subject after the other, in one graph.
+// Collects statements in one graph, subject by subject.
 //
 //   FactWriter write(Iri(kg_core::kProvGraph));
 //   write.About(run, "PlanRun").Integer("rounds", 2).Time(time, 1.78e9);
@@ -23,7 +23,7 @@ class FactWriter {
  public:
   explicit FactWriter(kg_core::Term graph) : graph_(std::move(graph)) {}
 
-  // The statements that follow are about `subject`.
+  // Sets the subject of the following statements.
   FactWriter& About(const kg_core::Term& subject) {
     subject_ = subject;
     return *this;
@@ -57,7 +57,7 @@ class FactWriter {
     return Add(property, kg_core::WktLiteral(kg_base::PointWkt(position)));
   }
 
-  // ex:costHours, ex:costEnergy, ex:costRisk, ex:seamCost.
+  // Writes ex:costHours, ex:costEnergy, ex:costRisk, ex:seamCost.
   FactWriter& Cost(const kg_compiler::EdgeCost& cost) {
     return Number("costHours", cost.travel_s / kg_base::kSecondsPerHour)
         .Number("costEnergy", cost.energy_j / kg_base::kJoulesPerWh)
@@ -66,7 +66,7 @@ class FactWriter {
         .Number("seamCost", cost.seam_cost);
   }
 
-  // prov:Activity of a class of ours, with its times.
+  // Writes a prov:Activity of one of the ex: classes, with its times.
   FactWriter& Activity(const kg_core::Term& subject, const std::string& type,
                        double started_s, double ended_s) {
     return About(subject, type)
@@ -96,7 +96,7 @@ class FactWriter {
   std::vector<kg_core::Statement> statements_;
 };
 
-// Stages all of them.
+// Stages all statements.
 inline void AddAll(const std::vector<kg_core::Statement>& statements,
                    kg_core::Transaction* transaction) {
   for (const kg_core::Statement& statement : statements) {

@@ -29,7 +29,7 @@ Term FieldNode(const kg_compiler::Compilation& compilation, int window) {
   return {};
 }
 
-// Empty if the compilation does not have the agent and window.
+// Sources of a graph; empty if the compilation lacks the agent or window.
 std::vector<Term> SourcesOf(const NavGraphOrigin& origin,
                             const kg_compiler::Compilation& compilation) {
   const kg_compiler::MissionTensor* tensor =
@@ -55,7 +55,7 @@ void Describe(const NavGraphOrigin& origin, const kg_mission::Mission& mission,
       .Text("hash", origin.stamp.hash);
 }
 
-// The node that an edge into the window leaves from.
+// Source node of an edge into the window.
 Term EdgeBegin(const TraverseEdge& edge, const NavGraphPlace& place) {
   if (place.previous_hash.empty()) return Iri(place.start_iri);
   return WaypointOf(NavGraphNode(place.previous_hash), edge.from);
@@ -79,7 +79,7 @@ void WriteEdgeCost(const Term& edge, const std::string& agent_iri,
       .Cost(cost);
 }
 
-// An edge of the graph `node` with its cost.
+// Writes an edge of the graph and its cost.
 void WriteEdge(const TraverseEdge& edge, const Term& edge_node,
                const Term& from, const kg_compiler::NavGraph& graph,
                FactWriter* write) {

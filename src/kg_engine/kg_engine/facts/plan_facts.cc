@@ -24,7 +24,7 @@ using kg_core::Statement;
 using kg_core::Term;
 using kg_core::WktLiteral;
 
-// Of a track as stated: how far the agent may be from it at any time.
+// Maximum distance between the agent and the simplified track at any time [m].
 constexpr double kTrackTolerance_m = 10.0;
 
 std::string AgentIri(const Compilation& compilation, const std::string& id) {
@@ -34,7 +34,7 @@ std::string AgentIri(const Compilation& compilation, const std::string& id) {
   return "";
 }
 
-// What the plan's parts are made of and where they go.
+// Writes the plan's parts and their provenance.
 class PlanWriter {
  public:
   PlanWriter(const PlanRecord& record, const Compilation& compilation)
@@ -101,7 +101,7 @@ class PlanWriter {
     }
   }
 
-  // What is not known is not said.
+  // Unknown values are omitted.
   void WriteQuality(const kg_selector::CommittedPlan& plan) {
     if (std::isfinite(plan.bound)) write_.Number("bound", plan.bound);
     const double missed = plan.bound - (plan.reward - plan.seam_cost);
@@ -113,7 +113,7 @@ class PlanWriter {
         .Number("displacementKm", plan.displacement_m / 1000.0);
   }
 
-  // What the planners went by.
+  // Provenance of the planners' results.
   void ProveRun() {
     const kg_selector::CommittedPlan& plan = record_.plan;
     prove_.Activity(run_, "PlanRun", record_.started_s, record_.ended_s)
@@ -136,7 +136,7 @@ class PlanWriter {
     }
   }
 
-  // What the selector went by: everybody's paths, the team's rules.
+  // Provenance of the selection: all agents' paths, the team's rules.
   void ProveSelection() {
     const double ended_s = std::max(record_.plan.time_s, record_.started_s);
     double took_s = 0.0;
@@ -157,7 +157,7 @@ class PlanWriter {
     ProveGraphs();
   }
 
-  // The stops on the way, in their order.
+  // Stops on the way, in visiting order.
   static std::string StopsWkt(const kg_selector::Visit& visit) {
     const std::size_t name = std::string("POINT").size();
     const auto to_point = [&](const kg_selector::Stop& stop) {
@@ -167,7 +167,7 @@ class PlanWriter {
            ")";
   }
 
-  // What every assignment says.
+  // Statements common to every assignment.
   void WriteStop(const std::string& agent_id, const std::string& agent_iri,
                  const kg_selector::Visit& visit, const char* status) {
     write_
@@ -237,7 +237,7 @@ class PlanWriter {
     }
   }
 
-  // Stands for this cycle only; no policy is touched (A31).
+  // Valid for this cycle only; policies are not changed (A31).
   void WriteCooling(std::size_t number) {
     const kg_selector::CoolingConstraint& cooling = record_.cooling[number];
     const Track track = SimplifyTrack(cooling.track, kTrackTolerance_m);
@@ -248,7 +248,7 @@ class PlanWriter {
         .Time(Ex("expires"), cooling.expires_s)
         .GeneratedBy(run_)
         .GeneratedBy(select_);
-    if (cooling.by_agent.empty()) {  // Events that are full, by whomever.
+    if (cooling.by_agent.empty()) {  // Full events, regardless of the visitors.
       WritePlannedWindows();
     } else {
       write_.Link("cooledBy", Iri(AgentIri(compilation_, cooling.by_agent)));

@@ -1,7 +1,8 @@
-// A plan as facts: what planners and selector answered. The run's own graph
-// (ex:graph/plan/<run>) holds what belongs to this run alone and goes with it;
-// the provenance graph keeps what later runs may refer to. The compiler reads
-// neither, so an assignment never triggers its own recompilation.
+// A plan as facts: the results of planners and selector. The run's own graph
+// (ex:graph/plan/<run>) holds the facts of this run only and is deleted with
+// it; the provenance graph keeps the facts that later runs may refer to. The
+// compiler reads neither, so an assignment never triggers its own
+// recompilation.
 //
 //   ex:plan\/7               a ex:PlanRun ; ex:worldVersion ; ex:status ; ...
 //   ex:plan\/7\/select       a ex:SelectRun ; prov:wasInformedBy the planners
@@ -9,12 +10,10 @@
 //       ex:waypointWKT ; ex:pathWKT ; ex:pathTimes ; ex:reward ; ex:costHours ;
 //       ... ; prov:wasGeneratedBy ; prov:wasDerivedFrom
 //   ex:plan\/7\/rejection\/0 a ex:Rejection ; ex:lostTo ; ex:cooling ...
-//   ex:plan\/7\/cooling\/0   a ex:CoolingConstraint ; ex:forAgent ; ex:cooledBy
-//   ;
-//       ex:expires ...
-//   ex:plan\/7\/price\/0     a ex:Price ; ex:ofWaypoint or ex:visits ; ex:price
-//   ;
-//       ...
+//   ex:plan\/7\/cooling\/0   a ex:CoolingConstraint ; ex:forAgent ;
+//       ex:cooledBy ; ex:expires ...
+//   ex:plan\/7\/price\/0     a ex:Price ; ex:ofWaypoint or ex:visits ;
+//       ex:price ; ...
 
 #ifndef KG_ENGINE_FACTS_PLAN_FACTS_H_
 #define KG_ENGINE_FACTS_PLAN_FACTS_H_
@@ -36,9 +35,9 @@ namespace kg_engine {
 struct PlanRecord {
   kg_selector::CommittedPlan plan;
   std::vector<kg_selector::RecordedRejection> rejections;
-  // Of all rounds, each pair once.
+  // Constraints of all rounds, each pair of agents once.
   std::vector<kg_selector::CoolingConstraint> cooling;
-  std::vector<kg_selector::VisitPrice> prices;  // Of the last round.
+  std::vector<kg_selector::VisitPrice> prices;  // Prices of the last round.
   std::vector<ExecutedVisit> executed;
   // By agent's ex:id and window.
   std::map<std::pair<std::string, int>, NavGraphStamp> nav_graphs;
@@ -46,8 +45,8 @@ struct PlanRecord {
   double ended_s = 0.0;
 };
 
-// The run, its assignments, rejections and what they cooled, for its own graph
-// and the provenance graph.
+// The run, its assignments, rejections and cooling constraints, for its own
+// graph and the provenance graph.
 std::vector<kg_core::Statement> PlanStatements(
     const PlanRecord& record, const kg_compiler::Compilation& compilation);
 

@@ -9,8 +9,8 @@
 
 namespace kg_engine {
 
-// Replaces the status of a run ("stale", "superseded"), if its graph is still
-// there.
+// Replaces the status of a run ("stale", "superseded"), if its graph still
+// exists.
 void StagePlanStatus(std::uint64_t run, const char* status,
                      kg_core::Transaction* transaction);
 

@@ -1,5 +1,5 @@
-// The artifacts that a compilation made anew, as others are told of them: by
-// the agent's ex:id and with the hash of what was made.
+// Artifacts recompiled by a compilation, as reported to others: with the
+// agent's ex:id and the hash of the result.
 
 #ifndef KG_ENGINE_FACTS_RECOMPILED_ARTIFACT_H_
 #define KG_ENGINE_FACTS_RECOMPILED_ARTIFACT_H_
@@ -13,9 +13,9 @@ namespace kg_engine {
 
 struct RecompiledArtifact {
   std::string kind;   // "tensor", "work_field", "seam_rules", "coordination".
-  std::string agent;  // ex:id; empty: shared by all.
-  int window = -1;    // -1: all windows.
-  std::string hash;   // Of its inputs and parameters; empty: not known.
+  std::string agent;  // ex:id; empty = shared by all.
+  int window = -1;    // -1 = all windows.
+  std::string hash;   // Hash of its inputs and parameters; empty = unknown.
 };
 
 std::vector<RecompiledArtifact> ListRecompiled(

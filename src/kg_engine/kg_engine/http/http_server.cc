@@ -24,7 +24,7 @@ using kg_engine::HttpRequest;
 using kg_engine::HttpResponse;
 
 constexpr char kLoopback[] = "127.0.0.1";
-constexpr int kSlice_ms = 50;  // How soon a waiting thread sees the end.
+constexpr int kSlice_ms = 50;  // Poll interval of waiting threads for shutdown.
 constexpr double kFarewell_s = 1.0;
 
 Clock::time_point In(double seconds) {
@@ -32,9 +32,8 @@ Clock::time_point In(double seconds) {
                             std::chrono::duration<double>(seconds));
 }
 
-// One connection. Time is for all that is read, and then for all that is
-// written: a client that sends a byte now and then does not hold a thread for
-// long.
+// One connection. Deadlines apply to reading as a whole and to writing as a
+// whole, so that a slow client cannot hold a thread.
 class DeadlineStream : public httplib::Stream {
  public:
   DeadlineStream(socket_t socket, double seconds,
@@ -68,7 +67,7 @@ class DeadlineStream : public httplib::Stream {
   }
   void get_remote_ip_and_port(std::string& ip, int& port) const override {
     ip = kLoopback;
-    port = 0;  // Nobody asks.
+    port = 0;  // Unused.
   }
   void get_local_ip_and_port(std::string& ip, int& port) const override {
     ip = kLoopback;
@@ -76,8 +75,8 @@ class DeadlineStream : public httplib::Stream {
   }
   socket_t socket() const override { return socket_; }
 
-  // Lets the client read what was written: closing with bytes unread would
-  // reset the connection and take the response away.
+  // Graceful close: closing with unread bytes would reset the connection and
+  // discard the response.
   void SayGoodbye() {
     shutdown(socket_, SHUT_WR);
     const Clock::time_point end = In(kFarewell_s);
@@ -109,7 +108,7 @@ class DeadlineStream : public httplib::Stream {
 
 }  // namespace
 
-// At most so many callers inside at once; the others wait.
+// Limits the number of concurrent callers; others wait.
 class AnswerSlots {
  public:
   explicit AnswerSlots(int places) : places_(places) {}
@@ -171,7 +170,7 @@ HttpResponse Refusal(int status, const std::string& why) {
   return response;
 }
 
-// Not SO_REUSEPORT, as httplib has it: two servers would share one port.
+// Unlike httplib, no SO_REUSEPORT: two servers would share one port.
 void SetSocketOptions(socket_t socket) {
   const int yes = 1;
   setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -216,7 +215,7 @@ class HttpServer::Listener : public httplib::Server {
                               "has it, or it is not allowed");
   }
 
-  // Bodies are read here, not by httplib: it takes at most 8 KiB of a form.
+  // Bodies are read here, because httplib limits forms to 8 KiB.
   void RouteAll() {
     set_pre_routing_handler(
         [this](const httplib::Request& request, httplib::Response& response) {
@@ -240,7 +239,7 @@ class HttpServer::Listener : public httplib::Server {
   void AnswerWithBody(const httplib::Request& request,
                       const httplib::ContentReader& reader,
                       httplib::Response* response) {
-    // What httplib would take apart or unpack by itself.
+    // Requests that httplib would decode itself.
     if (request.is_multipart_form_data() ||
         request.has_header("Content-Encoding")) {
       const int status = kg_engine::kUnsupportedMediaType;

@@ -1,5 +1,5 @@
-// An HTTP/1.1 server on the loopback interface, by cpp-httplib, with bounds on
-// everything a client may do: threads, bytes, time. One request a connection.
+// An HTTP/1.1 server on the loopback interface, based on cpp-httplib, with
+// limits on threads, bytes and time per client. One request per connection.
 
 #ifndef KG_ENGINE_HTTP_HTTP_SERVER_H_
 #define KG_ENGINE_HTTP_HTTP_SERVER_H_
@@ -13,10 +13,11 @@
 namespace kg_engine {
 
 struct HttpServerOptions {
-  int port = 0;                        // 0: any that is free.
-  std::size_t body_bytes = 16u << 20;  // Longest body that is read.
-  int connections = 16;                // At once; others wait for accept.
-  int answers = 4;                     // At once; others wait their turn.
+  int port = 0;                        // 0 = any free port.
+  std::size_t body_bytes = 16u << 20;  // Maximum size of a request body.
+  // Maximum simultaneous connections; others wait for accept.
+  int connections = 16;
+  int answers = 4;          // Maximum simultaneous handlers; others wait.
   double request_s = 10.0;  // For all of a request to arrive, and again for
                             // its turn, and again for all of the response.
 };
@@ -26,10 +27,10 @@ class HttpServer {
   using Handler =
       std::function<kg_engine::HttpResponse(const kg_engine::HttpRequest&)>;
 
-  // Listens on 127.0.0.1 when this returns; calls `handler` from its threads.
-  // Throws kg_base::InputError if the port cannot be had.
+  // Listens on 127.0.0.1 when the constructor returns; calls `handler` from its
+  // threads. Throws kg_base::InputError if the port is unavailable.
   HttpServer(const HttpServerOptions& options, Handler handler);
-  // Takes no more requests, waits for those whose handler has been called.
+  // Accepts no more requests and waits for running handlers.
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
@@ -37,7 +38,7 @@ class HttpServer {
   int port() const;
 
  private:
-  class Listener;  // Keeps httplib.h out of other files.
+  class Listener;  // Hides httplib.h from other files.
   std::unique_ptr<Listener> listener_;
 };
 

@@ -24,7 +24,7 @@ using kg_engine::HttpResponse;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// A client that can do what well-behaved ones do not.
+// A client that can misbehave.
 class Client {
  public:
   explicit Client(int port) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
@@ -45,7 +45,7 @@ class Client {
     while (sent < text.size()) {
       const ssize_t count =
           send(socket_, text.data() + sent, text.size() - sent, MSG_NOSIGNAL);
-      if (count <= 0) break;  // The server has had enough.
+      if (count <= 0) break;  // The server closed the connection.
       sent += static_cast<std::size_t>(count);
     }
     return *this;
@@ -54,7 +54,7 @@ class Client {
     shutdown(socket_, SHUT_WR);
     return *this;
   }
-  // Until the server closes.
+  // Reads until the server closes.
   std::string ReadAll() {
     std::string all;
     char block[4096];
@@ -70,7 +70,7 @@ class Client {
   bool is_connected_ = false;
 };
 
-// Answers with what it was asked.
+// Echoes the request.
 HttpResponse Echo(const HttpRequest& request) {
   HttpResponse response;
   response.content_type = kg_engine::kPlainText;
@@ -184,7 +184,7 @@ TEST(HttpServerTest, RefusesABodyThatIsTooLong) {
   EXPECT_FALSE(was_asked);
 }
 
-// One that says nothing, one that stops in its headers, one in its body.
+// Slow clients: silent, stopped in the headers, stopped in the body.
 TEST(HttpServerTest, AnswersOthersWhileSomeAreSlow) {
   const HttpServer server(Options(), Echo);
   Client silent(server.port());
@@ -202,7 +202,7 @@ TEST(HttpServerTest, GivesUpOnAClientThatIsSlow) {
   const HttpServer server(options, Echo);
   Client silent(server.port());
   EXPECT_EQ(silent.ReadAll(), "");
-  // A byte now and then does not help.
+  // Sending single bytes does not extend the deadline.
   Client dripping(server.port());
   std::atomic<bool> ended{false};
   std::thread drip([&] {

@@ -1,4 +1,4 @@
-// A waypoint graph as its agent's planner made it, with what it answers.
+// A planner's waypoint graph, with the cycle and agent it belongs to.
 
 #ifndef KG_ENGINE_PLANNING_AGENT_GRAPH_H_
 #define KG_ENGINE_PLANNING_AGENT_GRAPH_H_
@@ -18,7 +18,7 @@ struct AgentGraph {
   std::uint64_t cycle = 0;
   std::string agent;                                   // ex:id.
   std::shared_ptr<const kg_compiler::NavGraph> graph;  // Never null.
-  // By edge of graph->edges: taken for what comes later (A45). Empty: none is.
+  // By edge of graph->edges: chosen for a later gain (A45). Empty = none.
   std::vector<bool> staging;
 
   int window() const { return graph->window; }

@@ -24,8 +24,8 @@ std::size_t CountEdges(const NavGraphs& graphs) {
   return count;
 }
 
-// By window, the edges of the path that the planner takes for what comes later
-// (A45); empty if the path does not lead through all windows.
+// By window: the planned path's edges chosen for a later gain (A45); empty if
+// the path does not cover all windows.
 std::vector<bool> FindStagingEdges(const kg_compiler::SeamRules& rules,
                                    const NavGraphs& graphs,
                                    const kg_selector::Pathlet& pathlet) {
@@ -42,7 +42,7 @@ std::vector<bool> FindStagingEdges(const kg_compiler::SeamRules& rules,
 
 void AgentPlanner::Take(const kg_compiler::SeamRules& rules,
                         const std::uint64_t cycle) {
-  if (cycle < cycle_) return;  // Late: a newer cycle has begun.
+  if (cycle < cycle_) return;  // Outdated: a newer cycle has begun.
   rules_ = rules;
   cycle_ = cycle;
   due_ = true;
@@ -117,7 +117,7 @@ AgentCandidates AgentPlanner::Stitch(const kg_selector::AskedOf& asked,
   candidates.found =
       kg_selector::PlanPriced(team, {rules_, graphs_, memory_}, asked.ask);
   if (candidates.found.pathlets.empty() && candidates.found.proven) {
-    // Proven that there is no path: no plan of this agent is worth anything.
+    // Proven that there is no path: the agent adds nothing to any plan.
     candidates.found.bound = -std::numeric_limits<double>::infinity();
   }
   candidates.stages = {
@@ -152,6 +152,7 @@ PlannerAnswer AgentPlanner::Plan() {
   try {
     graphs_ = kg_selector::CompileWalkedGraphs(rules_, Worlds(), &cache_);
   } catch (const InputError& error) {
+    // Answer anyway, so that the selector does not wait for this agent.
     graphs_.clear();
     trouble_ = error.what();
     answer.candidates = Stitch({}, 0);

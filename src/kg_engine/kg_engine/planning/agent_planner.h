@@ -1,5 +1,5 @@
-// One agent's planning: holds the newest rules and rasters, and plans when they
-// belong together. Finds the agent's waypoints and seams with the control
+// One agent's planning: holds the newest rules and rasters, and plans once they
+// are consistent. Computes the agent's waypoints and seams with the control
 // plane, and its paths with the planner.
 
 #ifndef KG_ENGINE_PLANNING_AGENT_PLANNER_H_
@@ -24,7 +24,7 @@
 
 namespace kg_engine {
 
-// What a plan gives out.
+// Result of planning.
 struct PlannerAnswer {
   std::vector<AgentGraph> graphs;  // By window; empty in rounds > 0.
   kg_selector::AgentCandidates candidates;
@@ -45,9 +45,9 @@ class AgentPlanner {
   bool HasTensor(int window, const std::string& hash) const;
   bool HasField(int window, const std::string& hash) const;
 
-  // New rules are here and not planned yet.
+  // True if new rules have arrived and are not planned yet.
   bool IsDue() const { return due_; }
-  // Every raster the rules name is here.
+  // True if every raster named by the rules has arrived.
   bool IsComplete() const;
   // The window whose raster is missing, for the log; empty if complete.
   std::string Missing() const;
@@ -78,9 +78,9 @@ class AgentPlanner {
   std::optional<kg_selector::RunEnd> last_end_;
   std::map<int, TensorPointer> tensors_;  // By window.
   std::map<int, FieldPointer> fields_;
-  kg_compiler::NavGraphs graphs_;  // Of the last plan.
-  kg_selector::GraphCache cache_;  // For the next one.
-  std::string trouble_;            // Why there are none.
+  kg_compiler::NavGraphs graphs_;  // Graphs of the last plan.
+  kg_selector::GraphCache cache_;  // Reused by the next plan.
+  std::string trouble_;            // Reason if there are no graphs.
   std::shared_ptr<kg_planner::KBestMemory> memory_ =
       std::make_shared<kg_planner::KBestMemory>();
 };

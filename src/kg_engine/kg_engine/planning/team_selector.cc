@@ -86,8 +86,8 @@ SelectorAnswer TeamSelector::Take(const AgentCandidates& candidates) {
     const bool is_new = known.cycle != candidates.cycle;
     known = candidates;
     if (!task_ || candidates.cycle != task_->cycle) return {};
-    // A planner that came back, or one that was given up: if it has something
-    // new to say for this cycle, the team is put together again.
+    // A planner that returned or was given up: if it has a new answer for this
+    // cycle, coordination restarts.
     if (finished_ && is_new) {
       Begin(kg_selector::MakeCoordinator(task_->rules, task_->agents));
     }
@@ -135,7 +135,7 @@ SelectorAnswer TeamSelector::Step() {
   return answer;
 }
 
-// Everybody who is waited for, and what for.
+// Request for all agents waited for.
 RoundRequest TeamSelector::Ask() {
   RoundRequest request = Header<RoundRequest>();
   request.round = ++round_;
@@ -174,7 +174,7 @@ CommittedPlan TeamSelector::Plan() {
     plan.reward += pathlet.reward;
     plan.seam_cost += pathlet.seam_cost;
   }
-  // A planner that finds no path says why in its own words.
+  // Use the planner's own reason for "no path".
   for (const auto& [agent, why] : team_->outcome().unassigned) {
     const auto offered = offered_.find(agent);
     const bool has_note =

@@ -1,6 +1,6 @@
-// The team's coordination: collects everybody's candidates of one cycle, asks
-// for others as the team's mode wants them, round by round, and commits one
-// plan. Which mode that is, only MakeCoordinator() knows.
+// The team's coordination: collects all agents' candidates of one cycle,
+// requests others as the team mode requires, round by round, and commits one
+// plan. Only MakeCoordinator() depends on the mode.
 
 #ifndef KG_ENGINE_PLANNING_TEAM_SELECTOR_H_
 #define KG_ENGINE_PLANNING_TEAM_SELECTOR_H_
@@ -20,7 +20,7 @@
 
 namespace kg_engine {
 
-// What the team is to plan in a cycle.
+// The team's planning task in a cycle.
 struct TeamTask {
   std::uint64_t world_version = 0;
   std::uint64_t cycle = 0;
@@ -30,8 +30,7 @@ struct TeamTask {
 TeamTask ToTeamTask(const kg_compiler::Compilation& compilation,
                     std::uint64_t cycle);
 
-// What is to be said after a step: who is to plan again, or the plan and the
-// end of its run.
+// Output of a step: a request to replan, or the plan and the end of its run.
 struct SelectorAnswer {
   std::optional<kg_selector::RoundRequest> request;
   std::optional<kg_selector::RunEnd> end;
@@ -42,7 +41,7 @@ class TeamSelector {
  public:
   // A new cycle begins. Throws kg_base::InputError (unknown mode, ...).
   SelectorAnswer Take(const TeamTask& task);
-  // In any order, also before the task of their cycle is here.
+  // Accepts candidates in any order, also before the task of their cycle.
   SelectorAnswer Take(const kg_selector::AgentCandidates& candidates);
   // Runs get numbers above this one: the number of the last run known. Nothing
   // is decided before it is. If the run under way gets another number by this,
@@ -50,14 +49,15 @@ class TeamSelector {
   // are matched by number.
   SelectorAnswer KnowRun(std::uint64_t run);
 
-  // Who is waited for, since when nothing has come [unix s]; empty = nobody.
+  // Agents waited for, and the time since which nothing has arrived [Unix s];
+  // empty = none.
   std::vector<std::string> WaitingFor() const;
   double waiting_since_s() const { return waiting_since_s_; }
-  // Goes on without those who are waited for.
+  // Proceeds without the agents waited for.
   SelectorAnswer GiveUpWaiting();
 
  private:
-  // Of an agent's last answer, beside its pathlets.
+  // Data of an agent's last answer, apart from its pathlets.
   struct Offered {
     std::string agent_iri;
     std::string note;
@@ -74,18 +74,19 @@ class TeamSelector {
 
   std::optional<TeamTask> task_;
   std::unique_ptr<kg_selector::Coordinator> team_;
-  // Round 0 of the newest cycle heard of, by agent: kept for a fresh start.
+  // Round 0 answers of the newest cycle, by agent: kept for a restart of the
+  // coordination.
   std::map<std::string, kg_selector::AgentCandidates> unmasked_;
   std::map<std::string, Offered> offered_;  // By agent.
   kg_selector::RoundRequest request_;       // Last.
   std::uint32_t round_ = 0;
-  std::uint64_t run_ = 0;       // Under way or just finished.
-  std::uint64_t last_run_ = 0;  // The highest finished one heard of.
+  std::uint64_t run_ = 0;       // Current or just finished run.
+  std::uint64_t last_run_ = 0;  // Highest finished run known.
   bool knows_last_run_ = false;
   bool finished_ = false;
-  std::vector<kg_selector::Pathlet> last_plan_;  // Committed before this one.
-  double began_s_ = 0.0;                         // Unix seconds; of the cycle.
-  double complete_s_ = 0.0;  // When everybody's round 0 was here.
+  std::vector<kg_selector::Pathlet> last_plan_;  // Previous committed plan.
+  double began_s_ = 0.0;                         // Begin of the cycle [Unix s].
+  double complete_s_ = 0.0;  // Time when all round 0 answers were in.
   double waiting_since_s_ = 0.0;
 };
 

@@ -123,7 +123,8 @@ TEST(TeamSelectorTest, SaysHowMuchOfThePlanBeforeIsKept) {
   const kg_selector::CommittedPlan moved = plan(3, -81);
   EXPECT_EQ(moved.stability, 0.5);
   EXPECT_NEAR(moved.displacement_m, 0.5 * 111.3e3, 100.0);  // On the equator.
-  EXPECT_EQ(plan(4, -81).stability, 1.0);  // Against the last one committed.
+  // Compared with the last committed plan.
+  EXPECT_EQ(plan(4, -81).stability, 1.0);
 }
 
 TEST(TeamSelectorTest, APlanSaysItsModeAndBound) {

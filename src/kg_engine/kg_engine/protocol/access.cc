@@ -21,7 +21,7 @@ constexpr std::size_t kMaxAuthorBytes = 200;
 
 bool IsVisible(char c) { return c > ' ' && c <= '~'; }
 
-// Of two texts of the same length.
+// Constant-time comparison of two texts of equal length.
 bool EqualInConstantTime(std::string_view a, std::string_view b) {
   unsigned char difference = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -39,7 +39,7 @@ bool CarriesToken(const HttpRequest& request, const std::string& token) {
     return false;
   const std::string_view given =
       StripAsciiSpace(std::string_view(header).substr(kScheme.size()));
-  // Digests have one length, whatever was sent.
+  // Compare digests: they have equal length for any input.
   return EqualInConstantTime(kg_base::Sha256Hex(given),
                              kg_base::Sha256Hex(token));
 }
@@ -51,7 +51,7 @@ bool IsLoopbackHost(const HttpRequest& request) {
       host.find(']', colon) == std::string::npos) {
     host.resize(colon);
   }
-  // HTTP/1.0 has no Host, and browsers do not speak it.
+  // HTTP/1.0 requests may lack Host; browsers do not send them.
   return host.empty() || host == "localhost" || host == "127.0.0.1" ||
          host == "[::1]";
 }
@@ -64,7 +64,7 @@ std::string ReadTokenFile(const std::string& path) {
   if (!S_ISREG(status.st_mode)) {
     throw InputError(path + ": expected a file that holds the token");
   }
-  // S_IWOTH)) != 0) {|A token that other users can read protects nothing.
+  // A token that other users can read or write protects nothing.
   if ((status.st_mode & (S_IROTH | S_IWOTH)) != 0) {
     throw InputError(path +
                      ": the token can be read or written by everybody; "

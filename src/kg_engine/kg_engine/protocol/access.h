@@ -1,4 +1,4 @@
-// Who may ask.
+// Access control of the endpoint.
 
 #ifndef KG_ENGINE_PROTOCOL_ACCESS_H_
 #define KG_ENGINE_PROTOCOL_ACCESS_H_
@@ -9,21 +9,21 @@
 
 namespace kg_engine {
 
-// Does the request carry "Authorization: Bearer <token>" (RFC 6750)? Takes the
-// same time for every wrong token.
+// Whether the request carries "Authorization: Bearer <token>" (RFC 6750). Takes
+// constant time for wrong tokens.
 bool CarriesToken(const HttpRequest& request, const std::string& token);
 
-// Is the Host a name of this machine's loopback? A page in a browser can make
-// its own name resolve to 127.0.0.1 and read what comes back; it cannot change
-// the Host it is asked by.
+// Whether the Host header is a loopback name of this machine. Guards against
+// DNS rebinding: a web page can make its own name resolve to 127.0.0.1 and read
+// the response, but cannot change the Host header.
 bool IsLoopbackHost(const HttpRequest& request);
 
-// A token out of a file: its one line. Throws InputError if the file cannot be
-// read, can be read by others than its owner and group, or holds no token of
-// 16 to 512 visible ASCII characters.
+// Reads the token, the only line of the file. Throws InputError if the file
+// cannot be read, is accessible to others than its owner and group, or contains
+// no token of 16 to 512 visible ASCII characters.
 std::string ReadTokenFile(const std::string& path);
 
-// Who the request says it is from (header From), else "http".
+// Author of the request (header From), else "http".
 std::string GetAuthor(const HttpRequest& request);
 
 }  // namespace kg_engine

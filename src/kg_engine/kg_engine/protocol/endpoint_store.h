@@ -1,4 +1,4 @@
-// What a SPARQL endpoint answers from, and within which limits.
+// The store behind a SPARQL endpoint, and its limits.
 
 #ifndef KG_ENGINE_PROTOCOL_ENDPOINT_STORE_H_
 #define KG_ENGINE_PROTOCOL_ENDPOINT_STORE_H_
@@ -17,20 +17,20 @@
 
 namespace kg_engine {
 
-// What became of an update.
+// Outcome of an update.
 struct UpdateVerdict {
   enum class Outcome {
-    kAccepted,  // Durable.
-    kRefused,   // For `reasons`; nothing has changed.
-    kNobody,    // No decision in time; nothing has changed.
+    kAccepted,  // Accepted and durable.
+    kRefused,   // Rejected for `reasons`; no change.
+    kNobody,    // No decision in time; no change.
   };
   Outcome outcome = Outcome::kNobody;
   std::vector<std::string> reasons{};
   std::uint64_t world_version = 0;
 };
 
-// The store behind an endpoint. All three may be called from several threads at
-// once.
+// The store behind an endpoint. All three functions may be called from several
+// threads concurrently.
 struct EndpointStore {
   std::function<std::shared_ptr<const kg_core::GraphView>()> read;
   std::function<kg_core::Dataset(const kg_core::GraphView&)> dataset;
@@ -38,10 +38,10 @@ struct EndpointStore {
 };
 
 struct EndpointOptions {
-  std::string token;      // "Authorization: Bearer <token>"; "": none is asked.
+  std::string token;      // "Authorization: Bearer <token>"; "" = none.
   bool writable = false;  // Needs a token.
   kg_core::QueryLimits limits{};
-  std::size_t body_bytes = 16u << 20;  // Of a request.
+  std::size_t body_bytes = 16u << 20;  // Maximum size of a request body.
 };
 
 }  // namespace kg_engine

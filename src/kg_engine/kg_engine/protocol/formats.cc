@@ -27,7 +27,7 @@ std::string WriteNTriplesAnswer(const QueryResult& result) {
   return out;
 }
 
-// The last ones are other names that clients use.
+// The last ones are aliases that clients use.
 std::vector<AnswerFormat> RowFormats() {
   std::vector<AnswerFormat> formats;
   for (const kg_core::ResultFormat& format : kg_core::ResultFormats()) {

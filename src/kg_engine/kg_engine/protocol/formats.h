@@ -1,4 +1,4 @@
-// What answers can be written as, chosen by the Accept header.
+// Formats of answers, chosen by the Accept header.
 
 #ifndef KG_ENGINE_PROTOCOL_FORMATS_H_
 #define KG_ENGINE_PROTOCOL_FORMATS_H_
@@ -11,7 +11,7 @@
 
 namespace kg_engine {
 
-// A media type and how it is written.
+// A media type and its writer.
 struct AnswerFormat {
   std::string media_type;
   std::string (*write)(const kg_core::QueryResult& result);

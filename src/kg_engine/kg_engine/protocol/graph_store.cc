@@ -91,7 +91,7 @@ HttpResponse Get(const RequestContext& context, const std::string& graph) {
   return WriteAnswer(result, format);
 }
 
-// The payload as Turtle, of which N-Triples are a part.
+// The payload as Turtle, which includes N-Triples.
 const std::string& Payload(const HttpRequest& request) {
   const std::string type = MediaTypeOfBody(request);
   if (type == "text/turtle" || type == "application/n-triples" ||
@@ -121,7 +121,7 @@ HttpResponse Change(const RequestContext& context, const std::string& graph) {
   } else {
     update.turtle = Payload(request);
     kg_core::ParseTurtle(update.turtle, "body",
-                         Iri(graph));  // 400 if it is malformed.
+                         Iri(graph));  // 400 if malformed.
   }
   const int status = Exists(*view, graph) ? kOk : kCreated;
   return Accepted(status, Write(context, std::move(update)));

@@ -47,7 +47,7 @@ TEST_F(GraphStoreTest, PutReplacesTheFacts) {
   HttpResponse put = Answer(
       Send("PUT", "/graphs/facts", "text/turtle", std::string(kTestFacts)));
   EXPECT_EQ(put.status, 200) << put.body;
-  // What follows from facts follows again.
+  // Inferred facts are inferred again.
   EXPECT_EQ(Answer(Get("/graphs/facts")).body, all);
 
   std::string changed = all;
@@ -76,7 +76,7 @@ TEST_F(GraphStoreTest, PutLeavesWhatFilesHaveStated) {
       Send("PUT", "/graphs/facts", "text/turtle", kTestFacts + source);
   EXPECT_EQ(Answer(put).status, 200);
   EXPECT_EQ(Value("SELECT ?i { ex:made ex:timeIndex ?i }"), "7");
-  // But not without the source they came from.
+  // But not without their source.
   EXPECT_EQ(
       Answer(Send("PUT", "/graphs/facts", "text/turtle", kTestFacts)).status,
       200);

@@ -37,6 +37,7 @@ std::string Decode(std::string_view text) {
       out.push_back(text[i] == '+' ? ' ' : text[i]);
       continue;
     }
+    // Percent-encoded octet: '%' and two hexadecimal digits.
     const int high = i + 2 < text.size() ? HexDigit(text[i + 1]) : -1;
     const int low = i + 2 < text.size() ? HexDigit(text[i + 2]) : -1;
     if (high < 0 || low < 0) {
@@ -59,7 +60,7 @@ struct MediaRange {
   double quality = 1.0;
 };
 
-// A quality that is no number in [0, 1] counts as 0.
+// A quality that is not a number in [0, 1] counts as 0.
 double Quality(std::string_view text) {
   const std::string number(text);
   char* end = nullptr;
@@ -84,7 +85,7 @@ MediaRange ParseRange(std::string_view text) {
   return range;
 }
 
-// 0: the range is about other types; else the higher the more it says.
+// 0 = no match; larger = more specific.
 int Specificity(const MediaRange& range, const std::string& offer) {
   const std::size_t slash = offer.find('/');
   if (range.type == "*" && range.subtype == "*") return 1;
@@ -138,6 +139,7 @@ std::string MediaTypeOfBody(const HttpRequest& request) {
     std::string parameter = ToLowerAscii(StripAsciiSpace(parts[i]));
     parameter.erase(std::remove(parameter.begin(), parameter.end(), '"'),
                     parameter.end());
+    // us-ascii is a subset of UTF-8; other parameters are ignored.
     const bool is_charset = parameter.compare(0, 8, "charset=") == 0;
     if (is_charset && parameter != "charset=utf-8" &&
         parameter != "charset=us-ascii") {

@@ -1,5 +1,5 @@
-// An HTTP request and its response as plain values, and what is common to the
-// protocols over them. Nothing here knows sockets.
+// HTTP requests and responses as plain values, and the functions common to the
+// protocols above. Independent of sockets.
 // https://www.rfc-editor.org/rfc/rfc9110
 
 #ifndef KG_ENGINE_PROTOCOL_HTTP_H_
@@ -16,19 +16,19 @@ namespace kg_engine {
 struct HttpRequest {
   std::string method;  // "GET"
   std::string path;    // Decoded, without the query string.
-  std::string query;   // What follows '?', as it was sent.
-  std::map<std::string, std::string> headers;  // By names in lower case.
+  std::string query;   // Part after '?', not decoded.
+  std::map<std::string, std::string> headers;  // Keyed by name in lower case.
   std::string body;
 };
 
 struct HttpResponse {
   int status = 200;
-  std::string content_type;  // Empty: there is no body.
+  std::string content_type;  // Empty = no body.
   std::string body;
-  std::map<std::string, std::string> headers;  // More of them, e.g. "Allow".
+  std::map<std::string, std::string> headers;  // Further headers, e.g. "Allow".
 };
 
-// A request that is answered by a status and one line with the reason only.
+// An error answered by a status and one line with the reason.
 class HttpError : public std::runtime_error {
  public:
   HttpError(int status, const std::string& why)
@@ -39,7 +39,7 @@ class HttpError : public std::runtime_error {
   int status_;
 };
 
-// The statuses that are used here.
+// Status codes used here.
 inline constexpr int kOk = 200;
 inline constexpr int kCreated = 201;
 inline constexpr int kBadRequest = 400;
@@ -51,13 +51,13 @@ inline constexpr int kNotAcceptable = 406;
 inline constexpr int kContentTooLarge = 413;
 inline constexpr int kUnsupportedMediaType = 415;
 inline constexpr int kMisdirected = 421;
-inline constexpr int kUnprocessable = 422;  // Understood, and refused.
+inline constexpr int kUnprocessable = 422;  // Valid request, but rejected.
 inline constexpr int kInternalError = 500;
 inline constexpr int kUnavailable = 503;
 
 inline constexpr char kPlainText[] = "text/plain; charset=utf-8";
 
-// Empty if it is not there. `name` in lower case.
+// Value of a header; empty if absent. `name` in lower case.
 std::string Header(const HttpRequest& request, const std::string& name);
 
 struct FormField {
@@ -70,14 +70,14 @@ struct FormField {
 // UTF-8.
 std::vector<FormField> ParseForm(std::string_view text);
 
-// The media type of the body, in lower case and without parameters; "" if none
-// is given. Throws HttpError 415 for a character set other than UTF-8 and for a
+// Media type of the body, in lower case and without parameters; "" if not
+// given. Throws HttpError 415 for a character set other than UTF-8 and for a
 // content coding.
 std::string MediaTypeOfBody(const HttpRequest& request);
 
-// Which of `offers` (media types, the one liked best first) the Accept header
-// asks for: the highest quality wins, then the order of the offers. Throws
-// HttpError 406 if none will do.
+// Index of the offer (media types, most preferred first) that the Accept header
+// selects: the highest quality wins, then the order of the offers. Throws
+// HttpError 406 if none matches.
 // https://www.rfc-editor.org/rfc/rfc9110#name-accept
 std::size_t Negotiate(const std::string& accept,
                       const std::vector<std::string>& offers);

@@ -26,17 +26,17 @@ HttpResponse AnswerGraphStore(const RequestContext& context);
 // https://www.w3.org/TR/sparql11-service-description/
 HttpResponse DescribeService(const RequestContext& context);
 
-// Throws HttpError 403 if nothing may be written.
+// Throws HttpError 403 if the endpoint is read-only.
 void CheckWritable(const RequestContext& context);
 
-// Hands an update to the sink: 422 with the reasons if it was refused; else the
-// verdict.
+// Passes an update to the sink: throws HttpError 422 with the reasons if it was
+// rejected; else returns the verdict.
 UpdateVerdict Write(const RequestContext& context, kg_core::FactUpdate update);
 
 // The response to a client for a verdict.
 HttpResponse Accepted(int status, const UpdateVerdict& verdict);
 
-// 405 that names what is allowed ("GET, HEAD").
+// Response 405 naming the allowed methods ("GET, HEAD").
 HttpResponse NotAllowed(const std::string& allowed);
 
 }  // namespace kg_engine::protocol

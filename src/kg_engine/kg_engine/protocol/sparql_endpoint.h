@@ -1,5 +1,5 @@
 // SPARQL 1.1 Protocol and Graph Store HTTP Protocol: a request in, a response
-// out. Knows no sockets; kg_ros puts a server before it.
+// out. Independent of sockets; the server is kg_engine/http.
 // https://www.w3.org/TR/sparql11-protocol/
 // https://www.w3.org/TR/sparql11-http-rdf-update/
 //
@@ -9,9 +9,9 @@
 //   /graphs?graph=IRI any graph; only the facts can be written
 //   /graphs/NAME      the same as ?graph=http://example.org/mission/graph/NAME
 //
-// Queries see what queries always see (query_engine.h), end within their limits
-// and change nothing. What is to be written goes to the sink, which decides.
-// An error is its status and one line of plain text.
+// Queries use the default dataset (query_engine.h), are bounded by their limits
+// and are read-only. Writes are passed to the sink, which decides. An error is
+// a status and one line of plain text.
 
 #ifndef KG_ENGINE_PROTOCOL_SPARQL_ENDPOINT_H_
 #define KG_ENGINE_PROTOCOL_SPARQL_ENDPOINT_H_
@@ -23,11 +23,11 @@ namespace kg_engine {
 
 class SparqlEndpoint {
  public:
-  // Throws InputError if it were writable by everybody.
+  // Throws InputError for a writable endpoint without a token.
   SparqlEndpoint(EndpointStore store, EndpointOptions options);
 
-  // Never throws; from any thread. A response to HEAD has the body of GET:
-  // whoever sends it leaves the body out.
+  // Never throws; may be called from any thread. A response to HEAD has the
+  // body of GET; the sender must omit it.
   HttpResponse Answer(const HttpRequest& request) const;
 
  private:

@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// SPARQL Protocol: what a query may be sent as.
+// SPARQL Protocol: all ways to send a query.
 TEST_F(SparqlEndpointTest, AnswersAQueryHoweverItIsSent) {
   const HttpRequest ways[] = {
       Ask(kAgents),
@@ -39,7 +39,7 @@ TEST_F(SparqlEndpointTest, AnswersAQueryHoweverItIsSent) {
   }
 }
 
-// The protocol's negative cases, and what comes near them.
+// The protocol's negative cases, and similar ones.
 TEST_F(SparqlEndpointTest, RefusesWhatTheProtocolDoesNotKnow) {
   const std::string facts_before = Facts();
   HttpRequest two = Send("POST", "/sparql", kQuery, kAgents);
@@ -126,8 +126,8 @@ TEST_F(SparqlEndpointTest, NamesTheMethodsThatAreAllowed) {
 
 struct Wish {
   const char* accept;
-  const char* rows;     // What a SELECT is answered with; "": 406.
-  const char* triples;  // And a CONSTRUCT.
+  const char* rows;     // Media type of the answer to a SELECT; "" = 406.
+  const char* triples;  // Media type of the answer to a CONSTRUCT.
 };
 
 TEST_F(SparqlEndpointTest, GivesTheFormatThatIsLikedBest) {
@@ -185,11 +185,11 @@ TEST_F(SparqlEndpointTest, LetsARequestChooseTheGraphs) {
   EXPECT_TRUE(asks(agent, facts));
   EXPECT_FALSE(asks(agent, vocab));
   EXPECT_TRUE(asks(agent, vocab + facts));
-  EXPECT_FALSE(asks(agent, named));  // Then the default graph is empty.
+  EXPECT_FALSE(asks(agent, named));  // The default graph is empty then.
   EXPECT_TRUE(asks("{ GRAPH ?g { ?a a ex:Agent } }", named));
   EXPECT_FALSE(asks("{ GRAPH ?g { ?a a ex:Agent } }", facts));
   EXPECT_FALSE(asks("{ GRAPH graph:vocab { ?s ?p ?o } }", facts + named));
-  // The request wins over the query.
+  // The request overrides the query.
   EXPECT_TRUE(asks("FROM graph:vocab " + agent, facts));
   EXPECT_FALSE(asks("FROM graph:facts " + agent, vocab));
   EXPECT_TRUE(asks("FROM <http://nowhere/> " + agent, facts));
@@ -383,7 +383,7 @@ TEST_F(SparqlEndpointTest, SaysWhenNobodyDecides) {
   EXPECT_EQ(response.status, 503);
 }
 
-// Readers on several threads while facts change: every answer is one of a
+// Readers on several threads while facts change: every answer is from a
 // committed world, in which both agents have the same policy.
 TEST_F(SparqlEndpointTest, AnswersManyAtOnceWhileFactsChange) {
   const std::string set =

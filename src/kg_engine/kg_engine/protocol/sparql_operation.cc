@@ -34,8 +34,8 @@ std::vector<std::string> Values(const std::vector<FormField>& fields,
   return values;
 }
 
-// Other names are those of other servers (format=, timeout=) and mean nothing
-// here; a second one of ours would mean something.
+// Value of a parameter that may occur once. Unknown names (format=, timeout=,
+// used by other servers) are ignored.
 std::string TheOnly(const std::vector<FormField>& fields,
                     const std::string& name) {
   const std::vector<std::string> values = Values(fields, name);
@@ -55,8 +55,7 @@ void CheckLength(const std::string& text, const RequestContext& context) {
                                         std::to_string(limit) + " bytes");
 }
 
-// The graphs that the parameters of these names choose, all of the store.
-// https://www.w3.org/TR/sparql11-protocol/#dataset
+// Dataset chosen by the parameters of these names; its graphs must exist.
 std::optional<Dataset> ChosenDataset(const std::vector<FormField>& fields,
                                      const char* defaults, const char* named,
                                      const kg_core::GraphView& view) {

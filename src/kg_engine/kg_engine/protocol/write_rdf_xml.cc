@@ -29,7 +29,7 @@ std::string Escape(const std::string& text) {
     } else if (c == '"') {
       out += "&quot;";
     } else if (c == '\r') {
-      out += "&#13;";  // Else a reader makes it a line feed.
+      out += "&#13;";  // A reader would convert it to a line feed.
     } else {
       out.push_back(c);
     }
@@ -45,7 +45,7 @@ bool IsXmlNameChar(char c) {
   return IsXmlNameStart(c) || (c >= '0' && c <= '9') || c == '-' || c == '.';
 }
 
-// Where the longest XML name at the end of an IRI begins.
+// Position of the longest XML name at the end of an IRI.
 std::size_t LocalNameAt(const std::string& iri) {
   std::size_t begin = iri.size();
   for (std::size_t i = iri.size(); i > 0 && IsXmlNameChar(iri[i - 1]); --i) {

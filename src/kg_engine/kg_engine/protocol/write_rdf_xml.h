@@ -11,9 +11,9 @@
 
 namespace kg_engine {
 
-// One rdf:Description a triple, in the order given. Throws HttpError 406 for
-// what RDF/XML cannot say: a predicate that does not end in an XML name, a
-// control character.
+// Writes one rdf:Description per triple, in the given order. Throws HttpError
+// 406 for triples that RDF/XML cannot express: a predicate that does not end in
+// an XML name, a control character.
 std::string TriplesToRdfXml(const std::vector<kg_core::Triple>& triples);
 
 }  // namespace kg_engine

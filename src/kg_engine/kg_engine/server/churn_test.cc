@@ -1,5 +1,5 @@
-// Leaving the plan in force has a price (A34): from the facts over cycles of
-// nodes to the plan's own, and over a restart.
+// Churn cost (A34): from the facts over node cycles to the plan's facts, and
+// across a restart.
 
 #include <algorithm>
 #include <memory>
@@ -16,7 +16,7 @@
 namespace kg_engine {
 namespace {
 
-// Something new, not far from where alpha and bravo begin.
+// A new event close to the starts of alpha and bravo.
 constexpr char kLure[] = R"ttl(
 ex:lure a ex:Event ; ex:forWindow ex:w0 , ex:w1 ; ex:value 9 ; ex:capacity 1 ;
     ex:radiusKm 1 ; geo:asWKT "POINT(-90.82 25.78)"^^geo:wktLiteral .
@@ -117,14 +117,14 @@ TEST_F(ChurnTest, AZeroWeightIsNoWeight) {
 TEST_F(ChurnTest, ALargeWeightKeepsThePlanWhereItWas) {
   Weigh("1000");
   const kg_selector::CommittedPlan first = team_->Plan();
-  EXPECT_FALSE(AnyCommitted(team_->compilation()));  // There was none before.
+  EXPECT_FALSE(AnyCommitted(team_->compilation()));  // No previous plan.
   Add(kLure);
   const kg_selector::CommittedPlan second = team_->Plan();
   EXPECT_EQ(second.stability, 1.0);
   EXPECT_EQ(second.displacement_m, 0.0);
   EXPECT_LT(second.seam_cost, 1000.0);
   ExpectOneProcessPlans(second);
-  // Of each agent: rules made of its commitment to the run before.
+  // Rules of each agent derive from its commitment to the previous run.
   EXPECT_EQ(Count("?r a ex:SeamRules ; prov:wasDerivedFrom ?c . "
                   "?c a ex:Commitment ; prov:wasGeneratedBy ?run . "
                   "?run a ex:PlanRun ; prov:endedAtTime ?when"),
@@ -137,7 +137,7 @@ TEST_F(ChurnTest, WhatIsGainedIsWeighedAgainstWhatIsLeft) {
   team_->Plan();
   Add(kLure);
   const kg_selector::CommittedPlan plan = team_->Plan();
-  EXPECT_LT(plan.stability, 1.0);  // 9 is more than it costs to leave.
+  EXPECT_LT(plan.stability, 1.0);  // A reward of 9 exceeds the churn cost.
   double seams = 0.0;
   for (const kg_selector::PathAssignment& assignment : plan.assignments) {
     for (const kg_selector::Visit& visit : assignment.pathlet.visits) {

@@ -44,7 +44,7 @@ void MissionPlanning::Follow(const SelectorAnswer& answer) {
   if (answer.end) progress_.Take(*answer.end);
   if (!answer.request) return;
   progress_.Take(*answer.request);
-  // Planners of agents that have left the mission do not answer.
+  // Planners of agents no longer in the mission do not answer.
   for (auto& [agent, planner] : planners_) {
     const auto again = planner.PlanAgain(*answer.request);
     if (again) Give(*again);

@@ -1,6 +1,6 @@
 // Plans a mission in one process: a MissionServer with a planner for every
-// agent and the team's selector, without a message between them. One cycle is
-// what kg_node, the planner nodes and the selector node do together.
+// agent and the team's selector, without messages. One cycle equals what
+// kg_node, the planner nodes and the selector node do together.
 //
 //   MissionServer server(folders);
 //   MissionPlanning planning(&server);
@@ -24,18 +24,19 @@ namespace kg_engine {
 
 class MissionPlanning {
  public:
-  // `server` must outlive this.
+  // `server` must outlive this object.
   explicit MissionPlanning(MissionServer* server) : server_(server) {}
 
-  // One cycle from where the agents are; the plan is recorded with its graphs.
-  // Throws kg_base::InputError if the facts cannot be compiled.
+  // Runs one cycle from the agents' current positions; the plan is recorded
+  // with its graphs. Throws kg_base::InputError if the facts cannot be
+  // compiled.
   const kg_selector::CommittedPlan& Plan();
 
-  // Of the last cycle.
+  // Results of the last cycle.
   const kg_compiler::Compilation& compilation() const { return *compilation_; }
   const PlanProgress& progress() const { return progress_; }
 
-  // The stops that the last plan has in a window are made.
+  // Marks the last plan's stops in a window as executed.
   void PassWindow(int window);
 
  private:

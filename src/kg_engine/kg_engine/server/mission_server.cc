@@ -187,6 +187,7 @@ std::shared_ptr<const kg_compiler::Compilation> MissionServer::BeginCycle() {
   times_.began_s = kg_base::Now_s();
   const auto compiled = compiler_.Compile(mission_, store_->world_version(),
                                           FirstWindowToPlan(start_, mission_));
+  // Every stage but "rules" belongs to Phi 2.
   times_.tensors_s = times_.began_s;
   for (const auto& [stage, seconds] : compiled->stage_seconds) {
     if (stage != "rules") times_.tensors_s += seconds;

@@ -1,4 +1,4 @@
-// The knowledge graph's own work: holds the store, decides on fact updates,
+// The core of the knowledge graph: holds the store, decides on fact updates,
 // compiles cycles, records plans.
 
 #ifndef KG_ENGINE_SERVER_MISSION_SERVER_H_
@@ -29,9 +29,9 @@ namespace kg_engine {
 
 struct MissionFolders {
   std::string mission;   // Holds mission.ttl.
-  std::string data;      // Where its files are looked up first; may be empty.
+  std::string data;      // Folder searched first for its files; may be empty.
   std::string state;     // The durable store's folder; made if missing.
-  std::string ontology;  // mission.ttl and shapes.ttl of kg_core.
+  std::string ontology;  // mission.ttl and shapes.ttl of kg_mission.
 };
 
 struct Decision {
@@ -42,44 +42,45 @@ struct Decision {
   double ingest_s = 0.0;  // Reading files, if any were due.
 };
 
-// What mission time has outlived.
+// Facts that have expired in mission time.
 struct Expired {
-  kg_core::FactUpdate update;  // Takes it back; empty: nothing can go.
+  kg_core::FactUpdate update;  // Retraction of expired facts; empty = none.
   Decision decision;
-  std::vector<std::string> kept;  // What cannot go and why, each said once.
+  // Facts that cannot be retracted and why, each reported once.
+  std::vector<std::string> kept;
 };
 
 class MissionServer {
  public:
-  // Opens the state folder's store, or makes it from the mission folder. A
-  // store whose mission has ended is put aside (store-<n>.db) and begun anew.
-  // Throws kg_base::InputError; for a store that holds another mission, too.
+  // Opens the state folder's store, or creates it from the mission folder. The
+  // store of an ended mission is moved aside (store-<n>.db) and a new one is
+  // created. Throws kg_base::InputError, also for a store of another mission.
   explicit MissionServer(MissionFolders folders);
 
-  // One transaction, decided: durable when this returns accepted.
+  // Decides one transaction; durable when this returns accepted.
   Decision Apply(const kg_core::FactUpdate& update);
-  // What Apply would answer, without doing it; with the violations of shapes
-  // that the update would cause.
+  // Result of Apply without applying it, including the shape violations that
+  // the update would cause.
   kg_mission::UpdateJudgement Check(const kg_core::FactUpdate& update);
 
-  // Has mission time reached the end of some facts' lives? Takes them back, in
-  // an update of its own (kg_core/mission/expiry.h).
+  // Whether mission time has reached the expiry of some facts; Expire()
+  // retracts them in an update of its own (kg_mission/mission/expiry.h).
   bool ExpiryIsDue() const { return fleet().time_s() >= next_expiry_s_; }
   Expired Expire();
 
   std::shared_ptr<const kg_core::GraphView> Read() const {
     return store_->Read();
   }
-  // Keeps them for the next start. From any thread; waits for a transaction
-  // that is open.
+  // Stores the watches for the next start. May be called from any thread; waits
+  // for an open transaction.
   void KeepWatches(const std::vector<kg_core::WatchDefinition>& watches);
 
   const kg_mission::Mission& mission() const { return mission_; }
   std::uint64_t world_version() const { return store_->world_version(); }
   bool was_restored() const { return was_restored_; }
-  // What a store that was taken up again holds against the shapes, a line each:
-  // shapes may have changed since it was written. The mission goes on; updates
-  // are refused only for what they touch.
+  // Shape violations of a store resumed at start, one per line: shapes may have
+  // changed since it was written. The mission continues; updates are rejected
+  // only for violations in facts they touch.
   const std::vector<std::string>& violations_at_start() const {
     return violations_at_start_;
   }
@@ -92,11 +93,11 @@ class MissionServer {
     return current_window() == static_cast<int>(mission_.windows.size());
   }
 
-  // Compiles what is dirty for the windows still to be planned and starts the
-  // next cycle, from where the agents are now (start_state.h). Throws
-  // kg_base::InputError; then no cycle has begun. The plan's facts say that it
-  // is stale from an accepted change of facts, or the begin of a cycle, until
-  // the next one is recorded.
+  // Compiles dirty artifacts for the windows still to be planned and starts the
+  // next cycle, from the agents' current positions (start_state.h). Throws
+  // kg_base::InputError; then no cycle has begun. The plan is marked stale
+  // among the facts from an accepted change of facts, or the begin of a cycle,
+  // until the next plan is recorded.
   std::shared_ptr<const kg_compiler::Compilation> BeginCycle();
   std::uint64_t cycle() const { return cycle_; }
 
@@ -110,14 +111,14 @@ class MissionServer {
   const std::vector<ExecutedVisit>& executed() const { return start_.executed; }
   void AddExecuted(ExecutedVisit visit);
 
-  // What somebody else needs to think ahead from now. Safe from any thread, as
-  // are Read() and files().
+  // Snapshot for hypothetical planning from now. Safe from any thread, like
+  // Read() and files().
   Present present() const;
   kg_mission::FileCache* files() { return &files_; }
 
-  // Keeps cycle, time and poses for the next start.
+  // Saves cycle, time and poses for the next start.
   void Save();
-  // All windows are flown: the current plan's stops have been made.
+  // All windows are over: marks the current plan's stops as executed.
   void RecordEnd();
 
  private:
@@ -133,18 +134,19 @@ class MissionServer {
   std::unique_ptr<kg_core::Store> store_;
   kg_compiler::MissionCompiler compiler_;
   kg_mission::Mission mission_;
-  // Changed by one thread only, which reads them freely; guarded for present().
+  // Written by one thread only, which reads without locking; guarded for
+  // present().
   mutable std::mutex mutex_;
   StartState start_;
-  kg_compiler::MissionCompiler shared_compiler_;  // As of the last cycle.
+  kg_compiler::MissionCompiler shared_compiler_;  // Copy as of the last cycle.
   std::shared_ptr<const kg_compiler::Compilation> compilation_;
-  CompileTimes times_;  // Of the cycle.
+  CompileTimes times_;  // Times of the current cycle.
   std::uint64_t cycle_ = 0;
   RecordedPlans plans_;
   bool was_restored_ = false;
   std::vector<std::string> violations_at_start_;
   double next_expiry_s_ = 0.0;       // Mission time, Unix seconds.
-  std::set<std::string> told_kept_;  // Lines of `Expired::kept`.
+  std::set<std::string> told_kept_;  // Reported lines of `Expired::kept`.
 };
 
 }  // namespace kg_engine

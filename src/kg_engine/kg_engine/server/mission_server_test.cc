@@ -1,5 +1,5 @@
-// The knowledge graph's work and one planner's, in one process: updates,
-// cycles, plans as facts, restarts.
+// Mission server and one planner in one process: updates, cycles, plans as
+// facts, restarts.
 
 #include "kg_engine/server/mission_server.h"
 
@@ -42,7 +42,7 @@ class MissionServerTest : public testing::Test {
     return update;
   }
 
-  // What planner and selector answer to a compilation.
+  // Plan of planner and selector for a compilation.
   static kg_selector::CommittedPlan PlanOf(const Compilation& compilation,
                                            const MissionServer& server,
                                            PlannerAnswer* answer) {
@@ -364,7 +364,7 @@ TEST_F(MissionServerTest, WhatOthersReferToOutlivesItsEndAndIsSaidOnce) {
   EXPECT_EQ(Count(server, "SELECT ?t { ex:reef a ?t }"), 0u);
 }
 
-// Every graph that the node writes.
+// Checks every graph that the node writes against the shapes.
 void ExpectAllConforms(const MissionServer& server) {
   const auto view = server.Read();
   const kg_core::Vocabulary vocabulary(*view);
@@ -412,7 +412,7 @@ TEST_F(MissionServerTest, AllThatItWritesConformsAndIsInTheOntology) {
   ExpectAllConforms(server);
 }
 
-// What it keeps of walks and of stops made.
+// Facts kept of walks and executed stops.
 TEST_F(MissionServerTest, StopsAreFactsThatConformAndSurviveARestart) {
   kg_selector::Visit made;
   {
@@ -497,8 +497,8 @@ TEST_F(MissionServerTest, OldPlansAreDroppedWhole) {
             5u);
 }
 
-// A soft zone around everything, a second agent with a policy of its own, and
-// what a policy that escalates makes of the zone.
+// A soft zone around the whole area, a second agent with its own policy, and
+// the effect of an escalating policy on the zone.
 class EscalationTest : public MissionServerTest {
  protected:
   EscalationTest() : server_(folders_) {
@@ -530,7 +530,7 @@ ex:bravo_start a ex:AgentState ; ex:forAgent ex:bravo ; ex:forWindow ex:w0 ;
     return most;
   }
 
-  // Of the agent's tensors, by window.
+  // An agent's tensors, by window.
   using Tensors =
       std::vector<std::shared_ptr<const kg_compiler::MissionTensor>>;
   static Tensors Of(const Compilation& compilation, const std::string& agent) {
@@ -542,7 +542,7 @@ ex:bravo_start a ex:AgentState ; ex:forAgent ex:bravo ; ex:forWindow ex:w0 ;
     return tensors;
   }
 
-  // The inference that alpha must avoid the zone; empty if there is none.
+  // Inferred fact that alpha must avoid the zone; empty if none.
   std::string Inference() const {
     const kg_core::QueryResult result = kg_core::RunQuery(
         *server_.Read(),

@@ -9,7 +9,7 @@ namespace {
 using kg_selector::PlannedWorld;
 using kg_selector::TeamMember;
 
-// The graphs of one agent, as far as they have come without a gap.
+// Member with the graphs of one agent received without a gap.
 template <typename Graphs>
 TeamMember ToMember(const kg_compiler::SeamRules& rules, const Graphs& graphs) {
   TeamMember member;
@@ -22,7 +22,7 @@ TeamMember ToMember(const kg_compiler::SeamRules& rules, const Graphs& graphs) {
   return member;
 }
 
-// What is told of a pathlet that lost: its score, without visits and track.
+// Archived form of a rejected pathlet: its score, without visits and track.
 kg_selector::RejectedPath ToArchived(
     const kg_selector::RecordedRejection& rejected) {
   kg_selector::RejectedPath rejection = rejected.rejection;
@@ -70,7 +70,7 @@ void PlanArchive::Take(const AgentGraph& graph) {
   const std::pair<std::string, int> key{graph.agent, graph.window()};
   newest_.graphs[key] = graph.graph;
   if (planned_.number != newest_.number) return;
-  planned_.graphs[key] = graph.graph;  // It comes after the plan.
+  planned_.graphs[key] = graph.graph;  // The graph arrived after the plan.
   converted_.reset();
 }
 
@@ -115,7 +115,7 @@ PlanArchive::World PlanArchive::Planned() const {
     cycle = planned_;
   }
   if (!cycle.record) return nullptr;
-  World world = Convert(cycle);  // Without the lock: it takes a while.
+  World world = Convert(cycle);  // Outside the lock, because it is slow.
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool is_still_it = cycle.record == planned_.record &&
                            cycle.graphs.size() == planned_.graphs.size();

@@ -1,10 +1,9 @@
-// What explanations are made from, of one planning cycle; safe to use from
-// several threads.
+// Inputs of explanations for one planning cycle; thread-safe.
 //
-// It is handed over as it comes to be: the compilation when a cycle begins,
-// waypoint graphs as they arrive, the plan when it is committed. An answer is
-// made from an immutable snapshot of that, of one world version; the graphs of
-// a plan become one when it is first asked about.
+// Filled incrementally: the compilation when a cycle begins, waypoint graphs as
+// they arrive, the plan when it is committed. An answer is computed from an
+// immutable snapshot of one world version; the graphs of a plan are converted
+// on first use.
 
 #ifndef KG_ENGINE_SERVER_PLAN_ARCHIVE_H_
 #define KG_ENGINE_SERVER_PLAN_ARCHIVE_H_
@@ -32,15 +31,15 @@ class PlanArchive {
   void Begin(std::uint64_t cycle,
              std::shared_ptr<const kg_compiler::Compilation> compilation,
              std::shared_ptr<const kg_core::GraphView> view);
-  // Ignored unless it is of the cycle that began last.
+  // Ignored unless it belongs to the current cycle.
   void Take(const AgentGraph& graph);
-  // The plan of the cycle that began last; `view` holds its facts, too.
+  // The plan of the current cycle; `view` also holds its facts.
   void Commit(const PlanRecord& record,
               std::shared_ptr<const kg_core::GraphView> view);
 
-  // The newest compilation, perhaps without plan; null = there is none.
+  // The newest compilation, possibly without plan; null = none.
   World Newest() const;
-  // The last committed plan; null = there is none.
+  // The last committed plan; null = none.
   World Planned() const;
 
  private:
@@ -58,7 +57,8 @@ class PlanArchive {
   mutable std::mutex mutex_;
   Cycle newest_;
   Cycle planned_;
-  mutable World converted_;  // Of planned_; null = to be made.
+  // Cached conversion of planned_; null = not yet converted.
+  mutable World converted_;
 };
 
 }  // namespace kg_engine

@@ -1,5 +1,5 @@
-// What a run's facts say of how it came about: bound, gap, stability, and the
-// prices of its last round.
+// Facts about a run's quality: bound, gap, stability, and the prices of its
+// last round.
 
 #include "kg_engine/facts/plan_facts.h"
 
@@ -50,14 +50,14 @@ class PlanFactsTest : public testing::Test {
     }
     return rows;
   }
-  // Of the current run.
+  // Value of a property of the current run.
   std::string Said(const std::string& property) const {
     const Rows rows =
         Ask("SELECT ?o { GRAPH ?g { <" + PlanRunNode(server_->plan_run()).text +
             "> ex:" + property + " ?o } }");
     return rows.size() == 1 ? rows[0][0] : std::to_string(rows.size());
   }
-  // Records the plan again, changed, as the next run.
+  // Records a changed plan as the next run.
   void RecordAgain(PlanRecord record) {
     ++record.plan.run;
     server_->RecordPlan(record);
@@ -80,7 +80,7 @@ TEST_F(PlanFactsTest, ARunSaysItsModeBoundAndGap) {
   EXPECT_EQ(Said("bound"), ToTurtle(kg_core::DoubleLiteral(plan.bound)));
   EXPECT_EQ(Said("gap"), ToTurtle(kg_core::DoubleLiteral((plan.bound - score) /
                                                          plan.bound)));
-  EXPECT_EQ(Said("stability"), "0");  // No plan before: nothing is said.
+  EXPECT_EQ(Said("stability"), "0");  // No previous plan: omitted.
   EXPECT_EQ(Said("displacementKm"), "0");
 }
 
@@ -91,7 +91,7 @@ TEST_F(PlanFactsTest, WhatIsNotKnownIsNotSaid) {
   RecordAgain(record);
   EXPECT_EQ(Said("bound"), "0");
   EXPECT_EQ(Said("gap"), "0");
-  record.plan.bound = -1.0;  // No share of it means anything.
+  record.plan.bound = -1.0;  // A relative gap is undefined.
   ++record.plan.run;
   RecordAgain(record);
   EXPECT_EQ(Said("bound"), ToTurtle(kg_core::DoubleLiteral(-1.0)));
@@ -120,9 +120,9 @@ TEST_F(PlanFactsTest, PricesCanBeAskedForAndAreValid) {
   record.prices[1].event = "http://example.org/mission/bloom";
   record.prices[1].window = -1;
   record.prices[1].price = 1.5;
-  record.prices[2].agent = "alpha";  // Free: not worth a fact.
+  record.prices[2].agent = "alpha";  // Price 0: no fact.
   record.cooling.resize(1);
-  record.cooling[0].agent = "alpha";  // Nobody's track, but a full event.
+  record.cooling[0].agent = "alpha";  // No track, but a full event.
   record.cooling[0].expires_s = 1.8e9;
   record.cooling[0].full_events = {"http://example.org/mission/bloom"};
   RecordAgain(record);
@@ -149,13 +149,13 @@ TEST_F(PlanFactsTest, PricesCanBeAskedForAndAreValid) {
       EXPECT_EQ(row[8], ToTurtle(kg_core::DoubleLiteral(0.75)));
     } else {
       ++events;
-      EXPECT_EQ(row[1], "");  // For all.
+      EXPECT_EQ(row[1], "");  // For all agents.
       EXPECT_EQ(row[6], "");
       EXPECT_EQ(row[8], ToTurtle(kg_core::DoubleLiteral(1.5)));
     }
   }
   EXPECT_EQ(waypoints + 10 * events + 100 * coolings, 111);
-  record.cooling.clear();  // A track is not the area that a constraint is.
+  record.cooling.clear();  // A track is not the area of a constraint.
   ++record.plan.run;
   RecordAgain(record);
   const auto violations = kg_mission::ValidateGraph(
@@ -184,7 +184,7 @@ TEST_F(PlanFactsTest, ThePricesOfTheLastRoundCount) {
   progress.Take(end);
   ASSERT_EQ(progress.prices().size(), 1u);
   EXPECT_EQ(progress.prices()[0].price, 2.0);
-  told(1, 1.0);  // Late.
+  told(1, 1.0);  // Late message.
   EXPECT_EQ(progress.prices()[0].price, 2.0);
   progress.Begin(2);
   EXPECT_TRUE(progress.prices().empty());

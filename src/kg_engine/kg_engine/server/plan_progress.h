@@ -1,5 +1,5 @@
-// How the plan of the current cycle is coming along: what has arrived of it,
-// whether it is complete, and what is recorded of it.
+// Progress of the current cycle's plan: the parts that have arrived, whether it
+// is complete, and its record.
 
 #ifndef KG_ENGINE_SERVER_PLAN_PROGRESS_H_
 #define KG_ENGINE_SERVER_PLAN_PROGRESS_H_
@@ -22,10 +22,11 @@ class PlanProgress {
  public:
   using Key = std::pair<std::string, int>;  // Agent's ex:id, window.
 
-  // A new cycle: answers to older ones are dropped and counted from now on.
+  // Starts a new cycle: answers to older ones are dropped and counted from now
+  // on.
   void Begin(std::uint64_t cycle);
 
-  // False if the value answers for another cycle.
+  // False if the value belongs to another cycle.
   bool Take(const kg_selector::CommittedPlan& plan);
   bool Take(const kg_selector::RoundRequest& request);
   bool Take(const kg_selector::RunEnd& end);
@@ -34,8 +35,8 @@ class PlanProgress {
   // The plan, once, when it, the end of the same run and the request of its
   // last round are here, in whichever order they came.
   std::optional<kg_selector::CommittedPlan> TakeFinishedPlan();
-  // All that is recorded of it: of a plan that was taken, what has arrived
-  // beside it. Times and executed stops are the caller's.
+  // Record of a plan that was taken, with the data that arrived for it. The
+  // caller adds times and executed stops.
   PlanRecord MakeRecord(const kg_selector::CommittedPlan& plan) const;
 
   const std::vector<kg_selector::RecordedRejection>& rejections() const {
@@ -48,9 +49,9 @@ class PlanProgress {
 
   // Graphs of this cycle, by agent and window.
   const std::map<Key, AgentGraph>& graphs() const { return graphs_; }
-  // Hash of the agent's graph of the window before; empty if it is not here.
+  // Hash of the agent's graph of the previous window; empty if not received.
   std::string HashBefore(const AgentGraph& graph) const;
-  // The next graph that has not been handed out yet.
+  // The next graph not yet recorded.
   const AgentGraph* NextUnrecorded();
   std::uint64_t dropped() const { return dropped_; }
 

@@ -41,7 +41,7 @@ TEST(PlanProgressTest, APlanNeedsAssignmentsAndTheEndOfItsRejections) {
   EXPECT_FALSE(progress.TakeFinishedPlan());
   EXPECT_TRUE(progress.Take(Answer<RunEnd>(4, 9)));
   EXPECT_TRUE(progress.TakeFinishedPlan());
-  EXPECT_FALSE(progress.TakeFinishedPlan());  // Once.
+  EXPECT_FALSE(progress.TakeFinishedPlan());  // Returned only once.
 }
 
 TEST(PlanProgressTest, OrderOfArrivalDoesNotMatter) {

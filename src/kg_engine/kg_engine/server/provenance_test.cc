@@ -1,5 +1,5 @@
-// From every decision back to what somebody asserted: on a planned mission of
-// two agents that are in each other's way.
+// Traces every decision back to asserted facts, on a planned mission of two
+// agents with conflicting paths.
 
 #include <algorithm>
 #include <map>
@@ -24,7 +24,7 @@ namespace {
 using kg_compiler::MissionTensor;
 using kg_core::Fact;
 
-// Every way that leads from a result to what it was made of.
+// Property path from a result to its inputs.
 constexpr char kWay[] =
     "(prov:wasDerivedFrom|prov:used|prov:wasGeneratedBy|prov:wasAttributedTo"
     "|prov:wasInformedBy|ex:cooling|ex:inGraph|ex:forEdge)";
@@ -75,8 +75,8 @@ class ProvenanceTest : public testing::Test {
     return Rows("SELECT * { " + pattern + " }").size();
   }
 
-  // Nothing on the way from `start` is undescribed, and every end of it is
-  // asserted or a file with its sha256.
+  // Every node reached from `start` is described, and every end is asserted or
+  // a file with its sha256.
   void ExpectTraced(const std::string& start) const {
     const std::string way = start + " . ?x " + kWay + "+ ?node . ";
     EXPECT_GT(Count(way), 0u) << start;
@@ -176,7 +176,7 @@ TEST_F(ProvenanceTest, RejectionsSayWhoWasCooledByWhomUntilWhen) {
   EXPECT_NE(rows[0][0], rows[0][1]);
   EXPECT_EQ(Count("GRAPH graph:facts { ?c a ex:CoolingConstraint }"), 0u);
   const std::uint64_t cycle = team_->compilation().world_version;
-  EXPECT_EQ(server_->world_version(), cycle);  // No policy was touched.
+  EXPECT_EQ(server_->world_version(), cycle);  // No policy changed.
 }
 
 TEST_F(ProvenanceTest, ATensorThatIsNotCompiledAgainKeepsItsNodeAndTime) {
@@ -236,7 +236,7 @@ TEST_F(ProvenanceTest, ExecutedStopsKeepTheirProvenanceWhenTheirRunIsDropped) {
   EXPECT_EQ(Count("GRAPH <" + PlanGraph(1).text + "> { ?s ?p ?o }"), 0u);
   EXPECT_EQ(Rows(path), before);
   ExpectTraced("?x a ex:Assignment");
-  ExpectTraced("?x a ex:NavGraph");  // From states that were reported.
+  ExpectTraced("?x a ex:NavGraph");  // Derived from reported states.
   EXPECT_GT(Count("?x a ex:SeamRules ; prov:wasDerivedFrom ?s . ?s a "
                   "ex:AgentState ; prov:wasAttributedTo ex:bravo"),
             0u);
@@ -274,7 +274,7 @@ TEST_F(ProvenanceTest, APathIsWhereTheTrackIsAndEndsAtItsWaypoint) {
   }
 }
 
-// A fact that is changed so that whatever reads it must notice.
+// Fact changes that every consumer must notice.
 const Fact kChanges[] = {
     {"ex:fast", "ex:alpha_base", "2.0"},
     {"ex:fast", "ex:beta_poi", "0.7"},
@@ -318,7 +318,7 @@ TEST_F(ProvenanceTest, ATensorChangesWithTheFactsItListsAndWithNoOthers) {
       const MissionTensor& old = *before->tensors[i];
       const bool lists = std::count(old.derived_from.begin(),
                                     old.derived_from.end(), subject) > 0;
-      // The zone's own factor is what the override stands in for.
+      // The override replaces the zone's own factor.
       const bool is_overridden = fact.subject == "ex:zone";
       const bool differs = old.hash != after->tensors[i]->hash;
       EXPECT_EQ(differs, lists && !is_overridden)

@@ -1,6 +1,6 @@
-// The shipped queries (config/queries) on a planned mission of two agents, one
-// of whose facts has changed since: their answers are those in golden/. With
-// KG_WRITE_GOLDEN=1 in the environment they are written instead.
+// The shipped queries (config/queries) on a planned mission of two agents, with
+// one fact changed since: compares answers with golden/. With KG_WRITE_GOLDEN=1
+// in the environment the golden files are written instead.
 
 #include <cstdlib>
 #include <filesystem>
@@ -30,8 +30,8 @@ constexpr std::size_t kMaxBytes = 1u << 20;
 
 struct Case {
   const char* query;   // File name without ".rq".
-  const char* golden;  // Likewise, without ".csv".
-  const char* values;  // Parameters, as a user would append them.
+  const char* golden;  // File name without ".csv".
+  const char* values;  // Parameters, appended as a VALUES clause.
 };
 
 const Case kCases[] = {
@@ -113,7 +113,7 @@ std::string Round(const std::string& text) {
   return rounded.append(at, text.cend());
 }
 
-// Without what differs from run to run and from place to place; rows sorted.
+// Removes parts that depend on run and location; sorts rows.
 std::string Normalise(std::string text, const std::string& folder) {
   for (std::size_t at = text.find(folder); at != std::string::npos;
        at = text.find(folder)) {
@@ -123,7 +123,7 @@ std::string Normalise(std::string text, const std::string& folder) {
   text =
       std::regex_replace(text, std::regex("/[^,\n]*/ontology/"), "ONTOLOGY/");
   text = std::regex_replace(text, std::regex("(^|[^0-9a-f.])[0-9a-f]{16,64}"),
-                            "$1HASH");  // Not the decimals of a number.
+                            "$1HASH");  // Does not match decimals of a number.
   text = std::regex_replace(
       text, std::regex("(?!2026-06-0)[0-9]{4}-[0-9-]+T[0-9:.]+Z"), "TIME");
   std::istringstream lines(Round(text));

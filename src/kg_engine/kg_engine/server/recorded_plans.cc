@@ -35,7 +35,7 @@ void StageOrigin(NavGraphOrigin origin, const RecordedCycle& cycle,
   StageNavGraph(origin, cycle.compilation, transaction);
 }
 
-// The provenance of every graph that the plan was made of.
+// Stages the provenance of every graph used by the plan.
 void StageGraphsOf(const PlanRecord& record, const RecordedCycle& cycle,
                    Transaction* transaction) {
   for (const auto& [key, stamp] : record.nav_graphs) {
@@ -96,7 +96,7 @@ bool RecordedPlans::StageGraph(const AgentGraph& graph,
   return true;
 }
 
-// A graph that came after its plan: the run used it all the same.
+// Records the use of a graph that arrived after its plan.
 void RecordedPlans::StageUse(const AgentGraph& graph,
                              Transaction* transaction) const {
   const Term node = NavGraphNode(graph.graph->hash);

@@ -1,6 +1,6 @@
 // The plans among the facts of a store: recorded with their provenance, marked
-// stale or superseded, and dropped when they are old. Stages only; whoever owns
-// the store commits.
+// stale or superseded, and deleted when old. Stages only; the owner of the
+// store commits.
 
 #ifndef KG_ENGINE_SERVER_RECORDED_PLANS_H_
 #define KG_ENGINE_SERVER_RECORDED_PLANS_H_
@@ -21,30 +21,30 @@ namespace kg_engine {
 struct RecordedCycle {
   const kg_compiler::Compilation& compilation;
   std::uint64_t number = 0;
-  double compiled_s = 0.0;  // When planners could begin, Unix seconds.
+  double compiled_s = 0.0;  // Earliest begin of planning [Unix s].
 };
 
 class RecordedPlans {
  public:
-  // Number of the current plan's run; 0 = there is none.
+  // Number of the current plan's run; 0 = none.
   std::uint64_t run() const { return run_; }
   void SetRun(std::uint64_t run) { run_ = run; }
 
-  // Stages the plan's facts and the provenance of its graphs; the plan before
-  // it is superseded, and an old one dropped. SetRun() when it is durable.
+  // Stages the plan's facts and the provenance of its graphs; the previous plan
+  // becomes superseded, and an old one is deleted. Call SetRun() once durable.
   void StagePlan(const PlanRecord& record, const RecordedCycle& cycle,
                  kg_core::Transaction* transaction) const;
 
-  // Stages a waypoint graph of the current plan, which may come after it. False
-  // if the graph is of no agent of the cycle, or if the graph of the window
-  // before (`previous_hash`, empty if not known) is missing.
+  // Stages a waypoint graph of the current plan, which may arrive after it.
+  // False if the agent is not in the cycle, or if the graph of the previous
+  // window (`previous_hash`, empty if unknown) is missing.
   bool StageGraph(const AgentGraph& graph, const std::string& previous_hash,
                   const RecordedCycle& cycle,
                   kg_core::Transaction* transaction) const;
 
-  // The current plan does not answer for the facts any more.
+  // Marks the current plan as stale.
   void StageStale(kg_core::Transaction* transaction) const;
-  // All stops of the current plan that were planned have been made.
+  // Marks all planned stops of the current plan as executed.
   void StageEnd(const kg_core::GraphView& view,
                 kg_core::Transaction* transaction) const;
 
@@ -55,7 +55,7 @@ class RecordedPlans {
   std::uint64_t run_ = 0;
 };
 
-// Where a plan sends the agents, by ex:id and window.
+// End places of a plan, by ex:id and window.
 PlannedPlaces ToPlannedPlaces(const kg_selector::CommittedPlan& plan);
 
 }  // namespace kg_engine

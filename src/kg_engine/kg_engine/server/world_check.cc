@@ -27,7 +27,7 @@ std::string Text(const CheckAnswer& answer) {
   return text;
 }
 
-// What is to be compiled of a world.
+// Compilation task for a world.
 struct Task {
   kg_mission::Mission mission;
   std::uint64_t world_version = 0;
@@ -50,7 +50,7 @@ Task TaskOf(const kg_core::GraphView& view, StartState start) {
   return task;
 }
 
-// `compare` is given the task and the compilation made anew.
+// `compare` receives the task and the fresh compilation.
 template <typename Compare>
 CheckAnswer Check(const kg_core::GraphView& view, const StartState& start,
                   kg_mission::FileCache* files, const Compare& compare) {

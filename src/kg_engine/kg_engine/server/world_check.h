@@ -1,5 +1,5 @@
-// Is what is held what compiling all facts anew gives? The proof, on a living
-// world, that compiling only what a change made dirty loses nothing.
+// Checks incremental compilation on a running world: the held artifacts must
+// equal those of a full compilation of all facts.
 
 #ifndef KG_ENGINE_SERVER_WORLD_CHECK_H_
 #define KG_ENGINE_SERVER_WORLD_CHECK_H_
@@ -16,25 +16,24 @@
 namespace kg_engine {
 
 struct CheckAnswer {
-  bool ok = false;                   // Nothing differs.
-  std::uint64_t world_version = 0;   // Of the facts.
-  std::size_t compared = 0;          // Artifacts.
-  std::vector<std::string> differs;  // Those that differ, by name.
-  std::vector<std::string> errors;   // Why it could not be checked.
-  double compile_s = 0.0;            // Compiling anew.
+  bool ok = false;                   // No difference.
+  std::uint64_t world_version = 0;   // Version of the facts.
+  std::size_t compared = 0;          // Number of artifacts compared.
+  std::vector<std::string> differs;  // Names of differing artifacts.
+  std::vector<std::string> errors;   // Why the check failed.
+  double compile_s = 0.0;            // Full compilation [s].
   double total_s = 0.0;
-  std::string text;  // For a person.
+  std::string text;  // Display text.
 };
 
-// Of a running world: what its compiler holds (if facts have moved on since the
-// last cycle, brought up to them as the next cycle will) against a compiler
-// that begins with nothing. Bit by bit. Never throws for what the world says:
-// that is in `errors`.
+// Checks a running world: its compiler's artifacts (updated to the current
+// facts as the next cycle would) against a fresh compiler, bitwise. Never
+// throws for errors in the world: they are in `errors`.
 CheckAnswer CheckWorld(const Present& present, kg_mission::FileCache* files);
 
-// Of a store that nobody runs: the tensors that its provenance graph says were
-// made, against those that its facts give now, by their hashes (which are of
-// all that a tensor is made of) and sources.
+// Checks a store that is not in use: the tensors recorded in its provenance
+// graph against those compiled from its facts, by hashes (over all inputs of a
+// tensor) and sources.
 CheckAnswer CheckStore(const kg_core::GraphView& view,
                        kg_mission::FileCache* files);
 

@@ -59,7 +59,7 @@ TEST_F(WorldCheckTest, NamesWhatIsHeldOtherwise) {
   MissionServer server(folders_);
   server.BeginCycle();
   Present present = server.present();
-  // A compiler that has read other water in the second window.
+  // A compiler that has read a different flow field in the second window.
   const kg_compiler::RasterReaders files =
       kg_compiler::ReadersOf(server.files());
   present.compiler = kg_compiler::MissionCompiler(kg_compiler::RasterReaders{
@@ -102,7 +102,7 @@ TEST_F(WorldCheckTest, HoldsAStoresFactsAgainstTheTensorsItSaysWereMade) {
   auto answer = CheckStore(*server.Read(), server.files());
   EXPECT_TRUE(answer.ok) << answer.text;
   EXPECT_EQ(answer.compared, 2u);
-  Set("ex:w1", "ex:confidence", "0.5", &server);  // And no cycle after it.
+  Set("ex:w1", "ex:confidence", "0.5", &server);  // No cycle afterwards.
   answer = CheckStore(*server.Read(), server.files());
   EXPECT_FALSE(answer.ok);
   ASSERT_EQ(answer.differs.size(), 1u) << answer.text;

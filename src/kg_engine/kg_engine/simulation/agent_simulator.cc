@@ -9,8 +9,8 @@
 namespace kg_engine {
 namespace {
 
-constexpr double kLookAhead_s = 600.0;  // For heading and speed.
-constexpr double kOvershoot_s = 1.0;    // Real time a plan may begin ago.
+constexpr double kLookAhead_s = 600.0;  // Look-ahead for heading and speed.
+constexpr double kOvershoot_s = 1.0;  // Maximum real time since a plan's begin.
 
 }  // namespace
 
@@ -43,7 +43,7 @@ bool AgentSimulator::MayGoOn() const {
   return world_.plan_holds && has_tracks_of_it && time_s_ < Limit_s();
 }
 
-// The end of the window the world is in.
+// End of the current window.
 double AgentSimulator::Limit_s() const {
   if (world_.current_window >= world_.window_end_s.size()) return time_s_;
   return world_.window_end_s[world_.current_window];
@@ -59,8 +59,8 @@ std::vector<SimulatedState> AgentSimulator::Advance(const double real_s) {
   return states;
 }
 
-// Steady within each window between a seam's departure and the window's end:
-// good enough for a gauge; what counts is the sum at the windows' borders.
+// Linear within each window between a seam's departure and the window's end:
+// accurate enough for a gauge; only the sum at window ends matters.
 double AgentSimulator::EnergyUsed_j(const Agent& agent) const {
   double used_j = 0.0;
   double begin_s = agent.track.front().time_s;

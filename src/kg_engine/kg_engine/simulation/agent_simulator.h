@@ -1,12 +1,11 @@
-// Moves agents along their assigned tracks in mission time, and counts down
-// their energy: a stand-in for vehicles that follow their plan.
+// Moves agents along their assigned tracks in mission time, and tracks their
+// energy: a stand-in for vehicles that follow their plan.
 //
-// Mission time goes on while the plan is up to date (or has failed: then the
-// last one is followed) and stands still while a new one is being made, so that
-// planning takes no mission time however fast the mission is played. It stops
-// at every window's end until the world has entered the next. A plan that
-// begins a moment ago (it was made while agents went on) is followed from its
-// begin.
+// Mission time runs while the plan is up to date (or planning has failed: then
+// the last one is followed) and stands still during planning, so that planning
+// takes no mission time at any playback rate. It stops at every window's end
+// until the world has entered the next. A plan that begins shortly before the
+// current time (it was made while agents moved) is followed from its begin.
 
 #ifndef KG_ENGINE_SIMULATION_AGENT_SIMULATOR_H_
 #define KG_ENGINE_SIMULATION_AGENT_SIMULATOR_H_
@@ -24,18 +23,19 @@
 
 namespace kg_engine {
 
-// What the simulator reads of the world.
+// Inputs of the simulator.
 struct SimulatedWorld {
   double time_s = 0.0;  // Mission time, Unix seconds.
-  // The plan is up to date, or planning has failed and the last one stays.
+  // True if the plan is up to date, or planning has failed and the last plan
+  // stays.
   bool plan_holds = false;
   std::uint64_t plan_run = 0;
-  std::size_t current_window = 0;    // Their number: the mission has ended.
+  std::size_t current_window = 0;    // Number of windows = mission has ended.
   std::vector<double> window_end_s;  // By index.
   std::vector<std::string> agents;   // ex:id.
 };
 
-// What a vehicle reports.
+// State reported by a vehicle.
 struct SimulatedState {
   std::string agent;    // ex:id.
   double time_s = 0.0;  // Unix seconds.
@@ -52,21 +52,21 @@ class AgentSimulator {
 
   void Take(const SimulatedWorld& world);
   void Take(const kg_selector::CommittedPlan& plan);
-  // What an agent has left when its track begins.
+  // Sets an agent's remaining energy at the begin of its track.
   void TakeEnergy(const std::string& agent, double energy_j);
 
-  // Ids of the agents of the world.
+  // Ids of the world's agents.
   const std::vector<std::string>& agents() const { return world_.agents; }
 
-  // `real_s` seconds later: where everybody is. Empty while there is no plan,
-  // or the mission has ended.
+  // Advances by `real_s` seconds of real time; returns all states. Empty
+  // without a plan, or if the mission has ended.
   std::vector<SimulatedState> Advance(double real_s);
 
  private:
   struct Agent {
     std::vector<kg_compiler::TimedPoint> track;
     std::vector<kg_selector::Visit> visits;
-    double energy_j = 0.0;  // Left when the track begins.
+    double energy_j = 0.0;  // Remaining at the track's begin.
     bool has_energy = false;
   };
 
@@ -78,7 +78,7 @@ class AgentSimulator {
   double rate_;
   double time_s_ = 0.0;  // Mission time, Unix seconds.
   SimulatedWorld world_;
-  std::uint64_t plan_run_ = 0;  // Of the tracks that are followed.
+  std::uint64_t plan_run_ = 0;  // Run of the followed tracks.
   std::map<std::string, Agent> agents_;
 };
 

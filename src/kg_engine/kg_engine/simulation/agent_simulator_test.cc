@@ -21,7 +21,7 @@ SimulatedWorld TwoDays(bool plan_holds, std::size_t current_window = 1) {
   return world;
 }
 
-// Due east along the equator, one degree a day, 3 kJ a day.
+// Due east along the equator, one degree per day, 3 kJ per day.
 kg_selector::CommittedPlan Eastward() {
   kg_selector::Pathlet pathlet;
   pathlet.agent = "alpha";
@@ -91,7 +91,7 @@ TEST(AgentSimulatorTest, FollowsAPlanThatBeganAMomentAgoFromItsBegin) {
   simulator.Take(Eastward());
   EXPECT_EQ(simulator.Advance(0.0).at(0).time_s, kBegin_s);
   simulator.Advance(5.0);
-  simulator.Take(Eastward());  // The same plan again, long ago: goes on.
+  simulator.Take(Eastward());  // The same plan again: continues.
   EXPECT_EQ(simulator.Advance(0.0).at(0).time_s, kBegin_s + 5.0 * 3600.0);
 }
 

@@ -1,4 +1,4 @@
-// Where an agent is on its track at a time.
+// Position of an agent on its track at a time.
 
 #ifndef KG_ENGINE_SIMULATION_TRACK_POSITION_H_
 #define KG_ENGINE_SIMULATION_TRACK_POSITION_H_
@@ -10,8 +10,8 @@
 
 namespace kg_engine {
 
-// Before the track's begin its first point, after its end its last; straight in
-// longitude and latitude in between. The track must not be empty.
+// Clamped to the first and last point; linear in longitude and latitude in
+// between. The track must not be empty.
 kg_base::LonLat PositionAt(const std::vector<kg_compiler::TimedPoint>& track,
                            double time_s);
 

@@ -18,7 +18,7 @@ using kg_core::Literal;
 using kg_core::Prov;
 using kg_core::Term;
 
-// One node of one graph.
+// A node in one graph.
 class Node {
  public:
   Node(const GraphView& view, std::string graph, Term node)
@@ -53,7 +53,7 @@ void ReadPlan(const Node& node, ExecutedVisit* stop) {
   stop->generated_by = node.All(Prov("wasGeneratedBy"));
 }
 
-// The inverse of what PlanStatements writes.
+// Inverse of the stops in PlanStatements().
 ExecutedVisit ReadStop(const Node& node, const kg_mission::Mission& mission) {
   ExecutedVisit stop;
   stop.agent_iri = node.Text("forAgent");
@@ -67,6 +67,7 @@ ExecutedVisit ReadStop(const Node& node, const kg_mission::Mission& mission) {
   if (!wkt.empty()) {
     stop.visit.position = kg_base::Geometry::FromWkt(wkt).Point();
   }
+  // Stops on the way are optional (mode "edges" only).
   const std::string stops = node.Text("stopsWKT");
   if (!stops.empty()) {
     for (const auto& point : kg_base::Geometry::FromWkt(stops).Parts().lines) {

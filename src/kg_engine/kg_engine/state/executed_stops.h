@@ -1,5 +1,5 @@
-// The stops that agents have made: frozen, copied from run to run with the
-// provenance they were planned with.
+// Executed stops: immutable, copied from run to run with their original
+// provenance.
 
 #ifndef KG_ENGINE_STATE_EXECUTED_STOPS_H_
 #define KG_ENGINE_STATE_EXECUTED_STOPS_H_
@@ -21,26 +21,26 @@ struct ExecutedVisit {
   std::string agent;  // ex:id.
   std::string agent_iri;
   kg_selector::Visit visit;
-  // As stated when it was planned.
+  // Path as planned.
   TrackLiteral path{};
   std::vector<std::string> derived_from{};  // IRIs.
   std::vector<std::string> generated_by{};
 };
 
-// The executed stops that the graph of `run` holds, by agent and window.
+// Executed stops in the graph of `run`, by agent and window.
 std::vector<ExecutedVisit> ReadExecuted(const kg_core::GraphView& view,
                                         unsigned long long run,
                                         const kg_mission::Mission& mission);
 
-// Where the plan of a run sends the agents: by ex:id and window, of the stops
-// that its graph says are still to be made.
+// Planned end places by ex:id and window, for the stops of a run's graph that
+// are not yet executed.
 using PlannedPlaces = std::map<std::pair<std::string, int>, kg_base::LonLat>;
 PlannedPlaces ReadPlanned(const kg_core::GraphView& view,
                           unsigned long long run,
                           const kg_mission::Mission& mission);
 
 // Fills in path and provenance from the stop's assignment in the graph of
-// `run`, if there is one.
+// `run`, if it exists.
 void RecallPlan(const kg_core::GraphView& view, unsigned long long run,
                 ExecutedVisit* stop);
 

@@ -1,6 +1,6 @@
-// Where the agents are and how far the mission has come: what arrives by itself
-// rather than by an operator's hand. Mission time is that of the newest
-// observation; it never goes back.
+// Positions of the agents and mission time: the inputs that arrive as
+// observations, not as facts from an operator. Mission time is that of the
+// newest observation; it never decreases.
 
 #ifndef KG_ENGINE_STATE_FLEET_STATE_H_
 #define KG_ENGINE_STATE_FLEET_STATE_H_
@@ -19,32 +19,33 @@ namespace kg_engine {
 struct AgentPose {
   kg_base::LonLat position;
   double heading_rad = 0.0;  // Clockwise from north.
-  double time_s = 0.0;       // Unix seconds, mission time.
+  double time_s = 0.0;       // Mission time [Unix s].
   double energy_left_j = std::numeric_limits<double>::quiet_NaN();
-  bool observed = false;  // Reported by the agent; else what the facts say.
+  bool observed = false;  // True: reported by the agent; false: from facts.
 };
 
 class FleetState {
  public:
-  // Agents start where the facts say, when the first window begins.
+  // Places agents at the positions in the facts, at the begin of the first
+  // window.
   void Reset(const kg_mission::Mission& mission);
-  // Takes over where a stored fleet was.
+  // Restores the poses of a stored fleet.
   void Restore(const std::map<std::string, AgentPose>& poses, double time_s);
 
   // Late observations are accepted but never replace a newer one. False if the
   // agent is unknown or a number is not finite (energy may be NaN).
   bool Observe(const std::string& agent_id, const AgentPose& pose);
-  // Agents that have come or gone by a fact; those that have reported keep
-  // their pose, others are where the facts say.
+  // Adds and removes agents according to the facts; agents that have reported
+  // keep their pose, others are placed as in the facts.
   void Follow(const kg_mission::Mission& mission);
-  // The agent whose report mission time is; empty before anybody's.
+  // The agent whose report defines mission time; empty before any report.
   std::string Clock() const;
 
   const std::map<std::string, AgentPose>& poses() const { return poses_; }
   double time_s() const { return time_s_; }
-  // Has everybody been seen at time_s()?
+  // Whether all agents have reported at time_s().
   bool IsComplete() const;
-  // The window that `time_s()` lies in; the number of windows after the last.
+  // Window that contains `time_s()`; the number of windows after the last.
   int CurrentWindow(const kg_mission::Mission& mission) const;
 
  private:

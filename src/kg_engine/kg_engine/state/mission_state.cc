@@ -76,7 +76,7 @@ class Writer {
   kg_core::Transaction* transaction_;
 };
 
-// The window of a time; the first before the mission, the last after it.
+// Window that contains the time; clamped to the first and last.
 Term WindowAt(const kg_mission::Mission& mission, double time_s) {
   std::string iri = mission.windows.front().iri;
   for (const kg_mission::TimeWindow& window : mission.windows) {

@@ -1,6 +1,6 @@
-// What the knowledge graph remembers beside facts so that a restart goes on
-// where it was: the cycle, the last plan, mission time and the agents' poses.
-// Kept in graph ex:graph/state, which does not count as the world.
+// State of the knowledge graph besides facts, for resuming after a restart: the
+// cycle, the last plan, mission time and the agents' poses. Stored in graph
+// ex:graph/state, which is not part of the world.
 
 #ifndef KG_ENGINE_STATE_MISSION_STATE_H_
 #define KG_ENGINE_STATE_MISSION_STATE_H_
@@ -25,14 +25,14 @@ struct MissionState {
   std::map<std::string, AgentPose> poses;  // By ex:id.
 };
 
-// An empty mission_folder: there is none yet.
+// Loads the state; an empty mission_folder means none is stored.
 MissionState LoadState(const kg_core::GraphView& view);
 
-// Replaces what was there.
+// Replaces the stored state.
 void SaveState(const MissionState& state, const kg_mission::Mission& mission,
                kg_core::Transaction& transaction);
 
-// What queries see by default: with the plan that is current in `view`.
+// Default dataset of queries, including the current plan of `view`.
 kg_core::Dataset CurrentDataset(const kg_core::GraphView& view);
 
 }  // namespace kg_engine

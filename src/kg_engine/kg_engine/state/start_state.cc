@@ -15,9 +15,11 @@ namespace {
 
 using kg_compiler::Compilation;
 
-constexpr double kLeastShareToPlan = 0.25;  // Of a window's duration.
+// Minimum remaining share of a window's duration.
+constexpr double kLeastShareToPlan = 0.25;
 
-// What is planned here is what a planner node is sent.
+// Rounds positions as in messages, so that in-process planning uses the same
+// input as a planner node.
 void TakeAsSent(Compilation* compilation) {
   for (kg_compiler::SeamRules& rules : compilation->rules) {
     rules.start = kg_compiler::AsSent(rules.start);
@@ -41,8 +43,8 @@ double Used_j(const std::vector<ExecutedVisit>& executed,
   return used_j;
 }
 
-// No more than the agent says it has, and no more than past stops have left of
-// its budget, which a fact may have changed meanwhile.
+// Limits energy to the reported remainder and to the budget minus the use of
+// past stops; a fact may have changed the budget meanwhile.
 void LimitEnergy(const StartState& start, kg_compiler::SeamRules* rules) {
   const double used_j = Used_j(start.executed, rules->agent_id);
   rules->energy_budget_j = std::max(0.0, rules->energy_budget_j - used_j);
@@ -54,8 +56,8 @@ void LimitEnergy(const StartState& start, kg_compiler::SeamRules* rules) {
       std::min(rules->energy_budget_j, std::max(0.0, left_j));
 }
 
-// Rules that leave from a reported state were made of it, and of the report
-// that mission time is.
+// Rules that start from a reported state derive from it and from the report
+// that defines mission time.
 void CiteReports(const StartState& start, kg_compiler::SeamRules* rules) {
   rules->start_iri = StateNodeOf(rules->agent_id, start.cycle).text;
   rules->read_facts.push_back(
@@ -79,7 +81,7 @@ void StartFromPoses(const StartState& start, Compilation* compilation) {
 
 void CloseVisitedEvents(const std::vector<ExecutedVisit>& executed,
                         Compilation* compilation) {
-  std::map<std::string, std::set<std::string>> visitors;  // By event.
+  std::map<std::string, std::set<std::string>> visitors;  // Visitors, by event.
   for (const ExecutedVisit& past : executed) {
     for (const std::string& event : past.visit.events) {
       visitors[event].insert(past.agent_iri);

@@ -1,5 +1,5 @@
-// Where a cycle, or a what-if, begins from beside the facts: where the agents
-// are, how far the mission has come, and what they have done already.
+// Start state of a cycle or what-if besides facts: the agents' positions,
+// mission time, and executed stops.
 
 #ifndef KG_ENGINE_STATE_START_STATE_H_
 #define KG_ENGINE_STATE_START_STATE_H_
@@ -16,41 +16,40 @@
 
 namespace kg_engine {
 
-// The last plan that was committed, stale or not.
+// The last committed plan, stale or not.
 struct PlanInForce {
-  std::uint64_t run = 0;  // 0 = there is none.
+  std::uint64_t run = 0;  // 0 = none.
   PlannedPlaces places;
 };
 
 struct StartState {
   FleetState fleet;
-  // The stops agents made in windows before the planned ones.
+  // Executed stops in windows before the planned ones.
   std::vector<ExecutedVisit> executed;
   PlanInForce in_force{};
-  std::uint64_t cycle = 0;  // The one that begins here; names reported states.
+  std::uint64_t cycle = 0;  // Cycle that begins here; names reported states.
 };
 
-// A current window with less than a quarter left is not planned any more:
-// agents leave for the next one at once.
+// First window to plan. A current window with less than a quarter left is
+// skipped: agents leave for the next one at once.
 int FirstWindowToPlan(const StartState& start,
                       const kg_mission::Mission& mission);
 
-// As a store remembers it: where the agents were last heard of, or the start if
-// nothing has been planned yet.
+// Start state from a store: the agents' last known positions, or the start
+// positions if nothing has been planned yet.
 StartState StartOf(const kg_core::GraphView& view,
                    const kg_mission::Mission& mission);
 
-// The compilation with rules that leave from where the agents are, with the
-// energy they have left, and without what their past visits have closed: an
-// event rewards an agent once, and no more agents than it has capacity for.
-// Rules of a policy with a churn weight say where the plan in force ends each
-// window. So commitments are taken when a cycle begins, for whatever reason;
-// a plan that is committed makes nothing dirty.
+// The compilation with rules that start from the agents' current positions,
+// with their remaining energy, and without events closed by past visits: an
+// event rewards an agent once, and at most as many agents as its capacity.
+// Rules of a policy with a churn weight contain the end places of the plan in
+// force. So commitments are set when a cycle begins, for any reason; committing
+// a plan makes nothing dirty.
 std::shared_ptr<const kg_compiler::Compilation> StartFrom(
     const StartState& start, const kg_compiler::Compilation& compilation);
 
-// The world of one moment: its facts, where the agents are, and what has been
-// compiled of it so far.
+// Snapshot of the world: its facts, start state, and the compiler state so far.
 struct Present {
   std::shared_ptr<const kg_core::GraphView> facts;
   StartState start;

@@ -18,7 +18,7 @@ using kg_core::Term;
 
 constexpr std::size_t kIdDigits = 16;
 
-// Short, of content and sources.
+// Short id from content hash and sources.
 std::string Id(const std::string& hash,
                const std::vector<std::string>& sources) {
   kg_base::Hasher hasher;

@@ -1,5 +1,5 @@
-// IRIs of compiled artifacts and of what they were made from, and how artifacts
-// are found in a compilation.
+// IRIs of compiled artifacts and of their inputs, and look-up of artifacts in a
+// compilation.
 
 #ifndef KG_ENGINE_TERMS_ARTIFACT_NAMES_H_
 #define KG_ENGINE_TERMS_ARTIFACT_NAMES_H_
@@ -13,8 +13,8 @@
 
 namespace kg_engine {
 
-// One of an artifact's hash and sources; the agent's ex:id and the window make
-// it readable.
+// IRI from an artifact's hash and sources; the agent's ex:id and the window
+// make it readable.
 kg_core::Term TensorNode(const kg_compiler::MissionTensor& tensor,
                          const kg_mission::Mission& mission);
 kg_core::Term SeamRulesNode(const kg_compiler::SeamRules& rules);
@@ -27,10 +27,10 @@ const kg_compiler::MissionTensor* FindTensor(
     int window);
 const kg_compiler::SeamRules* FindRules(
     const kg_compiler::Compilation& compilation, const std::string& agent_iri);
-// The window's IRI; one of its own for a window that is no more.
+// The window's IRI; a generated one for a window that no longer exists.
 kg_core::Term WindowTerm(const kg_mission::Mission& mission, int window);
 
-// What the plan of a run commits an agent to.
+// Node of the commitment of an agent by the plan of a run.
 kg_core::Term CommitmentNode(std::uint64_t run, const std::string& agent_id);
 
 }  // namespace kg_engine

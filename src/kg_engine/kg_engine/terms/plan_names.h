@@ -1,5 +1,5 @@
-// IRIs of what a plan run states as facts. They depend on numbers and ids
-// alone, so whoever refers to a plan needs nothing else of it.
+// IRIs of the facts of a plan run. They depend on numbers and ids only, so
+// references to a plan need nothing else.
 //
 //   ex:graph\/plan\/7        the graph that holds run 7 alone
 //   ex:plan\/7               its ex:PlanRun
@@ -18,7 +18,7 @@ namespace kg_engine {
 kg_core::Term PlanGraph(unsigned long long run);
 kg_core::Term PlanRunNode(unsigned long long run);
 kg_core::Term SelectRunNode(unsigned long long run);
-// By the agent's ex:id.
+// `agent_id` is the agent's ex:id.
 kg_core::Term AssignmentNode(unsigned long long run,
                              const std::string& agent_id, int window);
 

@@ -20,7 +20,7 @@ using kg_compiler::TimedPoint;
 constexpr double kWholeTurn_deg = 360.0;
 constexpr double kHalfTurn_deg = 180.0;
 
-// The shorter way from a to b, in [-180, 180).
+// Shorter turn from a to b, in [-180, 180).
 double Turn_deg(double from_deg, double to_deg) {
   const double turn_deg = to_deg - from_deg;
   return turn_deg - kWholeTurn_deg *
@@ -39,8 +39,8 @@ TimedPoint At(const TimedPoint& a, const TimedPoint& b, double time_s) {
   return point;
 }
 
-// The point in between that a straight, steady way from `first` to `last` is
-// furthest from at its own time.
+// Index and distance [m] of the point furthest from the linear motion from
+// `first` to `last`, at its own time.
 std::pair<std::size_t, double> Furthest(const Track& track, std::size_t first,
                                         std::size_t last) {
   std::size_t furthest = first;
@@ -74,7 +74,7 @@ std::string Coordinates(const Track& part) {
   return "(" + kg_base::JoinStrings(part, ", ", to_text) + ")";
 }
 
-// Takes a number off the front; nothing if there is none.
+// Parses a number and advances; nullopt if there is none.
 std::optional<double> TakeNumber(const char** at) {
   char* end = nullptr;
   const double value = std::strtod(*at, &end);
@@ -147,6 +147,8 @@ Track SimplifyTrack(const Track& track, const double tolerance_m) {
   if (track.size() < 3) return track;
   std::vector<bool> kept(track.size(), false);
   kept.front() = kept.back() = true;
+  // Douglas-Peucker in space and time: split each span at the furthest point
+  // until all points are within tolerance.
   std::vector<std::pair<std::size_t, std::size_t>> open = {
       {0, track.size() - 1}};
   while (!open.empty()) {
@@ -169,6 +171,8 @@ std::vector<Track> CutAtAntimeridian(const Track& track) {
   std::vector<Track> parts(1);
   for (std::size_t i = 0; i < track.size(); ++i) {
     if (i > 0 && PassesAntimeridian(track[i - 1], track[i])) {
+      // Interpolate the crossing; it ends one part at +-180 and starts the next
+      // at -+180 degrees.
       const TimedPoint& a = track[i - 1];
       const double turn_deg =
           Turn_deg(a.position.lon_deg, track[i].position.lon_deg);
@@ -211,6 +215,7 @@ TrackLiteral ToLiteral(const std::vector<Track>& parts) {
 std::vector<Track> FromLiteral(const TrackLiteral& literal) {
   std::vector<Track> parts = ReadPositions(literal.wkt);
   const char* at = literal.times.c_str();
+  // The times run on across parts, one per point.
   double last_s = -INFINITY;
   for (Track& part : parts) {
     for (TimedPoint& point : part) {

@@ -28,7 +28,7 @@ Track RandomWalk(std::mt19937& random, double lon_deg) {
   return track;
 }
 
-// Where a track is, from the definition.
+// Position on a track, directly from the definition.
 kg_base::LonLat PlaceAt(const Track& track, double time_s) {
   for (std::size_t i = 1; i < track.size(); ++i) {
     if (track[i].time_s < time_s) continue;

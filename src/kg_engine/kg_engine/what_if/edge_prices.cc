@@ -24,7 +24,7 @@ WaypointRoute WayOf(const TeamMember& member, std::size_t window,
   return way;
 }
 
-// All places on it, longitude and latitude in turn.
+// All positions on the route, longitude and latitude alternating.
 using Places = std::vector<double>;
 Places PlacesOf(const WaypointRoute& way) {
   Places places = {way.from.lon_deg, way.from.lat_deg};
@@ -42,7 +42,7 @@ std::optional<std::size_t> PlaceOf(const SeamRules& rules, int window) {
   return std::nullopt;
 }
 
-// The edges of one graph, by their places.
+// Edges of one graph, by their positions.
 std::map<Places, const TraverseEdge*> KnownPrices(const TeamMember& member,
                                                   std::size_t window) {
   std::map<Places, const TraverseEdge*> known;
@@ -105,7 +105,7 @@ EdgePrices::WindowPrices EdgePrices::PriceWindow(
   const auto worlds = kg_selector::FindWorlds(*then.compilation, other->rules);
   const kg_compiler::WindowTraversal sea(
       other->rules, other->rules.windows[*place], worlds[*place]);
-  // Without graphs there, the places one could go to instead are those here.
+  // If `other` has no graphs, use the alternatives of this graph.
   const NavGraph& places =
       other->graphs.empty() ? graph : other->graphs[*place];
   auto flown = kg_compiler::PriceWays(

@@ -1,5 +1,5 @@
-// What the edges of one world's graphs would cost in another world: the paper's
-// "which TraverseEdges would become too costly".
+// Costs of the edges of one world's graphs in another world: the paper's "which
+// TraverseEdges would become too costly".
 
 #ifndef KG_ENGINE_WHAT_IF_EDGE_PRICES_H_
 #define KG_ENGINE_WHAT_IF_EDGE_PRICES_H_
@@ -20,33 +20,35 @@ struct PlannedWorld {
   kg_selector::PlannedMission planned;
 };
 
-// Where an edge of graph `window` (its place among the member's graphs) begins.
+// Source position of an edge of graph `window` (index in the member's graphs).
 kg_base::LonLat BeginOf(const kg_selector::TeamMember& member,
                         std::size_t window,
                         const kg_compiler::TraverseEdge& edge);
 
-// Edges are named by their places: member, its graph, the graph's edge. Prices
-// are those of the graphs of `then` where it has the same way, else the way is
-// flown again under the rules of `then`.
+// Edges are identified by indices: member, its graph, the graph's edge. Prices
+// are those of the graphs of `then` if they contain the same route; otherwise
+// the route is flown again under the rules of `then`.
 class EdgePrices {
  public:
-  // Both must outlive this.
+  // Both must outlive this object.
   EdgePrices(const kg_selector::PlannedMission& now, const PlannedWorld& then);
 
-  // Null = it cannot be flown then, or its agent or window is gone.
+  // Null = infeasible in `then`, or its agent or window no longer exists.
   const kg_compiler::TraverseEdge* Then(std::size_t member, std::size_t window,
                                         std::size_t edge) const;
 
  private:
   struct WindowPrices {
-    bool same = false;  // As they are now.
-    std::vector<std::optional<kg_compiler::TraverseEdge>> then;  // By edge.
+    bool same = false;  // True: prices are unchanged.
+    // Edge in `then`, by edge.
+    std::vector<std::optional<kg_compiler::TraverseEdge>> then;
   };
   WindowPrices PriceWindow(const kg_selector::TeamMember& member,
                            std::size_t window, const PlannedWorld& then) const;
 
   const kg_selector::PlannedMission& now_;
-  std::vector<std::vector<WindowPrices>> prices_;  // By member, graph.
+  // Indexed by member and graph.
+  std::vector<std::vector<WindowPrices>> prices_;
 };
 
 }  // namespace kg_engine

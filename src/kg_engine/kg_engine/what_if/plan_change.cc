@@ -33,11 +33,11 @@ std::string Wh(double energy_j) {
   return text;
 }
 
-// The present path as it would be flown in the hypothetical world.
+// The present path flown in the hypothetical world.
 struct FlownAgain {
-  Pathlet path;            // With the tracks of then.
+  Pathlet path;            // With hypothetical tracks.
   double energy_j = 0.0;   // NaN if it cannot be flown.
-  std::string infeasible;  // Why not, or "".
+  std::string infeasible;  // Reason, or "" if feasible.
 };
 
 class Comparison {
@@ -120,7 +120,7 @@ class Comparison {
     return place;
   }
 
-  // In order of commitment, so that a conflict is the later one's.
+  // In order of commitment, so that a conflict is attributed to the later path.
   void FlyAgain(const Pathlet& path) {
     FlownAgain flown = Reprice(path);
     const TeamMember* member = then_.FindMember(path.agent);
@@ -149,6 +149,7 @@ class Comparison {
     for (std::size_t w = 0; w < path.visits.size(); ++w) {
       const kg_selector::Visit& visit = path.visits[w];
       const TraverseEdge* then = prices_.Then(member, w, visit.edge);
+      // The first infeasible window decides: the rest cannot be reached.
       if (then == nullptr) {
         flown.energy_j = kNone;
         flown.infeasible = "window " + std::to_string(visit.window) + ": " +

@@ -1,4 +1,4 @@
-// The difference between the plans of two worlds, as kg/what_if answers it.
+// The difference between the plans of two worlds, as answered by kg/what_if.
 
 #ifndef KG_ENGINE_WHAT_IF_PLAN_CHANGE_H_
 #define KG_ENGINE_WHAT_IF_PLAN_CHANGE_H_

@@ -70,7 +70,7 @@ std::shared_ptr<const WhatIf::Base> WhatIf::PlanPresent(
   return base_;
 }
 
-// One question on its way.
+// Processing of one question.
 class WhatIf::Inquiry {
  public:
   Inquiry(WhatIf* what_if, const Present& present,
@@ -92,7 +92,7 @@ class WhatIf::Inquiry {
   }
 
  private:
-  // As a real update is; false = refused.
+  // Stages like a real update; false = rejected.
   bool Stage() {
     fork_ = kg_core::Store::Fork(present_.facts);
     kg_core::Transaction transaction = fork_->Begin();
@@ -157,7 +157,7 @@ class WhatIf::Inquiry {
         result.form == kg_core::QueryResult::Form::kDescribe;
     answer_.result = is_graph ? kg_core::TriplesToTurtle(result.triples)
                               : kg_core::ResultFormats().front().write(result);
-    answer_.text = kg_core::ToTextTable(result);  // Put after the rest.
+    answer_.text = kg_core::ToTextTable(result);  // Appended after the rest.
   }
 
   void EndStage(const std::string& stage, std::size_t count) {

@@ -1,7 +1,7 @@
-// What would change under hypothetical facts. The world is forked, the update
-// checked and staged as a real one, what is dirty compiled, and the plan made
-// in process as the nodes would; then both worlds are compared. Nothing of the
-// world itself is written.
+// Effect of hypothetical facts. The world is forked, the update is checked and
+// staged like a real one, dirty artifacts are compiled, and the plan is made in
+// process as the nodes would; then both worlds are compared. The world itself
+// is not modified.
 //
 // The query sees the hypothetical world, with plan facts as a committed plan
 // has them (plan_facts.h), in graphs of the fork:
@@ -32,21 +32,21 @@ inline constexpr char kRepriced[] = "repriced";
 struct WhatIfQuestion {
   kg_core::FactUpdate update;
   std::string query;          // SPARQL; may be empty.
-  double time_limit_s = 0.0;  // Wall-clock; not positive: 60 s.
+  double time_limit_s = 0.0;  // Wall-clock; 60 s if not positive.
 };
 
 class WhatIf {
  public:
-  // `files` must outlive this.
+  // `files` must outlive this object.
   explicit WhatIf(kg_mission::FileCache* files) : files_(files) {}
 
-  // Never throws for what the question says: that is in `errors`. The plan of
-  // the present is kept from one question to the next as long as it holds.
+  // Never throws for errors in the question: they are in `errors`. The plan of
+  // the present is cached between questions while it is valid.
   WhatIfAnswer Ask(const Present& present, const WhatIfQuestion& question);
 
  private:
   struct Base {
-    std::string key;  // Of all that the plan depends on.
+    std::string key;  // Hash of all inputs of the plan.
     PlannedWorld world;
     kg_compiler::MissionCompiler compiler;
   };

@@ -15,16 +15,16 @@ namespace kg_engine {
 
 struct HypotheticalRun {
   std::uint64_t number = 0;
-  std::string graph;  // Its name: ex:graph/plan/<graph>.
+  std::string graph;  // Graph name: ex:graph/plan/<graph>.
   std::vector<ExecutedVisit> executed;
 };
 
-// The run, its assignments, rejections and waypoint graphs.
+// Records the run, its assignments, rejections and waypoint graphs.
 void RecordPlannedWorld(const PlannedWorld& world, const HypotheticalRun& run,
                         kg_core::Transaction* transaction);
 
-// What the edges of `now` would cost, each as an ex:EdgeCost in the plan graph
-// of that name.
+// Records the cost of each edge of `now` as an ex:EdgeCost in the plan graph of
+// that name.
 void RecordPrices(const kg_selector::PlannedMission& now,
                   const EdgePrices& prices, const std::string& graph,
                   kg_core::Transaction* transaction);

@@ -1,4 +1,5 @@
-// What-ifs beside what really happens: the same nodes' code, the same updates.
+// What-ifs compared with real updates: the same code as the nodes, the same
+// updates.
 
 #include "kg_engine/what_if/what_if.h"
 
@@ -40,7 +41,7 @@ ex:safe ex:lambda_time 0.15 ; ex:lambda_energy 0.01 ; ex:lambda_risk 0.4 .
 ex:fast ex:lambda_time 0.01 ; ex:lambda_energy 0.002 ; ex:lambda_risk 0.1 .
 )ttl";
 
-// What the nodes commit for a compilation, each with what it is sent.
+// Plan of the nodes for a compilation, each with its received messages.
 class Nodes {
  public:
   Nodes(const Compilation& compilation, std::uint64_t cycle) {
@@ -165,7 +166,7 @@ class WhatIfTest : public testing::Test {
     return Nodes(*compilation_, server_->cycle());
   }
 
-  // A change that a mission may meet; some are refused, some change nothing.
+  // A random plausible change; some are rejected, some have no effect.
   FactUpdate AnyUpdate(std::mt19937& rng) {
     const auto pick = [&](std::vector<std::string> of) {
       return of[std::uniform_int_distribution<std::size_t>(0,
@@ -307,21 +308,22 @@ TEST_F(WhatIfTest, EveryEdgeIsCountedOnceAndPricedAsItIsListed) {
           "{ ?b ex:forEdge ?edge ; ex:seamCost ?then } "
           "FILTER(?now != ?then) }");
   ASSERT_TRUE(answer.ok) << answer.text;
-  // Alpha's only; energy costs ten times as much; nothing else changes.
+  // Alpha's edges only; energy costs ten times as much; nothing else changes.
   EXPECT_GT(answer.edges_dearer, 0u);
   EXPECT_EQ(answer.edges_infeasible + answer.edges_cheaper, 0u);
   EXPECT_EQ(answer.changed_edges.size(), answer.edges_dearer);
   for (const EdgeChange& edge : answer.changed_edges) {
     EXPECT_EQ(edge.agent, "alpha");
-    // Dearer energy is spent more thriftily; a flight that is the cheapest at
-    // its price costs no more at another than the other one's.
+    // Higher prices reduce energy use; the optimal flight at one price costs at
+    // most as much as any other flight at that price.
     const double dearer_per_j = 0.018 / kg_base::kJoulesPerWh;
-    // Isolation is priced when the flight has been chosen.
+    // Isolation is priced after the flight is chosen.
     const double isolation = 0.1 / kg_base::kSecondsPerHour *
                              (edge.after.isolation_s - edge.before.isolation_s);
     const double rise =
         edge.after.seam_cost - edge.before.seam_cost - isolation;
-    const double slack = 1e-3 * edge.after.seam_cost;  // Of the search.
+    // Tolerance of the search.
+    const double slack = 1e-3 * edge.after.seam_cost;
     EXPECT_LE(edge.after.energy_j, edge.before.energy_j * 1.001);
     EXPECT_GE(rise, dearer_per_j * edge.after.energy_j - slack);
     EXPECT_LE(rise, dearer_per_j * edge.before.energy_j + slack);
@@ -354,14 +356,13 @@ TEST_F(WhatIfTest, AnAreaThatIsClosedMakesEdgesAndPathsInfeasible) {
   EXPECT_TRUE(std::isnan(answer.paths[0].energy_needed_j));
 }
 
-// The paper's first question, by the files that ship.
+// The paper's first question, with the shipped files.
 TEST_F(WhatIfTest, TellsWhichPlannedPathsALowerBudgetMakesInfeasible) {
   PlanReally();
   const std::string folder = "../../config/queries/what_if_energy_budget";
   FactUpdate less;
   less.sparql = ReadFile(folder + ".ru");
-  // Bravo is given what it needs and 10 % more, so that 30 % less is too
-  // little.
+  // Bravo's budget is its need plus 10 %, so that 30 % less is insufficient.
   const WhatIfAnswer now = Ask(FactUpdate());
   const double needed_wh =
       now.paths.at(1).before.energy_j / kg_base::kJoulesPerWh;
@@ -375,7 +376,7 @@ TEST_F(WhatIfTest, TellsWhichPlannedPathsALowerBudgetMakesInfeasible) {
               0.77 * now.paths[1].before.energy_j, 0.01);
   EXPECT_NE(answer.result.find("\"bravo\""), std::string::npos);
   EXPECT_EQ(answer.result.find("\"alpha\""), std::string::npos);
-  // What the query sums from facts is what the plan says in numbers.
+  // The query's sum over facts equals the value in the plan.
   EXPECT_NE(answer.text.find(std::to_string(needed_wh).substr(0, 5)),
             std::string::npos)
       << answer.text;

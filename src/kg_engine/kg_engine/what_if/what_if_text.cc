@@ -45,7 +45,7 @@ bool SamePlace(const kg_selector::Visit& a, const kg_selector::Visit& b) {
   return a.window == b.window && a.position == b.position;
 }
 
-// "windows 2, 3", where the stops differ.
+// "windows 2, 3" with differing stops.
 std::string OtherStops(const PathChange& change) {
   std::vector<std::string> windows;
   for (const kg_selector::Visit& visit : change.after.visits) {

@@ -1,4 +1,4 @@
-// A what-if's answer for a person.
+// Display text of a what-if's answer.
 
 #ifndef KG_ENGINE_WHAT_IF_WHAT_IF_TEXT_H_
 #define KG_ENGINE_WHAT_IF_WHAT_IF_TEXT_H_
@@ -9,8 +9,8 @@
 
 namespace kg_engine {
 
-// Lines that say what would change, or why the question was refused; then what
-// `answer.text` holds already (the query's table), if anything.
+// Lines with the changes, or with the reasons of rejection, followed by the
+// existing `answer.text` (the query's table), if any.
 std::string WhatIfText(const WhatIfAnswer& answer);
 
 }  // namespace kg_engine

@@ -9,9 +9,9 @@
 namespace kg_planner {
 namespace {
 
-constexpr std::size_t kKeptNodes = 12;  // A stage.
+constexpr std::size_t kKeptNodes = 12;  // Nodes kept per stage.
 
-// Those of the largest max-marginals that a path leads through, ascending.
+// Reachable nodes with the largest max-marginals, ascending.
 std::vector<int> NodesToKeep(const MaxMarginals& marginals, std::size_t s,
                              int count) {
   std::vector<int> nodes;
@@ -81,9 +81,10 @@ void DetourSearch::CountPath(const std::vector<int>& nodes) {
 }
 
 std::vector<int> DetourSearch::Best(double penalty) const {
-  // Forward Viterbi pass over the kept seams. A node pays its penalty once the
-  // best way into it is known, which does not change that way.
-  std::vector<std::vector<int>> into(stages_.size());  // Kept seam, by node.
+  // Forward Viterbi pass over the kept seams. The penalty is added after the
+  // best seam into a node is chosen; it does not affect that choice.
+  // Best kept seam into each node.
+  std::vector<std::vector<int>> into(stages_.size());
   std::vector<double> best{0.0};
   for (std::size_t s = 0; s < stages_.size(); ++s) {
     const KeptStage& kept = stages_[s];

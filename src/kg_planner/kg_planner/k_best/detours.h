@@ -1,8 +1,8 @@
-// Paths unlike those already chosen: the best path of a thinned trellis under
-// a penalty for every node, times the number of paths taken that end a stage
-// there, as in the diverse M best of Batra et al. (ECCV 2012). Thinned: only
-// the nodes of the largest max-marginals, so that a search costs next to
-// nothing beside a pass over the whole.
+// Paths that differ from those already chosen: the best path of a thinned
+// trellis under a penalty per node, times the number of chosen paths that end a
+// stage there, as in the diverse M best of Batra et al. (ECCV 2012). Thinned:
+// only the nodes with the largest max-marginals, so that a search is much
+// cheaper than a pass over the full trellis.
 
 #ifndef KG_PLANNER_K_BEST_DETOURS_H_
 #define KG_PLANNER_K_BEST_DETOURS_H_
@@ -18,19 +18,20 @@ namespace kg_planner {
 
 class DetourSearch {
  public:
-  // `marginals`: of the same trellis, grid and prices. `search` must outlive
-  // this.
+  // `marginals` must be of the same trellis, grid and prices. `search` must
+  // outlive this object.
   DetourSearch(const SearchTrellis& search, const ScoreGrid& grid,
                const Prices& prices, const MaxMarginals& marginals);
 
-  // A path that was taken: nodes of the caller's trellis.
+  // Registers a chosen path; nodes of the caller's trellis.
   void CountPath(const std::vector<int>& nodes);
 
-  // The seams of the best path; of equal ones the first of the search.
+  // Seams of the best path; ties: the first in search order.
   std::vector<int> Best(double penalty) const;
 
  private:
-  // Between kept nodes, by their place among those of their stage.
+  // Seam between kept nodes, by their index among the kept nodes of their
+  // stage.
   struct KeptSeam {
     int from = 0;
     int to = 0;
@@ -40,7 +41,7 @@ class DetourSearch {
   struct KeptStage {
     std::vector<int> nodes;  // Nodes of the search trellis, ascending.
     std::vector<KeptSeam> seams;
-    std::vector<int> times_taken;  // By kept node.
+    std::vector<int> times_taken;  // Times each kept node was taken.
   };
 
   void AddSeams(const ScoreGrid& grid, const Prices& prices, std::size_t s);

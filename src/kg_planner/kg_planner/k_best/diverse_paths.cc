@@ -17,19 +17,18 @@
 namespace kg_planner {
 namespace {
 
-// Ratio of the penalties that are tried one after the other.
+// Ratio of consecutive penalties.
 constexpr double kPenaltyStep = 1.1;
-// Multiples of the dual prices that are tried; under the last only the use of
-// resources counts.
+// Multiples of the dual prices to try; the last makes resource use dominate.
 constexpr double kPriceFactors[] = {0.0, 1.0, 2.0, 4.0, 1e4};
 
-// The best path through a node of the caller's trellis.
+// Best path through a node of the caller's trellis.
 struct NodeCandidate {
   double score = kNone;
   std::size_t stage = 0;
   int origin_node = 0;
-  int node = 0;           // In the search trellis: the best of its split nodes.
-  std::size_t table = 0;  // Index of the prices it was found under.
+  int node = 0;           // Best of its split nodes in the search trellis.
+  std::size_t table = 0;  // Index of the prices under which it was found.
 };
 
 bool ComesFirst(const NodeCandidate& a, const NodeCandidate& b) {
@@ -49,7 +48,7 @@ class DiverseSearch {
         good_enough_(options.good_enough),
         detours_(options.detours) {}
 
-  // Without limits and with exact tokens.
+  // Search without limits and with exact tokens.
   KBest FindExact() {
     MakeTable({});
     for (std::size_t s = 0; s < limited_.search.stages.size(); ++s) {
@@ -62,7 +61,7 @@ class DiverseSearch {
     return Result();
   }
 
-  // After the best path of all.
+  // Search for the paths after the best one.
   KBest FindBelowBest(KBest best) {
     found_ = std::move(best);
     if (found_.paths.empty()) return std::move(found_);
@@ -88,8 +87,8 @@ class DiverseSearch {
     for (int node = 0; node < stage.nodes; ++node) {
       NodeCandidate candidate = find(node);
       NodeCandidate& known = best[candidate.origin_node];
-      // Of the nodes split from one, the best path through any of them; of
-      // equal scores the first in the order of ties.
+      // Best path through any of the nodes split from one; ties by the order of
+      // ties.
       if (candidate.score > known.score ||
           (candidate.score > kNone && candidate.score == known.score &&
            IsBetter(Value(candidate), Value(known)))) {
@@ -133,7 +132,7 @@ class DiverseSearch {
 
   void MakeTable(Prices prices) {
     grids_.push_back(PricedGrid(limited_, prices));
-    // Those of the pass that checked are without prices.
+    // Levels of the checking pass are without prices.
     tables_.emplace_back(
         limited_.search, grids_.back(), prices,
         prices.empty() ? limited_.levels : std::vector<ViterbiLevel>());
@@ -157,13 +156,13 @@ class DiverseSearch {
     }
   }
 
-  // Of a path of the caller's trellis; where it stands among equals does not
-  // matter, as it is the best.
+  // The best path as a ValuedPath; its rank among ties is irrelevant because it
+  // is first.
   ValuedPath BestOfAll(const Path& path) const {
     return {kNoLimit, std::vector<int>(path.nodes.size(), -1), path};
   }
 
-  // What a path must score.
+  // Minimum score of a path.
   double MinimumScore() const {
     if (chosen_.empty() || !(good_enough_ > kNone)) return kNone;
     const double best = chosen_.front().path.score();
@@ -177,7 +176,7 @@ class DiverseSearch {
     chosen_.push_back(std::move(value));
   }
 
-  // Takes candidates that differ enough, best first.
+  // Adds candidates that differ enough, best first.
   void AddCandidatePaths() {
     std::sort(candidates_.begin(), candidates_.end(), ComesFirst);
     for (const NodeCandidate& candidate : candidates_) {
@@ -216,8 +215,8 @@ class DiverseSearch {
     }
   }
 
-  // From a little below the last penalty on: the more there are to differ from,
-  // the less each has to weigh.
+  // Starts slightly below the last penalty: the more paths there are to differ
+  // from, the smaller the penalty each one needs.
   std::optional<ValuedPath> NextDetour(const DetourSearch& detours,
                                        double* penalty) const {
     const double minimum = MinimumScore();
@@ -251,12 +250,12 @@ class DiverseSearch {
   int minimum_difference_;
   double good_enough_;
   bool detours_;
-  std::vector<Prices> prices_;  // Tried, and what is found under them.
+  std::vector<Prices> prices_;  // Prices tried, with their grids and tables.
   std::vector<ScoreGrid> grids_;
   std::vector<MaxMarginals> tables_;
   std::vector<NodeCandidate> candidates_;
   double most_uncertain_ =
-      kNone;  // Best bound of a node whose best path is unknown.
+      kNone;  // Largest bound of a node whose best path is unknown.
   std::vector<ValuedPath> chosen_;
   KBest found_;
 };

@@ -32,7 +32,8 @@ bool DiffersFromAll(const std::vector<Path>& taken, const Path& path,
   });
 }
 
-// The definition, word for word: `all` are the allowed paths, best first.
+// Direct implementation of the definition: `all` are the allowed paths, best
+// first.
 std::vector<Path> DiverseByExhaustion(const Trellis& trellis,
                                       const std::vector<Path>& all,
                                       const DiverseOptions& options) {
@@ -70,7 +71,7 @@ void ExpectSame(const std::vector<Path>& a, const std::vector<Path>& b) {
 
 struct PathCounts {
   int several = 0;   // Paths.
-  int rejected = 0;  // For being too near.
+  int rejected = 0;  // Rejected as too similar.
 };
 
 PathCounts CompareWithExhaustion(const RandomOptions& random_options,
@@ -130,8 +131,8 @@ TEST(DiversePathsTest, EarnEveryTokenOnceAndKeepToMasksAndStops) {
   }
 }
 
-// Within limits: the best path first, all allowed, different and in order; what
-// is proven is what the definition says.
+// Within limits: the best path first, all allowed, diverse and sorted; proven
+// results equal the definition.
 TEST(DiversePathsTest, KeepTheLimitsAndSayWhatIsProven) {
   RandomOptions random_options;
   random_options.limited = random_options.tokens = random_options.stops = true;

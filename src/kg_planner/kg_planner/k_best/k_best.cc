@@ -16,10 +16,10 @@
 namespace kg_planner {
 namespace {
 
-// Looked at before the resources get prices.
+// Paths enumerated before resources are priced.
 constexpr std::size_t kUnpricedPaths = 500;
 
-// The best paths found so far, at most `paths`.
+// The best paths so far, at most `paths`.
 class PathShortlist {
  public:
   explicit PathShortlist(int paths) : paths_(paths) {}
@@ -27,18 +27,19 @@ class PathShortlist {
   void Add(ValuedPath found) {
     const auto place =
         std::lower_bound(found_.begin(), found_.end(), found, IsBetter);
-    if (place != found_.end() && !IsBetter(found, *place)) return;  // Known.
+    // Already in the list.
+    if (place != found_.end() && !IsBetter(found, *place)) return;
     found_.insert(place, std::move(found));
     if (found_.size() > paths_) found_.pop_back();
   }
-  // Nothing from here on, in order of bounds, can enter the list.
+  // True if no later path, in order of bounds, can enter the list.
   bool IsClosedTo(double bound, const ValuedPath& found) const {
     if (found_.size() < paths_) return false;
     const ValuedPath& last = found_.back();
     if (bound != last.score) return bound < last.score;
     return last.places < found.places;
   }
-  // `bound`: upper bound of the paths that were not enumerated.
+  // `bound`: upper bound of the paths not enumerated.
   KBest Result(bool proven, double bound) {
     KBest best;
     best.proven = proven;
@@ -106,7 +107,7 @@ class KBestSearch {
     PathEnumerator enumerator(limited_.search, grid, prices);
     return Enumerate(&enumerator, limit, BoundOffset(limited_, grid, prices));
   }
-  // A bound of the paths that are left if `limit` paths were not enough.
+  // If `limit` paths were not enough: an upper bound of the remaining paths.
   std::optional<double> Enumerate(PathEnumerator* enumerator, std::size_t limit,
                                   double offset) {
     for (std::size_t looked_at = 0;; ++looked_at) {
@@ -121,7 +122,7 @@ class KBestSearch {
       }
     }
   }
-  // What a score may be above its sum on the grid.
+  // Margin by which a score may exceed its sum on the grid.
   double Slack() const {
     return 4.0 * static_cast<double>(trellis_.stages.size() + 1) *
            limited_.grid.step();
@@ -144,7 +145,7 @@ KBest FindWithinLimits(const Trellis& trellis, const PathMasks& masks,
   return found;
 }
 
-// The same without limit r, every path worth minus what it uses of r.
+// The trellis without limit r, in which a path is worth minus its use of r.
 Trellis ThriftTrellis(const Trellis& trellis, std::size_t r) {
   Trellis thrift = trellis;
   for (Stage& stage : thrift.stages) {

@@ -1,13 +1,14 @@
 // The K best paths through a trellis, exact, best first.
 //
 // Recursive enumeration on the Viterbi table: the n-th best path into a node is
-// worked out only when asked for [1]; here from the end, so into becomes out
-// of. Tokens and the resource limit make a path's true score differ from the
-// table's, which is an upper bound: enumeration goes on until the bound can no
-// longer beat the K-th best found, or `enumeration_limit` paths were looked at
-// (then the result says so). Two things keep the bound close: tokens that a
-// path can meet twice are unrolled (token_unrolling.h), and binding limits get
-// their dual prices (resource_prices.h).
+// computed only on demand [1]; here the recursion runs from the end, so "into"
+// becomes "out of". Tokens and the resource limit make a path's true score
+// differ from that of the table, which is an upper bound: enumeration continues
+// until the bound can no longer beat the K-th best found, or
+// `enumeration_limit` paths were examined (reported in the result). Two
+// measures tighten the bound: tokens that a path can meet twice are unrolled
+// (token_unrolling.h), and binding limits get their dual prices
+// (resource_prices.h).
 //
 // Ties by node numbers, lexicographically (parallel seams: stage by stage by
 // node, then via): the answer is deterministic. Scores are compared on a grid
@@ -34,23 +35,24 @@ struct KBestOptions {
 };
 
 struct KBest {
-  std::vector<Path> paths;  // Best first; fewer than asked if there are fewer.
+  std::vector<Path> paths;  // Best first; fewer than K if no more exist.
   bool proven = true;       // False: the enumeration limit was hit first.
-  // No allowed path scores more, proven or not; -infinity = there is none.
+  // Upper bound of all allowed paths; valid even if not proven; -infinity = no
+  // path exists.
   double bound = -std::numeric_limits<double>::infinity();
-  // If there is no path, but for one limit there would be: by how much, at
-  // least, a path that keeps the other limits is above it, by resource (the
-  // thriftiest path; infinity = this limit is not to blame alone). Else empty.
+  // If a single limit prevents any path: by resource, the minimum excess of a
+  // path that keeps the other limits (the path of least use; infinity = this
+  // limit alone is not the cause). Else empty.
   std::vector<double> above_limits = {};
 };
 
-// Empty if no path crosses all stages, or there are none. Throws as
-// CheckTrellis() does, and if a mask names a node that is not there.
+// Empty if no path crosses all stages, or there are no stages. Throws as
+// CheckTrellis() does, and if a mask names an unknown node.
 KBest FindKBest(const Trellis& trellis, const PathMasks& masks,
                 const KBestOptions& options);
 
-// The same, to the bit, with what `memory` keeps of the last such call
-// (k_best_memory.h): for a trellis whose end did not change since.
+// Bitwise the same result, using what `memory` kept of the last such call
+// (k_best_memory.h): for trellises whose last stages are unchanged.
 class KBestMemory;
 KBest FindKBest(const Trellis& trellis, const PathMasks& masks,
                 const KBestOptions& options, KBestMemory* memory);

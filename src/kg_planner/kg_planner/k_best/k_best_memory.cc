@@ -7,7 +7,7 @@ namespace kg_planner {
 
 PathEnumerator::Tables KBestMemory::Recall(const SearchTrellis& search,
                                            const ScoreGrid& grid) {
-  // What this search reads, stage by stage.
+  // Inputs of this search, stage by stage.
   std::vector<StageRecord> stages(search.stages.size());
   for (std::size_t s = 0; s < stages.size(); ++s) {
     const SearchStage& stage = search.stages[s];
@@ -18,8 +18,8 @@ PathEnumerator::Tables KBestMemory::Recall(const SearchTrellis& search,
     }
     Weigh(stage, grid, {}, &stages[s].weights);
   }
-  // Stages that are equal, counted from the end. On another grid every score
-  // differs, so nothing is reused.
+  // Count equal stages from the end. On another grid every score differs, so
+  // nothing is reused.
   const std::size_t both = std::min(stages.size(), stages_.size());
   std::size_t same = 0;
   if (grid.step() == step_ && tables_.levels.size() == stages_.size() + 1) {

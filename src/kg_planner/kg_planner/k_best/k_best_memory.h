@@ -1,12 +1,12 @@
-// What a search for the K best leaves behind for the next one: the rests of
-// paths that were worked out. They depend on what comes behind a stage only, so
-// as far from the end as nothing changed they are taken over, and the result is
-// that of a search without memory, to the bit.
+// State kept from one search for the K best to the next: path suffixes already
+// computed. They depend only on later stages, so they are reused as far from
+// the end as nothing changed; the result is bitwise that of a search without
+// memory.
 //
-// What changed is found by comparison of what the search reads: seams and their
-// weights on the score grid, after masks, limits and tokens have had their
-// effect. So nothing is reused when the grid is another. Comparing costs a pass
-// over the trellis; what is saved is the enumeration.
+// Changes are detected by comparing the search's inputs: seams and their
+// weights on the score grid, after masks, limits and tokens are applied. A
+// different grid prevents any reuse. The comparison costs one pass over the
+// trellis; the enumeration is saved.
 
 #ifndef KG_PLANNER_K_BEST_K_BEST_MEMORY_H_
 #define KG_PLANNER_K_BEST_K_BEST_MEMORY_H_
@@ -22,10 +22,10 @@ namespace kg_planner {
 
 class KBestMemory {
  public:
-  // Stages at the end of the last call's trellis that were as before.
+  // Number of unchanged stages at the end of the trellis in the last call.
   int reused_stages() const { return reused_stages_; }
 
-  // For FindKBest(): keeps what `search` looks like, and gives the tables of
+  // For FindKBest(): stores the inputs of `search`, and returns the tables of
   // its unchanged end.
   PathEnumerator::Tables Recall(const SearchTrellis& search,
                                 const ScoreGrid& grid);
@@ -34,7 +34,7 @@ class KBestMemory {
  private:
   struct StageRecord {
     int nodes_before = 0;
-    std::vector<int> ends;  // From and to of every seam.
+    std::vector<int> ends;  // `from` and `to` of every seam.
     std::vector<double> weights;
     bool operator==(const StageRecord& other) const {
       return nodes_before == other.nodes_before && ends == other.ends &&

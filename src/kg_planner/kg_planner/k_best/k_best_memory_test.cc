@@ -26,7 +26,7 @@ void ExpectIdentical(const KBest& a, const KBest& b) {
   }
 }
 
-// One number of one stage; its index.
+// Changes one number of one stage; returns the stage's index.
 std::size_t Change(RandomTrellis* random, Trellis* trellis) {
   const std::size_t s = static_cast<std::size_t>(
       random->Whole(0, static_cast<int>(trellis->stages.size()) - 1));
@@ -90,7 +90,8 @@ TEST(KBestMemoryTest, NeverChangesTheResult) {
   }
 }
 
-// Rewards and costs so much below another stage's that the grid stays.
+// Rewards and costs far below those of another stage, so that the grid does not
+// change.
 TEST(KBestMemoryTest, ReusesExactlyTheStagesBehindTheChange) {
   RandomOptions options;
   options.missing = 0.0;
@@ -122,7 +123,7 @@ TEST(KBestMemoryTest, ReusesExactlyTheStagesBehindTheChange) {
   EXPECT_GT(behind, 200);
 }
 
-// The first stage is over: the rest is as it was, but from one node on.
+// The first stage is removed: the rest is unchanged, but starts from one node.
 TEST(KBestMemoryTest, KeepsTheEndWhenStagesAreOver) {
   RandomOptions options;
   options.missing = 0.0;

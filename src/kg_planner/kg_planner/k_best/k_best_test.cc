@@ -30,7 +30,7 @@ void ExpectSame(const std::vector<Path>& found, const std::vector<Path>& all,
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// By how much the thriftiest path that keeps the other limits is above a limit.
+// Excess over each limit of the path of least use that keeps the other limits.
 std::vector<double> AboveLimits(const Trellis& trellis,
                                 const PathMasks& masks) {
   std::vector<double> above;
@@ -64,14 +64,14 @@ void ExpectSameAbove(const std::vector<double>& a,
   }
 }
 
-// How often each case of interest was met, lest a test check nothing.
+// Number of times each case occurred, so that no check is vacuous.
 struct CaseCounts {
   int none = 0;
   int ties = 0;
   int fewer = 0;
   int tokens_met_twice = 0;
-  int stops = 0;        // The best path makes one.
-  int above_limit = 0;  // Nothing but for one limit.
+  int stops = 0;        // The best path has a stop.
+  int above_limit = 0;  // No path because of a single limit.
 };
 
 void Count(const Trellis& trellis, const std::vector<Path>& all, int asked,
@@ -177,8 +177,8 @@ TEST(KBestTest, EqualsExhaustionWithEverythingAtOnce) {
   CompareWithExhaustion(options, 49, 1000);
 }
 
-// Every combination of tokens, limits, masks, stops and further resources, real
-// numbers and whole ones.
+// Every combination of tokens, limits, masks, stops and further resources, with
+// real and integer values.
 TEST(KBestTest, EqualsExhaustionWhateverIsCombined) {
   CaseCounts seen;
   for (int choice = 0; choice < 64; ++choice) {
@@ -229,8 +229,8 @@ TEST(KBestTest, KeepsToTheMasks) {
   EXPECT_GT(CompareWithExhaustion(options, 50, 1000).none, 20);
 }
 
-// Cheap seams use much: more paths than are looked at before the resource gets
-// a price.
+// Cheap seams use much of the resource: more paths than are enumerated before
+// the resource is priced.
 TEST(KBestTest, EqualsExhaustionWhenTheLimitIsTight) {
   RandomTrellis random({false, true, true, false, 0.0, 7, 6}, 51);
   int priced = 0;
@@ -271,7 +271,7 @@ TEST(KBestTest, AMillionMillionEqualPathsComeInOrderWithoutLookingAtThemAll) {
   }
 }
 
-// 0.1 + 0.2 + 0.3 depends on the order in which it is summed; a tie does not.
+// 0.1 + 0.2 + 0.3 depends on the order of summation; ties must not.
 TEST(KBestTest, RoundingDoesNotDecideTies) {
   Trellis trellis = Uniform(3, 3);
   const double costs[3] = {0.1, 0.2, 0.3};
@@ -307,8 +307,8 @@ TEST(KBestTest, SaysWhenTheEnumerationLimitWasHit) {
   EXPECT_GT(hit, 50);
 }
 
-// Three limits at once, each of which the cheap seams break: the prices of all
-// are needed, and more paths than are looked at without them.
+// Three limits at once, each violated by cheap seams: all prices are needed,
+// and more paths than are enumerated without them.
 TEST(KBestTest, BoundsEveryAllowedPathHoweverFewItLooksAt) {
   RandomTrellis random({false, true, true, false, 0.0, 8, 4, false, 2}, 56);
   int unproven = 0;
@@ -379,8 +379,8 @@ TEST(KBestTest, ATokenNamedTwiceAtANodeIsEarnedOnce) {
   EXPECT_DOUBLE_EQ(FindKBest(trellis, {}, {1, 10}).paths[0].reward, 5.0);
 }
 
-// A reward that stays on offer everywhere: the bound is seven times too high,
-// and 5^7 paths lie between it and the truth.
+// A token offered in every stage: the plain bound is seven times too high, and
+// 5^7 paths lie between it and the optimum.
 TEST(KBestTest, TokensOnOfferInEveryStageAreFoundOutWithoutEnumeration) {
   Trellis trellis = Uniform(7, 10);
   for (Stage& stage : trellis.stages) {

@@ -12,10 +12,10 @@
 namespace kg_planner {
 namespace {
 
-// Larger than what unrolled tokens ask of any sensible trellis; 40 MB.
+// Above the needs of realistic trellises; 40 MB.
 constexpr std::size_t kMaxUnrolledSeams = 500000;
 
-// As many of the repeated tokens as can be.
+// Unrolls as many of the repeated tokens as possible.
 void Unroll(LimitedSearch* limited) {
   std::vector<int> tokens = RepeatedTokens(limited->search);
   for (; !tokens.empty(); tokens.pop_back()) {

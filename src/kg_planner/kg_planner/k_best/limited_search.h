@@ -1,5 +1,5 @@
-// A trellis made ready for the searches of this package: checked, without what
-// masks forbid or no limit allows, its repeated tokens unrolled.
+// A trellis prepared for the searches of this package: checked, without masked
+// or unaffordable seams, with repeated tokens unrolled.
 
 #ifndef KG_PLANNER_K_BEST_LIMITED_SEARCH_H_
 #define KG_PLANNER_K_BEST_LIMITED_SEARCH_H_
@@ -17,18 +17,20 @@ namespace kg_planner {
 struct LimitedSearch {
   SearchTrellis search;
   ScoreGrid grid;
-  double largest_total = 0.0;  // No part of a path's score is larger.
-  std::vector<double> limits;  // By resource; infinity = none.
-  // Without limits, a path's bound without prices is its score on the grid.
+  double largest_total = 0.0;  // Upper bound of any partial score.
+  std::vector<double> limits;  // Limit by resource; infinity = none.
+  // True: without limits, a path's bound without prices equals its score on the
+  // grid.
   bool tokens_are_exact = true;
 
-  // Without prices, if the pass that checked the trellis made it; else empty.
+  // Viterbi levels without prices, if the checking pass computed them; else
+  // empty.
   std::vector<ViterbiLevel> levels = {};
 
   bool IsLimited() const;
 };
 
-// Throws as CheckTrellis() does, and if a mask names what is not there.
+// Throws as CheckTrellis() does, and if a mask names an unknown stage or node.
 // `trellis` must outlive the result.
 LimitedSearch MakeSearch(const Trellis& trellis, const PathMasks& masks);
 

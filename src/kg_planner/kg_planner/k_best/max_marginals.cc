@@ -45,7 +45,7 @@ MaxMarginals::MaxMarginals(const SearchTrellis& search, const ScoreGrid& grid,
   }
 }
 
-// Of equal rests the first seam's: seams from one node stand in that order.
+// Ties: the first seam; seams from one node are in the order of ties.
 void MaxMarginals::RelaxBackward(const std::vector<double>& weights,
                                  std::size_t s) {
   const SearchStage& stage = search_.stages[s];
@@ -86,8 +86,8 @@ void MaxMarginals::FindSeamsOn(const std::vector<double>& weights,
   }
 }
 
-// Of equal ways the first in the order of ties, in which `order` has the nodes
-// before.
+// Ties: the first in the order of ties, given by `order` for the previous
+// nodes.
 void MaxMarginals::RelaxForward(const std::vector<double>& weights,
                                 const std::vector<int>& order, std::size_t s) {
   const SearchStage& stage = search_.stages[s];
@@ -105,8 +105,7 @@ void MaxMarginals::RelaxForward(const std::vector<double>& weights,
   }
 }
 
-// The nodes of the stage that a way leads to, by the order of ties of their
-// best ways.
+// Reachable nodes of the stage, in the order of ties of their best paths.
 std::vector<int> MaxMarginals::OrderOfTies(
     std::size_t s, const std::vector<int>& order_before) const {
   const Level& level = levels_[s + 1];
@@ -147,15 +146,15 @@ std::vector<int> MaxMarginals::Seams(std::size_t stage, int node) const {
   return seams;
 }
 
-// The ways into nodes are a tree, and so are the rests from them: differences
-// add up along both.
+// Best paths into nodes form a tree, and so do best suffixes: differences
+// accumulate along both.
 void MaxMarginals::CloseNear(const std::vector<int>& nodes,
                              int minimum_difference) {
   const std::size_t stages = search_.stages.size();
   const auto differs = [&](std::size_t s, int v) {
     return search_.stages[s].OriginNode(v) != nodes[s] ? 1 : 0;
   };
-  // Stages that differ on the best rest from each node.
+  // Differing stages on the best suffix of each node.
   std::vector<std::vector<int>> behind(stages + 1);
   behind[stages].assign(search_.NodesBefore(stages), 0);
   for (std::size_t s = stages; s-- > 1;) {
@@ -165,7 +164,7 @@ void MaxMarginals::CloseNear(const std::vector<int>& nodes,
       if (v >= 0) behind[s][u] = behind[s + 1][v] + differs(s, v);
     }
   }
-  // Stages that differ on the best way into each node, and both together.
+  // Differing stages on the best path into each node, and the total.
   std::vector<int> before{0};
   for (std::size_t s = 0; s < stages; ++s) {
     Level& level = levels_[s + 1];

@@ -1,5 +1,5 @@
-// Values that stand for none: the value of a path that does not exist, and the
-// limit of a resource that has no limit.
+// Sentinels: the value of a nonexistent path, and the limit of an unlimited
+// resource.
 
 #ifndef KG_PLANNER_K_BEST_NO_VALUE_H_
 #define KG_PLANNER_K_BEST_NO_VALUE_H_

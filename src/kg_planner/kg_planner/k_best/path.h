@@ -1,5 +1,6 @@
-// Types of every search in this folder: a path through a trellis, and masks,
-// which forbid nodes and seams. Costs and rewards in the units of the trellis.
+// Types shared by the searches in this folder: a path through a trellis, and
+// masks that forbid nodes and seams. Costs and rewards in the units of the
+// trellis.
 
 #ifndef KG_PLANNER_K_BEST_PATH_H_
 #define KG_PLANNER_K_BEST_PATH_H_
@@ -9,17 +10,18 @@
 namespace kg_planner {
 
 struct Path {
-  std::vector<int> nodes;  // One a stage.
-  double reward = 0.0;     // With stops on the way; each token earned once.
+  std::vector<int> nodes;  // One per stage.
+  double reward = 0.0;     // Includes stops on the way; each token once.
   double cost = 0.0;
   double resource = 0.0;
   std::vector<double> more_resources = {};
-  std::vector<int> seams = {};  // Index in the stage's seams, one a stage.
+  std::vector<int> seams = {};  // Index in the stage's seams, one per stage.
   double score() const { return reward - cost; }
 };
 
-// Nodes and seams a path may not use. A node is not used as a stop, either; of
-// parallel seams the one over exactly `via` is meant.
+// Nodes and seams a path may not use. A masked node is not used as a stop
+// either; among parallel seams a seam mask refers to the one with exactly
+// `via`.
 struct NodeMask {
   int stage = 0;
   int node = 0;

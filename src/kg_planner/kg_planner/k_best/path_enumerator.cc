@@ -28,7 +28,7 @@ PathEnumerator::PathEnumerator(const SearchTrellis& search,
   }
 }
 
-// The best rest from every node before the stage.
+// Best suffix from every node before the stage.
 void PathEnumerator::RelaxStage(std::size_t s) {
   const SearchStage& stage = search_.stages[s];
   ViterbiLevel& level = tables_.levels[s];
@@ -53,7 +53,8 @@ bool PathEnumerator::Worse(const Rest& a, const Rest& b) {
   return a.rank > b.rank;
 }
 
-// With the best rest, if there is one; ties to the first seam.
+// Suffixes of a node, starting with the best one if it exists; ties to the
+// first seam.
 PathEnumerator::NodeRests* PathEnumerator::Rests(std::size_t s, int node) {
   const ViterbiLevel& level = tables_.levels[s];
   LevelRests& made = tables_.rests[s];
@@ -86,7 +87,7 @@ const PathEnumerator::Rest* PathEnumerator::Get(std::size_t s, int node,
   return &rests.best[rank];
 }
 
-// The best rest over every seam but the one the best of all takes.
+// Adds the best suffix over every seam except that of the overall best.
 void PathEnumerator::Expand(std::size_t s, int node, NodeRests* rests) {
   const int taken = rests->best.front().seam;
   const int end = tables_.levels[s].first_seam[node + 1];
@@ -100,8 +101,8 @@ void PathEnumerator::Expand(std::size_t s, int node, NodeRests* rests) {
   rests->expanded = true;
 }
 
-// What comes after the last one over the same seam. Asked for once per rank:
-// Get() calls this only when the last one of `best` is new.
+// Adds the successor of the last suffix over the same seam. Called once per
+// rank: only when the last one of `best` is new.
 void PathEnumerator::PushNext(std::size_t s, NodeRests* rests) {
   const Rest last = rests->best.back();
   const SearchStage& stage = search_.stages[s];

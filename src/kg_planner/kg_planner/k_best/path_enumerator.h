@@ -3,9 +3,9 @@
 //   sum of gains (with every token met) - sum of round(cost + prices .
 //   resources),
 //
-// one at a time, the same score by the order of their seams. Recursive
-// enumeration from the end: a backward Viterbi pass finds the best rest of a
-// path behind every node; the n-th best rest is worked out when asked for.
+// one at a time; ties in the order of their seams. Recursive enumeration from
+// the end: a backward Viterbi pass finds the best suffix from every node; the
+// n-th best suffix is computed on demand.
 
 #ifndef KG_PLANNER_K_BEST_PATH_ENUMERATOR_H_
 #define KG_PLANNER_K_BEST_PATH_ENUMERATOR_H_
@@ -28,37 +28,38 @@ class PathEnumerator {
     std::vector<int> seams;  // Index of the seam into each stage.
   };
 
-  // A rest of a path, from a node on: over `seam`, then the `rank`-th best
-  // rest from where it leads.
+  // A path suffix from a node: `seam`, then the `rank`-th best suffix from its
+  // target.
   struct Rest {
     double score = 0.0;
     int seam = -1;
     int rank = 0;
   };
   struct NodeRests {
-    std::vector<Rest> best;  // Those worked out, best first.
-    std::vector<Rest> heap;  // Candidates for the next.
+    std::vector<Rest> best;  // Computed suffixes, best first.
+    std::vector<Rest> heap;  // Candidates for the next best.
     bool expanded = false;
   };
-  // Rests of the nodes before one stage.
+  // Suffixes of the nodes before one stage.
   struct LevelRests {
-    std::vector<int> index;  // By node, in `pool`; -1 = none yet.
+    std::vector<int> index;  // Index into `pool`, by node; -1 = none yet.
     std::vector<NodeRests> pool;
   };
-  // What is worked out, level s before stage s. A level's depends on what comes
-  // behind it only. Levels that are empty are not known yet.
+  // Computed suffixes; level s is before stage s and depends only on later
+  // stages. Empty levels are not yet known.
   struct Tables {
     std::vector<ViterbiLevel> levels;
     std::vector<LevelRests> rests;
   };
 
-  // `search` must outlive this. `tables`: of the same search and prices.
+  // `search` must outlive this object. `tables` must be of the same search and
+  // prices.
   PathEnumerator(const SearchTrellis& search, const ScoreGrid& grid,
                  Prices prices, Tables tables = {});
 
   std::optional<BoundedPath> Next();
 
-  // Ends the enumeration.
+  // Ends the enumeration and returns its tables.
   Tables Release() { return std::move(tables_); }
 
  private:
@@ -73,7 +74,7 @@ class PathEnumerator {
            Weight(stage, seam);
   }
   NodeRests* Rests(std::size_t s, int node);
-  // Null if there are not that many. Level s = before stage s.
+  // Suffix of this rank; null if there are fewer. Level s = before stage s.
   const Rest* Get(std::size_t s, int node, int rank);
   void Expand(std::size_t s, int node, NodeRests* rests);
   void PushNext(std::size_t s, NodeRests* rests);

@@ -1,4 +1,4 @@
-// What a path is truly worth: each token earned once, every resource summed.
+// True value of a path: each token earned once, every resource summed.
 
 #ifndef KG_PLANNER_K_BEST_PATH_VALUE_H_
 #define KG_PLANNER_K_BEST_PATH_VALUE_H_
@@ -13,15 +13,16 @@
 namespace kg_planner {
 
 struct ValuedPath {
-  double score = 0.0;       // On the grid.
-  std::vector<int> places;  // Of its seams, in the order of ties.
+  double score = 0.0;       // Rounded to the grid.
+  std::vector<int> places;  // Ranks of its seams in the order of ties.
   Path path;
 };
 
-// Larger score, then first in the order of ties.
+// True if `a` has the larger score, or is first in the order of ties.
 bool IsBetter(const ValuedPath& a, const ValuedPath& b);
 
-// The value of the path over these seams of `search`, made of `trellis`.
+// Value of the path over these seams of `search`, which was made from
+// `trellis`.
 ValuedPath Evaluate(const Trellis& trellis, const ScoreGrid& grid,
                     const SearchTrellis& search, const std::vector<int>& seams);
 

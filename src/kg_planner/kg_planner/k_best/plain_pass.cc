@@ -14,7 +14,7 @@
 namespace kg_planner {
 namespace {
 
-// Seams of a stage that its largest cost is guessed from.
+// Seams sampled per stage to guess its largest cost.
 constexpr std::size_t kSample = 512;
 
 bool IsPlain(const Trellis& trellis) {
@@ -25,7 +25,7 @@ bool IsPlain(const Trellis& trellis) {
                      });
 }
 
-// Nothing if a node has tokens or a reward is not finite.
+// Nullopt if a node has tokens or a reward is not finite.
 std::optional<double> LargestReward(const Stage& stage) {
   double largest = 0.0;
   bool sound = true;
@@ -58,8 +58,8 @@ class PlainPasser {
       rewards_.push_back(*largest);
       costs_[s] = GuessCost(trellis_.stages[s]);
     }
-    // The grid depends on what is only known after the pass. A guess is mostly
-    // right: all that counts is the power of two.
+    // The grid depends on totals known only after the pass. A guess is usually
+    // right, since only the power of two matters.
     double guess = Total();
     for (int attempt = 0; attempt < 2; ++attempt) {
       if (!std::isfinite(guess) || !Relax(ScoreGrid(guess))) {
@@ -76,7 +76,7 @@ class PlainPasser {
   }
 
  private:
-  // Summed in the order of CheckTrellis(): the same bits.
+  // Summed in the order of CheckTrellis() for bitwise equal results.
   double Total() const {
     double total = 0.0;
     for (std::size_t s = 0; s < costs_.size(); ++s) {
@@ -116,7 +116,7 @@ class PlainPasser {
       if (length == 0) continue;
       const Seam* row = &stage.seams[begin];
       if (row->to < 0 || stage.seams[end - 1].to >= rest.nodes) return false;
-      // The end of the next row is compared before that row is read.
+      // Prefetch: the end of the next row is compared before that row is read.
       const std::size_t next_end = std::min(end + length, stage.seams.size());
       __builtin_prefetch(stage.seams.data() + next_end - 1);
       __builtin_prefetch(stage.seams.data() + next_end);
@@ -129,8 +129,8 @@ class PlainPasser {
     return begin == stage.seams.size();
   }
 
-  // The end of the seams from u, if they are in order; rows mostly have the
-  // same length.
+  // End of the seams from u, if they are in order; rows usually have equal
+  // length.
   static std::size_t EndOfRow(const std::vector<Seam>& seams, int u,
                               std::size_t begin, std::size_t length) {
     const std::size_t likely = begin + length;
@@ -144,7 +144,7 @@ class PlainPasser {
   }
 
   const Trellis& trellis_;
-  std::vector<double> rewards_;  // By stage, the largest; of costs likewise.
+  std::vector<double> rewards_;  // Largest reward and largest cost, by stage.
   std::vector<double> costs_;
   std::vector<ViterbiLevel> levels_;
 };

@@ -1,6 +1,6 @@
-// A backward Viterbi pass that checks the trellis as it goes, so that a large
-// one is read once: for those without tokens, stops and limits whose seams
-// ascend by (from, to).
+// A backward Viterbi pass that also checks the trellis, so that large ones are
+// read once: for trellises without tokens, stops and limits whose seams ascend
+// by (from, to).
 
 #ifndef KG_PLANNER_K_BEST_PLAIN_PASS_H_
 #define KG_PLANNER_K_BEST_PLAIN_PASS_H_
@@ -12,18 +12,19 @@
 
 namespace kg_planner {
 
-// What leads on from the nodes before a stage.
+// Best suffixes from the nodes before a stage.
 struct ViterbiLevel {
-  std::vector<double> best;     // By node: of the best rest; -infinity: none.
-  std::vector<int> first_seam;  // By node, and one more.
+  // Score of the best suffix by node; -infinity = none.
+  std::vector<double> best;
+  std::vector<int> first_seam;  // First seam by node, plus one entry.
 };
 
 struct PlainPass {
   double largest_total = 0.0;        // As in TrellisSummary.
-  std::vector<ViterbiLevel> levels;  // One more than stages.
+  std::vector<ViterbiLevel> levels;  // Stages + 1 levels.
 };
 
-// Nothing if the trellis is not of that kind, or not sound.
+// Nullopt if the trellis is not of that kind, or invalid.
 std::optional<PlainPass> PassPlain(const Trellis& trellis);
 
 }  // namespace kg_planner

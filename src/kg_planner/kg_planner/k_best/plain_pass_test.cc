@@ -16,7 +16,7 @@ namespace {
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// Rows of up to 23 seams, whole or with gaps, and nodes without any.
+// Rows of up to 23 seams, complete or with gaps, and nodes without seams.
 Trellis RandomRows(std::mt19937* prng) {
   std::uniform_real_distribution<double> number(0.0, 9.0);
   const auto whole = [&](int low, int high) {
@@ -86,7 +86,7 @@ TEST(PlainPassTest, EqualsThePlainRecursion) {
   }
 }
 
-// Every way a seam can be wrong, at any place of a row.
+// Every kind of invalid seam, at any position of a row.
 TEST(PlainPassTest, PassesNothingThatIsNotSound) {
   const double infinity = std::numeric_limits<double>::infinity();
   const int far = std::numeric_limits<int>::max();
@@ -126,7 +126,7 @@ TEST(PlainPassTest, PassesNothingThatIsNotSound) {
   }
 }
 
-// Of one row so long that what the scale is guessed from ends within it.
+// One row longer than the sample from which the scale is guessed.
 TEST(PlainPassTest, AWrongGuessOfTheScaleIsMadeGood) {
   Trellis trellis;
   trellis.stages.resize(1);

@@ -11,7 +11,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 using Levels = std::vector<std::vector<double>>;
 
-// Least resource from the start to every node.
+// Minimum resource use from the start to every node.
 Levels LeastBefore(const SearchTrellis& search, std::size_t r) {
   Levels min_value{{0.0}};
   for (const SearchStage& stage : search.stages) {
@@ -26,7 +26,7 @@ Levels LeastBefore(const SearchTrellis& search, std::size_t r) {
   return min_value;
 }
 
-// Least resource from every node to the end; level 0 = the start.
+// Minimum resource use from every node to the end; level 0 = the start.
 Levels LeastBehind(const SearchTrellis& search, std::size_t r) {
   const std::size_t stages = search.stages.size();
   Levels min_value(stages + 1);
@@ -68,8 +68,8 @@ void KeepSeams(const std::vector<char>& keep, SearchStage* stage) {
   stage->UseOwn();
 }
 
-// Sums in another order than a path's own differ by rounding: a relative slack
-// of 1e-9 is left.
+// A relative slack of 1e-9 covers rounding, because sums are formed in another
+// order than a path's own.
 void DropAbove(double limit, std::size_t r, SearchTrellis* search) {
   const Levels before = LeastBefore(*search, r);
   const Levels behind = LeastBehind(*search, r);

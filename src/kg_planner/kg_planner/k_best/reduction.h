@@ -1,4 +1,4 @@
-// Smaller trellises that lose no allowed path: numbers of nodes stay.
+// Reduces a trellis without losing allowed paths; node numbers stay.
 
 #ifndef KG_PLANNER_K_BEST_REDUCTION_H_
 #define KG_PLANNER_K_BEST_REDUCTION_H_
@@ -9,8 +9,8 @@
 
 namespace kg_planner {
 
-// Without the seams that lead nowhere, or that no path within a limit can use
-// (one limit at a time). `limits` by resource; infinity = no limit.
+// Removes dead-end seams and seams that no path within a limit can use (one
+// limit at a time). `limits` by resource; infinity = no limit.
 void DropUnaffordable(const std::vector<double>& limits, SearchTrellis* search);
 
 }  // namespace kg_planner

@@ -14,8 +14,8 @@ constexpr int kMaxSecants = 30;
 constexpr int kMaxDoublings = 60;
 constexpr int kMaxSteps = 120;
 
-// The best path under prices: what it is worth without them, what it uses, and
-// the bound that the prices give.
+// The best path under prices: its value without prices, its resource use, and
+// the resulting bound.
 struct PricedPath {
   double value = 0.0;
   std::vector<double> use;
@@ -76,9 +76,9 @@ class PriceFinder {
   }
 
   void SearchBySecants(std::size_t r, PricedPath over_limit) {
-    // A bracket: a price too low (over the limit) and one high enough, found by
-    // doubling. The first is the largest total over the use: of the size that
-    // takes off all a path is worth.
+    // Bracket: a price too low (over the limit) and one high enough, found by
+    // doubling. Initial price: largest total / use, which cancels the whole
+    // value of a path.
     const double limit = search_.limits[r];
     double price = search_.largest_total / over_limit.use[r];
     PricedPath within_limit = BestAt(r, price);
@@ -87,15 +87,15 @@ class PriceFinder {
     }
     for (int i = 0; i < kMaxSecants && within_limit.use[r] < over_limit.use[r];
          ++i) {
-      // Where the two paths are worth the same: the corner of the dual between
-      // them, by secants.
+      // Secant step: the price at which the two paths have equal value is the
+      // corner of the dual between them.
       price = (over_limit.value - within_limit.value) /
               (over_limit.use[r] - within_limit.use[r]);
       const PricedPath best = BestAt(r, price);
       const double gain = best.value - within_limit.value -
                           price * (best.use[r] - within_limit.use[r]);
-      // No path is better there: the corner is the minimum. 1e-9 of the largest
-      // total is rounding.
+      // No path is better there: the corner is the minimum, up to rounding of
+      // 1e-9 of the largest total.
       if (!(gain > 1e-9 * search_.largest_total)) break;
       (best.use[r] <= limit ? within_limit : over_limit) = best;
     }
@@ -103,7 +103,7 @@ class PriceFinder {
     found_.prices[r] = std::max(price, 0.0);
   }
 
-  // Prices are per share of the limit: resources may be of any size.
+  // Prices are scaled by the limit, because resources may have any magnitude.
   double Scale(std::size_t r) const {
     return search_.limits[r] > 0.0 ? search_.limits[r] : 1.0;
   }
@@ -128,11 +128,9 @@ class PriceFinder {
     Prices prices(search_.limits.size(), 0.0);
     found_.prices = prices;
     double min_value = at.bound;
-    // The target level lies a quarter of the largest total below the best bound
-    // at first, and is halved after three steps without gain.
-    double reach =
-        0.25 *
-        search_.largest_total;  // From the best bound down to the target level.
+    // Target level: initially a quarter of the largest total below the best
+    // bound; the distance `reach` is halved after three steps without gain.
+    double reach = 0.25 * search_.largest_total;
     int idle = 0;
     for (int i = 0; i < kMaxSteps && !found_.none_allowed; ++i) {
       const Prices next = Step(prices, at, min_value - reach);

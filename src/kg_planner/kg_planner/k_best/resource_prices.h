@@ -1,11 +1,12 @@
-// A price for every limited resource, so that the bound of the paths within the
-// limits is least: the dual of the limits,
+// Prices of the limited resources that minimise the upper bound of the paths
+// within the limits: the dual of the limits,
 //
 //   min over prices >= 0 of  max over paths of (score - prices . use)
 //                            + prices . limits .
 //
-// One limit by secants [1]; several by subgradient steps towards a level below
-// the least bound so far [2]. Any prices give a valid bound; these a close one.
+// One limit is solved by secants [1]; several by subgradient steps towards a
+// level below the smallest bound so far [2]. Any prices give a valid bound;
+// these give a tight one.
 //
 // [1] A. Juttner et al., "Lagrange relaxation based method for the QoS routing
 //     problem", INFOCOM 2001.
@@ -23,18 +24,20 @@
 
 namespace kg_planner {
 
-// Scores of paths under prices, for which the grid may be too fine.
+// Grid for scores of paths under prices, which may exceed the range of the
+// search's grid.
 ScoreGrid PricedGrid(const LimitedSearch& search, const Prices& prices);
 
-// What to add to a path's bound under prices, if it is within the limits, lest
-// it lie below its score: the limits' worth, and what rounding can do.
+// Amount to add to a path's bound under prices so that it is not below its
+// score, if it is within the limits: prices . limits plus a rounding margin.
 double BoundOffset(const LimitedSearch& search, const ScoreGrid& grid,
                    const Prices& prices);
 
 struct ResourcePrices {
-  Prices prices;                        // Empty: no limit binds.
-  std::vector<std::vector<int>> tried;  // Seams of the best path of each try.
-  bool none_allowed = false;            // No path is within all limits.
+  Prices prices;  // Empty = no limit is binding.
+  // Seams of the best path for each prices tried.
+  std::vector<std::vector<int>> tried;
+  bool none_allowed = false;  // True if no path is within all limits.
 };
 
 ResourcePrices FindPrices(const LimitedSearch& search);

@@ -6,8 +6,9 @@
 #include <cstring>
 #include <limits>
 
-// One function, several machines; the dynamic linker takes the best. Not under
-// sanitizers, which are not ready when it does.
+// One function compiled for several instruction sets; the dynamic linker
+// selects the best. Not under sanitizers, which are not initialised at that
+// point.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define KG_WIDE __attribute__((target_clones("avx2", "default")))
@@ -22,12 +23,13 @@
 namespace kg_planner {
 namespace {
 
-// Four seams are three vectors of four words,
+// Four seams are loaded as three vectors of four words,
 //
 //   e0 c0 r0 e1 | c1 r1 e2 c2 | r2 e3 c3 r3      e = to << 32 | from,
 //
-// c the cost and r the resource. Where a machine has e the other way round no
-// row is sound here, and all are checked one by one elsewhere.
+// c = cost and r = resource. On big-endian machines, where e has the other
+// order, no row counts as sound here and all are checked individually
+// elsewhere.
 static_assert(sizeof(Seam) == 24 && offsetof(Seam, cost) == 8 &&
                   offsetof(Seam, resource) == 16,
               "a seam is three words");
@@ -39,7 +41,8 @@ using LooseWords =
     std::uint64_t __attribute__((vector_size(32), aligned(8), may_alias));
 
 constexpr std::uint64_t kNextTo = std::uint64_t{1} << 32;
-// Added to what is not finite, this reaches the sign bit; never to a sound e.
+// Added to a nonfinite value this carries into the sign bit; never for a valid
+// e.
 constexpr std::uint64_t kExponentOne = std::uint64_t{1} << 52;
 
 KG_INLINE std::uint64_t Bits(double x) {
@@ -53,8 +56,8 @@ KG_INLINE std::uint64_t Ends(const Seam& seam) {
          static_cast<std::uint32_t>(seam.from);
 }
 
-// What is found so far: bit 63 of `bad`, and bits 63 and 31 to 0 of `ends`, are
-// 0 while all is sound.
+// State of the scan: bit 63 of `bad`, and bits 63 and 31 to 0 of `ends`, are 0
+// while all seams are valid.
 struct RowSums {
   double best = kNone;
   double largest_cost = 0.0;
@@ -80,7 +83,7 @@ struct VectorLanes {
   Reals best = {kNone, kNone, kNone, kNone};
 };
 
-// `onward`: of seams 1, 0, 3, 2.
+// `onward`: suffix scores of seams 1, 0, 3, 2.
 KG_INLINE void AddFour(const Seam* seams, const Reals& onward, double shift,
                        VectorLanes* lanes) {
   // Each vector of words is compared with the one a seam (24 bytes) before it:
@@ -97,7 +100,7 @@ KG_INLINE void AddFour(const Seam* seams, const Reals& onward, double shift,
     lanes->max_value[i] =
         reals[i] > lanes->max_value[i] ? reals[i] : lanes->max_value[i];
   }
-  // The costs of seams 1, 0, 3, 2 lie in lanes c1 | c0 | c3 | c2 of the three
+  // Costs of seams 1, 0, 3, 2 are in lanes c1 | c0 | c3 | c2 of the three
   // vectors.
   const Reals costs_102 =
       __builtin_shufflevector(reals[0], reals[1], 4, 1, 2, 7);
@@ -121,7 +124,7 @@ KG_INLINE RowScan Finish(const VectorLanes& lanes, RowSums sums) {
   return {sums.best, sums.largest_cost, sound};
 }
 
-// Every node from the first `to` to the last.
+// Row that contains every node from the first `to` to the last.
 KG_INLINE RowScan ScanWhole(const Seam* seams, int count,
                             const OnwardScores& onward) {
   const double* by_seam = onward.by_node + seams->to;

@@ -72,7 +72,7 @@ bool IsForbidden(const Stage& stage, std::size_t i, const StageMasks* before,
                             SeamName(seam.from, seam.to, NodesVia(stage, i)));
 }
 
-// All seams in the order of ties.
+// Indices of all seams in the order of ties.
 std::vector<int> InOrder(const Stage& stage, bool sorted) {
   std::vector<int> order(stage.seams.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);

@@ -1,10 +1,10 @@
-// A trellis as the searches see it: seams grouped by the node they leave, in
-// the order of ties, each with what it gains on the score grid (its end, its
-// stops on the way, every token met). The bound of a path is
+// A trellis in the form used by the searches: seams grouped by source node, in
+// the order of ties, each with its gain on the score grid (its end, its stops
+// on the way, every token met). The bound of a path is
 //
 //   sum of gains - sum of round(cost + price . resources) .
 //
-// It refers to the caller's trellis and does not copy what stands well there.
+// References the caller's trellis; copies seams only where it must change them.
 
 #ifndef KG_PLANNER_K_BEST_SEARCH_TRELLIS_H_
 #define KG_PLANNER_K_BEST_SEARCH_TRELLIS_H_
@@ -25,18 +25,18 @@ struct SearchStage {
   SearchStage(const SearchStage&) = delete;
   SearchStage& operator=(const SearchStage&) = delete;
 
-  const Stage* stage = nullptr;  // The caller's.
+  const Stage* stage = nullptr;  // Stage of the caller's trellis.
   int nodes = 0;
   const Seam* seams = nullptr;  // Ascending by `from`, then in order of ties.
   int seam_count = 0;
-  std::vector<Seam> own;  // What `seams` points to, if not the caller's.
-  std::vector<double> node_gain;  // By node.
-  std::vector<double> seam_gain;  // By seam; empty = that of its end.
-  // By seam: its index in the caller's stage, and its place in the order of
-  // ties there; empty = its own index.
+  std::vector<Seam> own;          // Storage of `seams` if not the caller's.
+  std::vector<double> node_gain;  // Gain by node.
+  std::vector<double> seam_gain;  // Gain by seam; empty = node_gain of its end.
+  // By seam: its index in the caller's stage, and its rank in the order of ties
+  // there; empty = its own index.
   std::vector<int> origin;
   std::vector<int> place;
-  std::vector<int> origin_node;  // By node; empty = the node itself.
+  std::vector<int> origin_node;  // Caller's node; empty = identical.
 
   int Origin(int seam) const { return origin.empty() ? seam : origin[seam]; }
   int Place(int seam) const { return place.empty() ? seam : place[seam]; }
@@ -47,14 +47,14 @@ struct SearchStage {
     return seam_gain.empty() ? node_gain[seams[seam].to] : seam_gain[seam];
   }
   double Resource(int seam, std::size_t r) const;
-  // From now on `seams` are those of `own`.
+  // Points `seams` to `own`.
   void UseOwn();
 };
 
-// By resource; empty = no prices.
+// Price by resource; empty = no prices.
 using Prices = std::vector<double>;
 
-// What seam `i` of `stage` takes off a path's bound.
+// Cost of seam `i` of `stage` in the bound of a path, prices included.
 inline double PricedCost(const SearchStage& stage, int i, const ScoreGrid& grid,
                          const Prices& prices) {
   double cost = stage.seams[i].cost;
@@ -64,33 +64,32 @@ inline double PricedCost(const SearchStage& stage, int i, const ScoreGrid& grid,
   return grid.Round(cost);
 }
 
-// By seam: its gain less its priced cost.
+// Weight of each seam: gain - priced cost.
 void Weigh(const SearchStage& stage, const ScoreGrid& grid,
            const Prices& prices, std::vector<double>* weights);
 
 struct SearchTrellis {
   std::vector<SearchStage> stages;
 
-  // Nodes that seams into `stage` come from: one before the first stage.
+  // Number of source nodes of `stage`: 1 for the first stage.
   int NodesBefore(std::size_t stage) const {
     return stage == 0 ? 1 : stages[stage - 1].nodes;
   }
 };
 
-// By resource, the first being 0.
+// Limits by resource, starting with resource 0.
 std::vector<double> ResourceLimits(const Trellis& trellis);
 
-// A token's reward at a node that lists it more than once is the largest.
-// By token.
+// Merges duplicate tokens, keeping the largest reward; sorted by token.
 std::vector<TokenReward> Distinct(std::vector<TokenReward> tokens);
 
-// The tokens that seam `i` of `stage` meets: at its stops and its end.
+// Tokens that seam `i` of `stage` meets: at its stops and its end.
 std::vector<TokenReward> TokensMet(const Stage& stage, std::size_t i);
 
-// Without what `masks` forbid. `trellis` must be checked and outlive the
-// result; `sorted`: by stage, its seams stand in order. Throws
-// std::invalid_argument if a mask names a stage or node that is not there; a
-// seam mask without a seam forbids nothing.
+// Builds the search trellis without masked nodes and seams. `trellis` must be
+// checked and outlive the result; `sorted`: by stage, whether its seams are in
+// order. Throws std::invalid_argument if a mask names an unknown stage or node;
+// a mask of a nonexistent seam has no effect.
 SearchTrellis ToSearch(const Trellis& trellis, const std::vector<char>& sorted,
                        const PathMasks& masks, const ScoreGrid& grid);
 

@@ -37,7 +37,7 @@ class TokenEarnings {
  public:
   explicit TokenEarnings(const ScoreGrid& grid) : grid_(grid) {}
 
-  // What seam i of the stage brings at once.
+  // Immediate gain of seam i of the stage.
   double ImmediateGain(const Stage& stage, int i) const {
     double gain = grid_.Round(stage.nodes[stage.seams[i].to].reward) -
                   grid_.Round(stage.seams[i].cost);
@@ -63,7 +63,7 @@ class TokenEarnings {
   }
 
   ScoreGrid grid_;
-  std::map<int, double> earned_;  // By token.
+  std::map<int, double> earned_;  // Reward earned so far, by token.
 };
 
 }  // namespace
@@ -80,7 +80,7 @@ std::vector<bool> FindStaging(const Trellis& trellis, const PathMasks& masks,
   for (std::size_t s = 0; s < path.seams.size(); ++s) {
     const Stage& stage = trellis.stages[s];
     const SearchStage& search = allowed.stages[s];
-    // Would another allowed seam from here have brought more at once?
+    // Does another allowed seam from here have a larger immediate gain?
     const double taken = earnings.ImmediateGain(stage, path.seams[s]);
     bool more = false;
     for (int i = 0; i < search.seam_count; ++i) {

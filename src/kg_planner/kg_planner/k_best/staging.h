@@ -1,10 +1,10 @@
-// Staging: seams of a path that are taken for what comes later. From where the
-// path is, another seam would bring more at once,
+// Staging: seams of a path that are taken for a later gain. From the same
+// source, another seam would have a larger immediate gain,
 //
-//   gain at once = rewards of the stops and the end + what their tokens are
-//                  worth beyond those earned before - cost,
+//   immediate gain = rewards of the stops and the end + what their tokens
+//                  add to those earned before - cost,
 //
-// but on the best path is this one. Compared on the score grid.
+// but the best path takes this one. Compared on the score grid.
 
 #ifndef KG_PLANNER_K_BEST_STAGING_H_
 #define KG_PLANNER_K_BEST_STAGING_H_
@@ -16,9 +16,9 @@
 
 namespace kg_planner {
 
-// By stage, whether the path's seam into it is such a one. Seams that `masks`
-// forbid are not compared with. Throws as FindKBest() does, and if `path` does
-// not lead through `trellis`.
+// By stage, whether the path's seam into it is a staging seam. Masked seams are
+// not alternatives. Throws as FindKBest() does, and if `path` is not a path of
+// `trellis`.
 std::vector<bool> FindStaging(const Trellis& trellis, const PathMasks& masks,
                               const Path& path);
 

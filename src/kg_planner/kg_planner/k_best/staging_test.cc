@@ -10,7 +10,7 @@
 namespace kg_planner {
 namespace {
 
-// From the start, node 0 brings more at once; only node 1 leads to the prize.
+// Node 0 has the larger immediate gain; only node 1 leads to the large reward.
 Trellis Detour() {
   Trellis trellis;
   trellis.stages.resize(2);
@@ -54,11 +54,11 @@ TEST(StagingTest, ATokenThatIsEarnedBringsNothingMore) {
   trellis.stages[0].nodes[1].tokens = {{3, 7.0}};
   trellis.stages[1].nodes.push_back({0.0, {{3, 20.0}}});
   trellis.stages[1].nodes.push_back({0.0, {{3, 9.0}}});
-  trellis.stages[1].seams.push_back({1, 3, 0.0, 0.0});  // Two more, not nine.
+  trellis.stages[1].seams.push_back({1, 3, 0.0, 0.0});  // Gain 2, not 9.
   Path path;
   path.seams = {1, 1};
   EXPECT_EQ(FindStaging(trellis, {}, path), (std::vector<bool>{false, false}));
-  trellis.stages[1].seams.push_back({1, 2, 0.0, 0.0});  // Thirteen more.
+  trellis.stages[1].seams.push_back({1, 2, 0.0, 0.0});  // Gain 13.
   EXPECT_EQ(FindStaging(trellis, {}, path), (std::vector<bool>{false, true}));
 }
 
@@ -82,8 +82,8 @@ TEST(StagingTest, RefusesPathsThroughOtherTrellises) {
   EXPECT_THROW(FindStaging(trellis, {}, path), std::invalid_argument);
 }
 
-// A path is staging nowhere exactly if it goes for the most everywhere: the
-// path that does is built by hand.
+// A path has no staging seam exactly if it is the greedy path, which is built
+// by hand here.
 TEST(StagingTest, TheGreedyPathNeverStagesAndOthersDo) {
   RandomOptions options;
   options.missing = 0.0;
@@ -110,7 +110,7 @@ TEST(StagingTest, TheGreedyPathNeverStagesAndOthersDo) {
       const bool stages = std::count(found.begin(), found.end(), true) > 0;
       ASSERT_EQ(stages, !greedy) << "case " << i;
       staging += stages;
-      if (path.nodes.size() > 3) break;  // One of the many.
+      if (path.nodes.size() > 3) break;  // One multi-stage path suffices.
     }
   }
   EXPECT_GT(staging, 300);

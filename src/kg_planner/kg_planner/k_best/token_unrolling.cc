@@ -10,16 +10,17 @@
 namespace kg_planner {
 namespace {
 
-// What a path has of each unrolled token; infinity = nothing more to gain.
+// Reward already earned of each unrolled token; infinity = no further gain
+// possible.
 using Earned = std::vector<double>;
 constexpr double kSaturated = std::numeric_limits<double>::infinity();
 
-// What the seams of a stage offer of the unrolled tokens, rounded. Offer v is
-// that of node v; seams with stops have one of their own behind those.
+// Rewards of unrolled tokens offered by the seams of a stage, rounded. Offer v
+// belongs to node v; seams with stops have their own offers after those.
 struct StageOffers {
   std::vector<Earned> offers;
   std::vector<int> of_seam;
-  Earned best_later;  // Behind the stage.
+  Earned best_later;  // Best offers in later stages.
 };
 
 std::map<int, std::size_t> Places(const std::vector<int>& tokens) {
@@ -82,13 +83,13 @@ std::vector<StageOffers> FindOffers(const SearchTrellis& search,
   return offers;
 }
 
-// The split nodes of one stage while they are being made.
+// Builds the split nodes of one stage.
 class StageUnroller {
  public:
-  using Key = std::pair<int, Earned>;  // Node, what is earned there.
+  using Key = std::pair<int, Earned>;  // (node, rewards earned there)
   struct Target {
     int node = -1;
-    double gain = 0.0;  // Of unrolled tokens.
+    double gain = 0.0;  // Gain of unrolled tokens.
   };
 
   StageUnroller(const StageOffers& offers, std::vector<Earned> states)
@@ -96,7 +97,7 @@ class StageUnroller {
         states_(std::move(states)),
         targets_(states_.size(), std::vector<Target>(offers.offers.size())) {}
 
-  // The split node that a seam leads to, and what it gains.
+  // Target split node of a seam, and its gain.
   Target Reach(std::size_t state, const Seam& seam, int offer) {
     Target& target = targets_[state][offer];
     if (target.node >= 0) return target;
@@ -118,12 +119,12 @@ class StageUnroller {
  private:
   const StageOffers& offers_;
   std::vector<Earned> states_;
-  std::vector<std::vector<Target>> targets_;  // By state, offer.
+  std::vector<std::vector<Target>> targets_;  // Indexed by state and offer.
   std::map<Key, int> place_;
   std::vector<Key> keys_;
 };
 
-// Split nodes of the stage before: which node, and which of the states.
+// Split nodes of the previous stage: origin node and state.
 struct SplitNodes {
   std::vector<int> origin;
   std::vector<std::size_t> state;
@@ -142,7 +143,7 @@ SplitNodes ToSplitNodes(const std::vector<StageUnroller::Key>& keys) {
   return split;
 }
 
-// Where the seams of each of `nodes` nodes begin; they ascend by `from`.
+// Index of the first seam of each of `nodes` nodes; seams ascend by `from`.
 std::vector<int> FirstSeams(const SearchStage& stage, int nodes) {
   std::vector<int> first(nodes + 1, 0);
   for (int i = 0; i < stage.seam_count; ++i) ++first[stage.seams[i].from + 1];
@@ -156,13 +157,12 @@ double Sum(const Earned& offer) {
   return sum;
 }
 
-// The split stage, its nodes as in `unroller`. False if there are too many
-// seams.
+// Builds the split stage with the nodes of `unroller`. False if there are too
+// many seams.
 bool UnrollStage(const SearchStage& stage, const StageOffers& offers,
                  const SplitNodes& split_before, std::size_t max_seams,
                  StageUnroller* unroller, SearchStage* split) {
-  // Nodes of the stage before as numbers go: split ones and those that seams
-  // name.
+  // Number of nodes of the previous stage, from split nodes and from seams.
   int nodes = 0;
   for (const int origin : split_before.origin) {
     nodes = std::max(nodes, origin + 1);
@@ -174,7 +174,7 @@ bool UnrollStage(const SearchStage& stage, const StageOffers& offers,
   for (std::size_t u = 0; u < split_before.origin.size(); ++u) {
     const int origin = split_before.origin[u];
     for (int i = first[origin]; i < first[origin + 1]; ++i) {
-      // The number of earned sets can double with every stage: give up early.
+      // The number of earned sets can double with every stage: stop early.
       if (split->own.size() >= max_seams) return false;
       Seam seam = stage.seams[i];
       const int offer = offers.of_seam[i];
@@ -184,7 +184,7 @@ bool UnrollStage(const SearchStage& stage, const StageOffers& offers,
       split->own.push_back(seam);
       split->origin.push_back(stage.Origin(i));
       split->place.push_back(stage.Place(i));
-      // The gain had every token met; now only what was not earned before.
+      // The gain included every token met; now only those not earned before.
       split->seam_gain.push_back(stage.Gain(i) - Sum(offers.offers[offer]) +
                                  target.gain);
     }
@@ -231,7 +231,7 @@ std::optional<SearchTrellis> UnrollTokens(const SearchTrellis& search,
                                           std::size_t max_seams) {
   const std::vector<StageOffers> offers = FindOffers(search, tokens, grid);
   SearchTrellis unrolled;
-  // At the start nothing is earned.
+  // Start state: nothing earned.
   SplitNodes split_before{{0}, {0}, {Earned(tokens.size(), 0.0)}};
   std::size_t left = max_seams;
   for (std::size_t s = 0; s < search.stages.size(); ++s) {

@@ -1,15 +1,16 @@
-// Benchmark: the K best paths of a dense trellis, and K that differ, against
-// one Viterbi pass over the same seams and against list Viterbi, in turn, in
+// Benchmark: the K best paths of a dense trellis, and K diverse ones, against
+// one Viterbi pass over the same seams and against list Viterbi, alternating in
 // one process.
 //
 //   k_best_bench [--quick]
 //
-// The Viterbi pass is the plain forward recursion for the best score alone: it
-// reads every seam once, checks nothing and keeps no way back, and is bound by
-// memory at this size. Rewards and costs are multiples of 2^-30, so that all
-// sums are exact and scores can be compared to the bit.
+// The Viterbi pass is the plain forward recursion for the best score only: it
+// reads every seam once, checks nothing, keeps no back pointers, and is
+// memory-bound at this size. Rewards and costs are multiples of 2^-30, so that
+// all sums are exact and scores can be compared bitwise.
 //
-// Prints a line a target: goal, measured (median of the rounds), met or missed.
+// Prints one line per target: goal, measured (median of the rounds), met or
+// missed.
 
 #include <algorithm>
 #include <cstdio>
@@ -76,7 +77,7 @@ double Viterbi(const Trellis& trellis) {
   return *std::max_element(best.begin(), best.end());
 }
 
-// How many of the K best scores are not the same to the bit.
+// Number of the K best scores that differ bitwise.
 int CountDifferent(const std::vector<Path>& paths,
                    const std::vector<double>& scores) {
   int different =
@@ -147,7 +148,7 @@ double MeanDifference(const std::vector<Path>& paths) {
   return pairs == 0 ? 0.0 : sum / pairs;
 }
 
-// A quarter of the stages must differ; half of them do on the average.
+// A quarter of the stages must differ; on average half of them do.
 void MeasureDiverse(const Trellis& trellis, const BenchCase& one, int rounds) {
   // Timed in turn with a plain Viterbi pass, so that load on the machine
   // touches both alike.

@@ -1,6 +1,6 @@
-// List Viterbi, the usual way to K best paths and the peer of the benchmark:
-// the K best rests of every node, merged from those of the nodes it leads to by
-// a heap [1]. O(stages nodes (nodes + K log nodes)).
+// List Viterbi, the standard algorithm for K best paths and the baseline of the
+// benchmark: the K best suffixes of every node, merged from those of its
+// successors by a heap [1]. O(stages nodes (nodes + K log nodes)).
 //
 // [1] N. Seshadri and C.-E. W. Sundberg, "List Viterbi Decoding Algorithms with
 //     Applications", IEEE Trans. Communications 42 (1994), 313-323.
@@ -18,7 +18,7 @@ namespace kg_planner {
 
 class ListViterbi {
  public:
-  // For a trellis without tokens, stops and limits, seams ascending by `from`.
+  // For trellises without tokens, stops and limits, seams ascending by `from`.
   ListViterbi(const Trellis& trellis, std::size_t paths)
       : trellis_(trellis), paths_(paths), levels_(trellis.stages.size() + 1) {
     const std::size_t stages = trellis.stages.size();
@@ -26,14 +26,14 @@ class ListViterbi {
     for (std::size_t s = stages; s-- > 0;) Merge(s);
   }
 
-  // Best first.
+  // Scores, best first.
   std::vector<double> Scores() const {
     std::vector<double> scores;
     for (const Rest& rest : levels_[0][0]) scores.push_back(rest.score);
     return scores;
   }
 
-  // Nodes of the path of a rank.
+  // Nodes of the path of this rank.
   std::vector<int> Nodes(int rank) const {
     std::vector<int> nodes;
     int node = 0;
@@ -50,7 +50,7 @@ class ListViterbi {
   struct Rest {
     double score = 0.0;
     int seam = -1;
-    int rank = 0;  // Among the rests of where the seam leads.
+    int rank = 0;  // Rank among the suffixes of the seam's target.
   };
   static bool Worse(const Rest& a, const Rest& b) {
     if (a.score != b.score) return a.score < b.score;
@@ -98,7 +98,8 @@ class ListViterbi {
 
   const Trellis& trellis_;
   std::size_t paths_;
-  std::vector<std::vector<std::vector<Rest>>> levels_;  // By level, node.
+  // Indexed by level, node and rank.
+  std::vector<std::vector<std::vector<Rest>>> levels_;
 };
 
 }  // namespace kg_planner

@@ -1,5 +1,5 @@
-// Small random trellises, and all their paths by exhaustion: what the tests of
-// this package compare with.
+// Small random trellises and exhaustive enumeration of their paths: the
+// reference for the tests of this package.
 
 #ifndef KG_PLANNER_TESTING_RANDOM_TRELLIS_H_
 #define KG_PLANNER_TESTING_RANDOM_TRELLIS_H_
@@ -16,15 +16,15 @@
 namespace kg_planner {
 
 struct RandomOptions {
-  bool whole_numbers = false;  // Many ties.
+  bool whole_numbers = false;  // Integer values: many ties.
   bool tokens = false;
   bool limited = false;
   bool masked = false;
-  double missing = 0.2;  // Share of seams that are not there.
+  double missing = 0.2;  // Share of missing seams.
   int max_stages = 5;
   int max_nodes = 5;
-  bool stops = false;      // Seams with stops on the way, so parallel ones.
-  int more_resources = 0;  // Limited, if `limited`.
+  bool stops = false;      // Seams with stops on the way, hence parallel ones.
+  int more_resources = 0;  // Further resources; limited if `limited`.
 };
 
 class RandomTrellis {
@@ -110,7 +110,7 @@ class RandomTrellis {
       }
     }
   }
-  // Beside some direct seams, others over one or more of the other nodes.
+  // Adds seams via one or more other nodes, parallel to some direct seams.
   void AddStops(Stage* stage) {
     const std::size_t direct = stage->seams.size();
     stage->via.resize(direct);
@@ -157,7 +157,7 @@ class RandomTrellis {
   std::mt19937 prng_;
 };
 
-// All allowed paths, best first, the same score stage by stage by node, via.
+// All allowed paths, best first; ties stage by stage by node, then via.
 class ExhaustiveSearch {
  public:
   ExhaustiveSearch(const Trellis& trellis, const PathMasks& masks)
@@ -176,7 +176,7 @@ class ExhaustiveSearch {
     const auto& via = trellis_.stages[stage].via;
     return via.empty() ? std::vector<int>() : via[seam];
   }
-  // By stage: the node, then the stops.
+  // Visited nodes by stage: the node, then the stops.
   std::vector<std::vector<int>> Visited(const Path& path) const {
     std::vector<std::vector<int>> visited;
     for (std::size_t s = 0; s < path.nodes.size(); ++s) {

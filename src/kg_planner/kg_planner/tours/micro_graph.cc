@@ -82,8 +82,8 @@ double MicroGraph::TotalReward(const std::vector<int>& set) const {
   double reward = 0.0;
   for (int node : set) reward += nodes_[node].reward;
   if (!has_tokens_) return reward;
-  // Of each token the largest reward in the set: sorted by token, then by
-  // reward, descending, it is the first.
+  // Largest reward of each token in the set: sorted by token, then by
+  // descending reward, it is the first.
   std::vector<TokenReward> tokens;
   for (int node : set) {
     tokens.insert(tokens.end(), nodes_[node].tokens.begin(),

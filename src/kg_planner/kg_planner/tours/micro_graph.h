@@ -1,5 +1,5 @@
-// A stage as the searches of micro_paths.h read it: checked, its legs sorted by
-// (from, to) and found by that pair.
+// A stage in the form used by the searches of micro_paths.h: checked, with legs
+// sorted and indexed by (from, to).
 
 #ifndef KG_PLANNER_TOURS_MICRO_GRAPH_H_
 #define KG_PLANNER_TOURS_MICRO_GRAPH_H_
@@ -18,20 +18,21 @@ class MicroGraph {
 
   int size() const { return static_cast<int>(nodes_.size()); }
   double duration_limit() const { return duration_limit_; }
-  // Legs out of a node, -1 for the entry, in the order of their ends.
+  // Legs out of a node (-1 = the entry), in the order of their ends.
   const Leg* begin(int from) const { return legs_.data() + first_[from + 1]; }
   const Leg* end(int from) const { return legs_.data() + first_[from + 2]; }
-  const Leg* Find(int from, int to) const;  // nullptr: there is none.
+  const Leg* Find(int from, int to) const;  // nullptr = none.
 
-  // What a set of nodes, in ascending order, earns: tokens once.
+  // Total reward of a set of nodes (ascending); each token once.
   double TotalReward(const std::vector<int>& set) const;
-  // The path through `nodes`; empty if a leg is missing or the limit is broken.
+  // The path through `nodes`; empty if a leg is missing or the duration limit
+  // is exceeded.
   MicroPath Walk(const std::vector<int>& nodes) const;
 
  private:
   std::vector<Node> nodes_;
-  std::vector<Leg> legs_;           // By (from, to).
-  std::vector<std::size_t> first_;  // By from + 1, index in legs_.
+  std::vector<Leg> legs_;           // Sorted by (from, to).
+  std::vector<std::size_t> first_;  // Index into legs_, by from + 1.
   double duration_limit_ = 0.0;
   bool has_tokens_ = false;
 };

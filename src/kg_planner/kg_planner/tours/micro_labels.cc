@@ -11,7 +11,8 @@ namespace kg_planner {
 namespace {
 
 struct MicroLabel {
-  std::vector<int> set;  // Ascending; the key, with the path's last node.
+  // Ascending; the key together with the path's last node.
+  std::vector<int> set;
   MicroPath path;
   int end() const { return path.nodes.back(); }
 };

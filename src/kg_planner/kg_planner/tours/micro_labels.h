@@ -1,4 +1,5 @@
-// Label setting over (set of nodes visited, end), a number of nodes at a time.
+// Label setting over (set of visited nodes, end), level by level in the number
+// of nodes.
 
 #ifndef KG_PLANNER_TOURS_MICRO_LABELS_H_
 #define KG_PLANNER_TOURS_MICRO_LABELS_H_
@@ -14,16 +15,18 @@ namespace kg_planner {
 
 struct LabelOptions {
   int max_nodes = 8;
-  std::size_t max_labels = 20000;  // Made; beyond them the search gives up.
-  // Labels kept per end and number of nodes, best first; 0 = all of them.
+  // Maximum number of labels; the search stops beyond.
+  std::size_t max_labels = 20000;
+  // Beam width: labels kept per end and number of nodes, best first; 0 = all.
   std::size_t beam = 0;
+  // The search stops at this time.
   std::chrono::steady_clock::time_point deadline =
-      std::chrono::steady_clock::time_point::max();  // Then it gives up, too.
+      std::chrono::steady_clock::time_point::max();
 };
 
 struct LabelSearch {
-  std::vector<MicroPath> paths;  // The best order of each set and end met.
-  bool complete = true;          // Neither given up nor cut by the beam.
+  std::vector<MicroPath> paths;  // Best order for each (set, end) found.
+  bool complete = true;          // Neither stopped early nor cut by the beam.
 };
 
 LabelSearch SearchLabels(const MicroGraph& graph, const LabelOptions& options);

@@ -35,8 +35,8 @@ std::vector<MicroPath> Select(std::vector<MicroPath> paths,
                               const MicroPathOptions& options) {
   std::sort(paths.begin(), paths.end(), ByEndThenScore);
   std::vector<MicroPath> kept;
-  int taken = 0;           // Paths kept that share this end.
-  double min_value = 0.0;  // Score that is good enough for it.
+  int taken = 0;           // Paths kept with this end.
+  double min_value = 0.0;  // Minimum score for this end.
   for (MicroPath& path : paths) {
     const bool first =
         kept.empty() || kept.back().nodes.back() != path.nodes.back();
@@ -54,15 +54,15 @@ std::vector<MicroPath> Select(std::vector<MicroPath> paths,
 
 using Clock = std::chrono::steady_clock;
 
-// A deadline of more than a year is none.
+// A deadline of about a year or more counts as none.
 Clock::time_point ToDeadline(const MicroPathOptions& options) {
   if (!(options.deadline_s < 3.0e7)) return Clock::time_point::max();
   const std::chrono::duration<double> left(std::max(0.0, options.deadline_s));
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(left);
 }
 
-// So many that the beam makes about as many labels as were allowed; few, since
-// the search that follows does more with the time.
+// Chosen so that the beam makes about as many labels as allowed; kept small,
+// since the following search uses the time better.
 std::size_t BeamWidth(const StageProblem& problem,
                       const MicroPathOptions& options) {
   const std::size_t labels = problem.legs.size() * options.max_nodes;

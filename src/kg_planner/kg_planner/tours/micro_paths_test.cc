@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct StageShape {
   int nodes = 6;
   bool tokens = true;
-  bool whole_numbers = false;  // Many ties.
+  bool whole_numbers = false;  // Integer values: many ties.
   double missing = 0.3;
   double limit = 6.0;
 };
@@ -65,7 +65,7 @@ class RandomStage {
   std::mt19937 prng_;
 };
 
-// All paths within the limits, by exhaustion.
+// All paths within the limits, by exhaustive search.
 class ExhaustiveSearch {
  public:
   ExhaustiveSearch(const StageProblem& problem, int max_nodes)
@@ -128,7 +128,7 @@ SetAndEnd KeyOf(const MicroPath& path) {
   return {{path.nodes.begin(), path.nodes.end()}, path.nodes.back()};
 }
 
-// Of each end, scores of the sets that reach it, best first.
+// Scores of the sets that reach each end, best first.
 std::map<int, std::vector<double>> ScoresByEnd(
     const std::vector<MicroPath>& paths) {
   std::map<SetAndEnd, double> best;
@@ -144,7 +144,7 @@ std::map<int, std::vector<double>> ScoresByEnd(
   return scores;
 }
 
-// What every answer must be, proven or not.
+// Invariants of every result, proven or not.
 void ExpectValid(const MicroPaths& found, const StageProblem& problem,
                  const MicroPathOptions& options) {
   const ExhaustiveSearch reference(problem, 1);
@@ -174,7 +174,7 @@ void ExpectValid(const MicroPaths& found, const StageProblem& problem,
   }
 }
 
-// The paths kept for an end, without a direct leg that came on top.
+// Paths kept for an end, without an additional direct leg.
 std::vector<double> Alternatives(const MicroPaths& found, int end,
                                  const MicroPathOptions& options) {
   std::vector<double> scores;

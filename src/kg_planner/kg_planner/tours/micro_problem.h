@@ -14,10 +14,10 @@
 namespace kg_planner {
 
 struct Leg {
-  int from = -1;          // -1: where one enters.
+  int from = -1;          // -1 = the entry.
   int to = 0;             // Node of the stage.
   double cost = 0.0;      // >= 0.
-  double resource = 0.0;  // >= 0; added up, not limited here.
+  double resource = 0.0;  // >= 0; summed, not limited here.
   double duration = 0.0;  // >= 0.
 };
 
@@ -28,8 +28,8 @@ struct StageProblem {
 };
 
 struct MicroPath {
-  std::vector<int> nodes;  // In the order visited; the last is the end.
-  double reward = 0.0;     // With tokens, each earned once.
+  std::vector<int> nodes;  // In visiting order; the last is the end.
+  double reward = 0.0;     // Tokens included, each once.
   double cost = 0.0;
   double resource = 0.0;
   double duration = 0.0;
@@ -37,19 +37,19 @@ struct MicroPath {
 };
 
 struct MicroPathOptions {
-  int per_end = 3;  // Paths per end node, at most; a direct leg comes on top.
-  // A path must have this share of the best score of its end; in [0, 1].
+  int per_end = 3;  // Maximum paths per end node, in addition to a direct leg.
+  // Minimum share of the best score of the same end; in [0, 1].
   double good_enough = 0.9;
-  int max_nodes = 8;  // Of one path, with its end.
+  int max_nodes = 8;  // Maximum nodes of one path, end included.
   std::size_t exact_labels = 20000;
-  std::size_t max_steps = 2000;  // Of the anytime search.
+  std::size_t max_steps = 2000;  // Steps of the anytime search.
   double deadline_s = std::numeric_limits<double>::infinity();  // Wall clock.
   unsigned seed = 1;
 };
 
 struct MicroPaths {
-  // By end node; of the same end the best first. A direct leg that keeps the
-  // limit is always among them, however poor.
+  // Sorted by end node, then best first. A feasible direct leg is always
+  // included, whatever its score.
   std::vector<MicroPath> paths;
   bool proven = true;  // False: the search was not exhaustive.
 };

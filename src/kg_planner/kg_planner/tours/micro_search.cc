@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kPoolPerEnd = 24;  // Starts of the search, by end.
+constexpr std::size_t kPoolPerEnd = 24;  // Pool size per end.
 
 class MicroSearch {
  public:
@@ -44,7 +44,7 @@ class MicroSearch {
   }
 
  private:
-  // The same on every machine, unlike std::uniform_int_distribution.
+  // Reproducible on every machine, unlike std::uniform_int_distribution.
   std::size_t RandomBelow(std::size_t count) {
     return static_cast<std::size_t>(
         (static_cast<std::uint64_t>(prng_()) * count) >> 32);
@@ -63,9 +63,9 @@ class MicroSearch {
     }
   }
 
-  using Pool = std::map<std::vector<int>, MicroPath>;  // By set.
+  using Pool = std::map<std::vector<int>, MicroPath>;  // Path by node set.
 
-  // A path of one node is the direct leg, which stays.
+  // Never drops a path of one node, the direct leg.
   static void DropWorst(Pool* pool) {
     auto worst = pool->end();
     for (auto it = pool->begin(); it != pool->end(); ++it) {
@@ -84,7 +84,8 @@ class MicroSearch {
     if (!path.nodes.empty()) Remember(std::move(path));
   }
 
-  // A path to the end with a gap, or a path to another end led on to this one.
+  // Start path: one to this end with a gap, or one to another end extended to
+  // this one.
   std::vector<int> Start(int end) {
     const std::size_t other = RandomBelow(2 * pools_.size());
     const bool extend_other = other < pools_.size() && !pools_[other].empty();
@@ -103,7 +104,7 @@ class MicroSearch {
     return nodes;
   }
 
-  // Takes a run of nodes out, never the end; the rest keeps its order.
+  // Removes a run of nodes, never the end; keeps the order of the rest.
   void Destroy(std::vector<int>* nodes) {
     if (nodes->size() < 2) return;
     const std::size_t begin = RandomBelow(nodes->size() - 1);
@@ -118,8 +119,8 @@ class MicroSearch {
     double rate = 0.0;
   };
 
-  // Inserts what gives most per duration, blurred by chance, while anything
-  // gives something and fits; then looks for a better order.
+  // Greedy insertion by randomised gain per duration while a node has a
+  // positive gain and fits; then reorders.
   void Repair(std::vector<int>* nodes) {
     MicroPath path = graph_.Walk(*nodes);
     if (path.nodes.empty()) return;
@@ -166,14 +167,15 @@ class MicroSearch {
     }
   }
 
-  // A length that counts as none: keeps rates finite.
+  // Smallest duration used in rates: keeps them finite.
   double MinimumDuration() const {
     return std::isfinite(graph_.duration_limit())
                ? 1e-3 * graph_.duration_limit() + 1e-12
                : 1.0;
   }
 
-  // Reverses runs and moves single nodes, the end stays, while it saves.
+  // Local search: reverses runs and moves single nodes, with the end fixed,
+  // while that improves the path.
   void Reorder(MicroPath* path) const {
     bool better = true;
     while (better) better = ReorderOnce(path);
@@ -217,7 +219,7 @@ class MicroSearch {
   const MicroPathOptions& options_;
   const Clock::time_point deadline_;
   std::mt19937 prng_;
-  std::vector<Pool> pools_;  // By end.
+  std::vector<Pool> pools_;  // Pool of each end.
 };
 
 }  // namespace

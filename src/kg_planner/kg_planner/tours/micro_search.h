@@ -11,9 +11,8 @@
 
 namespace kg_planner {
 
-// `paths` and what was found on the way, each set and end in its best order
-// met. Steps and seed as MicroPathOptions says; ends at `deadline` at the
-// latest.
+// Returns `paths` and all paths found, each (set, end) in its best order found.
+// Steps and seed as in MicroPathOptions; stops at `deadline`.
 std::vector<MicroPath> ImproveMicroPaths(
     const MicroGraph& graph, std::vector<MicroPath> paths,
     const MicroPathOptions& options,

@@ -23,7 +23,7 @@ void Check(const OrienteeringProblem& problem) {
                                   ": reward not finite");
     }
   }
-  // Row by row: length i / size -> i % size.
+  // Row-major: length i is from i / size to i % size.
   for (std::size_t i = 0; i < size * size; ++i) {
     if (!(problem.lengths[i] >= 0.0 && std::isfinite(problem.lengths[i]))) {
       throw std::invalid_argument(

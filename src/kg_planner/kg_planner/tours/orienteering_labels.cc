@@ -1,4 +1,4 @@
-// The exact single tour of orienteering.h.
+// Exact single tour of orienteering.h.
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 namespace kg_planner {
 namespace {
 
-constexpr std::size_t kWords = 4;  // So up to 256 useful points.
+constexpr std::size_t kWords = 4;  // Up to 256 useful points.
 
 class PointSet {
  public:
@@ -32,7 +32,7 @@ class PointSet {
   std::array<std::uint64_t, kWords> words_{};
 };
 
-// No detour is a short cut.
+// Whether the triangle inequality holds.
 bool IsMetric(const OrienteeringProblem& problem) {
   const double slack = 1e-12 * problem.limit;
   for (int i = 0; i < problem.size(); ++i) {
@@ -49,12 +49,12 @@ bool IsMetric(const OrienteeringProblem& problem) {
 }
 
 struct TourLabel {
-  PointSet closed;  // Visited, or out of reach from here.
+  PointSet closed;  // Points visited or out of reach.
   double reward = 0.0;
   double length = 0.0;
-  double bound = 0.0;  // No tour that begins so earns more.
+  double bound = 0.0;  // Upper bound of tours with this prefix.
   int end = -1;        // Index of a useful point, -1 = the start.
-  int before = -1;     // Index of the label before.
+  int before = -1;     // Index of the parent label.
   bool dominated = false;
 };
 
@@ -95,7 +95,7 @@ class TourLabeling {
  private:
   int PointAt(int end) const { return end < 0 ? 0 : points_[end]; }
 
-  // Closes what is out of reach, and adds up what is not.
+  // Closes points out of reach and bounds the reward by the sum of the others.
   void Bound(TourLabel* label) const {
     const int last = problem_.size() - 1;
     label->bound = label->reward;
@@ -127,7 +127,7 @@ class TourLabeling {
       to.before = at;
       const double length =
           to.length + problem_.length(points_[i], problem_.size() - 1);
-      // The end must stay within reach.
+      // The end must remain reachable.
       if (!(length <= problem_.limit)) continue;
       to.closed.Add(i);
       Bound(&to);
@@ -175,8 +175,8 @@ class TourLabeling {
   const std::size_t max_labels_;
   std::vector<int> points_;
   std::vector<TourLabel> labels_;
-  std::vector<std::vector<int>> at_end_;  // By point, labels not dominated.
-  using Item = std::pair<double, int>;    // The shortest first.
+  std::vector<std::vector<int>> at_end_;  // Nondominated labels, by end point.
+  using Item = std::pair<double, int>;    // Queue entry: shortest first.
   std::priority_queue<Item, std::vector<Item>, std::greater<>> open_;
   ExactTour best_;
 };

@@ -17,9 +17,9 @@ namespace kg_planner {
 namespace {
 
 struct ProblemShape {
-  int points = 7;  // With start and end.
+  int points = 7;  // Start and end included.
   int tours = 1;
-  bool plane = true;  // Else any lengths, other ways forth than back.
+  bool plane = true;  // False: arbitrary, asymmetric lengths.
   bool negative = false;
 };
 
@@ -46,7 +46,7 @@ OrienteeringProblem RandomProblem(const ProblemShape& shape, unsigned seed) {
   return problem;
 }
 
-// Every set of points that one tour can visit, by going everywhere.
+// Every point set that one tour can visit, by exhaustive search.
 class ExhaustiveSearch {
  public:
   explicit ExhaustiveSearch(const OrienteeringProblem& problem)
@@ -54,7 +54,7 @@ class ExhaustiveSearch {
     Go(0, 0.0, 0);
   }
 
-  // Of so many tours that share no point.
+  // Best reward of `tours` tours that share no point.
   double Best(int tours) const { return Best(tours, 0); }
 
  private:
@@ -87,7 +87,7 @@ class ExhaustiveSearch {
   }
 
   const OrienteeringProblem& problem_;
-  std::vector<bool> possible_;  // By set of points.
+  std::vector<bool> possible_;  // Feasibility by point set.
 };
 
 void ExpectValid(const OrienteeringProblem& problem,

@@ -1,4 +1,4 @@
-// The part of TourSearch that takes points out.
+// TourSearch: removal of points.
 
 #include <algorithm>
 
@@ -40,7 +40,8 @@ void TourSearch::RemoveRun(int tour, int begin, int count) {
   touched_[tour] = 1;
 }
 
-// Around a point, a string of each tour near it, until so many are gone.
+// String removal around a random point: a string from each nearby tour, until
+// `points` points are removed.
 void TourSearch::RemoveStrings(int points) {
   const int around =
       useful_[RandomBelow(static_cast<std::uint32_t>(useful_.size()))];
@@ -51,8 +52,7 @@ void TourSearch::RemoveStrings(int points) {
     if (t < 0 || done[t] != 0) continue;
     done[t] = 1;
     const auto& tour = now_.tours[t];
-    // A string of random length that contains p, as far as the tour has room
-    // around it.
+    // A string of random length that contains p, limited by the tour's length.
     const int inner = static_cast<int>(tour.size()) - 2;
     const int count =
         1 + static_cast<int>(RandomBelow(std::min(inner, points)));

@@ -1,4 +1,4 @@
-// The part of TourSearch that puts tours in better order.
+// TourSearch: reordering of tours.
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ bool TourSearch::Shorten() {
   return shorter;
 }
 
-// Reverses a run if that saves length.
+// 2-opt: reverses a run if that reduces the length.
 bool TourSearch::Reverse(int tour) {
   std::vector<int>& p = now_.tours[tour];
   const int last = static_cast<int>(p.size()) - 1;
@@ -29,7 +29,7 @@ bool TourSearch::Reverse(int tour) {
     double forth = 0.0;
     double back = 0.0;
     for (int j = i + 1; j < last; ++j) {
-      // Length of the run i..j in both directions, kept up as j grows: lengths
+      // Length of the run i..j in both directions, updated as j grows: lengths
       // may be asymmetric.
       forth += Length(p[j - 1], p[j]);
       back += Length(p[j], p[j - 1]);
@@ -45,15 +45,14 @@ bool TourSearch::Reverse(int tour) {
   return false;
 }
 
-// Moves a run of `count` points if that saves length.
+// Or-opt: moves a run of `count` points if that reduces the length.
 bool TourSearch::Move(int tour, int count) {
   std::vector<int>& p = now_.tours[tour];
   const int last = static_cast<int>(p.size()) - 1;
   const double min_value = kLengthTolerance * problem_.limit;
   for (int i = 1; i + count <= last; ++i) {
     const int j = i + count;  // The run is [i, j).
-    // What is saved by taking the run out, then what putting it in before k
-    // costs.
+    // Saving of removing the run, then cost of inserting it before k.
     const double closed = Length(p[i - 1], p[i]) + Length(p[j - 1], p[j]) -
                           Length(p[i - 1], p[j]);
     if (!(closed > min_value)) continue;

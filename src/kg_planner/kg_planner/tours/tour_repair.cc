@@ -1,4 +1,4 @@
-// The part of TourSearch that inserts points.
+// TourSearch: insertion of points.
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRepairTolerance = 1e-9;  // Relative to the limit.
 constexpr double kMaxExcess = 0.4;  // Share of the limit that a tour may exceed
                                     // before points are removed.
-constexpr double kFavourShare = 0.6;  // Steps that favour a neighbourhood.
-constexpr double kMaxFavour = 3.0;    // What is added to its weight, at most.
+// Share of steps that favour a neighbourhood.
+constexpr double kFavourShare = 0.6;
+constexpr double kMaxFavour = 3.0;  // Maximum increase of its weights.
 
 }  // namespace
 
@@ -28,7 +29,7 @@ void TourSearch::Repair() {
   Fill(problem_.limit);
 }
 
-// What a point counts in this step: a power of its reward, blurred.
+// Weights of points in this step: a random power of the reward, randomised.
 void TourSearch::Weigh() {
   const std::uint32_t power = RandomBelow(4);
   const double blur = static_cast<double>(RandomBelow(4)) / 3.0;
@@ -44,7 +45,7 @@ void TourSearch::Weigh() {
   }
 }
 
-// Raises what a neighbourhood counts.
+// Raises the weights of a neighbourhood.
 void TourSearch::FavourNeighbourhood() {
   const std::uint32_t useful = static_cast<std::uint32_t>(useful_.size());
   const int around = useful_[RandomBelow(useful)];
@@ -55,13 +56,13 @@ void TourSearch::FavourNeighbourhood() {
   }
 }
 
-// Removes points from a tour beyond the limit: first what weighs least for the
-// length it saves.
+// Removes points from a tour beyond the limit: lowest weight per saved length
+// first.
 void TourSearch::Drop(int tour) {
   const std::vector<int>& p = now_.tours[tour];
   const double grain = kRepairTolerance * problem_.limit + 1e-300;
   while (now_.lengths[tour] > problem_.limit && p.size() > 2) {
-    double best_weight = kInfinity;  // The least rate, as a fraction.
+    double best_weight = kInfinity;  // Smallest rate so far, as a fraction.
     double best_saved = 1.0;
     int best = 1;
     for (int i = 1; i + 1 < static_cast<int>(p.size()); ++i) {
@@ -87,7 +88,7 @@ void TourSearch::Measure(int tour) {
   }
 }
 
-// Reads what Measure() has left for this tour.
+// Uses the result of Measure() for this tour.
 TourSearch::Place TourSearch::BestPlace(int point, int tour) const {
   const std::vector<int>& points = now_.tours[tour];
   const double* from = &from_[static_cast<std::size_t>(point) * size_];
@@ -102,7 +103,8 @@ TourSearch::Place TourSearch::BestPlace(int point, int tour) const {
   return best;
 }
 
-// After an insertion before index `at` only two places are new, and one gone.
+// After an insertion before index `at` only two places are new, and one is
+// removed.
 void TourSearch::Update(int point, int tour, int at) {
   Place& place = places_[tour][point];
   if (place.before == at) {
@@ -129,7 +131,7 @@ void TourSearch::Insert(int point, int tour) {
   touched_[tour] = 1;
 }
 
-// Inserts what weighs most for its detour, while anything fits.
+// Inserts the point of largest weight per detour while any fits.
 void TourSearch::Fill(double limit) {
   const double grain = kRepairTolerance * problem_.limit + 1e-300;
   for (int t = 0; t < problem_.tours; ++t) {
@@ -138,7 +140,7 @@ void TourSearch::Fill(double limit) {
   }
   while (true) {
     // Rates weight / detour are compared by cross multiplication.
-    double best_weight = 0.0;  // The best rate, as a fraction.
+    double best_weight = 0.0;  // Largest rate so far, as a fraction.
     double best_detour = 1.0;
     std::size_t best_at = 0;
     int best_tour = -1;

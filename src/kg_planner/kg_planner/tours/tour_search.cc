@@ -25,7 +25,7 @@ TourSearch::TourSearch(const OrienteeringProblem& problem, unsigned seed)
     for (int j = 0; j < size_; ++j) to_[j * size_ + i] = Length(i, j);
   }
   const int end = size_ - 1;
-  // Points worth something that a tour can visit at all.
+  // Points with a reward that a tour can reach within the limit.
   for (int p = 1; p < end; ++p) {
     if (problem_.rewards[p] > 0.0 &&
         Length(0, p) + Length(p, end) <= problem_.limit) {
@@ -42,7 +42,7 @@ TourSearch::TourSearch(const OrienteeringProblem& problem, unsigned seed)
   for (int p = 0; p < size_; ++p) {
     keys_.push_back((static_cast<std::uint64_t>(prng_()) << 32) | prng_());
   }
-  // The first solution: greedy insertion into empty tours.
+  // Initial solution: greedy insertion into empty tours.
   Clear(&now_);
   IndexPoints();
   best_ = kept_ = now_;
@@ -109,7 +109,8 @@ bool TourSearch::Better(const Solution& a, const Solution& b) const {
   return a_length < b_length;
 }
 
-// Lengths kept by differences drift. False if one is above the limit after all.
+// Recomputes lengths, because incremental updates drift. False if one exceeds
+// the limit.
 bool TourSearch::Remeasure() {
   for (std::size_t t = 0; t < now_.tours.size(); ++t) {
     if (touched_[t] == 0) continue;
@@ -128,8 +129,8 @@ bool TourSearch::Remeasure() {
   return true;
 }
 
-// A loss is accepted up to the tolerance times a number that is mostly small
-// and now and then up to 4.
+// Accepts a loss of up to tolerance * (1 - u) / (u + 1/4), u uniform in [0, 1):
+// usually small, at most 4 times the tolerance.
 void TourSearch::Accept(double tolerance) {
   if (!Remeasure()) return;
   const double chance = RandomUnit();

@@ -1,19 +1,20 @@
-// Anytime search for tours. In each step some points leave: strings of them
-// near one another [1], or single ones. The others are inserted where they give
-// most for the length they cost, beyond the limit; then those that give least
-// leave again until the limit is kept, so that a tour can move somewhere else
-// as a whole. What a point counts is blurred by chance, and that of a whole
-// neighbourhood is raised in some steps. Tours touched are put in better order.
-// The outcome is kept if it is better, or not much worse (`tolerance`).
+// Anytime search for tours by destroy and repair. Each step removes points:
+// strings of neighbouring points [1], or single ones. Unvisited points are
+// inserted by reward per added length, even beyond the limit; then the points
+// of least reward per saved length are removed until the limit holds, so that a
+// tour can move to another region as a whole. Weights of points are randomised,
+// and in some steps those of a neighbourhood are raised. Changed tours are
+// reordered. The result is accepted if it is better, or not much worse
+// (`tolerance`).
 //
 //   TourSearch search(problem, seed);
 //   for (double t = 0.04; t > 0.004; t *= 0.9)
 //     search.Run(1000, t * search.reward());
 //   search.best(), search.pool()
 //
-// The same steps, tolerances and restarts give the same answer wherever it
-// runs. Symmetric or not, lengths need not be those of a plane; but insertion
-// thinks little of detours that save length.
+// The same steps, tolerances and restarts give the same result on any machine.
+// Lengths may be asymmetric and need not be planar; but insertion makes little
+// use of detours that save length.
 //
 // [1] J. Christiaens and G. Vanden Berghe, "Slack Induction by String Removals"
 //     (2020), doi:10.1287/trsc.2019.0914.
@@ -39,24 +40,26 @@ struct PooledTour {
 
 class TourSearch {
  public:
-  // Throws as Check() does. Without any tour within the limit all stay empty.
+  // Throws as Check() does. If no tour is within the limit, all stay empty.
   TourSearch(const OrienteeringProblem& problem, unsigned seed);
 
-  // So many steps; `tolerance` is about what a step may lose [reward].
+  // Runs `steps` steps; `tolerance` is the approximate loss accepted per step
+  // [reward].
   void Run(std::size_t steps, double tolerance);
-  // Goes on from these; they must keep the limit and share no point.
+  // Restarts from these tours; they must keep the limit and share no point.
   void Restart(const std::vector<Tour>& tours);
 
   std::vector<Tour> best() const;
-  double reward() const { return best_.reward; }  // Of the best solution.
+  // Reward of the best solution.
+  double reward() const { return best_.reward; }
 
-  // Of each set of points met the shortest order, best context first, ties by
-  // points; at most so many.
+  // The shortest order of each point set found, best context first, ties by
+  // points; at most `at_most`.
   std::vector<PooledTour> pool(std::size_t at_most) const;
 
  private:
   struct Solution {
-    std::vector<std::vector<int>> tours;  // With start and end.
+    std::vector<std::vector<int>> tours;  // Start and end included.
     std::vector<double> lengths;
     double reward = 0.0;
   };
@@ -90,29 +93,30 @@ class TourSearch {
   void Measure(int tour);
   void Insert(int point, int tour);
 
-  bool Shorten();  // Did anything save length?
+  bool Shorten();  // True if the length was reduced.
   bool Reverse(int tour);
   bool Move(int tour, int count);
   void Remember(const Solution& solution);
 
   const OrienteeringProblem problem_;
   const int size_;
-  std::vector<double> from_;  // Lengths, row by row of where they begin,
-  std::vector<double> to_;    // and of where they end.
-  std::vector<std::vector<int>> near_;  // By point, the nearest first.
-  std::vector<int> useful_;             // Points that a tour can visit.
+  std::vector<double> from_;  // Lengths by (from, to).
+  std::vector<double> to_;    // Lengths by (to, from).
+  // Neighbours of each point, nearest first.
+  std::vector<std::vector<int>> near_;
+  std::vector<int> useful_;  // Points that a tour can visit.
   std::mt19937 prng_;
 
   Solution best_;
   Solution kept_;
   Solution now_;
-  std::vector<int> tour_of_;     // By point in now_; -1 = not visited.
-  std::vector<char> touched_;    // By tour: changed in this step.
-  std::vector<double> weights_;  // By point, of this step.
-  std::vector<int> open_;        // Points that wait for insertion.
-  std::vector<std::vector<Place>> places_;  // By tour, by point.
-  std::vector<double> edges_;  // Lengths of a tour, into each of its points.
-  std::vector<std::uint64_t> keys_;  // By point, for hashes of sets.
+  std::vector<int> tour_of_;   // Tour of each point in now_; -1 = not visited.
+  std::vector<char> touched_;  // Tours changed in this step.
+  std::vector<double> weights_;  // Weight of each point in this step.
+  std::vector<int> open_;        // Points to be inserted.
+  std::vector<std::vector<Place>> places_;  // Best place, by tour and point.
+  std::vector<double> edges_;        // Edge length into each point of a tour.
+  std::vector<std::uint64_t> keys_;  // Zobrist key of each point.
   std::unordered_map<std::uint64_t, PooledTour> pool_;
 };
 

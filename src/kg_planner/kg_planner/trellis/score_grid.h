@@ -1,9 +1,9 @@
-// Scores on a grid of 2^-50 of the largest total, so that sums of a path's
-// numbers are exact whatever their order: equal paths are found equal, and ties
-// are decided by node numbers, not by rounding.
+// Scores on a grid of 2^-50 of the largest total, so that sums are exact in any
+// order: equal paths compare equal, and ties are decided by node numbers, not
+// by rounding.
 //
-// Adding 1.5 * 2^52 steps to a double leaves no bit below one step; taking it
-// off again leaves x rounded to a multiple of the step.
+// Adding 1.5 * 2^52 steps to a double removes all bits below one step;
+// subtracting it again leaves x rounded to a multiple of the step.
 
 #ifndef KG_PLANNER_TRELLIS_SCORE_GRID_H_
 #define KG_PLANNER_TRELLIS_SCORE_GRID_H_
@@ -16,7 +16,7 @@ namespace kg_planner {
 
 class ScoreGrid {
  public:
-  // For numbers and sums of absolute value up to `largest_total`.
+  // Grid for numbers and sums up to `largest_total` in absolute value.
   explicit ScoreGrid(double largest_total)
       : step_(std::ldexp(1.0, Exponent(largest_total) - 50)),
         shift_(std::ldexp(1.5, Exponent(largest_total) + 2)) {}
@@ -26,7 +26,7 @@ class ScoreGrid {
   double shift() const { return shift_; }
 
  private:
-  // Exponent of the smallest power of two that is not less than x.
+  // Exponent of the smallest power of two >= x.
   static int Exponent(double x) {
     int exponent = 0;
     std::frexp(std::max(x, 1e-280), &exponent);

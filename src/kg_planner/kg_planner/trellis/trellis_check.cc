@@ -35,7 +35,7 @@ std::string Expected(const char* name, double value, const char* range) {
   return what.str();
 }
 
-// NaN fails.
+// False for NaN.
 bool IsCost(double x) { return x >= 0.0 && x <= kLargest; }
 
 void CheckNode(std::size_t stage, std::size_t index, const Node& node) {
@@ -108,7 +108,7 @@ void CheckSeamVia(std::size_t s, const Stage& stage, std::size_t i) {
   }
 }
 
-// The seams must be sound.
+// Precondition: the seams are valid.
 void CheckVia(std::size_t s, const Stage& stage) {
   if (stage.via.empty()) return;
   if (stage.via.size() != stage.seams.size()) {
@@ -149,9 +149,9 @@ std::uint64_t Bits(double x) {
   return bits;
 }
 
-// Every seam of the largest trellises passes here: maxima of bit patterns
-// instead of comparisons. Read as unsigned, what is negative or not finite is
-// larger than all that is allowed.
+// Hot loop over every seam: maxima of bit patterns instead of comparisons. Read
+// as unsigned, negative and nonfinite numbers are larger than any allowed
+// value.
 struct SeamMaxima {
   bool sorted = true;
   std::uint32_t from = 0;
@@ -192,7 +192,8 @@ SeamSummary SummarizeSeams(const Trellis& trellis, std::size_t s) {
   SeamSummary summary{maxima.sorted, 0.0};
   std::memcpy(&summary.largest_cost, &maxima.cost, sizeof maxima.cost);
   if (!sound) summary.largest_cost = 0.0;
-  for (std::size_t i = 0; !sound && i < seams.size(); ++i) {  // Or a -0.
+  // Invalid, or a -0.
+  for (std::size_t i = 0; !sound && i < seams.size(); ++i) {
     if (!SeamIsSound(seams[i], before, nodes)) {
       ExplainSeam(s, i, seams[i], before);
     }
@@ -208,7 +209,7 @@ bool Ascend(const Stage& stage) {
   return true;
 }
 
-// The most a node, or a seam's stops and its end together, can be worth.
+// Largest reward of a node, or of a seam's stops and end together.
 double LargestReward(std::size_t s, const Stage& stage) {
   std::vector<double> totals;
   for (std::size_t i = 0; i < stage.nodes.size(); ++i) {

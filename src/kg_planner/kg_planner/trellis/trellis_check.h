@@ -1,8 +1,8 @@
 // Checks every number of a trellis in one pass, and summarises what the
-// searches need to know: are the seams sorted, and how large can a path's total
-// be.
+// searches need: whether seams are sorted, and the largest possible total of a
+// path.
 //
-// The order of ties of seams from one node: by (to, via).
+// Order of ties among seams from one node: by (to, via).
 
 #ifndef KG_PLANNER_TRELLIS_TRELLIS_CHECK_H_
 #define KG_PLANNER_TRELLIS_TRELLIS_CHECK_H_
@@ -15,27 +15,27 @@
 namespace kg_planner {
 
 struct TrellisSummary {
-  std::vector<char> sorted;    // By stage: its seams ascend by (from, to, via).
-  double largest_total = 0.0;  // No part of a path's score is larger.
+  std::vector<char> sorted;    // By stage: seams ascend by (from, to, via).
+  double largest_total = 0.0;  // Upper bound of any partial score.
 };
 
-// The nodes a seam visits on its way.
+// Nodes a seam visits on the way.
 inline const std::vector<int>& NodesVia(const Stage& stage, std::size_t seam) {
   static const std::vector<int> none;
   return stage.via.empty() ? none : stage.via[seam];
 }
 
-// Of resource r, the first being 0.
+// Use of resource r, starting with 0.
 inline double SeamResource(const Stage& stage, std::size_t seam,
                            std::size_t r) {
   return r == 0 ? stage.seams[seam].resource
                 : stage.more_resources[r - 1][seam];
 }
 
-// Whether seam a stands before seam b: by (from, to, via).
+// Whether seam a precedes seam b: by (from, to, via).
 bool StandsBefore(const Stage& stage, std::size_t a, std::size_t b);
 
-// Nodes that seams into `stage` come from: one before the first stage.
+// Number of source nodes of `stage`: 1 for the first stage.
 int NodesBefore(const Trellis& trellis, std::size_t stage);
 
 // Throws std::invalid_argument naming stage and seam if indices are out of

@@ -14,7 +14,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Two stages of two nodes, all seams.
+// Two stages of two nodes, fully connected.
 Trellis Sound() {
   Trellis trellis;
   trellis.stages.resize(2);
@@ -45,7 +45,7 @@ TEST(TrellisTest, ParallelSeamsOverOtherStopsPass) {
 struct TrellisMistake {
   const char* name;
   std::function<void(Trellis*)> make;
-  const char* stage;  // What the message must name.
+  const char* stage;  // Text the message must contain.
   const char* what;
 };
 

@@ -10,7 +10,7 @@ namespace kg_ros {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds kSlice{50};  // Until Close() is seen.
+constexpr std::chrono::milliseconds kSlice{50};  // Poll interval for Close().
 
 class Job : public ros::CallbackInterface {
  public:
@@ -31,7 +31,7 @@ class Job : public ros::CallbackInterface {
     return Success;
   }
 
-  // Was it done? Once begun, it is waited for.
+  // True if the work was done. Once begun, it is waited for.
   bool Await(Clock::time_point end, const std::atomic<bool>& is_closed) {
     std::unique_lock<std::mutex> lock(mutex_);
     while (state_ != State::kDone) {

@@ -1,5 +1,5 @@
-// Lets other threads have work done on the thread that calls ROS callbacks, in
-// turn with them: what it decides needs no lock.
+// Runs work of other threads on the thread that calls ROS callbacks, serialised
+// with them, so that its decisions need no lock.
 
 #ifndef KG_ROS_BASE_MAIN_THREAD_H_
 #define KG_ROS_BASE_MAIN_THREAD_H_
@@ -13,16 +13,16 @@ namespace kg_ros {
 
 class MainThread {
  public:
-  // `queue` is the one that the thread calls; it must outlive this.
+  // `queue` is the callback queue of that thread; it must outlive this object.
   explicit MainThread(ros::CallbackQueueInterface* queue) : queue_(queue) {}
 
   // True when `work` has been done. False if it did not begin within
-  // `patience_s` or before Close(): then it never will. From any thread but
-  // that one.
+  // `patience_s` or before Close(): then it never will. May be called from any
+  // other thread.
   bool Do(std::function<void()> work, double patience_s);
 
-  // Nothing begins any more. From that thread only, so that nothing is under
-  // way.
+  // No work begins after this call. Call from the callback thread only, so that
+  // none is in progress.
   void Close() { is_closed_ = true; }
 
  private:

@@ -15,7 +15,7 @@ TEST(MainThreadTest, DoesAllWorkOnTheThreadThatCallsTheQueue) {
   ros::CallbackQueue queue;
   MainThread main_thread(&queue);
   std::atomic<int> left{100};
-  int done = 0;  // Of the main thread only.
+  int done = 0;  // Written by the main thread only.
   const std::thread::id here = std::this_thread::get_id();
   std::vector<std::thread> threads;
   for (int i = 0; i < 4; ++i) {

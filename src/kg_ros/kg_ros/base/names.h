@@ -21,7 +21,7 @@ inline constexpr char kRoundRequestsTopic[] = "kg/round_requests";
 inline constexpr char kRejectionsTopic[] = "kg/rejections";
 inline constexpr char kWatchedTopic[] = "kg/watched";
 inline constexpr char kMarkersTopic[] = "kg/markers";
-inline constexpr char kClickedPointTopic[] = "clicked_point";  // rviz's.
+inline constexpr char kClickedPointTopic[] = "clicked_point";  // rviz.
 
 inline constexpr char kUpdateService[] = "kg/update";
 inline constexpr char kQueryService[] = "kg/query";

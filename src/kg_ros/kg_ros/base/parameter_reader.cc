@@ -102,7 +102,7 @@ XmlRpcValue ParameterReader::Take(const std::string& key) {
     return XmlRpcValue();
   }
   XmlRpcValue value = block_[key];
-  block_[key] = XmlRpcValue();  // Struck off.
+  block_[key] = XmlRpcValue();  // Mark as read.
   return value;
 }
 

@@ -1,5 +1,6 @@
-// Reads a node's private parameters: every value typed and bounded, every key
-// known. A mistake in a launch file stops the node before it starts work.
+// Reads a node's private parameters: every value is checked for type and range,
+// and unknown keys are errors. A mistake in a launch file stops the node at
+// startup.
 //
 //   ParameterReader read(ros::NodeHandle("~"));
 //   options.deadline_s = read.Number("deadline_s", {0.1, 600.0}, 10.0);
@@ -30,19 +31,19 @@ class ParameterReader {
   explicit ParameterReader(const ros::NodeHandle& own);
   ParameterReader(std::string name, const XmlRpc::XmlRpcValue& block);
 
-  // `fallback` where the key is not there.
+  // Returns `fallback` if the key is missing.
   double Number(const std::string& key, Range<double> range, double fallback);
   int Integer(const std::string& key, Range<int> range, int fallback);
   bool Boolean(const std::string& key, bool fallback);
   std::string Text(const std::string& key, const std::string& fallback);
-  // Must be there and not empty.
+  // A required, non-empty text.
   std::string Text(const std::string& key);
 
-  // Throws if there is a key that nobody has read: most likely a typo.
+  // Throws if a key has not been read: most likely a typo.
   void RefuseTheRest() const;
 
  private:
-  // The value of `key`, struck off the block; invalid if it is not there.
+  // Returns the value of `key` and marks it as read; invalid if missing.
   XmlRpc::XmlRpcValue Take(const std::string& key);
   [[noreturn]] void Refuse(const std::string& key,
                            const std::string& complaint) const;

@@ -1,4 +1,4 @@
-// What agents report, and what the simulated ones read of the world.
+// Reports of agents, and the world as read by the simulation.
 
 #ifndef KG_ROS_CONVERSION_AGENT_CONVERSION_H_
 #define KG_ROS_CONVERSION_AGENT_CONVERSION_H_
@@ -10,7 +10,7 @@
 
 namespace kg_ros {
 
-// Numbers are checked by FleetState::Observe.
+// Unchecked: FleetState::Observe checks the numbers.
 kg_engine::AgentPose FromMessage(const kg_msgs::AgentState& message);
 kg_msgs::AgentState ToMessage(const kg_engine::SimulatedState& state);
 

@@ -1,4 +1,4 @@
-// Answers of the engine to services, and the questions they answer.
+// Service requests to questions, and the engine's answers to responses.
 
 #ifndef KG_ROS_CONVERSION_ANSWER_CONVERSION_H_
 #define KG_ROS_CONVERSION_ANSWER_CONVERSION_H_
@@ -32,12 +32,12 @@ kg_msgs::Check::Response ToMessage(const kg_engine::CheckAnswer& answer);
 kg_engine::ExportRequest FromMessage(const kg_msgs::Export::Request& request);
 kg_msgs::Export::Response ToMessage(const kg_engine::ExportAnswer& answer);
 
-// Throws kg_base::InputError for a kind of question that there is not.
+// Throws kg_base::InputError for an unknown kind of question.
 kg_selector::PlanQuestion FromMessage(const kg_msgs::Why::Request& request);
-// But for the world version.
+// All fields but the world version.
 kg_msgs::Why::Response ToMessage(const kg_compiler::Explanation& explanation);
 
-// Rows as SPARQL results JSON; but for the time.
+// Rows as SPARQL results JSON; all fields but the time.
 kg_msgs::WatchedAnswer ToMessage(const kg_core::WatchedAnswer& answer);
 
 }  // namespace kg_ros

@@ -1,4 +1,4 @@
-// Messages carry what the libraries mean, both ways, and refuse nonsense.
+// Round trips of values through messages, and rejection of invalid messages.
 
 #include <cmath>
 #include <limits>
@@ -180,7 +180,7 @@ TEST(ConversionTest, RefusesRulesThatAreNoNumbers) {
   EXPECT_THROW(FromMessage(message), InputError);
 }
 
-// A change of a good message, and what is said of it.
+// A change that invalidates a message, and the expected error.
 template <typename Message>
 struct Bad {
   void (*change)(Message*);
@@ -284,7 +284,7 @@ TEST(ConversionTest, RefusesTeamRulesThatMakeNoSense) {
   for (const Bad<Rules>& bad : all) ExpectRefusal(TeamMessage(), bad);
 }
 
-// What planners are asked: whoever is named, under exactly that.
+// Requests reach exactly the named agents, with exactly the stated conditions.
 TEST(ConversionTest, ARequestComesBackAsItWas) {
   kg_selector::Pathlet committed;
   committed.agent = "alpha";
@@ -328,7 +328,7 @@ TEST(ConversionTest, ARequestComesBackAsItWas) {
   EXPECT_EQ(back->ask.waypoint_prices[0].price, 0.1);
   EXPECT_EQ(back->ask.event_prices, ask.event_prices);
   const auto free = kg_selector::AskOf(same, "charlie");
-  ASSERT_TRUE(free);  // Asked for nothing but another answer.
+  ASSERT_TRUE(free);  // Asked again without conditions.
   EXPECT_TRUE(free->ask.around.empty());
   EXPECT_TRUE(free->ask.waypoint_prices.empty());
   EXPECT_FALSE(kg_selector::AskOf(same, "alpha"));
@@ -423,7 +423,7 @@ TEST(ConversionTest, CandidatesThatMakeNoSenseAreRefused) {
   message.proven = true;
   message.bound = 9.0;
   EXPECT_EQ(FromMessage(message).found.bound,
-            -std::numeric_limits<double>::infinity());  // There is no path.
+            -std::numeric_limits<double>::infinity());  // No path exists.
   message.pathlets.resize(1);
   message.pathlets[0].reward = 5.0;
   EXPECT_EQ(FromMessage(message).found.bound, 9.0);
@@ -599,7 +599,7 @@ TEST(ConversionTest, RefusesAWaypointGraphThatMakesNoSense) {
   message.edges[0].cost.seam_cost = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(FromMessage(message), InputError);
   message = good;
-  message.edges[2].from = 2;  // Within the window there are two.
+  message.edges[2].from = 2;  // The window has two waypoints.
   EXPECT_THROW(FromMessage(message), InputError);
   message = good;
   message.edges[1].via[0] = 2;

@@ -1,5 +1,5 @@
-// Degrees and unix seconds of the libraries <-> radians and ros::Time of the
-// messages; ids of agents <-> IRIs.
+// Units: degrees and Unix seconds of the libraries <-> radians and ros::Time of
+// the messages; ids of agents <-> IRIs.
 
 #ifndef KG_ROS_CONVERSION_MESSAGE_UNITS_H_
 #define KG_ROS_CONVERSION_MESSAGE_UNITS_H_
@@ -13,19 +13,19 @@
 
 namespace kg_ros {
 
-// Whole nanoseconds; times before 1970 do not occur in missions.
+// Rounded to nanoseconds; missions have no times before 1970.
 inline ros::Time ToRosTime(double unix_s) {
   return ros::Time(std::isfinite(unix_s) && unix_s > 0.0 ? unix_s : 0.0);
 }
 inline double FromRosTime(const ros::Time& time) { return time.toSec(); }
 
-// Infinity never occurs in messages; NaN = not known.
+// Messages contain no infinities; NaN = unknown.
 inline double FiniteOrUnknown(double value) {
   return std::isfinite(value) ? value
                               : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Messages with lon_rad and lat_rad.
+// For messages with lon_rad and lat_rad.
 template <typename Message>
 void SetPosition(const kg_base::LonLat& position, Message* message) {
   message->lon_rad = kg_base::DegToRad(position.lon_deg);

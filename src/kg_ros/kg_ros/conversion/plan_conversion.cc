@@ -70,7 +70,7 @@ kg_msgs::TraverseEdge ToMessage(const TraverseEdge& edge) {
   return message;
 }
 
-// Do an edge's ends and stops lie among its graph's waypoints?
+// Whether an edge's ends and stops are waypoints of its graph.
 bool IsJoined(const kg_msgs::TraverseEdge& edge, std::size_t waypoints) {
   const auto is_there = [&](std::uint32_t id) { return id < waypoints; };
   return is_there(edge.to) && (!edge.within_window || is_there(edge.from)) &&
@@ -174,7 +174,7 @@ kg_msgs::Rejection ToMessage(const kg_selector::RecordedRejection& rejected) {
   return message;
 }
 
-// Of the pathlet only agent, rank and score come by message.
+// Messages carry only agent, rank and score of the pathlet.
 kg_selector::RecordedRejection FromMessage(const kg_msgs::Rejection& message) {
   kg_selector::RecordedRejection rejected;
   rejected.agent_iri = message.agent_iri;
@@ -194,7 +194,7 @@ kg_selector::RecordedRejection FromMessage(const kg_msgs::Rejection& message) {
   return rejected;
 }
 
-// Time, version, cycle and run of what a selector says.
+// Sets time, version, cycle and run of a selector's message.
 template <typename Message, typename Value>
 void SetHeader(const Value& value, Message* message) {
   message->header.stamp = ToRosTime(value.time_s);
@@ -212,7 +212,7 @@ Value FromHeader(const Message& message) {
   return value;
 }
 
-// "id: reason".
+// Parses "id: reason".
 void AddUnassigned(const std::string& line, kg_selector::CommittedPlan* plan) {
   const std::size_t colon = line.find(": ");
   const bool has_reason = colon != std::string::npos;
@@ -348,6 +348,7 @@ kg_engine::AgentGraph FromMessage(const kg_msgs::NavGraph& message) {
                                 ": edges must lead to its waypoints, by way "
                                 "of its waypoints, and costs be finite");
     }
+    // `staging` is indexed by graph.edges only; inner edges have no flag.
     auto& edges = edge.within_window ? graph.inner_edges : graph.edges;
     edges.push_back(FromMessage(edge));
     if (!edge.within_window) made.staging.push_back(edge.staging);
@@ -421,7 +422,7 @@ kg_selector::AgentCandidates FromMessage(const kg_msgs::Candidates& message) {
   found.note = message.note;
   found.bound = message.bound;
   if (found.pathlets.empty() && message.proven) {
-    // Nothing is worth anything: as the planner had it.
+    // No path: restore the planner's bound of -infinity, sent as NaN.
     found.bound = -std::numeric_limits<double>::infinity();
   }
   return candidates;

@@ -1,6 +1,6 @@
-// Waypoint graphs, pathlets, candidates, requests and plans <-> messages. From
-// a message every number that is planned by is checked: kg_base::InputError
-// names the field.
+// Waypoint graphs, pathlets, candidates, requests and plans <-> messages. Every
+// received number used in planning is checked: kg_base::InputError names the
+// field.
 
 #ifndef KG_ROS_CONVERSION_PLAN_CONVERSION_H_
 #define KG_ROS_CONVERSION_PLAN_CONVERSION_H_
@@ -41,8 +41,8 @@ std::vector<kg_msgs::StageTime> ToMessage(
     const std::vector<kg_selector::StageTime>& stages);
 
 kg_msgs::NavGraph ToMessage(const kg_engine::AgentGraph& graph);
-// Throws kg_base::InputError if ids are not those of the order, or numbers are
-// not finite.
+// Throws kg_base::InputError if ids are not 0, 1, 2, ... in order, or numbers
+// are not finite.
 kg_engine::AgentGraph FromMessage(const kg_msgs::NavGraph& message);
 
 kg_msgs::Pathlet ToMessage(const kg_selector::Pathlet& pathlet);

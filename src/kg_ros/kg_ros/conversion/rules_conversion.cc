@@ -99,7 +99,7 @@ kg_compiler::WindowRules FromMessage(const kg_msgs::WindowRules& message) {
   return rules;
 }
 
-// What SeamRules say of paths beside their terms.
+// Checks the path rules of SeamRules: budgets, choice of paths.
 void CheckPathRules(const kg_msgs::SeamRules& message) {
   if (!std::isnan(message.hazard_budget_s)) {
     RequireAtLeast(message.hazard_budget_s, 0.0, "SeamRules.hazard_budget_s");
@@ -129,7 +129,7 @@ void WritePathRules(const kg_compiler::SeamRules& rules,
   message->churn_weight = rules.churn_weight;
 }
 
-// Throws if the rules of choosing make no sense.
+// Throws if the rules of selection are invalid.
 void CheckChoice(const kg_msgs::CoordinationRules& message) {
   RequireOneOf(message.mode, kg_selector::TeamModeNames(),
                "CoordinationRules.mode");

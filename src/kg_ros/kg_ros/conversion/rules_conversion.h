@@ -1,5 +1,5 @@
-// Seam rules and coordination rules <-> messages. From a message every number
-// is checked: kg_base::InputError names the field.
+// Seam rules and coordination rules <-> messages. Every received number is
+// checked: kg_base::InputError names the field.
 
 #ifndef KG_ROS_CONVERSION_RULES_CONVERSION_H_
 #define KG_ROS_CONVERSION_RULES_CONVERSION_H_
@@ -28,16 +28,16 @@ kg_compiler::SeamRules FromMessage(const kg_msgs::SeamRules& message);
 struct Coordination {
   std::uint64_t world_version = 0;
   std::uint64_t cycle = 0;
-  std::vector<std::string> agents;              // ex:id.
-  std::vector<double> energy_budget_j;          // Of each of them.
-  std::vector<kg_mission::TimeWindow> windows;  // Those to be planned.
+  std::vector<std::string> agents;      // ex:id.
+  std::vector<double> energy_budget_j;  // Energy budget of each agent [J].
+  std::vector<kg_mission::TimeWindow> windows;  // Windows to be planned.
   kg_compiler::CoordinationRules rules;
 };
 Coordination CoordinationOf(const kg_compiler::Compilation& compilation,
                             std::uint64_t cycle);
 kg_msgs::CoordinationRules ToMessage(const Coordination& coordination);
 kg_selector::TeamRules FromMessage(const kg_msgs::CoordinationRules& message);
-// With whom and what they are of.
+// Rules with their agents, windows and cycle.
 kg_engine::TeamTask ToTask(const kg_msgs::CoordinationRules& message);
 
 }  // namespace kg_ros

@@ -1,6 +1,6 @@
-// A team whose planners and selector exchange nothing but serialized messages,
-// late, twice and in any order: it commits what one process plans by itself, in
-// every mode there is.
+// A team whose planners and selector exchange only serialized messages,
+// delayed, duplicated and reordered: it commits the same plan as a single
+// process, in every mode.
 
 #include <deque>
 #include <map>

@@ -121,7 +121,7 @@ std::vector<kg_msgs::ScalarSlice> ToMessage(
   return message;
 }
 
-// Slices of one quantity follow one another.
+// Requires that slices of one quantity are adjacent.
 std::vector<kg_base::ScalarField> FromMessage(
     const std::vector<kg_msgs::ScalarSlice>& message,
     const kg_base::Grid& grid) {

@@ -1,5 +1,5 @@
-// Rasters of the data plane <-> messages. From a message everything is checked
-// (sizes, order, finiteness of axes): kg_base::InputError names the field.
+// Rasters of the data plane <-> messages. Received messages are checked (sizes,
+// order, finiteness of axes): kg_base::InputError names the field.
 
 #ifndef KG_ROS_CONVERSION_TENSOR_CONVERSION_H_
 #define KG_ROS_CONVERSION_TENSOR_CONVERSION_H_
@@ -20,7 +20,7 @@ namespace kg_ros {
 kg_msgs::Grid ToMessage(const kg_base::Grid& grid);
 kg_base::Grid FromMessage(const kg_msgs::Grid& message);
 
-// Only the named layers.
+// Converts only the named layers.
 kg_msgs::MissionTensor ToMessage(const kg_compiler::MissionTensor& tensor,
                                  const std::string& agent_id,
                                  std::uint64_t world_version,

@@ -1,4 +1,4 @@
-// The world in one message: version, windows, agents, time.
+// State of the world as one message: version, windows, agents, time.
 
 #ifndef KG_ROS_CONVERSION_WORLD_CONVERSION_H_
 #define KG_ROS_CONVERSION_WORLD_CONVERSION_H_
@@ -9,7 +9,8 @@
 
 namespace kg_ros {
 
-// All but header and plan. `compilation` (for the tensors' hashes) may be null.
+// All fields but header and plan. `compilation` (for the tensors' hashes) may
+// be null.
 kg_msgs::World DescribeWorld(const kg_engine::MissionServer& server,
                              const kg_compiler::Compilation* compilation);
 

@@ -17,7 +17,7 @@ namespace {
 
 const ros::Time kNewest(0);
 
-// Is `map` the frame itself or one of those above it?
+// Whether `map` is the frame itself or an ancestor.
 bool IsBelowMap(const tf2::BufferCore& frames, std::string frame) {
   // Limits the walk if other nodes publish a loop of frames, which tf2 accepts.
   constexpr int kMaxDepth = 1000;
@@ -54,7 +54,7 @@ kg_base::LonLat FromEarth(const tf2::Vector3& point,
   double height_m = 0.0;
   GeographicLib::Geocentric::WGS84().Reverse(point.x(), point.y(), point.z(),
                                              lat_deg, lon_deg, height_m);
-  // A grid may reach beyond 180 degrees: count from its centre.
+  // A grid may extend beyond 180 degrees: wrap around its centre.
   const double centre_deg = map.centre().lon_deg;
   return {centre_deg + std::remainder(lon_deg - centre_deg, 360.0), lat_deg};
 }

@@ -1,4 +1,4 @@
-// WGS84 position of a point that was clicked in any tf frame.
+// WGS84 position of a point clicked in any tf frame.
 //
 // The tree of frames is
 //
@@ -11,7 +11,7 @@
 //   any other frame:          newest transform to `earth` (geocentric, metres),
 //                             geodetic longitude and latitude
 //
-// Height does not count. The newest transform is used instead of the one at the
+// Height is ignored. The newest transform is used instead of the one at the
 // point's stamp because it is what the operator saw when clicking.
 
 #ifndef KG_ROS_DISPLAY_CLICKED_POINT_H_
@@ -24,9 +24,10 @@
 
 namespace kg_ros {
 
-// The longitude is within 180 degrees of the projection's centre; both are NaN
-// if the point is not finite. Throws kg_base::InputError, in one line that
-// names the frame, if no transform leads from it to `map` or `earth`.
+// The longitude is within 180 degrees of the projection's centre; both
+// coordinates are NaN if the point is not finite. Throws kg_base::InputError
+// naming the frame, in one line, if there is no transform from it to `map` or
+// `earth`.
 kg_base::LonLat ToPosition(const geometry_msgs::PointStamped& clicked,
                            const tf2::BufferCore& frames,
                            const kg_base::MapProjection& map);

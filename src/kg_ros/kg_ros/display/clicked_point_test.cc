@@ -88,7 +88,7 @@ TEST_F(ClickedPoint, OfTheEarthIsGeodeticFarFromTheCentre) {
   GeographicLib::Geocentric::WGS84().Forward(place.lat_deg, place.lon_deg,
                                              120.0, x_m, y_m, z_m);
   ExpectPosition(Point("earth", x_m, y_m, z_m), place);
-  // A frame beside `map`: kilometres off if it went by the plane.
+  // A frame outside `map`: the plane would be wrong by kilometres.
   Attach("earth", "map", 1e6, 2e6, 0.3);
   Attach("earth", "buoy", x_m, y_m, 1.0, z_m);
   ExpectPosition(Point("buoy", 0.0, 0.0), place);

@@ -21,9 +21,11 @@ using kg_base::MapProjection;
 using visualization_msgs::Marker;
 
 constexpr double kArrowSpacing_m = 60e3;
-constexpr double kArrowSeconds = 60e3;     // An arrow is the way of so long.
-constexpr double kLongestArrow_mps = 2.0;  // Stronger ones shorten them all.
-constexpr double kAgentsAcross = 60.0;     // So small is an agent's arrow.
+constexpr double kArrowSeconds = 60e3;  // Arrow length = flow in this time.
+// Faster flow scales all arrows down.
+constexpr double kLongestArrow_mps = 2.0;
+// Map width / length of an agent's arrow.
+constexpr double kAgentsAcross = 60.0;
 
 std_msgs::ColorRGBA Colour(double r, double g, double b, double a) {
   std_msgs::ColorRGBA colour;
@@ -42,7 +44,7 @@ geometry_msgs::Point ToPoint(const MapProjection& map, LonLat position,
   return message;
 }
 
-// Does an open neighbour make this cell without data a piece of coast?
+// Whether this cell without data has a neighbour with data.
 bool IsCoast(const Grid& grid, const kg_base::Mask& land, Cell cell) {
   if (land[grid.Index(cell)] == 0) return false;
   for (const auto& [dr, dc] : {std::pair{0, 1}, {1, 0}, {0, -1}, {-1, 0}}) {
@@ -251,7 +253,7 @@ void MarkerPainter::PaintAgents(
     const Grid& grid) {
   const double size_m = WidthOf(grid, map_) / kAgentsAcross;
   for (const auto& [id, pose] : poses) {
-    // Compass heading to half the yaw from east.
+    // Compass heading to half the yaw (from east).
     const double half_rad = 0.5 * (kg_base::kPi / 2.0 - pose.heading_rad);
     Marker& arrow = Add("agents", Marker::ARROW);
     arrow.pose.position = ToPoint(map_, pose.position, 430.0);
@@ -271,7 +273,7 @@ void MarkerPainter::PaintAgents(
 }
 
 visualization_msgs::MarkerArray MarkerPainter::Take() {
-  // rviz refuses line markers without points: they are left out.
+  // rviz rejects line markers without points: omit them.
   visualization_msgs::MarkerArray painted;
   Marker erase;
   erase.header.frame_id = kMapFrame;

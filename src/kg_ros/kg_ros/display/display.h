@@ -1,5 +1,5 @@
-// What rviz shows beside layers: paths and markers in the frame "map". Only
-// finite numbers leave this file: rviz aborts on others.
+// Paths and markers for rviz in the frame "map". All numbers sent are finite:
+// rviz aborts on others.
 
 #ifndef KG_ROS_DISPLAY_DISPLAY_H_
 #define KG_ROS_DISPLAY_DISPLAY_H_
@@ -23,14 +23,15 @@ namespace kg_ros {
 nav_msgs::Path ToPath(const kg_selector::Pathlet& pathlet,
                       const kg_base::MapProjection& map);
 
-// From the grid's western to its eastern edge [m].
+// Distance from the grid's western to its eastern edge [m].
 double WidthOf(const kg_base::Grid& grid, const kg_base::MapProjection& map);
 
 // Namespaces: "constraints", "land", "events", "currents", "agents",
 // "nav_graph/<id>", "candidates/<id>", "staging/<id>", "assigned/<id>".
 class MarkerPainter {
  public:
-  // Lines and points are sized for a map so wide, or smaller with its width.
+  // Reference map width for sizes of lines and points; they shrink with smaller
+  // maps.
   static constexpr double kMapWidth_m = 2e6;
 
   explicit MarkerPainter(kg_base::MapProjection map,
@@ -39,22 +40,23 @@ class MarkerPainter {
   // Areas that apply in a window, and the events that are active in it.
   void PaintConstraints(const kg_mission::Mission& mission, int window);
   void PaintEvents(const kg_mission::Mission& mission, int window);
-  // The coast: cells without data that touch others. None where all have data.
+  // The coast: cells without data adjacent to cells with data. Empty if all
+  // have data.
   void PaintLand(const kg_base::VectorField& field);
   // Arrows on a thinned grid, at the window's middle.
   void PaintField(const kg_compiler::WorkField& field, double time_s);
   void PaintNavGraph(const kg_engine::AgentGraph& graph);
-  // Its staging edges, in purple, whatever the window.
+  // Staging edges of the graph, in purple, for any window.
   void PaintStaging(const kg_engine::AgentGraph& graph);
   void PaintCandidates(const kg_selector::AgentCandidates& candidates);
-  // Its track, and the stops on the way through its windows.
+  // Track of the assignment, and its intermediate stops.
   void PaintAssignment(const kg_selector::PathAssignment& assignment);
 
-  // An arrow and a name for each, sized to be seen on `grid` as a whole.
+  // An arrow and a name per agent, sized for a view of the whole `grid`.
   void PaintAgents(const std::map<std::string, kg_engine::AgentPose>& poses,
                    const kg_base::Grid& grid);
 
-  // Everything painted, after a marker that erases what was there before.
+  // All markers, preceded by one that deletes the previous ones.
   visualization_msgs::MarkerArray Take();
 
  private:

@@ -1,4 +1,4 @@
-// What rviz is sent: right cells, right colours, only finite numbers.
+// Messages for rviz: correct cells and colours, only finite numbers.
 
 #include "kg_ros/display/display.h"
 
@@ -116,7 +116,7 @@ TEST(DisplayTest, ArrowsFollowTheFieldAndAreFinite) {
   }
 }
 
-// East, then north, as a current may want it: not straight to the end.
+// East, then north, as a current may require: not the straight line.
 TEST(DisplayTest, TracksAreDrawnWithTheirTurningPoints) {
   const kg_base::MapProjection map({-90.0, 25.0});
   const kg_base::LonLat way[] = {{-90.2, 25.0}, {-89.8, 25.0}, {-89.8, 25.4}};

@@ -26,9 +26,9 @@ using kg_engine::ShownLayers;
 using nav_msgs::OccupancyGrid;
 using visualization_msgs::Marker;
 
-constexpr unsigned kClicks = 10;  // That may wait.
+constexpr unsigned kClicks = 10;  // Queue length of clicks.
 
-// A view with the work it is made of, made once and when first wanted.
+// A view with its work map, computed once on demand.
 class Looked {
  public:
   Looked(AgentView view, std::vector<kg_base::LonLat> places,

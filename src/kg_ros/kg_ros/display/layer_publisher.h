@@ -1,6 +1,6 @@
-// What rviz is shown of tensors and of work, for each agent and the window
-// looked at: the heatmap, every layer, and WORK in colour, from where the agent
-// is and from where the operator last clicked (rviz's tool "Publish Point").
+// Tensors and work maps for rviz, for each agent and the window in view: the
+// heatmap, every layer, and WORK in colour, from the agent's position and from
+// the last clicked point (rviz tool "Publish Point").
 
 #ifndef KG_ROS_DISPLAY_LAYER_PUBLISHER_H_
 #define KG_ROS_DISPLAY_LAYER_PUBLISHER_H_
@@ -27,7 +27,7 @@ class LayerPublisher {
  public:
   explicit LayerPublisher(const ros::NodeHandle& node);
 
-  // From now on this is looked at. Cheap while nobody listens.
+  // Sets the scene to show. Cheap without subscribers.
   void Show(kg_engine::Scene scene, const kg_base::MapProjection& map);
 
  private:

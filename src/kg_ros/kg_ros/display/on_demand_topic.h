@@ -1,5 +1,5 @@
-// A latched topic that costs nothing while nobody listens: its message is made
-// when somebody does, and kept until something else is to be shown.
+// A latched topic without cost while it has no subscribers: its message is made
+// on the first subscription and kept until the content changes.
 
 #ifndef KG_ROS_DISPLAY_ON_DEMAND_TOPIC_H_
 #define KG_ROS_DISPLAY_ON_DEMAND_TOPIC_H_
@@ -14,7 +14,7 @@
 
 namespace kg_ros {
 
-// Used by one thread: the one that serves the node handle's callbacks.
+// Single-threaded: use from the thread that serves the node handle's callbacks.
 template <typename Message>
 class OnDemandTopic {
  public:
@@ -25,8 +25,8 @@ class OnDemandTopic {
   OnDemandTopic(const OnDemandTopic&) = delete;
   OnDemandTopic& operator=(const OnDemandTopic&) = delete;
 
-  // From now on shows what `make` makes. Equal keys: the message would be the
-  // same, and is not sent again.
+  // Sets the content to the result of `make`. Equal keys mean equal messages,
+  // which are not sent again.
   void Offer(const std::string& key, std::function<Message()> make) {
     make_ = std::move(make);
     if (key == key_) return;
@@ -39,7 +39,7 @@ class OnDemandTopic {
   }
 
  private:
-  // Anew, so that what was latched is forgotten.
+  // Advertises again, which discards the latched message.
   void Advertise() {
     publisher_.shutdown();
     is_published_ = false;
@@ -57,7 +57,8 @@ class OnDemandTopic {
   std::string name_;
   std::string key_;
   std::function<Message()> make_;
-  bool is_published_ = false;  // What `make_` makes, since it was advertised.
+  // True if the current message was published since advertising.
+  bool is_published_ = false;
   ros::Publisher publisher_;
 };
 

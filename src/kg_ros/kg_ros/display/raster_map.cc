@@ -33,7 +33,7 @@ nav_msgs::OccupancyGrid Frame(const Grid& grid,
   return frame;
 }
 
-// The cell of an axis that a coordinate lies in.
+// Index of the axis cell that contains a coordinate.
 int CellOf(const Axis& axis, double coordinate) {
   const auto at = axis.Locate(coordinate);
   if (!at) return kOutside;
@@ -43,13 +43,15 @@ int CellOf(const Axis& axis, double coordinate) {
 
 }  // namespace
 
-// Columns depend on x alone and rows on y alone: the map is a cylinder's.
+// Columns depend on x only and rows on y only, because the projection is
+// cylindrical.
 nav_msgs::OccupancyGrid ToOccupancyGrid(
     const Grid& grid, const std::vector<std::int8_t>& percents,
     const kg_base::MapProjection& map) {
   nav_msgs::OccupancyGrid shown = Frame(grid, map);
   const geometry_msgs::Point& origin = shown.info.origin.position;
   const double side_m = shown.info.resolution;
+  // Longitude cell of each map column, then fill row by row.
   std::vector<int> columns;
   for (unsigned i = 0; i < shown.info.width; ++i) {
     const MapPoint at{origin.x + (i + 0.5) * side_m, origin.y};

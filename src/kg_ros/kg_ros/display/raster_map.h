@@ -1,5 +1,5 @@
-// Rasters on a longitude/latitude grid as what rviz shows: square cells of the
-// map, each with the value of the grid's nearest cell.
+// Rasters on a longitude/latitude grid as occupancy grids for rviz: square
+// cells of the map, each with the value of the grid's nearest cell.
 
 #ifndef KG_ROS_DISPLAY_RASTER_MAP_H_
 #define KG_ROS_DISPLAY_RASTER_MAP_H_
@@ -13,7 +13,7 @@
 
 namespace kg_ros {
 
-// `percents`: one a cell of the grid. Outside of it is no data.
+// `percents`: one value per cell of the grid. Cells outside of it have no data.
 nav_msgs::OccupancyGrid ToOccupancyGrid(
     const kg_base::Grid& grid, const std::vector<std::int8_t>& percents,
     const kg_base::MapProjection& map);

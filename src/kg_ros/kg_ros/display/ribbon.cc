@@ -15,7 +15,8 @@ using geometry_msgs::Point;
 using visualization_msgs::Marker;
 
 constexpr double kSquareHeight_m = 10.0;
-constexpr double kStraight_rad = 0.01;  // Legs that turn less become one.
+// Maximum turn between legs that are merged.
+constexpr double kStraight_rad = 0.01;
 
 using Segment = std::pair<Point, Point>;
 
@@ -32,7 +33,7 @@ bool GoesOn(const Segment& one, const Segment& next) {
   return gap_m == 0.0 && std::abs(turn_rad) < kStraight_rad;
 }
 
-// The segments that have a length, straight runs of them joined.
+// Segments of nonzero length; straight runs are merged.
 std::vector<Segment> Segments(const Marker& marker) {
   const std::size_t stride = marker.type == Marker::LINE_LIST ? 2 : 1;
   std::vector<Segment> segments;
@@ -50,7 +51,7 @@ std::vector<Segment> Segments(const Marker& marker) {
   return segments;
 }
 
-// `along` and `across` in metres from `origin`, in the segment's direction.
+// Point at `along` and `across` from `origin` in the segment's frame [m].
 Point Beside(const Point& origin, double heading_rad, double along,
              double across) {
   Point point = origin;
@@ -59,7 +60,8 @@ Point Beside(const Point& origin, double heading_rad, double along,
   return point;
 }
 
-// Two triangles, a quarter of the width longer at both ends to close joints.
+// Two triangles, extended by a quarter of the width at both ends to close
+// joints.
 void AddRibbon(const Segment& segment, double width_m,
                std::vector<Point>* points) {
   const double heading = Heading_rad(segment);

@@ -127,7 +127,8 @@ void RvizPublisher::ShowFleet(const kg_engine::FleetState& fleet) {
     transform.transform.rotation = ToMessage(rotation);
     transforms.push_back(transform);
   }
-  frames_.sendTransform(transforms);  // At once: who knows one, knows all.
+  // Sent together, so that receivers have all frames.
+  frames_.sendTransform(transforms);
 }
 
 void RvizPublisher::Keep(const kg_engine::AgentGraph& graph) {

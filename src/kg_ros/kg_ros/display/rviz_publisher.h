@@ -27,16 +27,16 @@ class RvizPublisher {
  public:
   explicit RvizPublisher(const ros::NodeHandle& node);
 
-  // From now on this is shown. Everything is of `window`, clamped to those
-  // compiled.
+  // Sets the compilation to show. All layers are of `window`, clamped to the
+  // compiled windows.
   void Show(std::shared_ptr<const kg_compiler::Compilation> compilation,
             int window);
   void ShowPlan(const kg_selector::CommittedPlan& plan);
   void ShowFleet(const kg_engine::FleetState& fleet);
-  // Kept for the next Refresh().
+  // Stored until the next Refresh().
   void Keep(const kg_engine::AgentGraph& graph);
   void Keep(const kg_selector::AgentCandidates& candidates);
-  // Shows what has come, and where the agents have gone, since Show().
+  // Shows data received and agent positions changed since Show().
   void Refresh();
 
  private:

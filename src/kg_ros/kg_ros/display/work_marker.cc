@@ -12,12 +12,13 @@ using kg_base::LonLat;
 using kg_compiler::CellAccess;
 using visualization_msgs::Marker;
 
-constexpr double kHeight_m = 50.0;  // Above heatmaps, below all else.
+constexpr double kHeight_m = 50.0;  // Above heatmaps, below all other markers.
 constexpr float kOpacity = 0.9F;
-constexpr int kShades = 32;           // From green to red.
-constexpr int kInfeasible = kShades;  // After them.
+constexpr int kShades = 32;           // Shades from green to red.
+constexpr int kInfeasible = kShades;  // Index after the shades.
 constexpr int kNothing = -1;
-constexpr double kPlacesAcross = 150.0;  // So small is a place's square.
+// Map width / side of a place's square.
+constexpr double kPlacesAcross = 150.0;
 
 int ShadeOf(const kg_compiler::WorkMap& work, std::size_t cell) {
   if (work.access[cell] == CellAccess::kNoData) return kNothing;

@@ -1,9 +1,9 @@
-// WORK in colour: green = easy, through yellow to red = takes all the time
-// there is, dark red = infeasible (too far, or forbidden); land is left out. A
-// white square stands at each place one departs from.
+// WORK in colour: from green (little time) over yellow to red (all available
+// time), dark red = infeasible (too far, or forbidden); land is omitted. A
+// white square marks each departure place.
 //
-// Triangles in the plane of the map, a rectangle for each run of cells of one
-// colour: exact on uneven grids, and few where nothing is reached.
+// Triangles in the plane of the map, one rectangle per run of cells of one
+// colour: exact on nonuniform grids, and few if little is reached.
 
 #ifndef KG_ROS_DISPLAY_WORK_MARKER_H_
 #define KG_ROS_DISPLAY_WORK_MARKER_H_

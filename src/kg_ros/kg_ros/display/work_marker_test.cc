@@ -18,7 +18,7 @@ kg_base::Grid SixCells() {
   return kg_base::Grid({-90.0, -89.9, -89.7}, {25.0, 25.1});
 }
 
-// From the third cell of value: the first is too far.
+// Work from the third cell with value: the first one is out of reach.
 kg_compiler::WorkMap Work() {
   kg_compiler::WorkMap work;
   work.budget_s = 1000.0;
@@ -29,10 +29,10 @@ kg_compiler::WorkMap Work() {
   return work;
 }
 
-// The colour of the marker at a place of the map.
+// Colour of the marker at a point of the map.
 std_msgs::ColorRGBA ColourAt(const visualization_msgs::Marker& marker,
                              const kg_base::MapPoint& at) {
-  std_msgs::ColorRGBA colour;  // Nothing there: transparent.
+  std_msgs::ColorRGBA colour;  // No marker: transparent.
   for (std::size_t i = 0; i + 5 < marker.points.size(); i += 6) {
     const auto& low = marker.points[i];
     const auto& high = marker.points[i + 5 - 1];
@@ -52,15 +52,15 @@ TEST(WorkMarker, IsGreenRedAndDarkRedAndLeavesLandOut) {
   work.time_s[3] = 1000.0F;
   const auto marker = ToWorkMarker(grid, work, {{-89.9, 25.0}}, map);
   const auto at = [&](int row, int col) {
-    // Beside the middle, where a place may be marked.
+    // Off the centre, which may have a place marker.
     kg_base::LonLat centre = grid.Centre({row, col});
     centre.lat_deg += 0.02;
     return ColourAt(marker, map.Forward(centre));
   };
   EXPECT_EQ(marker.points.size(), marker.colors.size());
-  EXPECT_GT(at(1, 2).g, 0.8F);  // At once.
+  EXPECT_GT(at(1, 2).g, 0.8F);  // No time needed.
   EXPECT_EQ(at(1, 2).r, 0.0F);
-  EXPECT_GT(at(1, 0).r, 0.9F);  // With the last of the time.
+  EXPECT_GT(at(1, 0).r, 0.9F);  // Takes all available time.
   EXPECT_EQ(at(1, 0).g, 0.0F);
   EXPECT_GT(at(1, 1).g, 0.5F);  // Half way: yellow.
   EXPECT_GT(at(1, 1).r, 0.5F);

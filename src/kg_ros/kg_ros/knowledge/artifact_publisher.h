@@ -1,8 +1,8 @@
-// Sends compilations out: tensors, work fields, seam rules, coordination rules.
+// Publishes compilations: tensors, work fields, seam rules, coordination rules.
 //
-// A raster goes out when its hash is new; a new subscriber is sent all that are
-// current. Rules go out with every cycle and name, by hash, the rasters they
-// belong to, so that a planner never mixes worlds.
+// A raster is published when its hash is new; a new subscriber receives all
+// current ones. Rules are published with every cycle and reference their
+// rasters by hash, so that a planner never mixes world versions.
 
 #ifndef KG_ROS_KNOWLEDGE_ARTIFACT_PUBLISHER_H_
 #define KG_ROS_KNOWLEDGE_ARTIFACT_PUBLISHER_H_
@@ -27,7 +27,7 @@ class ArtifactPublisher {
   void Publish(const kg_compiler::Compilation& compilation,
                std::uint64_t cycle);
 
-  // Is somebody there who plans for this agent, and somebody who selects?
+  // Whether a planner for this agent, and a selector, are connected.
   bool HasPlanner(const std::string& agent_id) const;
   bool HasSelector() const;
 

@@ -1,5 +1,4 @@
-// Answers kg/check on a thread of its own: facts are taken and cycles planned
-// meanwhile.
+// Answers kg/check on its own thread, in parallel to updates and cycles.
 
 #ifndef KG_ROS_KNOWLEDGE_CHECK_SERVER_H_
 #define KG_ROS_KNOWLEDGE_CHECK_SERVER_H_
@@ -18,7 +17,7 @@ namespace kg_ros {
 
 class CheckServer {
  public:
-  // `server` must outlive this; only present() and files() are used.
+  // `server` must outlive this object; only present() and files() are used.
   CheckServer(const ros::NodeHandle& node, kg_engine::MissionServer* server);
   ~CheckServer();
   CheckServer(const CheckServer&) = delete;

@@ -24,13 +24,13 @@ using kg_engine::SparqlHttpOptions;
 using kg_msgs::UpdateReport;
 using kg_msgs::World;
 
-constexpr unsigned kBurst = 10000;  // Fact updates that may wait.
+constexpr unsigned kBurst = 10000;  // Queue length of fact updates.
 constexpr unsigned kManyGraphs = 1000;
 constexpr double kWatchPeriod_s = 0.5;
 constexpr double kIdle_s = 0.02;
 constexpr int kMovesPerRepaint = 4;       // Markers are large: every 2 s.
-constexpr double kPatience_s = 0.5;       // For poses of all at a new window.
-constexpr double kHttpPatience_s = 30.0;  // Until an update is begun.
+constexpr double kPatience_s = 0.5;       // Wait for all poses at a new window.
+constexpr double kHttpPatience_s = 30.0;  // Wait for an HTTP update to begin.
 
 double Now_s() { return ros::WallTime::now().toSec(); }
 
@@ -94,7 +94,7 @@ void KgNode::StartHttpServer(const SparqlHttpOptions& options) {
            options.token_file.empty() ? "no token" : "with a token");
 }
 
-// The first cycle is reported like that of an update.
+// The first cycle is reported like one of an update.
 void KgNode::ExpectFirstPlan() {
   UpdateReport report;
   report.header.stamp = ros::Time::now();
@@ -287,8 +287,8 @@ void KgNode::StartCycle() {
   PublishWorld();
 }
 
-// At a new window: has everybody reported from its begin? Nobody is waited for
-// long.
+// At a new window: whether all agents have reported from its begin, or the wait
+// has timed out.
 bool KgNode::FleetIsReady() const {
   return server_.fleet().IsComplete() || Now_s() >= patience_ends_s_;
 }
@@ -353,6 +353,7 @@ void KgNode::CommitFinishedPlan() {
   const std::optional<kg_selector::CommittedPlan> plan =
       progress_.TakeFinishedPlan();
   if (!plan || cycle_is_due_) return;
+  // Run numbers ascend; an older run may come from a replaced selector.
   if (plan->run <= server_.plan_run()) {
     ROS_WARN("[commit] run %lu is not newer than run %lu: dropped", plan->run,
              server_.plan_run());
@@ -414,7 +415,8 @@ void KgNode::HandleAgentState(const kg_msgs::AgentState& message) {
   ExpireFacts();
 }
 
-// What was planned for the windows that are over has been done.
+// Marks the planned stops of past windows as executed, then starts a new cycle
+// or ends the mission.
 void KgNode::PassWindows(const int from, const int to) {
   if (plan_) {
     for (const kg_selector::PathAssignment& assignment : plan_->assignments) {
@@ -446,7 +448,7 @@ void KgNode::Watch() {
     if (++moves_ % kMovesPerRepaint == 0) graphs_are_new_ = true;
   }
   if (compilation_ == nullptr) return;
-  rviz_.ShowFleet(server_.fleet());  // Also at rest: frames age.
+  rviz_.ShowFleet(server_.fleet());  // Also without motion: transforms age.
   if (shown_window_ != ViewWindow()) {
     shown_window_ = ViewWindow();
     rviz_.Show(compilation_, shown_window_);
@@ -461,7 +463,8 @@ void KgNode::Watch() {
     PublishWorld();
   } else if (plan_status_ == World::PLAN_STALE && missing.empty() &&
              !plan_note_.empty() && !cycle_is_due_) {
-    plan_status_ = World::PLAN_OK;  // They are back, the plan still holds.
+    // Nodes are back and the plan is still valid.
+    plan_status_ = World::PLAN_OK;
     plan_note_.clear();
     PublishWorld();
   }
@@ -482,7 +485,7 @@ int KgNode::ViewWindow() const {
   return window >= 0 ? window : server_.current_window();
 }
 
-// What others are told --------------------------------------------------------
+// Publishing ------------------------------------------------------------------
 
 void KgNode::PublishWorld() {
   World world = DescribeWorld(server_, compilation_.get());

@@ -1,6 +1,5 @@
-// kg_node beside its main(): converts messages, asks the MissionServer,
-// publishes.
-// What each topic and service carries: docs/interface.md.
+// The ROS interface of kg_node: converts messages, calls the MissionServer,
+// publishes. Topics and services: docs/interface.md.
 
 #ifndef KG_ROS_KNOWLEDGE_KG_NODE_H_
 #define KG_ROS_KNOWLEDGE_KG_NODE_H_
@@ -42,14 +41,14 @@ namespace kg_ros {
 
 class KgNode {
  public:
-  // Opens the mission: throws kg_base::InputError.
+  // Opens the mission; throws kg_base::InputError.
   KgNode(const kg_engine::MissionFolders& folders,
          const kg_engine::SparqlHttpOptions& http, const ros::NodeHandle& node,
          const ros::NodeHandle& own);
   ~KgNode();
 
-  // Until ROS shuts down. Messages that are waiting are taken first; then what
-  // they made dirty is compiled once.
+  // Runs until ROS shuts down. Pending messages are processed first; then the
+  // dirty artifacts are compiled once.
   void Spin();
 
  private:
@@ -74,21 +73,21 @@ class KgNode {
   kg_msgs::UpdateReport Report(const kg_core::FactUpdate& update,
                                const kg_engine::Decision& decision,
                                std::uint64_t before);
-  // Facts that mission time has outlived are taken back.
+  // Retracts facts that have expired in mission time.
   void ExpireFacts();
-  // Times that no window covers, when they have changed.
+  // Reports times that no window covers, when they have changed.
   void TellGaps(kg_msgs::UpdateReport* report);
   void StartCycle();
   bool FleetIsReady() const;
   void FailCycle(const std::string& why);
   void CommitFinishedPlan();
   void ReportPlan(const kg_selector::CommittedPlan& plan, double commit_s);
-  // Runs `work`; what makes no sense in the message it reads is logged.
+  // Runs `work`; logs invalid messages (InputError).
   static void Guarded(const std::function<void()>& work);
-  // While the node is idle: the facts of one waypoint graph of the plan.
+  // Records the facts of one waypoint graph of the plan while the node is idle.
   void RecordNextGraph();
   void PassWindows(int from, int to);
-  // Twice a second: who is missing, which window is looked at.
+  // Periodic (2 Hz) check for missing nodes and the window in view.
   void Watch();
   std::string MissingNodes() const;
   int ViewWindow() const;
@@ -97,7 +96,7 @@ class KgNode {
 
   ros::NodeHandle node_;
   ros::NodeHandle own_;
-  double opening_s_;  // When the server began to open, Unix seconds.
+  double opening_s_;  // Begin of opening the server [Unix s].
   kg_engine::MissionServer server_;
   ArtifactPublisher artifacts_;
   RvizPublisher rviz_;
@@ -116,14 +115,15 @@ class KgNode {
   ros::WallTimer watch_;
 
   std::shared_ptr<const kg_compiler::Compilation> compilation_;
-  std::optional<kg_selector::CommittedPlan> plan_;  // The last one committed.
+  std::optional<kg_selector::CommittedPlan> plan_;  // Last committed plan.
   PendingReports pending_;
-  std::vector<std::string> gaps_;  // Told last.
+  std::vector<std::string> gaps_;  // Gaps last reported.
   bool cycle_is_due_ = true;
-  double patience_ends_s_ = 0.0;  // Unix seconds; for poses at a new window.
+  // End of the wait for poses at a new window [Unix s].
+  double patience_ends_s_ = 0.0;
   bool fleet_has_moved_ = false;
   bool graphs_are_new_ = false;
-  int moves_ = 0;  // Watches that found the fleet elsewhere.
+  int moves_ = 0;  // Watch() calls that found the fleet moved.
   int shown_window_ = -1;
   double cycle_began_s_ = 0.0;  // Unix seconds.
   std::uint8_t plan_status_ = kg_msgs::World::PLAN_NONE;

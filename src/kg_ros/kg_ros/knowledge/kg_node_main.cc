@@ -1,12 +1,12 @@
 // kg_node: owns the mission's facts, compiles them, records the plans.
 //
 //   parameters  ~mission_folder  holds mission.ttl
-//               ~data_folder     where its files are looked up first
+//               ~data_folder     folder searched first for its files
 //               ~state_folder    the durable store
 //               ~view_window     window rviz looks at; -1 = the current one
 //               ~http_port       SPARQL over HTTP on 127.0.0.1; 0 = off
 //               ~http_token_file holds the access token; "" = none is asked
-//               ~http_writable   may updates come that way? Needs a token
+//               ~http_writable   true = accept updates over HTTP; needs a token
 
 #include <cstdlib>
 
@@ -34,7 +34,8 @@ Parameters ReadParameters(const ros::NodeHandle& own) {
   folders.data = read.Text("data_folder", "");
   folders.state = read.Text("state_folder");
   folders.ontology = ros::package::getPath("kg_mission") + "/ontology";
-  read.Integer("view_window", {-1, 100000}, -1);  // Polled while it runs.
+  // Re-read while the node runs.
+  read.Integer("view_window", {-1, 100000}, -1);
   parameters.http.port = read.Integer("http_port", {0, 65535}, 0);
   parameters.http.token_file = read.Text("http_token_file", "");
   parameters.http.writable = read.Boolean("http_writable", false);
@@ -42,8 +43,8 @@ Parameters ReadParameters(const ros::NodeHandle& own) {
   return parameters;
 }
 
-// A mission that cannot be opened is said so, and tried again: its files may be
-// on their way.
+// Retries with a log message if the mission cannot be opened, because its files
+// may still be arriving.
 void Serve(const Parameters& parameters, const ros::NodeHandle& own) {
   while (ros::ok()) {
     try {

@@ -1,6 +1,6 @@
-// Reports of fact updates that were accepted and wait for their plan. They
-// gather what became dirty and how long each stage took, and are handed out
-// once the plan answers for them, or could not be made.
+// Reports of accepted fact updates that wait for their plan. They collect dirty
+// artifacts and stage durations, and are returned once a plan accounts for
+// them, or planning has failed.
 
 #ifndef KG_ROS_KNOWLEDGE_PENDING_REPORTS_H_
 #define KG_ROS_KNOWLEDGE_PENDING_REPORTS_H_
@@ -18,12 +18,13 @@ class PendingReports {
  public:
   void Add(const kg_msgs::UpdateReport& report) { reports_.push_back(report); }
 
-  // Their facts are compiled. Several updates may share one compilation; one
-  // that was abandoned for a newer update has said what was dirty already.
+  // Adds the compilation of their facts. Several updates may share one
+  // compilation; a compilation abandoned for a newer update has already
+  // reported its dirty artifacts.
   void Compiled(const kg_compiler::Compilation& compilation, double compile_s,
                 double publish_s);
 
-  // All that wait, with the end of their story; then nothing waits.
+  // Returns all pending reports with their result; none is pending afterwards.
   std::vector<kg_msgs::UpdateReport> Answer(
       const kg_selector::CommittedPlan& plan, double commit_s);
   std::vector<kg_msgs::UpdateReport> Fail(const std::string& why);

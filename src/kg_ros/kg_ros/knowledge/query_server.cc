@@ -23,7 +23,7 @@ bool IsGraph(const QueryResult& result) {
          result.form == QueryResult::Form::kDescribe;
 }
 
-// Empty: the first, which is JSON.
+// Empty name = the first format, JSON.
 const kg_core::ResultFormat& FormatNamed(const std::string& name) {
   std::string known;
   for (const kg_core::ResultFormat& format : kg_core::ResultFormats()) {

@@ -1,6 +1,5 @@
-// Answers kg/query and kg/export on threads of their own, from snapshots of the
-// store: they go on while facts are taken and cycles compiled, and a slow query
-// does not hold up the others.
+// Answers kg/query and kg/export on their own threads, from snapshots of the
+// store, in parallel to updates and cycles; a slow query does not delay them.
 
 #ifndef KG_ROS_KNOWLEDGE_QUERY_SERVER_H_
 #define KG_ROS_KNOWLEDGE_QUERY_SERVER_H_
@@ -22,7 +21,7 @@ namespace kg_ros {
 
 class QueryServer {
  public:
-  // `server` must outlive this; only its Read() is used.
+  // `server` must outlive this object; only its Read() is used.
   QueryServer(const ros::NodeHandle& node,
               const kg_engine::MissionServer* server);
   ~QueryServer();

@@ -19,7 +19,7 @@
 namespace kg_ros {
 namespace {
 
-constexpr double kRest_s = 0.1;  // At least, between two looks.
+constexpr double kRest_s = 0.1;  // Minimum pause between evaluations.
 constexpr unsigned kManyAnswers = 1000;
 
 }  // namespace
@@ -91,9 +91,9 @@ void WatchServer::Begin(const kg_core::WatchDefinition& definition,
   response->ok = static_cast<unsigned char>(answer.error.empty());
 }
 
-// Looks again if anything was committed since it looked last, and only while
-// somebody listens: what changed before is told to the first who does. It rests
-// as long as it took, so that watching takes half a core at most.
+// Re-evaluates after a commit, and only with subscribers: earlier changes are
+// reported to the first subscriber. The pause is at least as long as the
+// evaluation, so that watching takes at most half a core.
 void WatchServer::Run() {
   std::shared_ptr<const kg_core::GraphView> seen;
   double rest_s = 0.0;
@@ -121,8 +121,8 @@ void WatchServer::LookAtAll() {
   }
 }
 
-// Each from a snapshot of its own, taken under the lock: no answer is older
-// than the one before.
+// Each evaluation uses its own snapshot, taken under the lock, so that no
+// answer is older than the previous one.
 void WatchServer::LookAt(const std::string& id) {
   const std::lock_guard<std::mutex> lock(list_mutex_);
   const auto view = server_->Read();

@@ -1,7 +1,7 @@
-// kg/watch and kg/watched: tells who asked when the answer of a query changes,
-// whatever changed it. Looks from snapshots, on threads of its own: neither the
-// writer nor kg/query waits for it. Of changes that follow each other quickly
-// only the last state is told, and that one always.
+// kg/watch and kg/watched: publishes changes of a query's answer, whatever
+// caused them. Evaluates snapshots on its own threads, so that neither the
+// writer nor kg/query waits for it. Of changes in quick succession only the
+// last state is published, and that one always.
 
 #ifndef KG_ROS_KNOWLEDGE_WATCH_SERVER_H_
 #define KG_ROS_KNOWLEDGE_WATCH_SERVER_H_
@@ -29,8 +29,8 @@ namespace kg_ros {
 
 class WatchServer {
  public:
-  // Goes on with the watches that the store kept. `server` must outlive this;
-  // only what it gives to any thread is used.
+  // Resumes the watches kept in the store. `server` must outlive this object;
+  // only its thread-safe functions are used.
   WatchServer(const ros::NodeHandle& node, kg_engine::MissionServer* server);
   ~WatchServer();
   WatchServer(const WatchServer&) = delete;
@@ -45,7 +45,7 @@ class WatchServer {
   void Run();
   void LookAtAll();
   void LookAt(const std::string& id);
-  // Until then, or until the end.
+  // Sleeps for `seconds`, or until shutdown.
   bool RestFor(double seconds);
 
   kg_engine::MissionServer* const server_;

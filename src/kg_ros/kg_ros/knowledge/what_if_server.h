@@ -1,5 +1,5 @@
-// Answers kg/what_if on a thread of its own, one question after the other:
-// facts are taken and cycles planned meanwhile.
+// Answers kg/what_if on its own thread, one question at a time, in parallel to
+// updates and cycles.
 
 #ifndef KG_ROS_KNOWLEDGE_WHAT_IF_SERVER_H_
 #define KG_ROS_KNOWLEDGE_WHAT_IF_SERVER_H_
@@ -19,7 +19,7 @@ namespace kg_ros {
 
 class WhatIfServer {
  public:
-  // `server` must outlive this; only present() and files() are used.
+  // `server` must outlive this object; only present() and files() are used.
   WhatIfServer(const ros::NodeHandle& node, kg_engine::MissionServer* server);
   ~WhatIfServer();
   WhatIfServer(const WhatIfServer&) = delete;

@@ -43,7 +43,8 @@ bool WhyServer::Handle(kg_msgs::Why::Request& request,
     }
     response = ToMessage(explanation);
     response.world_version = version;
-  } catch (const std::exception& error) {  // Also what planners got wrong.
+    // Includes errors in planners' results.
+  } catch (const std::exception& error) {
     response.error = error.what();
   }
   return true;

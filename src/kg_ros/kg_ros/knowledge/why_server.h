@@ -1,8 +1,7 @@
-// Answers kg/why on a thread of its own, while the node goes on with facts and
-// cycles.
+// Answers kg/why on its own thread, in parallel to updates and cycles.
 //
 // Tensor cells are answered from the newest compilation; the rest from the last
-// committed plan, also while it is stale, which the text then says.
+// committed plan, even if stale, which the text then states.
 
 #ifndef KG_ROS_KNOWLEDGE_WHY_SERVER_H_
 #define KG_ROS_KNOWLEDGE_WHY_SERVER_H_
@@ -22,7 +21,7 @@ namespace kg_ros {
 
 class WhyServer {
  public:
-  // `server` must outlive this; only its Read() is used.
+  // `server` must outlive this object; only its Read() is used.
   WhyServer(const ros::NodeHandle& node,
             const kg_engine::MissionServer* server);
   ~WhyServer();

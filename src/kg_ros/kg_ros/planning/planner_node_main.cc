@@ -29,7 +29,7 @@ namespace kg_ros {
 namespace {
 
 constexpr unsigned kAllWindows = 512;  // Queue: more than a mission's windows.
-constexpr double kPatience_s = 2.0;    // For rasters that the rules name.
+constexpr double kPatience_s = 2.0;    // Wait for rasters named by the rules.
 
 class PlannerNode {
  public:
@@ -92,7 +92,8 @@ class PlannerNode {
     fields_ = Subscribe<kg_msgs::WorkField>(kWorkFieldsTopic, kAllWindows);
   }
 
-  // A raster may be lost on the way: a new subscriber is sent them all.
+  // A raster message may be lost: resubscribing triggers sending all of them
+  // again.
   void AskAgain() {
     if (!planner_.IsDue() || planner_.IsComplete()) {
       was_waiting_ = false;
@@ -124,7 +125,7 @@ class PlannerNode {
       has_planned_ = true;
       candidates_.publish(last_);
     });
-    PlanAgain();  // It may have been asked before it had planned.
+    PlanAgain();  // A request may have arrived before the first plan.
   }
 
   void HandleRequest(const kg_msgs::RoundRequest& message) {
@@ -150,8 +151,8 @@ class PlannerNode {
   ros::Subscriber rejections_;
   ros::Subscriber requests_;
   ros::WallTimer patience_;
-  kg_selector::RoundRequest asked_;  // Last.
-  kg_msgs::Candidates last_;         // Of round 0.
+  kg_selector::RoundRequest asked_;  // Last request.
+  kg_msgs::Candidates last_;         // Candidates of round 0.
   bool has_planned_ = false;
   bool was_waiting_ = false;
 };

@@ -1,7 +1,7 @@
-// selector_node: makes one conflict-free team plan of everybody's candidates.
-// It converts, calls and publishes; every decision is made in kg_selector.
+// selector_node: makes one conflict-free team plan from all agents' candidates.
+// It converts, calls and publishes; every decision is made in the libraries.
 //
-//   parameters  ~deadline_s  how long a missing planner is waited for [s]
+//   parameters  ~deadline_s  maximum wait for a missing planner [s]
 
 #include <cstdlib>
 #include <functional>
@@ -46,7 +46,7 @@ class SelectorNode {
   }
 
  private:
-  // Runs are numbered above those of a predecessor that was killed.
+  // Run numbers continue above those of a killed predecessor.
   void HandleWorld(const kg_msgs::World& message) {
     Answer([&] { return selector_.KnowRun(message.plan_run); });
   }

@@ -71,7 +71,7 @@ class StepExplainer {
     return world_.compilation->mission.windows.at(visit_.window);
   }
 
-  // Tensors are float32, and the search for waypoints rounds what it sums.
+  // Residual: tensors are float32, and the waypoint search rounds its sums.
   void AddScores() {
     for (const int stop : StopsOf(visit_)) {
       AddScore(member_.graphs[stage_].waypoints.at(stop));
@@ -89,7 +89,7 @@ class StepExplainer {
              ? ""
              : " around waypoint " + std::to_string(waypoint.id)) +
         ")";
-    // The sum over the cells of the footprint, term by term.
+    // Sum over the footprint's cells, term by term.
     for (auto part : score.parts) {
       part.text += cells;
       explanation_.parts.push_back(std::move(part));
@@ -182,7 +182,7 @@ Explanation ExplainAssignment(const PlannedWorld& world, const Agent& agent,
   const Pathlet& path = NeedPath(world, agent);
   const TeamMember& member = FindMember(world, agent);
   Explanation explanation;
-  // Without a window the whole path is explained.
+  // Without a window: explain the whole path.
   if (window < 0) {
     explanation = ExplainPath(world, member, path);
   } else {

@@ -1,21 +1,20 @@
-// Why the plan is as it is, and why it is not otherwise: one question, one
-// explanation whose contributions sum to what is explained.
+// Explains a plan: why a decision was taken, or why an alternative was not.
+// Each question has one explanation, whose contributions sum to the explained
+// value.
 //
 //   what         value explained
-//   ASSIGNMENT   what a step is worth: the waypoint's score + its events'
-//   rewards
-//                - the seam's cost; without a window, the whole path's
+//   ASSIGNMENT   value of a step: the waypoint's score + its events' rewards
+//                - the seam's cost; without a window, that of the whole path
 //   TENSOR_CELL  U of Eq. 1
 //   EDGE         S, the seam's cost
-//   REJECTION    the margin by which the rule was broken [m or agents]
-//   WAYPOINT     why not: score of the path chosen - best score of a path by
-//   way
-//                of it; or what it misses being on a path by
-//   EVENT        the same of an event, in one window or (-1) the best of all
-//   PLACE        the same of a place that need not be a waypoint
+//   REJECTION    margin by which the rule was broken [m or agents]
+//   WAYPOINT     why not: score of the path chosen - best score of a path
+//                through it; or the margin that excludes it (why_not.h)
+//   EVENT        as WAYPOINT, for an event in one window, or (-1) in the best
+//   PLACE        as WAYPOINT, for any place
 //
-// The best path by way of something is exact: the planner's own search with all
-// other ways through that window masked, around the same committed paths.
+// The best path through a waypoint is exact: the planner's own search with all
+// other nodes of that window masked, around the same committed paths.
 
 #ifndef KG_SELECTOR_EXPLAIN_EXPLAIN_PLAN_H_
 #define KG_SELECTOR_EXPLAIN_EXPLAIN_PLAN_H_
@@ -50,12 +49,12 @@ struct PlanQuestion {
   std::string id;  // kEvent: IRI or "ex:seep". kRejection: its number or IRI.
 };
 
-// Throws kg_base::InputError if there is nothing of the kind to explain, saying
-// what there is.
+// Throws kg_base::InputError, listing the valid choices, if the question names
+// nothing that can be explained.
 kg_compiler::Explanation Explain(const PlannedWorld& world,
                                  const PlanQuestion& question);
 
-// As Explain(), by kind. `agent` is of the world.
+// Explain() for one kind each. `agent` belongs to `world`.
 kg_compiler::Explanation ExplainAssignment(const PlannedWorld& world,
                                            const kg_mission::Agent& agent,
                                            int window);

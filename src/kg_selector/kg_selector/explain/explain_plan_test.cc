@@ -38,12 +38,12 @@ PlanQuestion About(QuestionKind what, const std::string& agent, int window) {
   return question;
 }
 
-// --- The reference: every path of a member by exhaustion, around the paths
+// --- Reference: every path of a member by exhaustive search, around the paths
 // committed before it. ---
 
 class EveryPath {
  public:
-  // By stage, the waypoints visited; the last is where the window ends.
+  // Waypoints visited, by stage; the last is where the window ends.
   using Stops = std::vector<std::vector<int>>;
   using Accepts = std::function<bool(const Stops&)>;
   EveryPath(const PlannedWorld& world, const TeamMember& member)
@@ -60,7 +60,7 @@ class EveryPath {
     }
   }
 
-  // The best score of those that are accepted and break no rule.
+  // Best score of accepted paths that break no rule.
   std::optional<double> Best(const Accepts& accepts) {
     best_.reset();
     accepts_ = &accepts;
@@ -134,7 +134,7 @@ class EveryPath {
   std::optional<double> best_;
 };
 
-// Every world of some seeds that can be planned; every third in mode "edges".
+// Every feasible world of the first seeds; every third in mode "edges".
 void ForEachWorld(int seeds,
                   const std::function<void(const PlannedWorld&)>& f) {
   int planned = 0;
@@ -145,13 +145,13 @@ void ForEachWorld(int seeds,
       const PlannedWorld world = random.Plan();
       f(world);
       ++planned;
-    } catch (const kg_base::InputError&) {  // An agent begins in a no-go area.
+    } catch (const kg_base::InputError&) {  // An agent starts in a no-go area.
     }
   }
   EXPECT_GT(planned, seeds / 2);
 }
 
-// Planned again, of agents that were to stay where they begin.
+// Replanned with commitments to stay at the start.
 PlannedWorld Bound(PlannedWorld world) {
   for (TeamMember& member : world.members) {
     member.rules.churn_weight = 1.5;
@@ -224,7 +224,7 @@ TEST(ExplainPlan, AssignmentsSumToTheStepsAndStepsToThePath) {
   EXPECT_GT(with_stops, 5);
 }
 
-// Events whose IRIs begin with one another's, abbreviated and in full.
+// Events whose IRIs are prefixes of one another, abbreviated and in full.
 TEST(ExplainPlan, AnEventsTermCitesTheEventsEarnedAndNoOthers) {
   const std::string ex = kg_core::kEx;
   const std::vector<std::string> iris = {ex + "ember_10", ex + "ember_1",
@@ -302,8 +302,8 @@ TEST(ExplainPlan, RejectionsSumToTheirMargins) {
       const bool is_capacity = conflict.kind == ConflictKind::kCapacity;
       ++(is_capacity ? capacities : separations);
       if (!is_capacity) continue;
-      EXPECT_EQ(1.0, explanation.parts[0].value);   // Of one place,
-      EXPECT_EQ(-1.0, explanation.parts[1].value);  // one is taken.
+      EXPECT_EQ(1.0, explanation.parts[0].value);   // Capacity 1,
+      EXPECT_EQ(-1.0, explanation.parts[1].value);  // one used.
     }
   });
   EXPECT_GT(separations, 3);
@@ -391,7 +391,7 @@ TEST(ExplainPlan, SaysWhatABudgetLacks) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     PlannedTestWorld random(seed);
     const PlannedWorld rich = random.Plan();
-    // What the thriftiest path takes, and a little.
+    // Energy of the cheapest path, plus a margin.
     double least_j = std::numeric_limits<double>::infinity();
     std::function<void(std::size_t, int, double)> walk =
         [&](std::size_t s, int from, double energy_j) {

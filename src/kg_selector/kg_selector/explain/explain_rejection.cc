@@ -44,7 +44,7 @@ class RejectionExplainer {
                                facts_.Event(conflict_.event),
                                rejection_.reason}};
         break;
-      case ConflictKind::kMalformed:  // Nothing to weigh.
+      case ConflictKind::kMalformed:  // No values to explain.
         break;
     }
     explanation_.text = "A path of " + AbbreviateIri(rejection_.pathlet.agent) +
@@ -87,7 +87,7 @@ class RejectionExplainer {
              " m of " + AbbreviateIri(conflict_.with_agent)}};
   }
 
-  // The margin is: capacity less those that the event rewards, itself too.
+  // margin = capacity - agents that the event rewards, including this one.
   void AddCapacity() {
     const auto capacity = world_.rules.event_capacity.find(conflict_.event);
     const double places =
@@ -120,7 +120,7 @@ class RejectionExplainer {
          "of the energy budget"}};
   }
 
-  // The margin is what it forgoes by the path it got.
+  // margin = score lost against the path it got.
   void AddOutbid() {
     const double score = rejection_.pathlet.score();
     explanation_.unit = "reward";

@@ -47,8 +47,8 @@ class ViaExplainer {
 
  private:
   struct Kept {
-    bool distance = true;  // From those committed.
-    bool energy = true;    // If not: the thriftiest path.
+    bool distance = true;  // Keep distance to committed paths.
+    bool energy = true;    // False: find the path of least energy.
   };
 
   bool IsByWay(const kg_compiler::TraverseEdge& edge) const {
@@ -111,7 +111,7 @@ class ViaExplainer {
 
   Explanation Conflict(const Pathlet& path) const {
     const auto conflict = FindConflict(world_.rules, before_, path);
-    // Nobody is too close after all: no way leads on.
+    // No conflict on the best path: no edge leads onward.
     if (!conflict) return DeadEnd();
     const double least_m = HardSeparation_m(world_.rules);
     const std::string other = AbbreviateIri(conflict->with_agent);
@@ -146,7 +146,7 @@ class ViaExplainer {
                          {"ex:forAgent", "ex:waypointWKT"}});
   }
 
-  // The thriftiest path by way of it: one seam a window.
+  // Energy of the cheapest path through it, one term per window.
   Explanation Energy(const Pathlet& path) const {
     const double budget_j = member_.rules.energy_budget_j;
     Explanation explanation = Named("energy", "J", "");
@@ -159,7 +159,7 @@ class ViaExplainer {
            "window " + std::to_string(path.visits[s].window) + ": " +
                Short(energy_j / kg_base::kJoulesPerWh) + " Wh"});
     }
-    // The margin: what all windows take, less the budget.
+    // margin = energy of all windows - budget.
     const double needed_wh = explanation.value / kg_base::kJoulesPerWh;
     explanation.value -= budget_j;
     explanation.parts.push_back(

@@ -1,6 +1,5 @@
-// The best path by way of some waypoints of a window, or what keeps every such
-// path from being flown: energy, those committed before, or that no way leads
-// on.
+// The best path through any of some waypoints of a window, or why no such path
+// is feasible: energy, paths committed earlier, or no way onward.
 
 #ifndef KG_SELECTOR_EXPLAIN_EXPLAIN_VIA_H_
 #define KG_SELECTOR_EXPLAIN_EXPLAIN_VIA_H_
@@ -16,17 +15,17 @@ namespace kg_selector {
 
 struct ViaWaypoints {
   std::size_t stage = 0;
-  std::set<int> waypoints;  // Any of them, as a stop or where it ends.
-  std::string name;         // For a person: "waypoint 3 of window 2".
+  std::set<int> waypoints;  // Passed through or ended at (any one of them).
+  std::string name;         // Display text: "waypoint 3 of window 2".
 };
 
-// The agent must have a path. The verdicts worth_less, energy, conflict and
+// The agent must have a path. Verdicts: worth_less, energy, conflict and
 // dead_end (why_not.h).
 kg_compiler::Explanation ExplainPathVia(const PlannedWorld& world,
                                         const kg_mission::Agent& agent,
                                         const ViaWaypoints& by);
 
-// The verdict taken: it does go there.
+// Verdict "taken": the path does pass there.
 kg_compiler::Explanation ExplainTaken(const PlannedWorld& world,
                                       const kg_mission::Agent& agent,
                                       const Visit& visit,

@@ -36,7 +36,7 @@ std::string EventNames(const Visit& visit) {
   });
 }
 
-// A term of a field that costs is told apart by `where`.
+// Terms of cost fields are distinguished by `where`.
 TermKind KindOf(const kg_compiler::SeamTerm& term) {
   for (const TermKind kind : {TermKind::kTime, TermKind::kEnergy,
                               TermKind::kRisk, TermKind::kUncertainty}) {
@@ -82,7 +82,7 @@ Facts EventFacts(const PlannedWorld& world, const PathTerm& term) {
   return facts;
 }
 
-// Its price, and the layers of the window that it is the price of.
+// Facts of a field's price and of the window's layers it applies to.
 Facts FieldFacts(const PlannedWorld& world, const kg_mission::Agent& agent,
                  const PathTerm& term) {
   const auto& quantity = kg_mission::FindFieldQuantity(term.where);
@@ -133,7 +133,7 @@ std::vector<PathTerm> ListTerms(const PlannedWorld& world,
   for (std::size_t s = 0; s < pathlet.visits.size(); ++s) {
     const Visit& visit = pathlet.visits[s];
     const std::vector<int> stops = StopsOf(visit);
-    // What the waypoints visited are worth; the rest of the reward is events.
+    // Scores of the waypoints visited; the rest of the reward is from events.
     double score = 0.0;
     for (const int stop : stops) {
       score += member.graphs[s].waypoints.at(stop).score;
@@ -169,7 +169,7 @@ Facts TermFacts(const PlannedWorld& world, const kg_mission::Agent& agent,
                         {"ex:minimumSeparationKm", "ex:separationIsHard",
                          "ex:separationWeight"}});
   }
-  // Every other term belongs to a window, whose confidence weighs it.
+  // Every other term belongs to a window, whose confidence scales it.
   const Facts window =
       facts.Window(world.compilation->mission.windows.at(term.window),
                    {"ex:index", "ex:confidence"});
@@ -234,15 +234,16 @@ Explanation Difference(const PlannedWorld& world, const TeamMember& member,
   for (const PathTerm& a : ours) {
     const auto b =
         std::find_if(theirs.begin(), theirs.end(), [&](const PathTerm& term) {
-          // A window may have several terms of fields, told apart by `where`.
+          // A window may have several field terms, distinguished by `where`.
           return term.window == a.window && term.kind == a.kind &&
                  (a.kind != TermKind::kField || term.where == a.where);
         });
     add(a, b == theirs.end() ? nullptr : &*b);
     if (b != theirs.end()) theirs.erase(b);
   }
-  // What is left has no counterpart among ours.
-  for (PathTerm rest : theirs) {  // A soft separation only the other breaks.
+  // Remaining terms have no counterpart in ours.
+  // Soft separation broken by the other path only.
+  for (PathTerm rest : theirs) {
     const PathTerm theirs_alone = rest;
     rest.value = 0.0;
     add(rest, &theirs_alone);
@@ -263,8 +264,8 @@ FoundPath FindBest(const PlannedWorld& world, const TeamMember& member,
   masks.seams.insert(masks.seams.end(), search.masks.seams.begin(),
                      search.masks.seams.end());
   kg_planner::KBestOptions options;
-  // Two paths, as one may be excluded; with soft separation all candidates,
-  // since the penalty can change which is best.
+  // Two paths, because one may be excluded; with soft separation all
+  // candidates, because the penalty can change which is best.
   options.paths =
       std::max(world.rules.separation_is_hard ? 2 : open.candidates, 2);
   const kg_planner::KBest best =

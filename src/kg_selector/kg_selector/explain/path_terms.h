@@ -1,5 +1,5 @@
-// What a path is worth, term by term: what its score sums, and by what the
-// scores of two paths differ.
+// The score of a path, term by term, and the score difference of two paths by
+// term.
 //
 //   score = sum over windows of  value + events - time - energy - risk
 //           - uncertainty - churn, and with soft separation - separation
@@ -19,15 +19,15 @@
 namespace kg_selector {
 
 enum class TermKind {
-  kValue,  // The scores of the waypoints visited.
+  kValue,  // Scores of the waypoints visited.
   kEvents,
   kTime,
   kEnergy,
   kRisk,
   kUncertainty,
-  kChurn,  // For leaving the plan in force.
+  kChurn,  // Cost of deviating from the plan in force.
   kSeparation,
-  kField  // For what is met under way: wave height, ...
+  kField  // Costs of fields along the way: wave height, ...
 };
 const char* Name(TermKind kind);  // "value", "events", ...
 
@@ -35,35 +35,35 @@ struct PathTerm {
   int window = -1;
   TermKind kind = TermKind::kValue;
   double value = 0.0;  // Costs are negative.
-  // For a person: the waypoints, the events' names, or the field quantity.
+  // Display text: the waypoints, the events' names, or the field quantity.
   std::string where;
-  std::vector<std::string> events = {};  // kEvents: the IRIs of those earned.
+  std::vector<std::string> events = {};  // kEvents: IRIs of the events earned.
 };
 
-// In order of windows and kinds, all kinds of each window.
+// Terms sorted by window, then kind; every window has all kinds.
 std::vector<PathTerm> ListTerms(const PlannedWorld& world,
                                 const TeamMember& member,
                                 const Pathlet& pathlet);
 double Sum(const std::vector<PathTerm>& terms);
 
-// The facts that a term goes back to.
+// Facts from which a term was computed.
 kg_compiler::Facts TermFacts(const PlannedWorld& world,
                              const kg_mission::Agent& agent,
                              const PathTerm& term);
 
-// The terms of a path that are not 0.
+// Nonzero terms of a path.
 std::vector<kg_compiler::Contribution> PathContributions(
     const PlannedWorld& world, const TeamMember& member,
     const Pathlet& pathlet);
-// Score of `chosen` less that of `other`, by terms that differ.
+// Score of `chosen` minus score of `other`, split into the terms that differ.
 kg_compiler::Explanation Difference(const PlannedWorld& world,
                                     const TeamMember& member,
                                     const Pathlet& chosen,
                                     const Pathlet& other);
 
-// An agent's best path around those committed before it, under masks besides.
-// With soft separation: the best of its K best, penalties counted. `except`:
-// not this one.
+// Search for an agent's best path around the paths committed before it, under
+// additional masks. With soft separation: the best of its K best, penalties
+// included. `except`: a path to exclude.
 struct PathSearch {
   kg_planner::PathMasks masks;
   const Pathlet* except = nullptr;

@@ -23,7 +23,7 @@ void NameAgentsByIri(PlannedWorld* world) {
     rename(&rejection.pathlet.agent);
     rename(&rejection.conflict.with_agent);
   }
-  // Keys of a map cannot change in place.
+  // Map keys are immutable: build a new map.
   std::map<std::string, std::string> unassigned;
   for (const auto& [agent, why] : world->plan.unassigned) {
     std::string name = agent;

@@ -1,6 +1,6 @@
-// A world with its plan, as one immutable value: all that explanations are made
-// from. The facts, what was compiled from them, the waypoint graphs that were
-// made of that, and what the selector decided, all of one world version.
+// A world with its plan, as one immutable value: the input of all explanations.
+// Facts, compilation, waypoint graphs and the selector's decisions, all of one
+// world version.
 
 #ifndef KG_SELECTOR_EXPLAIN_PLANNED_WORLD_H_
 #define KG_SELECTOR_EXPLAIN_PLANNED_WORLD_H_
@@ -21,12 +21,12 @@ struct PlannedWorld {
   std::shared_ptr<const kg_core::GraphView> view;  // The facts.
   std::shared_ptr<const kg_compiler::Compilation> compilation;
   TeamRules rules;
-  std::vector<TeamMember> members;  // As many graphs each as have come.
+  std::vector<TeamMember> members;  // Each with the graphs received so far.
   bool has_plan = false;
   TeamPlan plan;        // Agents by IRI. Tracks may be missing in rejections.
   std::string run_iri;  // The ex:PlanRun; empty if it is not among the facts.
   std::string plan_graph;
-  // Who has visited an event in a window that is over, by event IRI.
+  // Agents that visited each event in a past window, by event IRI.
   std::map<std::string, std::vector<std::string>> past_visits;
 
   kg_compiler::CitedFacts facts() const {
@@ -34,25 +34,29 @@ struct PlannedWorld {
   }
 };
 
-// Planners and selectors may name agents by their ex:id: makes it their IRIs.
+// Replaces agents' ex:id, which planners and selectors may use as names, by
+// their IRIs.
 void NameAgentsByIri(PlannedWorld* world);
 
-// By ex:id, "ex:alpha" or IRI. Throws kg_base::InputError naming those known.
+// Finds an agent by ex:id, "ex:alpha" or IRI. Throws kg_base::InputError
+// listing the known agents.
 const kg_mission::Agent& FindAgent(const PlannedWorld& world,
                                    const std::string& name);
-// With a graph for each of its windows; throws kg_base::InputError if they have
-// not all come.
+// The agent's member, with a graph for each of its windows. Throws
+// kg_base::InputError if graphs are still missing.
 const TeamMember& FindMember(const PlannedWorld& world,
                              const kg_mission::Agent& agent);
-// Index of a window in the member's graphs; throws kg_base::InputError.
+// Index of a window in the member's graphs; throws kg_base::InputError if there
+// is none.
 std::size_t FindStage(const TeamMember& member, int window);
 // The path committed for an agent; null = none.
 const Pathlet* FindPath(const PlannedWorld& world,
                         const std::string& agent_iri);
-// The same; throws kg_base::InputError with the reason if it has none.
+// The path committed for an agent; throws kg_base::InputError with the reason
+// if it has none.
 const Pathlet& NeedPath(const PlannedWorld& world,
                         const kg_mission::Agent& agent);
-// Those committed before an agent's path, in order; all if it has none.
+// Paths committed before an agent's path, in order; all if it has none.
 std::vector<Pathlet> CommittedBefore(const PlannedWorld& world,
                                      const std::string& agent_iri);
 // The edge that a path takes into the stage's window. Throws std::logic_error

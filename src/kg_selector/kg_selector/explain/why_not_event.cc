@@ -92,7 +92,8 @@ class EventQuestion {
     return explanation;
   }
 
-  // Agents that have it, by capacity: past ones, then those committed before.
+  // Agents that count against the capacity: past visitors, then agents
+  // committed earlier.
   struct Holder {
     std::string agent;
     Facts facts;
@@ -138,7 +139,8 @@ class EventQuestion {
           {-1.0, "- " + name, holder.facts, name + " has it, " + holder.when});
       names.push_back(name + " " + holder.when);
     }
-    // With the agent itself one too many: the margin is negative.
+    // Including the agent itself the capacity is exceeded: the margin is
+    // negative.
     explanation.parts.push_back({-1.0, "- itself",
                                  facts_.Quote({agent_.iri, {"ex:id"}}),
                                  agent_.id + " would be one more"});
@@ -154,7 +156,7 @@ class EventQuestion {
   const kg_mission::TimeWindow& Window(int index) const {
     return world_.compilation->mission.windows.at(index);
   }
-  // As stated, or the end of its last window.
+  // The stated expiry, else the end of its last window.
   double Expiry_s() const {
     const auto stated = kg_core::FirstObject(
         *world_.view, kg_core::kFactsGraph, kg_core::Iri(event_.iri),
@@ -169,7 +171,7 @@ class EventQuestion {
     return Window(event_.windows.back()).end_s;
   }
 
-  // Times are counted from the mission's begin.
+  // Times are relative to the mission's begin.
   Explanation NotActive(int window) const {
     const double begin_s = Window(window).begin_s;
     const double zero_s = world_.compilation->mission.windows.front().begin_s;
@@ -177,7 +179,7 @@ class EventQuestion {
     const Facts when =
         facts_.Window(Window(window), {"ex:index", "time:hasBeginning"});
     if (event_.windows.empty()) return NoWindow();
-    // Either before the first window of the event, or after its expiry.
+    // Before the first window of the event, or after its expiry.
     const bool is_early = window < event_.windows.front();
     const double edge_s =
         is_early ? Window(event_.windows.front()).begin_s : Expiry_s();
@@ -221,7 +223,7 @@ class EventQuestion {
                : ExplainPathVia(world_, agent_, by);
   }
 
-  // What misses least, if a path is possible in any window.
+  // The smallest shortfall, if a path is possible in any window.
   Explanation InAnyWindow() const {
     std::vector<Explanation> all;
     for (std::size_t s = 0; s < member_.graphs.size(); ++s) {
@@ -230,7 +232,7 @@ class EventQuestion {
         all.push_back(InStage(s));
       }
     }
-    // The event is in no window that is planned: before, or after.
+    // The event is in no planned window: before or after them.
     if (all.empty()) {
       return event_.windows.empty()
                  ? NoWindow()

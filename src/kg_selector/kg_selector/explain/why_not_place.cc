@@ -24,7 +24,7 @@ using kg_compiler::Short;
 using kg_compiler::Waypoint;
 using kg_mission::Agent;
 
-// What keeps a place that can be flown to from being a waypoint.
+// Explains why a reachable place is not a waypoint.
 class NotSampled {
  public:
   NotSampled(const PlannedWorld& world, const Agent& agent, LonLat place,
@@ -95,7 +95,7 @@ class NotSampled {
     return explanation;
   }
 
-  // Cells of the footprint that no waypoint counts already.
+  // Footprint cells not yet covered by a waypoint.
   std::vector<int> CellsLeft() const {
     const auto& tensor =
         kg_compiler::FindTensor(*world_.compilation, agent_, graph_.window);
@@ -124,7 +124,7 @@ class NotSampled {
                                                       agent_, graph_.window);
     Explanation response =
         kg_compiler::TensorExplainer(inputs, facts_).ExplainSum(CellsLeft());
-    // Negative if the place would see more than the weakest waypoint.
+    // Negative if the place's response exceeds the weakest waypoint's score.
     const double margin = min_value->score - response.value;
     Explanation explanation = Named(
         "reward",

@@ -1,5 +1,5 @@
-// What keeps a place from being a waypoint of an agent in a window: it cannot
-// be there (explain_place.h), or it was not sampled.
+// Why a place is not a waypoint of an agent in a window: it is excluded
+// (explain_place.h), or it was not sampled.
 
 #ifndef KG_SELECTOR_EXPLAIN_WHY_NOT_PLACE_H_
 #define KG_SELECTOR_EXPLAIN_WHY_NOT_PLACE_H_
@@ -12,7 +12,7 @@
 
 namespace kg_selector {
 
-// No waypoint of the stage lies there.
+// Precondition: no waypoint of the stage lies there.
 kg_compiler::Explanation NoWaypointThere(const PlannedWorld& world,
                                          const kg_mission::Agent& agent,
                                          kg_base::LonLat place,

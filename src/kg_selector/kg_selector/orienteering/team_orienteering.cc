@@ -14,7 +14,7 @@ using kg_planner::OrienteeringProblem;
 using kg_planner::Tour;
 using kg_planner::TourSearch;
 
-constexpr std::size_t kSteps = 50;  // Between readings of the clock.
+constexpr std::size_t kSteps = 50;  // Search steps between clock reads.
 constexpr std::size_t kMaxLabels = 20000;
 
 double ThreadNow_s() {
@@ -80,7 +80,7 @@ double BoundAt(const OrienteeringProblem& problem,
   }
   const auto best =
       kg_planner::FindExactTour(AloneWith(problem, rewards), kMaxLabels, known);
-  if (!best) return 0.0;  // Nobody can go anywhere.
+  if (!best) return 0.0;  // No tour is possible.
   if (!best->proven) return std::numeric_limits<double>::infinity();
   return problem.tours * best->tour.reward + sum;
 }
@@ -111,7 +111,7 @@ TeamTours PlanTours(const OrienteeringProblem& problem,
   if (!kg_planner::IsPossible(problem)) return {{}, 0.0, 0.0};
   TeamTours team = options.planner(problem, options);
   team.value = TotalReward(problem, team.tours);
-  // Rounding aside, nothing is above its bound.
+  // Up to rounding, a value does not exceed its bound.
   const double bound = std::min(team.bound, AllRewards(problem));
   const bool known = std::isfinite(team.bound) || team.value >= bound - 1e-9;
   team.bound = known ? std::max(bound, team.value)
@@ -130,7 +130,7 @@ std::string FindFault(const OrienteeringProblem& problem,
     double length = 0.0;
     int at = 0;
     for (int point : tour.points) {
-      // Start and end are no points to visit.
+      // Start and end are not visitable points.
       const std::string name = "point " + std::to_string(point);
       if (point <= 0 || point + 1 >= problem.size()) return name + ": none";
       if (!seen.insert(point).second) return name + ": visited twice";
@@ -144,7 +144,7 @@ std::string FindFault(const OrienteeringProblem& problem,
              " above the limit of " + std::to_string(problem.limit);
     }
   }
-  // Sums in another order may differ by rounding.
+  // Sums in another order differ by rounding.
   if (!(std::abs(value - team.value) <= 1e-9 * (1.0 + value))) {
     return "a value that is not that of its tours";
   }

@@ -1,20 +1,22 @@
-// Teams in one window without flow: as many agents as the problem has tours,
-// all with the same start, end and limit, each point an event of capacity 1.
-// The planner (kg_planner) makes tours, here they are coordinated.
+// Team orienteering in one window without flow: one agent per tour of the
+// problem, all with the same start, end and length limit; each point is an
+// event of capacity 1. The planner (kg_planner) computes tours; this unit
+// coordinates them.
 //
-//   greedy    the best tour alone, its points masked, the next agent
-//   auction   who is outbid plans again; to take a point from another raises
-//             its price by epsilon, until nobody wants to change [1]; then what
-//             nobody holds is free again, as long as that pays; last, each
-//             plans around the others without prices
-//   priced    prices are broadcast, all plan under them, and they rise where
-//             more than one agent goes and fall where none does [2]
+//   greedy    agents in turn: best tour, then its points are masked
+//   auction   an outbid agent replans; taking a point from another raises
+//             its price by epsilon, until no agent wants to change [1]; then
+//             unheld points become free while that helps; finally each
+//             replans around the others without prices
+//   priced    all agents plan under common prices, which rise where
+//             more than one agent goes and fall where none goes [2]
 //   exact     a pool of tours from a search over all tours together and from
-//             planning under the prices of the pool's rows; of the pool the
-//             best choice by packing.h; the search goes on from it
+//             planning under the prices of the pool's rows; the best choice
+//             from the pool by packing.h; the search resumes from it
 //
-// With prices p and v(p) the best tour's reward less prices, no team has more
-// than  agents v(p) + sum of p: a bound wherever v(p) is known exactly.
+// With prices p, and v(p) the best tour's reward minus prices, no team is worth
+// more than agents v(p) + sum of p: an upper bound wherever v(p) is known
+// exactly.
 //
 // [1] D. P. Bertsekas, "Auction algorithms for network flow problems: A
 //     tutorial introduction", Computational Optimization and Applications 1
@@ -36,7 +38,7 @@ namespace kg_selector {
 
 struct TeamTourOptions;
 struct TeamTours;
-// Makes the tours of one team mode (team_modes.h).
+// Computes the tours of one team mode (team_modes.h).
 using TourPlanner =
     TeamTours (*)(const kg_planner::OrienteeringProblem& problem,
                   const TeamTourOptions& options);
@@ -52,15 +54,15 @@ TeamTours PlanToursExactly(const kg_planner::OrienteeringProblem& problem,
 
 struct TeamTourOptions {
   TourPlanner planner = PlanToursExactly;
-  // Of this thread's processor, CBC's part included.
+  // Processor time of this thread, CBC included [s].
   double seconds = 0.5;
   unsigned seed = 1;
 };
 
 struct TeamTours {
-  std::vector<kg_planner::Tour> tours;  // One an agent; may be empty.
+  std::vector<kg_planner::Tour> tours;  // One per agent; may be empty.
   double value = 0.0;
-  // No team has more; infinite: none is known.
+  // Upper bound of the value; infinite = none known.
   double bound = std::numeric_limits<double>::infinity();
 };
 
@@ -69,14 +71,14 @@ struct TeamTours {
 TeamTours PlanTours(const kg_planner::OrienteeringProblem& problem,
                     const TeamTourOptions& options);
 
-// What is wrong with these tours: too many, too long, a point twice or not
-// there, a value that is not theirs. Reads nothing but the problem. "" = none.
+// Checks tours against the problem only: too many, too long, a point repeated
+// or out of range, a wrong value. Returns the first fault; "" = none.
 std::string FindFault(const kg_planner::OrienteeringProblem& problem,
                       const TeamTours& team);
 
-// ---- parts, by mode in files of their own
+// ---- shared by the files of the modes
 
-// Processor time of this thread from now on.
+// Processor time of this thread since construction.
 class TimeBudget {
  public:
   explicit TimeBudget(double seconds);
@@ -89,11 +91,12 @@ class TimeBudget {
   double begin_s_ = 0.0;
 };
 
-// What all points that can be visited are worth together.
+// Sum of the rewards of all points that can be visited.
 double AllRewards(const kg_planner::OrienteeringProblem& problem);
 
-// Runs the search until `until_s` of the budget, the tolerance falling from
-// `hot` to `cold` (shares of the reward); less if all there is was found.
+// Runs the search until `until_s` of the budget while the tolerance falls from
+// `hot` to `cold` (shares of the reward). Stops early once the search space is
+// exhausted.
 struct CoolingSchedule {
   double until_s = 0.0;
   double hot = 0.04;
@@ -102,12 +105,12 @@ struct CoolingSchedule {
 void RunCooled(const TimeBudget& budget, const CoolingSchedule& cooling,
                double all_rewards, kg_planner::TourSearch* search);
 
-// The problem of one agent, with these rewards.
+// The single-agent problem with these rewards.
 kg_planner::OrienteeringProblem AloneWith(
     const kg_planner::OrienteeringProblem& problem,
     std::vector<double> rewards);
 
-// The bound at these prices, infinite if the best tour is not proven.
+// Upper bound at these prices; infinite if the best tour is not proven optimal.
 double BoundAt(const kg_planner::OrienteeringProblem& problem,
                const std::vector<double>& prices,
                const kg_planner::Tour& known);

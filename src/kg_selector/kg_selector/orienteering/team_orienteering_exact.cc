@@ -1,4 +1,4 @@
-// The exact choice among a pool of tours (team_orienteering.h).
+// Exact choice from a pool of tours (team_orienteering.h).
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +16,15 @@ using kg_planner::PooledTour;
 using kg_planner::Tour;
 using kg_planner::TourSearch;
 
-constexpr std::size_t kColumns = 300;        // From the search over all tours,
-constexpr std::size_t kPricedColumns = 100;  // and from planning under prices.
+constexpr std::size_t kColumns = 300;  // Pool size of the team search.
+// Pool size of planning under prices.
+constexpr std::size_t kPricedColumns = 100;
 
-// Shares of a round's time, each the end of its part.
+// End of each part of a round, as a share of the round.
 constexpr double kSearched = 0.80;
 constexpr double kPriced = 0.86;
 constexpr double kPacked = 0.92;
-constexpr double kRound_s = 1.0;  // About what a round takes.
+constexpr double kRound_s = 1.0;  // Approximate duration of a round [s].
 
 class ExactTourTeam {
  public:
@@ -51,20 +52,24 @@ class ExactTourTeam {
   bool IsDone() const { return search_.reward() >= all_ - 1e-9; }
 
   void Round(double begin_s, double span_s) {
+    // Step 1: search over all tours at once.
     RunCooled(budget_, {begin_s + kSearched * span_s}, all_, &search_);
     if (IsDone()) return;
+    // Step 2: extend the pool by tours priced with the relaxation's duals.
     const std::vector<Tour> best = search_.best();
     Packing packing = Pool();
     AddPriced(begin_s + kPriced * span_s, &packing);
+    // Step 3: set packing over the pool.
     const std::vector<Tour> chosen =
         Choose(packing, begin_s + kPacked * span_s);
     double value = 0.0;
     for (const Tour& tour : chosen) value += tour.reward;
+    // Step 4: restart from the better team, at low tolerance.
     search_.Restart(value > search_.reward() ? chosen : best);
     RunCooled(budget_, {begin_s + span_s, 0.004, 0.001}, all_, &search_);
   }
 
-  // The best team's tours first, so that the packing has them.
+  // Puts the best team's tours first, as the start of the packing.
   Packing Pool() {
     tours_.clear();
     for (const Tour& tour : search_.best()) {
@@ -83,7 +88,7 @@ class ExactTourTeam {
     return packing;
   }
 
-  // What an agent plans when points cost what they are worth to the pool.
+  // Adds tours found when each point costs its row price in the pool.
   void AddPriced(double until_s, Packing* packing) {
     if (packing->columns.empty() || budget_.spent_s() >= until_s) return;
     const PackingPrices prices = PriceRows(*packing);
@@ -121,8 +126,8 @@ class ExactTourTeam {
   const TimeBudget budget_;
   const double all_;
   TourSearch search_;
-  std::vector<Tour> tours_;  // By column of the packing.
-  std::size_t start_ = 0;    // The first so many are the best team's.
+  std::vector<Tour> tours_;  // Tour of each column of the packing.
+  std::size_t start_ = 0;    // Number of leading tours that form the best team.
 };
 
 }  // namespace

@@ -18,8 +18,8 @@ using kg_planner::Tour;
 using kg_planner::TourSearch;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kEpsilon = 0.1;  // Least raise, of the mean reward.
-constexpr int kChunks = 6;        // Of steps, for one agent's tour.
+constexpr double kEpsilon = 0.1;  // Minimum price increment / mean reward.
+constexpr int kChunks = 6;        // Step chunks for one agent's tour.
 constexpr std::size_t kChunkSteps = 40;
 constexpr double kBoundShare = 0.15;  // Share of the time kept for the bound.
 constexpr int kMaxFailedRounds = 8;   // Rounds before a smaller step.
@@ -28,7 +28,7 @@ double Sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-// One agent's planner: its best tour for these rewards, from what it has.
+// One agent's best tour for these rewards, improved from `from`.
 Tour PlanAlone(const OrienteeringProblem& problem,
                const std::vector<double>& rewards, const Tour& from,
                unsigned seed) {
@@ -50,7 +50,7 @@ double Worth(const std::vector<double>& rewards, const Tour& tour) {
   return worth;
 }
 
-// Each in turn plans again around the others, without prices.
+// Agents replan in turn around the others, without prices.
 double PlanAround(const OrienteeringProblem& problem, unsigned seed,
                   std::vector<Tour>* tours) {
   std::vector<double> left = problem.rewards;
@@ -119,7 +119,7 @@ class TourAuction {
     }
   }
 
-  // Points that no agent holds cost nothing again. False if there are none.
+  // Resets the prices of unheld points to 0. False if there are none.
   bool FreePrices() {
     bool any = false;
     for (int p = 0; p < problem_.size(); ++p) {
@@ -130,7 +130,7 @@ class TourAuction {
     return any;
   }
 
-  // Rewards less what the points cost this agent.
+  // Rewards minus the price of the points to this agent.
   std::vector<double> NetRewards(int agent) const {
     std::vector<double> net = problem_.rewards;
     for (int p = 0; p < problem_.size(); ++p) {
@@ -164,8 +164,8 @@ class TourAuction {
                  points.end());
     tours_[agent] = kg_planner::MakeTour(problem_, std::move(points));
     if (tours_[agent].length <= problem_.limit) return;
-    // Lengths that are no metric: without the point the tour is too long. The
-    // agent starts again from an empty tour.
+    // Lengths need not be a metric: without the point the tour may become too
+    // long. The agent restarts from an empty tour.
     for (int held : tours_[agent].points) holders_[held] = -1;
     tours_[agent] = {};
   }
@@ -175,8 +175,8 @@ class TourAuction {
   const TimeBudget budget_;
   double epsilon_ = 1.0;
   std::vector<double> prices_;
-  std::vector<int> holders_;  // By point; -1 = none.
-  std::vector<Tour> tours_;   // By agent.
+  std::vector<int> holders_;  // Agent holding each point; -1 = none.
+  std::vector<Tour> tours_;   // Tour of each agent.
 };
 
 class TourPricing {
@@ -204,7 +204,7 @@ class TourPricing {
   void Round() {
     std::vector<double> net = problem_.rewards;
     for (int p = 0; p < problem_.size(); ++p) net[p] -= prices_[p];
-    // All agents are alike, so under the same prices all want the same.
+    // Agents are identical: under common prices all want the same tour.
     const Tour wanted = PlanAlone(problem_, net, {}, options_.seed + rounds_++);
     const double value = problem_.tours * wanted.reward + Sum(prices_);
     if (provable_) {
@@ -216,8 +216,8 @@ class TourPricing {
     MovePrices(wanted, value);
   }
 
-  // Who comes first has what it wants, the others plan under the same prices
-  // around it; then each plans for what is left, without prices.
+  // Feasible team: the first agent gets its tour, the others plan around it
+  // under the same prices; then each replans for what is left, without prices.
   void Assign(std::vector<double> net, const Tour& wanted) {
     std::vector<Tour> tours;
     for (int agent = 0; agent < problem_.tours; ++agent) {
@@ -232,7 +232,7 @@ class TourPricing {
     best_.tours = std::move(tours);
   }
 
-  // Along the subgradient, by a share of what is between value and best team.
+  // Subgradient step, scaled by the gap between value and best team (Polyak).
   void MovePrices(const Tour& wanted, double value) {
     if (value < least_ - 1e-9) {
       least_ = value;
@@ -263,8 +263,8 @@ class TourPricing {
   std::vector<double> prices_;
   TeamTours best_;
   unsigned rounds_ = 0;
-  bool provable_ = true;      // The best tour could be proven so far.
-  double least_ = kInfinity;  // Value of the relaxation.
+  bool provable_ = true;      // All best tours so far were proven optimal.
+  double least_ = kInfinity;  // Smallest value of the relaxation so far.
   double share_ = 1.0;
   int failed_rounds_ = 0;
 };

@@ -38,7 +38,7 @@ TopInstance RandomInstance(int points, int paths, unsigned seed) {
   return instance;
 }
 
-// The best team by going everywhere.
+// The best team by exhaustive search.
 class ExhaustiveSearch {
  public:
   explicit ExhaustiveSearch(const OrienteeringProblem& problem)

@@ -13,11 +13,11 @@ namespace kg_selector {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 24;
-constexpr int kMaxPoints = 2000;  // All pairs of them are kept.
+constexpr int kMaxPoints = 2000;  // All pairwise lengths are stored.
 constexpr int kMaxPaths = 1000;
 
 struct FileLine {
-  std::size_t number = 0;  // From 1.
+  std::size_t number = 0;  // Line number, from 1.
   std::vector<std::string_view> fields;
 };
 
@@ -33,7 +33,7 @@ std::vector<std::string_view> SplitFields(std::string_view line) {
   return fields;
 }
 
-// The lines that are not empty.
+// Non-empty lines.
 std::vector<FileLine> SplitLines(std::string_view text) {
   std::vector<FileLine> lines;
   std::size_t number = 0;
@@ -78,7 +78,7 @@ class InstanceReader {
     return value;
   }
 
-  // A line of a key and its value.
+  // Value of the header line `index`, which must have this key.
   double Header(std::size_t index, const std::string& key) const {
     if (index >= lines_.size()) RefuseEnd("'" + key + " <number>'");
     const FileLine& line = lines_[index];
@@ -101,7 +101,7 @@ class InstanceReader {
 
  private:
   const std::string path_;
-  const std::string text_;  // What the lines' fields look into.
+  const std::string text_;  // Storage of the lines' string_views.
   const std::vector<FileLine> lines_;
 };
 
@@ -127,7 +127,7 @@ TopInstance ReadTopInstance(const std::string& path) {
   if (!(instance.limit >= 0.0)) {
     reader.Refuse(reader.lines()[2], "tmax not below 0");
   }
-  // A line a point; more or fewer than announced are refused.
+  // One line per point; a wrong count is an error.
   for (std::size_t i = kHeaders; i < reader.lines().size(); ++i) {
     const FileLine& line = reader.lines()[i];
     if (static_cast<int>(i - kHeaders) == points) {

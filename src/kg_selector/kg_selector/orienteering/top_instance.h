@@ -1,13 +1,13 @@
 // Files of the Team Orienteering benchmark of Chao, Golden and Wasil (1996).
 //
-//   n 32                 points, the first the start, the last the end
+//   n 32                 points: first = start, last = end
 //   m 2                  paths
-//   tmax 5.0             length of each at most
-//   10.5 14.4 0          x, y, score; a line a point
+//   tmax 5.0             maximum length of each path
+//   10.5 14.4 0          x, y, score; one line per point
 //
-// Fields are parted by blanks or tabs, lines end with LF or CRLF, empty lines
-// are passed over. Lengths are Euclidean. Scores of start and end count
-// nothing.
+// Fields are separated by blanks or tabs, lines end with LF or CRLF, empty
+// lines are skipped. Lengths are Euclidean. Scores of start and end are
+// ignored.
 
 #ifndef KG_SELECTOR_ORIENTEERING_TOP_INSTANCE_H_
 #define KG_SELECTOR_ORIENTEERING_TOP_INSTANCE_H_
@@ -20,7 +20,7 @@
 
 namespace kg_selector {
 
-// Lengths may exceed tmax by this, so that rounding decides nothing.
+// Tolerance on tmax, so that rounding does not make a tour infeasible.
 constexpr double kLengthSlack = 1e-9;
 
 struct TopInstance {
@@ -31,13 +31,14 @@ struct TopInstance {
   std::vector<double> scores;
 };
 
-// Throws kg_base::InputError with file and line, and what was expected.
+// Throws kg_base::InputError with file, line and the expected content.
 TopInstance ReadTopInstance(const std::string& path);
 
-// Lines of a file name and the published value. By name; throws likewise.
+// Reads lines of file name and published value. Keyed by file name; throws as
+// ReadTopInstance().
 std::map<std::string, double> ReadTopReferences(const std::string& path);
 
-// As many tours as paths.
+// The orienteering problem, with as many tours as the instance has paths.
 kg_planner::OrienteeringProblem ToOrienteering(const TopInstance& instance);
 
 }  // namespace kg_selector

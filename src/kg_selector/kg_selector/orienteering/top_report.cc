@@ -36,7 +36,7 @@ TopScore ScoreTeam(const TeamTours& team, double reference, double seconds) {
   TopScore score;
   score.seconds = seconds;
   if (team.value > reference + 1e-6) ++score.above;
-  // A share of a reference of 0 is not defined: not counted.
+  // The share of a reference of 0 is undefined: not counted.
   if (!(reference > 0.0)) return score;
   ++score.instances;
   if (team.value > reference - 1e-6) ++score.hits;

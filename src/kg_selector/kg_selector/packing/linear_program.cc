@@ -15,12 +15,12 @@
 namespace kg_selector {
 namespace {
 
-// CBC takes this for no limit [s].
+// CBC treats this as unlimited [s].
 constexpr double kUnlimited_s = 1e9;
 // Relative increment by which a solution must be better than the cutoff.
 constexpr double kSlack = 1e-9;
 
-// Signs are turned: the solvers minimise.
+// Signs are inverted because the solvers minimise.
 void Load(const LinearProgram& program, OsiClpSolverInterface* solver) {
   const int variables = static_cast<int>(program.objective.size());
   const double infinity = solver->getInfinity();
@@ -35,7 +35,7 @@ void Load(const LinearProgram& program, OsiClpSolverInterface* solver) {
     }
     cost[j] = -program.objective[j];
   }
-  // By rows; `setDimensions` keeps columns that no row names.
+  // Row-ordered; setDimensions() keeps columns that are in no row.
   CoinPackedMatrix matrix(false, 0, 0);
   matrix.setDimensions(0, variables);
   std::vector<double> row_low(program.rows.size(), -infinity);
@@ -105,7 +105,7 @@ LinearRelaxation Relax(const LinearProgram& program) {
   if (!solver.isProvenOptimal()) return result;
   result.solved = true;
   result.value = -solver.getObjValue();
-  // Signs turned back: maximisation again.
+  // Invert signs back to maximisation.
   const int variables = solver.getNumCols();
   const int rows = solver.getNumRows();
   result.values.assign(solver.getColSolution(),
@@ -133,7 +133,7 @@ BinarySolution SolveBinary(const LinearProgram& program,
   Limit(options, &model);
   model.initialSolve();
   model.branchAndBound();
-  // 0: all was searched, else a limit ended it.
+  // Status 0: search completed; else a limit was hit.
   result.finished = model.status() == 0;
   result.bound = -model.getBestPossibleObjValue();
   const double* best = model.bestSolution();

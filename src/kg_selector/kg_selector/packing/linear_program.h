@@ -1,5 +1,5 @@
-// Linear programs, their relaxation by Clp and their solution in zeros and ones
-// by CBC: the part of packing that knows the solvers.
+// Linear programs: relaxation by Clp, 0/1 solution by CBC. The only unit of
+// packing that uses the solvers.
 
 #ifndef KG_SELECTOR_PACKING_LINEAR_PROGRAM_H_
 #define KG_SELECTOR_PACKING_LINEAR_PROGRAM_H_
@@ -17,9 +17,9 @@ struct LinearRow {
   double at_most = 0.0;
 };
 struct LinearProgram {
-  std::vector<double> objective;  // By variable.
-  // The first so many variables are 0 or 1 (in the relaxation between), the
-  // others any number.
+  std::vector<double> objective;  // Coefficient by variable.
+  // The first `binaries` variables are 0 or 1 (in [0, 1] in the relaxation),
+  // the others are free.
   int binaries = 0;
   std::vector<LinearRow> rows;
 };
@@ -27,20 +27,21 @@ struct LinearProgram {
 struct LinearRelaxation {
   bool solved = false;
   double value = std::numeric_limits<double>::infinity();
-  std::vector<double> values;         // By variable.
-  std::vector<double> reduced_costs;  // By variable; gain of a unit more.
-  std::vector<double> row_prices;     // By row, >= 0.
+  std::vector<double> values;  // Value by variable.
+  // Reduced cost by variable: gain per unit increase.
+  std::vector<double> reduced_costs;
+  std::vector<double> row_prices;  // Price by row, >= 0.
 };
 LinearRelaxation Relax(const LinearProgram& program);
 
 struct BinaryOptions {
   double time_limit_s = std::numeric_limits<double>::infinity();
   bool processor_time = false;
-  // Only what is worth more than this is looked for.
+  // Cutoff: only solutions worth more than this are sought.
   double better_than = -std::numeric_limits<double>::infinity();
 };
 struct BinarySolution {
-  std::vector<bool> chosen;  // By binary; empty: nothing better was found.
+  std::vector<bool> chosen;  // By binary variable; empty = no better solution.
   bool finished = false;     // The search was exhaustive.
   double bound = std::numeric_limits<double>::infinity();
 };

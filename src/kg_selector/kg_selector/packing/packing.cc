@@ -16,7 +16,7 @@ bool IsIndex(int index, std::size_t size) {
   return index >= 0 && index < static_cast<int>(size);
 }
 
-// By agent that a column names.
+// Load of each agent that has columns; 0 if none is chosen.
 std::map<int, double> AgentLoads(const Packing& packing,
                                  const std::vector<int>& chosen) {
   std::map<int, double> loads;
@@ -41,7 +41,7 @@ LoadExtent ComputeExtent(const std::map<int, double>& loads) {
 
 using Terms = std::vector<std::pair<int, double>>;
 
-// Rows first, then agents, then cliques of conflicts.
+// Order of rows: rows, agents, cliques of conflicts.
 LinearProgram ToProgram(const Packing& packing) {
   LinearProgram program;
   const int columns = static_cast<int>(packing.columns.size());
@@ -68,7 +68,8 @@ LinearProgram ToProgram(const Packing& packing) {
   return program;
 }
 
-// Two more variables, above and below every load, as far apart as they cost.
+// Two more variables, upper and lower bound of all loads; their difference is
+// charged.
 void AddBalance(const Packing& packing, LinearProgram* program) {
   std::map<int, Terms> loads;
   for (std::size_t c = 0; c < packing.columns.size(); ++c) {
@@ -81,7 +82,7 @@ void AddBalance(const Packing& packing, LinearProgram* program) {
   program->objective.push_back(-packing.weight);
   program->objective.push_back(packing.weight);
   for (const auto& [agent, terms] : loads) {
-    // load <= largest, and least <= load, as rows with 0 on the right.
+    // load - largest <= 0 and least - load <= 0.
     LinearRow below{terms, 0.0};
     below.terms.push_back({largest, -1.0});
     LinearRow above{{}, 0.0};
@@ -92,8 +93,8 @@ void AddBalance(const Packing& packing, LinearProgram* program) {
   }
 }
 
-// The program without the columns that cannot be part of anything better than
-// `value`; `kept` are those left.
+// The program without columns that cannot be part of a solution better than
+// `value`; `kept` receives the remaining indices.
 LinearProgram Reduced(const LinearProgram& program,
                       const LinearRelaxation& relaxed, double value,
                       std::vector<int>* kept) {
@@ -102,8 +103,7 @@ LinearProgram Reduced(const LinearProgram& program,
   for (int j = 0; j < static_cast<int>(program.objective.size()); ++j) {
     const bool binary = j < program.binaries;
     // Reduced cost fixing: with x_j = 1 the program is worth at most relaxation
-    // + reduced cost. The slack keeps columns that rounding of Clp would drop
-    // (its tolerance is 1e-7).
+    // + reduced cost. The slack covers Clp's tolerance (1e-7).
     const double slack = 1e-7 * (1.0 + std::abs(value));
     if (binary && relaxed.solved &&
         relaxed.value + relaxed.reduced_costs[j] < value - slack) {
@@ -126,7 +126,7 @@ LinearProgram Reduced(const LinearProgram& program,
   return reduced;
 }
 
-// When the time is up, on the clock that the options name.
+// Deadline on the clock selected by the options.
 class SolveDeadline {
  public:
   explicit SolveDeadline(const PackingOptions& options)
@@ -192,7 +192,7 @@ LinearProgram ToProgram(const PackingTask& task) {
   return program;
 }
 
-// Improves `best` on the score, or on what kBalance says.
+// Improves `best` by score, or by the objective of kBalance.
 void Solve(const PackingTask& task, const SolveDeadline& deadline,
            PackingChoice* best) {
   const LinearProgram program = ToProgram(task);
@@ -201,10 +201,10 @@ void Solve(const PackingTask& task, const SolveDeadline& deadline,
     best->bound = relaxed.value;
     AcceptIfBetter(task, WholeColumns(relaxed, program.binaries), best);
   }
-  // Step 1: the relaxation gives a bound, and perhaps a whole solution.
+  // Step 1: the relaxation gives a bound, and possibly an integral solution.
   best->optimal = IsProven(*best);
   if (best->optimal || deadline.left_s() <= 0.0) return;
-  // Step 2: branch and cut on the columns that can still matter.
+  // Step 2: branch and cut on the remaining columns.
   std::vector<int> kept;
   const LinearProgram reduced =
       Reduced(program, relaxed, best->objective, &kept);
@@ -221,7 +221,7 @@ void Solve(const PackingTask& task, const SolveDeadline& deadline,
       solution.finished ? best->objective : std::max(best->objective, bound);
 }
 
-// Only columns of at least this load, and a column for every agent.
+// The packing restricted to columns of at least this load.
 Packing WithMinimumLoad(const Packing& packing, double load,
                         std::vector<int>* kept) {
   Packing part = packing;
@@ -244,11 +244,11 @@ Packing WithMinimumLoad(const Packing& packing, double load,
 
 struct LoadAttempt {
   std::vector<int> chosen;
-  bool all_served = false;  // Has a column.
+  bool all_served = false;  // Every agent has a column.
   bool proven = false;
 };
 
-// Can every agent have a column of at least this load?
+// Whether every agent can have a column of at least this load.
 LoadAttempt TryLoad(const Packing& packing, double load,
                     const SolveDeadline& deadline) {
   std::vector<int> kept;
@@ -265,8 +265,9 @@ LoadAttempt TryLoad(const Packing& packing, double load,
   return attempt;
 }
 
-// The best score of columns of at least this load, from a choice of such. One
-// for everybody if the load is above 0: an agent without a column has 0.
+// Best score among columns of at least this load, started from such a choice.
+// If the load is above 0 every agent needs a column, because without one its
+// load is 0.
 PackingChoice BestWithLoad(const Packing& packing, double load,
                            const std::vector<int>& start,
                            const SolveDeadline& deadline) {
@@ -300,12 +301,12 @@ bool IsFairer(const Packing& packing, const PackingChoice& a,
          ComputeObjective(packing, b.chosen);
 }
 
-// The largest load that every agent can have, by bisection; then the best score
-// with it.
+// Bisection for the largest load that every agent can reach; then the best
+// score at that load.
 PackingChoice SolveMaxMin(const Packing& packing, const std::vector<int>& start,
                           const SolveDeadline& deadline) {
   const std::vector<double> loads = PositiveLoads(packing);
-  std::size_t possible = 0;  // Loads below this index are.
+  std::size_t possible = 0;  // Loads below this index are feasible.
   std::size_t impossible = loads.size();
   bool proven = true;
   std::vector<int> all_served;

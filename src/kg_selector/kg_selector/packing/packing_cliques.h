@@ -1,5 +1,5 @@
-// Conflicts between pairs of columns as cliques, of which at most one column
-// may be chosen: fewer rows than pairs, and a closer relaxation.
+// Merges pairwise conflicts of columns into cliques, of which at most one
+// column may be chosen: fewer rows and a tighter relaxation.
 
 #ifndef KG_SELECTOR_PACKING_PACKING_CLIQUES_H_
 #define KG_SELECTOR_PACKING_PACKING_CLIQUES_H_
@@ -9,8 +9,8 @@
 
 namespace kg_selector {
 
-// Every pair is within one of the cliques, and every two members of a clique
-// are a pair. Greedy, in the order of the columns; each ascending.
+// Cliques that cover every pair; any two members of a clique are a pair. Greedy
+// in column order; each clique ascending.
 std::vector<std::vector<int>> FindCliques(
     int columns, const std::vector<std::pair<int, int>>& conflicts);
 

@@ -7,7 +7,7 @@
 namespace kg_selector {
 namespace {
 
-// A choice as it grows, with what is left of rows and agents.
+// A partial choice with its use of rows and agents.
 class PackingStart {
  public:
   explicit PackingStart(const Packing& packing)
@@ -40,7 +40,7 @@ class PackingStart {
     }
   }
 
-  // One column for those in its way, wherever that pays.
+  // Replaces blocking columns by one column where that improves the score.
   bool ExchangeOnce() {
     for (int column : by_score_) {
       if (chosen_.count(column) > 0 || !IsOpen(column)) continue;
@@ -60,7 +60,7 @@ class PackingStart {
  private:
   double Score(int column) const { return packing_.columns[column].score; }
 
-  // Can it be chosen at all?
+  // Whether the column is feasible on its own.
   bool IsOpen(int column) const {
     const Column& c = packing_.columns[column];
     return packing_.agent_counts[c.agent] > 0 &&
@@ -75,7 +75,8 @@ class PackingStart {
     for (int row : packing_.columns[column].rows) rows_[row].erase(column);
   }
 
-  // Those that must go: of a full row or agent the one worth least.
+  // Columns to remove: from each full row or agent the one with the lowest
+  // score.
   std::set<int> FindBlockers(int column) const {
     std::set<int> blockers;
     for (int other : conflicts_[column]) {
@@ -101,8 +102,8 @@ class PackingStart {
   }
 
   const Packing& packing_;
-  std::vector<std::set<int>> rows_;    // Columns that use each.
-  std::vector<std::set<int>> agents_;  // Columns of each.
+  std::vector<std::set<int>> rows_;    // Columns that use each row.
+  std::vector<std::set<int>> agents_;  // Chosen columns of each agent.
   std::vector<std::vector<int>> conflicts_;
   std::vector<int> by_score_;
   std::set<int> chosen_;

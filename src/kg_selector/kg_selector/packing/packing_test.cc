@@ -19,7 +19,7 @@ class RandomPacking {
  public:
   explicit RandomPacking(unsigned seed) : prng_(seed) {}
 
-  // `whole`: scores are whole numbers, so there are ties.
+  // `whole`: integer scores, so there are ties.
   Packing Make(int columns, bool distinct, bool whole) {
     Packing packing;
     for (int a = Whole(1, 4); a > 0; --a) {
@@ -61,7 +61,7 @@ class RandomPacking {
   std::mt19937 prng_;
 };
 
-// Written anew, not with what is tested.
+// Independent implementation, for comparison.
 bool IsAllowed(const Packing& packing, unsigned set) {
   std::map<int, int> agents;
   std::map<int, int> rows;
@@ -110,7 +110,7 @@ unsigned SetName(const std::vector<int>& chosen) {
   return set;
 }
 
-// The best by exhaustion of what `key` says, lexicographically.
+// Exhaustive search for the lexicographically best `key`.
 template <typename Key>
 std::pair<double, double> Best(const Packing& packing, const Key& key) {
   std::pair<double, double> best{-1e300, -1e300};
@@ -192,7 +192,7 @@ TEST(Packing, BalancesLoadsAtTheirWeight) {
   EXPECT_GT(not_the_best_score, 20);
 }
 
-// So large that it cannot be done in a blink.
+// Too large to be solved within the tests' time limits.
 Packing HardPacking() {
   RandomPacking random(3);
   Packing packing;

@@ -11,7 +11,7 @@ namespace {
 
 using kg_compiler::SeamRules;
 
-// The share of the weight at a distance.
+// Share of the weight charged at a distance.
 double Share(const SeamRules& rules, double distance_m) {
   const double spacing_m =
       rules.spacing_m > 0.0 ? rules.spacing_m : rules.sensor_radius_m;

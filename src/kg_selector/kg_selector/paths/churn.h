@@ -1,12 +1,12 @@
-// What it costs to leave the plan in force (A34): replans stay put unless
-// moving is worth more than that.
+// Cost of deviating from the plan in force (A34): a replan changes only where
+// the gain exceeds this cost.
 //
 //   churn(x) = churn_weight min(1, d(x, committed) / spacing)
 //
 // in reward units, for the place x where a window ends, if the plan in force
-// says where it ends; d the geodesic distance [m], spacing that of waypoints
-// (the sensor's radius if that is 0). It is charged on the way there, beside
-// S of the seam: a path's rewards stay what is earned.
+// defines an end place for that window; d is the geodesic distance [m], spacing
+// that of the waypoints (the sensor radius if that is 0). It is charged on the
+// seam into the place, in addition to S: the reward of a path does not change.
 
 #ifndef KG_SELECTOR_PATHS_CHURN_H_
 #define KG_SELECTOR_PATHS_CHURN_H_
@@ -18,12 +18,12 @@
 
 namespace kg_selector {
 
-// 0 if the window is not committed, not of `rules`, or the weight is 0.
+// 0 if the window is not committed or not in `rules`, or if the weight is 0.
 double ChurnCost(const kg_compiler::SeamRules& rules, int window,
                  const kg_base::LonLat& place);
 
-// Adds it to the cost of every seam of a trellis of these graphs. Nothing at
-// all changes without commitments.
+// Adds the churn cost to every seam of a trellis of these graphs. No effect
+// without commitments.
 void AddChurn(const kg_compiler::SeamRules& rules,
               const kg_compiler::NavGraphs& graphs,
               kg_planner::Trellis* trellis);

@@ -16,7 +16,7 @@ namespace {
 
 using kg_compiler::SeamRules;
 
-// The windows end where the path does.
+// Commits the path's end places.
 void CommitTo(const Pathlet& path, SeamRules* rules) {
   for (std::size_t s = 0; s < path.visits.size(); ++s) {
     rules->windows.at(s).committed = path.visits[s].position;
@@ -41,7 +41,7 @@ TEST(ChurnTest, CostsInProportionToTheDistanceUpToASpacing) {
   EXPECT_DOUBLE_EQ(ChurnCost(rules, 1, near), 4.0 * near_m / 10e3);
   EXPECT_EQ(ChurnCost(rules, 1, far), 4.0);
   EXPECT_EQ(ChurnCost(rules, 0, far), 0.0);  // Not committed.
-  EXPECT_EQ(ChurnCost(rules, 7, far), 0.0);  // Not of the rules.
+  EXPECT_EQ(ChurnCost(rules, 7, far), 0.0);  // Unknown window.
   rules.churn_weight = 0.0;
   EXPECT_EQ(ChurnCost(rules, 1, far), 0.0);
 }
@@ -82,8 +82,8 @@ TEST(ChurnTest, CommitmentsWithoutAWeightChangeNoBit) {
   EXPECT_GT(planned, 100);
 }
 
-// Whatever an agent was committed to, it stays there if leaving costs more than
-// there is to gain; and what it pays is what its path differs by.
+// An agent keeps its commitments if deviating costs more than it gains; the
+// cost it pays equals the score difference.
 TEST(ChurnTest, ALargeWeightKeepsThePlanAndASmallOneIsPaidFor) {
   int moved = 0, kept = 0;
   for (unsigned seed = 0; seed < 100; ++seed) {
@@ -106,7 +106,7 @@ TEST(ChurnTest, ALargeWeightKeepsThePlanAndASmallOneIsPaidFor) {
           EXPECT_EQ(share, 1.0) << seed;
           EXPECT_EQ(paid, 0.0);
         }
-        // Never worse than staying, never better than being free.
+        // At least as good as staying, at most as good as without churn.
         EXPECT_GE(best.score(), plan.score() - 1e-9);
         EXPECT_LE(best.score() + paid, free.pathlets[0].score() + 1e-9);
         ++(share < 1.0 ? moved : kept);

@@ -11,7 +11,7 @@ using kg_compiler::TimedPoint;
 
 constexpr double kAlways = std::numeric_limits<double>::infinity();
 
-// Agents that an event rewards, in order of commitment.
+// Agents rewarded by each event, in order of commitment.
 using Rewarded = std::map<std::string, std::vector<std::string>>;
 
 Rewarded RewardedBy(const std::vector<Pathlet>& committed) {
@@ -35,7 +35,8 @@ struct WindowSpan {
   TimeSpan span;
 };
 
-// One span a window; one of unknown window if ends are not known.
+// One span per window; a single span of unknown window if window ends are
+// unknown.
 std::vector<WindowSpan> WindowSpans(const TeamRules& rules,
                                     const Pathlet& pathlet) {
   std::vector<WindowSpan> spans;
@@ -59,8 +60,8 @@ std::optional<Conflict> SeparationConflict(
   const double separation_m = HardSeparation_m(rules);
   std::optional<Conflict> worst;
   for (const Pathlet& other : committed) {
-    // In the first window agents may begin too close together (launched from
-    // one ship): the rule holds from when they are apart.
+    // In the first window agents may start too close together (launched from
+    // one ship): the rule applies from when they are apart.
     TimeSpan span = window.span;
     if (window.is_first) {
       span.from_s = std::max(
@@ -70,7 +71,7 @@ std::optional<Conflict> SeparationConflict(
     if (!ComeCloserThan(pathlet.track, other.track, separation_m, span)) {
       continue;
     }
-    // Of all others the one it comes closest to.
+    // Report the agent it comes closest to.
     const double missing_m =
         separation_m -
         ClosestApproach(pathlet.track, other.track, span)->distance_m;
@@ -92,7 +93,7 @@ std::optional<Conflict> CapacityConflict(const TeamRules& rules,
     const std::vector<std::string> agents =
         place == rewarded.end() ? std::vector<std::string>() : place->second;
     if (std::count(agents.begin(), agents.end(), agent) > 0) continue;
-    // Places left once this agent counts, too.
+    // Capacity left including this agent.
     const int left = capacity->second - static_cast<int>(agents.size()) - 1;
     if (left < 0) {
       return Conflict{ConflictKind::kCapacity,
@@ -103,7 +104,8 @@ std::optional<Conflict> CapacityConflict(const TeamRules& rules,
   return std::nullopt;
 }
 
-// How many windows after its last one, or before its first (negative).
+// margin = number of windows after the event's last one, or before its first
+// (negative).
 std::optional<Conflict> ExpiredConflict(const TeamRules& rules, int window,
                                         const std::string& event) {
   const auto open = rules.event_windows.find(event);

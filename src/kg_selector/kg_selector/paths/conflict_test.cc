@@ -17,7 +17,7 @@ LonLat East(double metres) {
   return kg_base::Destination(kPort, 1.5707963267948966, metres);
 }
 
-// Begins at `start`; arrives half way through every window and stays.
+// Starts at `start`; arrives half way through every window and stays.
 Pathlet Through(const std::string& agent, LonLat start,
                 const std::vector<LonLat>& places) {
   Pathlet pathlet;

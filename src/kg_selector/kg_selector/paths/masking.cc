@@ -21,7 +21,7 @@ using kg_compiler::Waypoint;
 
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 
-// Rewards of the events that are open in a window.
+// Rewards of the events open in a window.
 std::map<std::string, double> OpenEvents(const SeamRules& rules, int window) {
   std::map<std::string, double> rewards;
   for (const auto& rule : rules.windows) {
@@ -34,7 +34,7 @@ std::map<std::string, double> OpenEvents(const SeamRules& rules, int window) {
   return rewards;
 }
 
-// A number for every event of any window.
+// Token number of every event of any window.
 std::map<std::string, int> NumberEvents(const SeamRules& rules) {
   std::map<std::string, int> tokens;
   for (const auto& window : rules.windows) {
@@ -81,8 +81,8 @@ std::vector<double> WindowEnds(const NavGraphs& graphs) {
   return ends_s;
 }
 
-// The flight of a seam, and waiting for it to begin if there is a gap between
-// its window and the one before. A path's track is these, one after the other.
+// Track of a seam: waiting from the end of the previous window if there is a
+// gap, then the flight. A path's track is their concatenation.
 std::vector<TimedPoint> SeamTrack(const NavGraphs& graphs,
                                   const std::vector<double>& ends_s,
                                   std::size_t stage, const TraverseEdge& edge) {
@@ -112,7 +112,7 @@ std::vector<const Waypoint*> VisitedBy(const NavGraph& graph,
   return visited;
 }
 
-// The window that earns each open event on the way, by event.
+// Stage that earns each open event on the path, by event.
 std::map<std::string, std::size_t> EarnedWhere(const SeamRules& rules,
                                                const NavGraphs& graphs,
                                                const kg_planner::Path& path) {
@@ -175,7 +175,7 @@ kg_planner::Trellis ToTrellis(const SeamRules& rules, const NavGraphs& graphs) {
       stage.seams.push_back(
           {edge.from, edge.to, edge.seam_cost, edge.flight.energy_j});
     }
-    // `via` stays empty where no edge has stops: the searches are faster.
+    // `via` stays empty if no edge has stops, which speeds up the search.
     if (!HasWalks(graph)) continue;
     for (const TraverseEdge& edge : graph.edges) stage.via.push_back(edge.via);
   }
@@ -194,7 +194,7 @@ kg_planner::PathMasks MaskCommitted(const TeamRules& rules,
     for (const TraverseEdge& edge : graphs[s].edges) {
       const auto track = SeamTrack(graphs, ends_s, s, edge);
       const auto too_close = [&](const Pathlet& other) {
-        // Agents may begin closer than the separation.
+        // Agents may start closer than the separation.
         TimeSpan span;
         if (s == 0) {
           span.from_s =
@@ -226,7 +226,7 @@ Pathlet ToPathlet(const SeamRules& rules, const NavGraphs& graphs,
     const auto track = SeamTrack(graphs, ends_s, s, edge);
     pathlet.track.insert(pathlet.track.end(), track.begin(), track.end());
   }
-  // Each event once, in the window that rewards it most.
+  // List each event once, in the window with its largest reward.
   for (const auto& [event, s] : EarnedWhere(rules, graphs, path)) {
     pathlet.visits[s].events.push_back(event);
     pathlet.visits[s].reward += OpenEvents(rules, graphs[s].window).at(event);

@@ -1,6 +1,6 @@
-// Turns "plan around those who are committed" into masks on a trellis: the
-// bridge between an agent's NavGraphs and the planner, which knows neither
-// agents nor places.
+// Turns "plan around the committed paths" into masks on a trellis: the bridge
+// between an agent's NavGraphs and the planner, which knows neither agents nor
+// places.
 
 #ifndef KG_SELECTOR_PATHS_MASKING_H_
 #define KG_SELECTOR_PATHS_MASKING_H_
@@ -18,8 +18,8 @@
 
 namespace kg_selector {
 
-// The rules without the events in `full`: visits there earn nothing more than
-// their waypoint. Capacity is kept this way; no node is masked for it.
+// The rules without the events in `full`: visits there earn only the waypoint's
+// reward. This enforces capacity without masking nodes.
 kg_compiler::SeamRules CloseEvents(kg_compiler::SeamRules rules,
                                    const std::set<std::string>& full);
 
@@ -29,17 +29,17 @@ kg_compiler::SeamRules CloseEvents(kg_compiler::SeamRules rules,
 kg_planner::Trellis ToTrellis(const kg_compiler::SeamRules& rules,
                               const kg_compiler::NavGraphs& graphs);
 
-// Exactly the seams whose flight, holding station included, comes too close to
-// a committed track. Of `committed` only tracks are read. What is planned under
-// these masks with rules that FullEvents() are closed in has no hard conflict
-// (FindConflict) with `committed`.
+// Masks exactly the seams whose flight, station holding included, comes too
+// close to a committed track. Only the tracks of `committed` are read. A path
+// planned under these masks, with rules in which FullEvents() are closed, has
+// no hard conflict (FindConflict) with `committed`.
 kg_planner::PathMasks MaskCommitted(const TeamRules& rules,
                                     const kg_compiler::NavGraphs& graphs,
                                     const std::vector<Pathlet>& committed);
 
-// A planner's path with the places and times behind its numbers. A visit is one
-// window: its reward is that of all stops, and an event is listed where its
-// reward is earned: the largest, the first of equals.
+// Adds places and times to a planner's path. A visit is one window: its reward
+// is that of all its stops; an event is listed in the window where its reward
+// is largest (the first of equals).
 Pathlet ToPathlet(const kg_compiler::SeamRules& rules,
                   const kg_compiler::NavGraphs& graphs,
                   const kg_planner::Path& path, int rank);

@@ -46,8 +46,8 @@ struct MaskCounts {
   int planned = 0;
 };
 
-// Masked are exactly the paths that separation rules out, closed exactly the
-// events that capacity does.
+// The masked paths are exactly those separation rules out, the closed events
+// exactly those at capacity.
 void CheckMasks(const TeamRules& rules, const std::vector<TeamMember>& members,
                 MaskCounts* counts) {
   const std::vector<Pathlet> committed = Others(rules, members);
@@ -224,7 +224,7 @@ TEST(ToTrellisTest, HasStagesNodesTokensAndTheBudget) {
   ASSERT_EQ(trellis.stages.size(), 2u);
   const kg_planner::Node& node = trellis.stages[1].nodes.at(0);
   EXPECT_EQ(node.reward, 2.0);
-  ASSERT_EQ(node.tokens.size(), 1u);  // Nobody rewards ex:gone.
+  ASSERT_EQ(node.tokens.size(), 1u);  // ex:gone has no reward.
   EXPECT_EQ(node.tokens[0].reward, 6.0);
   EXPECT_EQ(node.tokens[0].token, trellis.stages[0].nodes[0].tokens[0].token);
   EXPECT_EQ(trellis.stages[1].seams.at(0).cost, 0.5);

@@ -18,9 +18,9 @@ using kg_compiler::SeamRules;
 constexpr int kMaxDecimals = 9;
 
 struct BudgetUnit {
-  const char* best;  // The path that needs least.
+  const char* best;  // Phrase for the path of least use.
   const char* name;
-  const char* of;  // Behind the budget's unit.
+  const char* of;  // Text after the budget's unit.
   double size;
 };
 constexpr BudgetUnit kEnergy = {"thriftiest", "Wh", "", kg_base::kJoulesPerWh};
@@ -33,7 +33,7 @@ std::string Number(double value, int decimals) {
   return text;
 }
 
-// With as many decimals as tell the two apart.
+// Formats both with enough decimals to differ.
 std::string Exceeded(const BudgetUnit& unit, double budget, double above) {
   const double allowed = budget / unit.size;
   const double taken = (budget + above) / unit.size;

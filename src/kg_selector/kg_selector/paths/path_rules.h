@@ -1,5 +1,5 @@
-// What an agent's rules say of its paths beside their terms: which ones are
-// offered, and what they may not exceed over the horizon.
+// Rules of an agent's paths beyond their terms: which paths are offered, and
+// budgets over the horizon.
 
 #ifndef KG_SELECTOR_PATHS_PATH_RULES_H_
 #define KG_SELECTOR_PATHS_PATH_RULES_H_
@@ -13,23 +13,23 @@
 
 namespace kg_selector {
 
-// A budget of hazard becomes a second resource of the trellis (the first is
-// energy): hazard and isolation of its seams [s]. Nothing without one.
+// Turns a hazard budget into a second resource of the trellis (the first is
+// energy): hazard and isolation of its seams [s]. No effect without a budget.
 void LimitHazard(const kg_compiler::SeamRules& rules,
                  const kg_compiler::NavGraphs& graphs,
                  kg_planner::Trellis* trellis);
 
-// The paths that are offered: the K best, or if the policy says so K that
-// differ (diverse_paths.h). Every planner calls this, in which process it may
-// be. `memory` (may be null) is of the agent's last search for the K best.
+// The paths to offer: the K best, or K diverse ones if the policy requires it
+// (diverse_paths.h). Called by every planner, in any process. `memory` (may be
+// null) is that of the agent's last search for the K best.
 kg_planner::KBest ChoosePaths(const kg_compiler::SeamRules& rules,
                               const kg_planner::Trellis& trellis,
                               const kg_planner::PathMasks& masks,
                               kg_planner::KBestMemory* memory = nullptr);
 
-// By how much the budgets are too small, if `found` says that this is why it
-// has no path: "no path within 12.3 Wh: the thriftiest takes 15.1 Wh". Else
-// empty.
+// Text on how much the budgets fall short, if `found` shows that this is why
+// there is no path: "no path within 12.3 Wh: the thriftiest takes 15.1 Wh".
+// Empty otherwise.
 std::string BudgetNote(const kg_compiler::SeamRules& rules,
                        const kg_planner::KBest& found);
 

@@ -95,7 +95,7 @@ TEST(PathRulesTest, DiversePathsDifferAsTheRulesSayAndTheBestIsTheFirst) {
     }
     several += diverse.size() > 1;
   }
-  EXPECT_GT(alike, 25);  // The K best are not that different.
+  EXPECT_GT(alike, 25);  // The K best paths are less diverse.
   EXPECT_GT(several, 25);
 }
 

@@ -13,7 +13,7 @@ using kg_base::LonLat;
 using kg_compiler::TimedPoint;
 using Track = std::vector<TimedPoint>;
 
-// In [-180, 180]; std::remainder is slow and hardly ever needed.
+// Wraps to [-180, 180]; std::remainder is slow and rarely needed.
 double Wrapped(double eastward_deg) {
   return eastward_deg >= -180.0 && eastward_deg <= 180.0
              ? eastward_deg
@@ -50,7 +50,7 @@ double MidLatitudeDistance_m(LonLat a, LonLat b) {
   return ComputeOffset(a, b, scale).length_m();
 }
 
-// Both tracks straight and steady between two times.
+// Two tracks, both linear in time, between two times.
 struct TrackInterval {
   double begin_s = 0.0;
   double end_s = 0.0;
@@ -58,7 +58,7 @@ struct TrackInterval {
   LonLat b_begin, b_end;
 };
 
-// The plane's minimum, measured again at its own middle latitude.
+// Minimum in the plane, remeasured at the mean latitude of the closest points.
 TrackApproach ApproachWithin(const TrackInterval& interval) {
   const auto scale = kg_base::LocalScale(
       0.25 * (interval.a_begin.lat_deg + interval.a_end.lat_deg +
@@ -82,9 +82,9 @@ double SmallestMagnitude(double begin, double end) {
   return begin * end > 0.0 ? std::min(std::abs(begin), std::abs(end)) : 0.0;
 }
 
-// Not more than the approach, from differences of latitude and longitude alone:
+// Lower bound of the approach, from differences of latitude and longitude only:
 // a degree is at least 110574 m northward and 111319 m cos(lat) eastward, and
-// cos(x) >= 1 - x^2 / 2. A share of 1e-6 is taken off for rounding.
+// cos(x) >= 1 - x^2 / 2. Reduced by a share of 1e-6 for rounding.
 double LeastPossible_m(const TrackInterval& interval) {
   const double north_deg =
       SmallestMagnitude(interval.b_begin.lat_deg - interval.a_begin.lat_deg,
@@ -100,7 +100,7 @@ double LeastPossible_m(const TrackInterval& interval) {
          std::max(110574.0 * north_deg, 111319.0 * cos_lat * east_deg);
 }
 
-// Index of the last point that is not after time_s.
+// Index of the last point not after time_s.
 std::size_t PointAt(const Track& track, double time_s) {
   const auto later = std::upper_bound(
       track.begin(), track.end(), time_s,
@@ -108,7 +108,7 @@ std::size_t PointAt(const Track& track, double time_s) {
   return later == track.begin() ? 0 : later - track.begin() - 1;
 }
 
-// Walks the pieces of a track.
+// Iterates over the pieces of a track.
 class TrackPiece {
  public:
   TrackPiece(const Track& track, double time_s)
@@ -132,14 +132,14 @@ class TrackPiece {
   std::size_t index_;
 };
 
-// The common times of the tracks within `span`; empty if to < from.
+// Time span common to both tracks and `span`; empty if to < from.
 TimeSpan CommonSpan(const Track& a, const Track& b, const TimeSpan& span) {
   if (a.empty() || b.empty()) return {0.0, -1.0};
   return {std::max({span.from_s, a.front().time_s, b.front().time_s}),
           std::min({span.to_s, a.back().time_s, b.back().time_s})};
 }
 
-// Calls visit(Interval) in order of time until it returns false.
+// Calls visit(TrackInterval) in order of time until it returns false.
 template <typename Visit>
 void ForEachInterval(const Track& a, const Track& b, const TimeSpan& span,
                      const Visit& visit) {
@@ -149,7 +149,7 @@ void ForEachInterval(const Track& a, const Track& b, const TimeSpan& span,
   TrackPiece of_b(b, common.from_s);
   double begin_s = common.from_s;
   for (bool more = true; more;) {
-    // Up to where the first of the two pieces, or the span, ends.
+    // Up to the earliest end of the two pieces and the span.
     const double end_s =
         std::max(begin_s, of_b.EndBefore(of_a.EndBefore(common.to_s)));
     const TrackInterval interval{begin_s,
@@ -160,7 +160,7 @@ void ForEachInterval(const Track& a, const Track& b, const TimeSpan& span,
                                  PositionAt(of_b.from(), of_b.to(), end_s)};
     if (!visit(interval)) return;
     begin_s = end_s;
-    // Both must advance, so no short cut of the `or`.
+    // Both must advance: avoid short-circuit evaluation.
     const bool a_moved = of_a.Advance(end_s);
     more = of_b.Advance(end_s) || a_moved;
   }

@@ -29,7 +29,7 @@ LonLat At(const Track& track, double time_s) {
   return track.back().position;
 }
 
-// The least geodesic distance at many times, refined about the best.
+// Smallest geodesic distance over many times, refined around the minimum.
 TrackApproach Sampled(const Track& a, const Track& b) {
   double from_s = std::max(a.front().time_s, b.front().time_s);
   double to_s = std::min(a.back().time_s, b.back().time_s);
@@ -104,7 +104,8 @@ TEST(ClosestApproachTest, IsSymmetric) {
   }
 }
 
-// What masking relies on: pieces know what the whole knows, to the last bit.
+// Masking relies on this: the minimum over pieces is bitwise equal to that of
+// the whole track.
 TEST(ClosestApproachTest, OfTheWholeIsTheLeastOfItsPieces) {
   RandomTracks random(44);
   for (int i = 0; i < 300; ++i) {

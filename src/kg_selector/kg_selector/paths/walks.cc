@@ -25,17 +25,17 @@ using kg_compiler::TraverseEdge;
 using kg_compiler::Waypoint;
 using kg_compiler::WindowWorld;
 
-// A walk must have this share of the best score of its end.
+// Minimum share of the best score of its end for a walk to be kept.
 constexpr double kGoodEnough = 0.5;
 constexpr std::size_t kExactLabels = 4000;
 constexpr std::size_t kMaxSteps = 400;
 constexpr double kLeastGround_mps = 1e-3;
 
-// How long a walk takes is only known when it is flown: those that seem to take
-// up to a tenth too long are looked at, too, besides those that seem to fit.
+// The duration of a walk is known only after flying it, so a second pass admits
+// walks whose estimate is up to a tenth too long.
 struct SearchPass {
-  double duration;  // Share of the window.
-  int per_end;      // Times what is kept.
+  double duration;  // Duration limit as a share of the window.
+  int per_end;      // Walks per end, as a multiple of the limit.
 };
 constexpr SearchPass kSearchPasses[] = {{1.0, 1}, {1.1, 2}};
 
@@ -50,20 +50,21 @@ double Length_m(const FlownPath& flight) {
   return length_m;
 }
 
-// An edge as a leg: what it takes at either pace when the window begins,
-// holding station not counted.
+// An edge as a leg: time and cost at either pace if flown at the window's
+// begin, without station holding.
 struct WalkLeg {
   const FlownPath* flight = nullptr;
   double cruise_mps = 0.0;
   double length_m = 0.0;
-  double hazard = 0.0;                 // Mean, under way.
-  double isolation_s = 0.0;            // A second under way.
-  std::vector<double> exposures = {};  // Likewise, of the fields that cost.
+  double hazard = 0.0;       // Mean along the way.
+  double isolation_s = 0.0;  // Per second along the way.
+  // Per second along the way, by cost field.
+  std::vector<double> exposures = {};
 
   double Speed_mps(TravelPace pace) const {
     return pace == TravelPace::kPriced ? flight->speed_mps : cruise_mps;
   }
-  // At cruise speed: as if the current helped as much per second.
+  // At cruise speed: assumes the same gain from the current per second.
   double Travel_s(TravelPace pace) const {
     const double travel_s = flight->travel_s;
     if (pace == TravelPace::kPriced || !(travel_s > 0.0)) return travel_s;
@@ -143,7 +144,7 @@ class WindowWalks {
     return way;
   }
 
-  // Both only where they differ.
+  // Both paces only where they differ.
   std::vector<TravelPace> Paces() const {
     if (weights_.energy_per_j > 0.0) {
       return {TravelPace::kPriced, TravelPace::kCruise};
@@ -155,7 +156,7 @@ class WindowWalks {
     const double travel_s = way.Travel_s(pace);
     const double energy_j =
         in_.rules->motion.energy_per_m_j * way.Speed_mps(pace) * travel_s;
-    // The window's uncertainty is not a leg's: confidence 1.
+    // Confidence 1: the window's uncertainty is not charged per leg.
     TraverseEdge leg;
     leg.flight.travel_s = travel_s;
     leg.flight.energy_j = energy_j;
@@ -187,7 +188,7 @@ class WindowWalks {
     }
   }
 
-  // `from` at a pace, all legs as edges of the window's begin.
+  // Problem from a source at a pace, with all legs timed at the window's begin.
   kg_planner::StageProblem ProblemFrom(int from, TravelPace pace,
                                        bool with_events) const {
     kg_planner::StageProblem problem;
@@ -206,7 +207,7 @@ class WindowWalks {
     return problem;
   }
 
-  // What a walk, or a direct edge, is worth.
+  // Value of a walk or of a direct edge.
   double Worth(const TraverseEdge& edge,
                const std::vector<kg_planner::Node>& nodes) const {
     std::map<int, double> earned;
@@ -255,8 +256,8 @@ class WindowWalks {
     micro.exact_labels = kExactLabels;
     micro.max_steps = kMaxSteps;
     std::set<std::vector<int>> candidates;
-    // Durations are estimates: legs as if flown when the window begins. So
-    // walks a little too long are looked at, too.
+    // Durations are estimates (legs timed at the window's begin), so slightly
+    // too long walks are also tried.
     for (const TravelPace pace : Paces()) {
       kg_planner::StageProblem problem = ProblemFrom(from, pace, with_events);
       const double limit_s = problem.duration_limit;
@@ -280,13 +281,13 @@ class WindowWalks {
     }
   }
 
-  // The best of each end, of those worth more than going straight there.
+  // Keeps the best walks per end, among those worth more than the direct edge.
   void Choose(
       int from, bool with_events, const WalkOptions& options,
       const std::map<std::vector<int>, std::optional<TraverseEdge>>& flown,
       std::set<std::vector<int>>* kept) const {
     const std::vector<kg_planner::Node> nodes = Nodes(with_events);
-    // A walk must be worth more than flying straight to its end.
+    // Reference: value of the direct edge to each end.
     std::map<int, double> direct;
     for (const TraverseEdge& edge : in_.graph->edges) {
       if (edge.from == from && edge.via.empty()) {
@@ -309,7 +310,7 @@ class WindowWalks {
     }
   }
 
-  const WalkInputs& in_;  // Its graph's flights are pointed to.
+  const WalkInputs& in_;  // Flights of its graph are referenced.
   const kg_compiler::SeamWeights& weights_;
   std::vector<kg_base::LonLat> places_;
   kg_compiler::WindowTraversal traversal_;
@@ -362,7 +363,7 @@ NavGraphs CompileWalkedGraphs(const SeamRules& rules,
   int searched = 0;
   std::vector<kg_base::LonLat> sources = {rules.start};
   for (std::size_t t = 0; t < plain.size(); ++t) {
-    // The hash names the graph without walks, which decides them.
+    // The hash identifies the graph without walks, which determines the walks.
     const auto known =
         cache ? FindGraph(cache->walked, plain[t].hash) : nullptr;
     if (known) {

@@ -25,7 +25,7 @@ using kg_compiler::TimedPoint;
 using kg_compiler::TraverseEdge;
 using kg_compiler::WindowRules;
 
-// Three agents and windows, where one gets to several waypoints a window.
+// Three agents and windows; several waypoints per window are reachable.
 class EdgesWorld : public PlannedTestWorld {
  public:
   explicit EdgesWorld(unsigned seed) : PlannedTestWorld(seed) {
@@ -33,7 +33,7 @@ class EdgesWorld : public PlannedTestWorld {
   }
 };
 
-// One agent's world, held together.
+// One agent's compilation, rules and rasters.
 struct AgentWorld {
   std::shared_ptr<const kg_compiler::Compilation> compilation;
   kg_compiler::SeamRules rules;
@@ -65,9 +65,9 @@ AgentWorld RandomAgent(unsigned seed) {
   return AgentOf(world.Plan().compilation, seed % 3);
 }
 
-// Flying again -------------------------------------------------------------
+// Independent flight check -----------------------------------------------
 
-// The pieces of a track between stops; the last holds station at its end.
+// Track pieces between stops; the last holds station at its end.
 std::vector<kg_compiler::FlownPath> LegsOf(const NavGraph& graph,
                                            const TraverseEdge& walk) {
   std::vector<kg_compiler::FlownPath> legs(1);
@@ -94,7 +94,7 @@ double ArrivalAt(const kg_compiler::FlownPath& leg) {
   return leg.track.back().time_s;
 }
 
-// The speeds of its edges, or cruise speed on all of them.
+// Speeds of the walk's edges, or cruise speed for all of them.
 std::vector<double> SpeedsOf(const NavGraph& graph, const TraverseEdge& walk,
                              double cruise_mps, bool at_cruise) {
   std::vector<double> speeds;
@@ -113,7 +113,7 @@ std::vector<double> SpeedsOf(const NavGraph& graph, const TraverseEdge& walk,
   return speeds;
 }
 
-// Do the claimed times follow from these speeds, by the other integrator?
+// Whether the stated times follow from these speeds, by the other integrator.
 bool IsFlownAt(const kg_compiler::TestFlowWorld& sea,
                kg_compiler::MotionModel motion,
                const std::vector<kg_compiler::FlownPath>& legs,
@@ -130,7 +130,8 @@ bool IsFlownAt(const kg_compiler::TestFlowWorld& sea,
   return true;
 }
 
-// Metres made through the water by holding station, by trapezoids.
+// Distance through the water while holding station [m], by the trapezoidal
+// rule.
 double Held_m(const kg_compiler::TestFlowWorld& sea, kg_base::LonLat place,
               double from_s, double to_s) {
   const auto at = sea.field.grid.Locate(place);
@@ -237,7 +238,7 @@ TEST(WalksTest, HaveTheirOrderAndNoStopTwice) {
 
 // Brute force ----------------------------------------------------------------
 
-// All sequences of at most kMostStops waypoints that edges lead along.
+// All sequences of at most kMaxStops waypoints connected by edges.
 void AllWalks(const NavGraph& graph, std::vector<int>* stops,
               std::vector<std::vector<int>>* all) {
   if (stops->size() > 1) all->push_back(*stops);
@@ -251,7 +252,7 @@ void AllWalks(const NavGraph& graph, std::vector<int>* stops,
   }
 }
 
-// The graphs with every walk that can be flown.
+// The graphs with every flyable walk.
 NavGraphs WithAllWalks(const AgentWorld& world, const NavGraphs& graphs) {
   NavGraphs all;
   for (std::size_t t = 0; t < graphs.size(); ++t) {
@@ -276,7 +277,7 @@ NavGraphs WithAllWalks(const AgentWorld& world, const NavGraphs& graphs) {
 }
 
 // The best of all paths: every edge of every window, events once, within the
-// energy. Nothing of the planner's.
+// energy budget. Shares no code with the planner.
 class BruteForce {
  public:
   BruteForce(const kg_compiler::SeamRules& rules, const NavGraphs& graphs)
@@ -324,7 +325,7 @@ double BestOf(const kg_compiler::SeamRules& rules, const NavGraphs& graphs) {
   return found.pathlets.front().score();
 }
 
-// A world small enough to look at every way through it.
+// A world small enough for exhaustive search.
 AgentWorld SmallAgent(unsigned seed) {
   EdgesWorld world(seed);
   world.mission.coordination.waypoints_per_window = 4;
@@ -356,7 +357,7 @@ TEST(WalksTest, TheBestPlanIsThatOfAllWalks) {
       with_stops += !visit.via.empty();
     }
   }
-  // Not always: which walks to fly is chosen by the currents of the window's
+  // Not always equal: walks are selected with the currents at the window's
   // begin.
   EXPECT_GE(equal, kCases - 3);
   EXPECT_GT(least_share, 0.995);

@@ -1,4 +1,4 @@
-// The Team Orienteering benchmark through planner and selector. See --help.
+// Runs the Team Orienteering benchmark with planner and selector. See --help.
 
 #include <charconv>
 #include <cmath>

@@ -1,4 +1,4 @@
-// One agent's candidates with what they answer: a round of a cycle.
+// One agent's candidates, with the cycle and round they answer.
 
 #ifndef KG_SELECTOR_TEAM_AGENT_CANDIDATES_H_
 #define KG_SELECTOR_TEAM_AGENT_CANDIDATES_H_
@@ -13,12 +13,12 @@
 namespace kg_selector {
 
 struct AgentCandidates {
-  double time_s = 0.0;  // When they were made, Unix seconds.
+  double time_s = 0.0;  // Creation time [Unix s].
   std::uint64_t world_version = 0;
   std::uint64_t cycle = 0;
   std::string agent;  // ex:id.
   std::string agent_iri;
-  std::uint32_t round = 0;  // 0: unmasked; later ones answer a RoundRequest.
+  std::uint32_t round = 0;  // 0 = unmasked; > 0 answers a RoundRequest.
   AgentOffer found;
   std::vector<StageTime> stages;  // "nav_graphs", "stitch".
 };

@@ -6,9 +6,9 @@
 namespace kg_selector {
 namespace {
 
-// Share of the rounds that may be spent on bids.
+// Maximum share of rounds spent on bids.
 constexpr double kBidShare = 0.6;
-// Waves of groups without gain before they are given up.
+// Group waves without gain before the search stops.
 constexpr int kMaxFailedWaves = 10;
 
 }  // namespace
@@ -25,7 +25,7 @@ void AuctionSearch::Drop(int agent) {
 ColumnRequests AuctionSearch::Next(const TeamColumns& pool,
                                    const ColumnAnswers& answers) {
   prices_.resize(pool.capacities().size(), 0.0);
-  // Round 0 was asked without prices: its bounds count for prices 0.
+  // Round 0 was asked without prices: its bounds are those of prices 0.
   if (rounds_++ == 0) {
     held_.assign(pool.agents(), kNobody);
     best_ = held_;
@@ -100,7 +100,7 @@ void AuctionSearch::KeepIfBetter(const TeamColumns& pool,
   if (IsMore(pool.Worth(better), pool.Worth(best_))) best_ = std::move(better);
 }
 
-// Who gains most bids first.
+// Bids in order of decreasing gain.
 void AuctionSearch::ProcessBids(const TeamColumns& pool,
                                 const ColumnAnswers& answers) {
   std::vector<std::pair<double, int>> order;
@@ -133,8 +133,8 @@ std::vector<int> AuctionSearch::FullRows(const TeamColumns& pool,
   return full;
 }
 
-// Whether an agent that shares no full row is in the way of the column: then
-// the bidder has to plan around it.
+// Whether the column conflicts with an agent with which it shares no full row:
+// then the bidder has to plan around that agent.
 bool AuctionSearch::IsBlocked(const TeamColumns& pool, int column) {
   const int agent = pool.columns()[column].agent;
   bool blocked = false;
@@ -154,7 +154,7 @@ bool AuctionSearch::IsBlocked(const TeamColumns& pool, int column) {
   return blocked;
 }
 
-// The advantage over the second choice, and epsilon.
+// Price increment: advantage over the second choice, plus epsilon.
 double AuctionSearch::Raise(const TeamColumns& pool,
                             const ColumnAnswer& answer) const {
   const int column = answer.columns.front();
@@ -186,13 +186,13 @@ void AuctionSearch::ProcessBid(const TeamColumns& pool, int agent,
     for (const int row : full) {
       if (pool.capacities()[row] == 0) retired_.insert(agent);
     }
-    return;  // Bids again, at the new prices.
+    return;  // Will bid again at the new prices.
   }
   const double raise = Raise(pool, answer);
   for (const int row : full) {
     prices_[row] +=
         std::max(options_.epsilon, raise / static_cast<double>(full.size()));
-    int min_value = kNobody;  // The holder of the row with the lowest score.
+    int min_value = kNobody;  // Holder of the row with the lowest score.
     for (const int other : ChosenColumns(held_)) {
       const std::vector<int>& rows = pool.columns()[other].rows;
       if (std::binary_search(rows.begin(), rows.end(), row) &&

@@ -1,27 +1,27 @@
-// Mode "auction": rows have prices that only rise. Whoever has no column bids
-// for the best one at the prices; a row that is full goes to the bidder,
-// whoever held it has to bid again, and the row gets dearer by the bidder's
-// advantage over its second choice, and epsilon at least [1].
+// Mode "auction": rows have prices that only rise. An agent without a column
+// bids for its best one at the current prices; a full row goes to the bidder,
+// the previous holder must bid again, and the price of the row rises by the
+// bidder's advantage over its second choice, at least by epsilon [1].
 //
-// It ends: every bid for what others hold raises a row by epsilon or more, and
-// nobody bids for more than it gains. So at most
+// Termination: every bid for an occupied row raises its price by epsilon or
+// more, and no agent bids more than it gains. So at most
 //   agents + rows * (1 + range of scores / epsilon)
-// bids are made; max_rounds cuts that short. It cannot cycle: prices never
-// fall.
+// bids are made; max_rounds may stop it earlier. It cannot cycle because prices
+// never fall.
 //
-// Then all are asked at the final prices p: that gives the bound L(p) of
-// team_prices.h. Who holds a column is within epsilon * its rows of its best at
-// p, so, if max_rounds did not cut, the plan is within
+// Then all agents are asked at the final prices p: this gives the bound L(p) of
+// team_prices.h. The holder of a column is within epsilon * (number of its
+// rows) of its best at p, so unless max_rounds stopped the auction, the plan is
+// within
 //   sum over holders of epsilon * rows + sum of p_r * (places left in r)
-// of the best one. (For one row an agent that is Bertsekas' agents * epsilon;
-// with paths of many rows, a row that was given up may be left with its price.)
-// Printed is the bound found, not this one.
+// of the optimum. (With one row per agent this is Bertsekas' agents * epsilon;
+// with paths of many rows, a released row may keep its price.) The reported
+// bound is L(p), not this one.
 //
-// The plan is the auction's, or what greedy choice gives from the same columns
-// if that is worth more, after Exchange(); groups make it better as long as
-// they can (group_exchange.h) and rounds are left. Paths that come too close
-// without sharing a row have no price: who is in another's way like that plans
-// around.
+// The plan is the better of the auction's and a greedy choice from the same
+// columns, after Exchange(); group exchanges (group_exchange.h) improve it
+// while they succeed and rounds are left. Paths that come too close without
+// sharing a row have no price: the blocked agent plans around the other one.
 //
 // [1] D. P. Bertsekas, "The auction algorithm: a distributed relaxation method
 //     for the assignment problem", Annals of Operations Research 14 (1988).
@@ -77,7 +77,7 @@ class AuctionSearch : public TeamSearch {
   TeamChoice best_;
   std::set<int> retired_;  // Agents for which no column is worth its price.
   std::set<int> dropped_;
-  std::set<std::pair<int, int>> blocked_;  // (agent, agent that is in its way).
+  std::set<std::pair<int, int>> blocked_;  // (agent, agent that blocks it)
   std::set<TeamChoice> asked_unserved_;
   Phase phase_ = Phase::kBids;
   int rounds_ = 0;

@@ -15,7 +15,7 @@ std::vector<std::string> SortedUnique(const std::vector<std::string>& agents) {
   return {names.begin(), names.end()};
 }
 
-// Two columns as one number.
+// Symmetric key of two columns.
 std::size_t PairKey(int a, int b) {
   return (static_cast<std::size_t>(std::max(a, b)) << 32) +
          static_cast<std::size_t>(std::min(a, b));
@@ -94,7 +94,7 @@ ColumnAnswers ColumnTeam::CollectOffers() {
   ColumnAnswers answers;
   for (auto& [name, candidates] : offers_) {
     const int agent = FindIndex(name);
-    // Nothing found, and proven: the agent adds 0 to any plan.
+    // Proven that there is no path: the agent adds 0 to any plan.
     const bool has_none = candidates.pathlets.empty() && candidates.proven;
     ScreenedOffer screened =
         ScreenOffer(rules_, name, std::move(candidates.pathlets), round_);
@@ -151,7 +151,7 @@ bool ColumnTeam::TooClose(int a, int b) {
   return known->second;
 }
 
-// The share of its energy budget; an agent without one has no load.
+// Energy as a share of the agent's budget; 0 without a budget.
 double ColumnTeam::FairnessLoad(const Pathlet& pathlet) const {
   const auto budget_j = rules_.energy_budget_j.find(pathlet.agent);
   if (budget_j == rules_.energy_budget_j.end() || !(budget_j->second > 0.0)) {
@@ -183,7 +183,7 @@ void ColumnTeam::Finish() {
               return a.score() != b.score() ? a.score() > b.score()
                                             : a.agent < b.agent;
             });
-  // Why the others have no path, as far as is known.
+  // Reasons of the other agents without a path, as far as known.
   for (std::size_t a = 0; a < names_.size(); ++a) {
     const bool served =
         a < search_->choice().size() && search_->choice()[a] != kNobody;
@@ -207,7 +207,7 @@ void ColumnTeam::RejectFavourites() {
     }
     const Pathlet& favourite = pathlets_[column];
     const double kept = chosen == kNobody ? 0.0 : pathlets_[chosen].score();
-    // Without a hard conflict with the plan it was outbid.
+    // No hard conflict with the plan: it was outbid.
     Conflict conflict{ConflictKind::kOutbid, "", -1, "",
                       favourite.score() - kept};
     if (const auto hard = FindConflict(rules_, others, favourite)) {

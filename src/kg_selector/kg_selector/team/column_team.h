@@ -1,11 +1,11 @@
-// Every mode with columns, as the team sees it: answers become columns over the
-// rows of team_rows.h, a TeamSearch makes the requests, and what it chooses is
-// the plan. Beyond rows two paths conflict if they come too close
-// (conflict.h); where separation is soft a pair costs SoftPenalty().
+// Coordinator of all modes with columns: answers become columns over the rows
+// of team_rows.h, a TeamSearch makes the requests, and its choice is the plan.
+// Apart from rows, two paths conflict if they come too close (conflict.h); with
+// soft separation a pair costs SoftPenalty().
 //
-// Who offered a path but got another, or none, has its first favourite among
-// the rejections: with the conflict it has with the plan, and what its rows
-// cost at the end.
+// For each agent that offered a path but got another, or none, its first
+// favourite is among the rejections, with its conflict with the plan and the
+// final prices of its rows.
 
 #ifndef KG_SELECTOR_TEAM_COLUMN_TEAM_H_
 #define KG_SELECTOR_TEAM_COLUMN_TEAM_H_
@@ -35,7 +35,7 @@ class ColumnTeam : public Coordinator {
   bool Advance() override;
   const std::set<std::string>& waiting_for() const override { return waiting_; }
   PlanRequest RequestFor(const std::string& agent) const override;
-  // Before the end: nothing is committed.
+  // Until complete, nothing is committed.
   const TeamOutcome& outcome() const override { return outcome_; }
 
  private:
@@ -52,15 +52,15 @@ class ColumnTeam : public Coordinator {
   std::vector<std::string> names_;  // Ascending.
   TeamRows rows_;
   TeamColumns pool_;
-  std::vector<Pathlet> pathlets_;  // By column.
+  std::vector<Pathlet> pathlets_;  // Pathlet of each column.
   std::unique_ptr<TeamSearch> search_;
 
   std::set<std::string> waiting_;
-  std::map<std::string, AgentOffer> offers_;  // Of the current round.
+  std::map<std::string, AgentOffer> offers_;  // Offers of the current round.
   ColumnRequests requests_;
   std::map<int, int> favourites_;  // Column by agent, of round 0.
-  std::map<int, bool> refused_;    // Whether all it offered was rejected.
-  std::unordered_map<std::size_t, bool> too_close_;  // By pair of columns.
+  std::map<int, bool> refused_;    // True: all offers were rejected; by agent.
+  std::unordered_map<std::size_t, bool> too_close_;  // By PairKey().
   TeamOutcome outcome_;
   int round_ = 0;
   bool finished_ = false;

@@ -12,7 +12,7 @@ std::vector<std::string> UnassignedLines(const CommittedPlan& plan) {
 
 CommittedPlan ToCommittedPlan(const PlannedMission& planned) {
   CommittedPlan plan;
-  plan.rounds = planned.plan.rounds - 1;  // Of planning again.
+  plan.rounds = planned.plan.rounds - 1;  // Replanning rounds only.
   plan.mode = planned.rules.mode;
   plan.bound = planned.plan.bound;
   for (const Pathlet& pathlet : planned.plan.committed) {

@@ -1,5 +1,5 @@
 // The interface of every team mode: a state machine between the agents'
-// planners, wherever they run, and whoever carries the messages. It takes every
+// planners, in any process, and the transport of messages. It takes every
 // answer, and names the agents that must plan again, with their requests.
 //
 //   const auto team = MakeCoordinator(rules, {"a", "b", "c"});  // team_modes.h
@@ -26,16 +26,17 @@ class Coordinator {
  public:
   virtual ~Coordinator() = default;
 
-  // No paths: it found none. Replaces an earlier answer of an agent that is not
-  // yet committed; ignored for one that is, was dropped or is unknown.
+  // No paths = none found. Replaces an earlier answer of an agent that is not
+  // yet committed; ignored for agents that are committed, dropped or unknown.
   virtual void Offer(const std::string& agent, AgentOffer candidates) = 0;
-  // Gives up on an agent (dead, or past the deadline): planned without it.
+  // Excludes an agent (dead, or past the deadline) from planning.
   virtual void Drop(const std::string& agent, const std::string& why) = 0;
 
-  // Goes on as far as it can. True when the plan is complete.
+  // Proceeds as far as possible. True when the plan is complete.
   virtual bool Advance() = 0;
 
-  // Who must offer (again) before Advance() can go on, and under what.
+  // Agents that must offer (again) before Advance() can proceed, and the
+  // request for each.
   virtual const std::set<std::string>& waiting_for() const = 0;
   virtual PlanRequest RequestFor(const std::string& agent) const = 0;
 

@@ -10,9 +10,9 @@
 namespace kg_selector {
 namespace {
 
-// Relative gap below which a plan counts as optimal.
+// Relative gap below which a plan is optimal.
 constexpr double kNoGap = 1e-9;
-// Up to this many columns all pairs are compared.
+// Pool size up to which all pairs are checked for conflicts at once.
 constexpr int kFewColumns = 300;
 
 // Everything a choice may take, the pool's number of each column aside.
@@ -21,8 +21,9 @@ struct ChoiceProblem {
   std::vector<int> pool_columns;
 };
 
-// Whether a plan with it could still be better than `start`, under any prices:
-// the relaxation of the pool, less what the agent forgoes by taking it.
+// Reduced cost fixing: true if a plan with the column could still beat `start`
+// under these prices, i.e. its loss against the agent's best reduced value is
+// at most the gap to the relaxation.
 class ColumnFilter {
  public:
   ColumnFilter(const TeamColumns& pool, const std::vector<double>& prices,
@@ -51,8 +52,8 @@ class ColumnFilter {
  private:
   const TeamColumns& pool_;
   const std::vector<double>& prices_;
-  std::vector<double> best_;  // By agent.
-  double gap_ = 0.0;          // Between the relaxation and `start`.
+  std::vector<double> best_;  // Best reduced value, by agent.
+  double gap_ = 0.0;          // Value of the relaxation - value of `start`.
 };
 
 ChoiceProblem ToProblem(const TeamColumns& pool, const ColumnFilter& filter,
@@ -87,7 +88,7 @@ std::vector<int> ToStart(const ChoiceProblem& problem,
   return start;
 }
 
-// Pairs of `chosen` that come too close; true if there are any.
+// Adds pairs of `chosen` that come too close; true if there are any.
 bool AddConflicts(const TeamColumns& pool, const std::vector<int>& chosen,
                   ChoiceProblem* problem) {
   bool any = false;
@@ -104,7 +105,7 @@ bool AddConflicts(const TeamColumns& pool, const std::vector<int>& chosen,
   return any;
 }
 
-// Adds all pairs that come too close, if there are few enough columns.
+// Adds all pairs that come too close, for small pools.
 void AddAllConflicts(const TeamColumns& pool, ChoiceProblem* problem) {
   const int count = static_cast<int>(problem->pool_columns.size());
   if (count > kFewColumns) return;
@@ -130,8 +131,8 @@ ExactChoice ChooseExactly(const TeamColumns& pool, const TeamChoice& start,
   if (ToStart(problem, start).size() == problem.pool_columns.size()) {
     return {start, true};
   }
-  // Conflicts by distance are costly to find: all at once only for small pools,
-  // else those of each solution, until one has none (lazy constraints).
+  // Distance conflicts are expensive to find: all pairs only for small pools,
+  // otherwise those of each solution until it has none (lazy constraints).
   AddAllConflicts(pool, &problem);
   PackingOptions options;
   options.start = ToStart(problem, start);

@@ -1,12 +1,12 @@
-// Mode "exact": columns by the rounds of mode "priced", then the best choice
+// Mode "exact": columns from the rounds of mode "priced", then the best choice
 // among all of them by branch and cut (packing.h), started from the priced
 // plan. Pairs that come too close without sharing a row become constraints when
-// they are chosen, until none is (lazy constraints).
+// a solution contains them, until none does (lazy constraints).
 //
-// What it chooses is the best of all that was ever offered (if the time limit
-// allows), not of all that could be: the bound says how far from
-// that it may be, as in mode "priced". Soft separation is left out of the
-// choice and put right by Exchange() after it.
+// The choice is optimal among all paths offered (within the time limit), not
+// among all possible paths: the bound limits that gap, as in mode "priced".
+// Soft separation is not part of the choice; Exchange() accounts for it
+// afterwards.
 
 #ifndef KG_SELECTOR_TEAM_EXACT_SEARCH_H_
 #define KG_SELECTOR_TEAM_EXACT_SEARCH_H_
@@ -21,10 +21,11 @@ namespace kg_selector {
 
 struct ExactChoice {
   TeamChoice choice;
-  bool optimal = false;  // Among the columns, soft separation aside.
+  bool optimal = false;  // Among the columns; ignores soft separation.
 };
-// The best choice of a pool; from `start`, which is allowed. Good `prices` of
-// rows spare work. Ends after about `time_limit_s`, then with the best so far.
+// The best choice from a pool, started from `start`, which must be allowed.
+// Good `prices` of rows reduce the work. Ends after about `time_limit_s` with
+// the best choice so far.
 ExactChoice ChooseExactly(const TeamColumns& pool, const TeamChoice& start,
                           const std::vector<double>& prices,
                           double time_limit_s);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNoValue = -std::numeric_limits<double>::infinity();
 
-// An agent without a path adds nothing.
+// An agent without a path adds 0.
 double OfferBound(const AgentOffer& candidates) {
   if (candidates.pathlets.empty() && candidates.proven) return 0.0;
   return candidates.bound < 0.0 ? 0.0 : candidates.bound;
@@ -56,7 +56,7 @@ bool GreedyTeam::Advance() {
     return false;
   }
   if (!waiting_.empty()) CommitFromOffers();
-  outcome_.bound = 0.0;  // What each could have alone.
+  outcome_.bound = 0.0;  // Sum of each agent's bound alone.
   for (const auto& [agent, bound] : bounds_) outcome_.bound += bound;
   return true;
 }
@@ -150,7 +150,7 @@ std::string GreedyTeam::Next() const {
     best = std::max(best, ready[agent].value);
   }
   if (ready.empty() || !OutranksWaiting(best)) return "";
-  std::vector<std::pair<double, std::string>> tied;  // By second choice, IRI.
+  std::vector<std::pair<double, std::string>> tied;  // (second choice, IRI)
   for (const auto& [agent, favourite] : ready) {
     if (favourite.value == best) tied.emplace_back(0.0, agent);
   }
@@ -167,11 +167,11 @@ void GreedyTeam::Commit(const std::string& agent, std::size_t index) {
   waiting_.erase(agent);
 }
 
-// Out of rounds: best first, the best of what is left that conflicts with
-// nobody.
+// Out of rounds: commits the best remaining conflict-free offer until there is
+// none.
 void GreedyTeam::CommitFromOffers() {
   while (true) {
-    // Value, agent, index of the path in its offer.
+    // (value, agent, index of the path in its offer)
     std::tuple<double, std::string, std::size_t> best(kNoValue, "", 0);
     for (const auto& [agent, offer] : offers_) {
       for (std::size_t i = 0; i < offer.size(); ++i) {

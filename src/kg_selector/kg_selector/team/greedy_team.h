@@ -1,25 +1,26 @@
-// The paper's team coordination: the best path of all is committed, what it
-// rules out is masked, the others plan again around it, and so on.
+// The paper's team coordination: commit the best path of all agents, mask what
+// it rules out, let the others replan around it, repeat.
 //
-// Planning is done by the agents' planners, wherever they run, so this is a
-// state machine: it takes every answer and returns the requests to plan again.
-// The result does not depend on the order of answers. An agent whose best path
-// conflicts with nobody needs no new plan (masks only take paths away), so a
-// team of A agents needs at most A rounds.
+// The agents' planners do the planning, in any process, so this is a state
+// machine: it takes every answer and returns the requests to plan again. The
+// result does not depend on the order of answers. An agent whose best path has
+// no conflict needs no new plan (masks only remove paths), so a team of A
+// agents needs at most A rounds.
 //
-// Ties: the agent whose second choice is worse goes first (scarcity), then IRI.
-// A second choice is the best other path offered that conflicts with nobody.
+// Ties: the agent with the worse second choice goes first (scarcity), then by
+// IRI. The second choice is the best other offered path without a conflict.
 //
-// Soft separation: an agent's favourite is the best of what it offered by score
-// minus SoftPenalty() to those committed, and agents are ranked by that. With
-// hard separation the favourite is simply the best.
+// Soft separation: an agent's favourite is its best offer by score -
+// SoftPenalty() to the committed paths, and agents are ranked by that value.
+// With hard separation the favourite is the offer with the best score.
 //
-// Every agent that has a path gets one, even if its value is negative: an agent
-// must be somewhere. So the bound counts 0 for an agent whose own is negative.
+// Every agent with a path gets one, even of negative value, because it must be
+// somewhere. Therefore the bound counts 0 for an agent whose own bound is
+// negative.
 //
-// An agent that waits keeps others back only if its last offer, which its next
-// cannot beat, ranks as high as theirs. After rules.max_rounds the rest is
-// chosen from what has been offered.
+// A pending agent delays others only if its last offer, an upper bound of its
+// next one, ranks at least as high as theirs. After rules.max_rounds the
+// remaining agents are served from the paths offered so far.
 
 #ifndef KG_SELECTOR_TEAM_GREEDY_TEAM_H_
 #define KG_SELECTOR_TEAM_GREEDY_TEAM_H_
@@ -46,12 +47,12 @@ class GreedyTeam : public Coordinator {
   bool Advance() override;
   const std::set<std::string>& waiting_for() const override { return waiting_; }
   PlanRequest RequestFor(const std::string& agent) const override;
-  // While it goes on: the plan so far.
+  // Until complete: the plan so far.
   const TeamOutcome& outcome() const override { return outcome_; }
 
  private:
   struct Favourite {
-    std::size_t index = 0;  // In the agent's offer.
+    std::size_t index = 0;  // Index in the agent's offer.
     double value = 0.0;
   };
   double Value(const Pathlet& pathlet) const;
@@ -61,20 +62,21 @@ class GreedyTeam : public Coordinator {
   void RecordRejected();
   void DropAgentsWithoutPath();
   void RequestAgain();
-  // The agent to commit next; empty if one must be waited for first.
+  // The agent to commit next; empty = a pending agent must answer first.
   std::string Next() const;
   bool OutranksWaiting(double value) const;
   void Commit(const std::string& agent, std::size_t index);
   void CommitFromOffers();
 
   TeamRules rules_;
-  std::map<std::string, std::vector<Pathlet>> offers_;  // Not committed.
-  // Paths that screening rejected since the last Advance(), by agent.
+  // Offers of agents not yet committed.
+  std::map<std::string, std::vector<Pathlet>> offers_;
+  // Paths rejected by screening since the last Advance(), by agent.
   std::map<std::string, std::vector<RejectedPath>> rejected_;
   std::set<std::string> waiting_;
-  std::map<std::string, double> bounds_;  // Of round 0, by agent.
+  std::map<std::string, double> bounds_;  // Bounds of round 0, by agent.
   TeamOutcome outcome_;
-  int round_ = 0;  // The one offers are wanted for.
+  int round_ = 0;  // Round of the offers awaited.
 };
 
 }  // namespace kg_selector

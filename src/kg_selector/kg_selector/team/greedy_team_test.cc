@@ -5,7 +5,7 @@
 namespace kg_selector {
 namespace {
 
-// Rests at one of many places, 10 km apart, through one window.
+// Stays at one of several places, 10 km apart, for one window.
 Pathlet At(int place, double score) {
   Pathlet pathlet;
   const kg_base::LonLat position = {-90.0 + 0.1 * place, 25.0};
@@ -184,7 +184,7 @@ TEST(GreedyTeamTest, ATeamOfNobodyIsDone) {
   EXPECT_TRUE(team.Advance());
 }
 
-// A planner that never plans around anybody must not keep the team for ever.
+// A planner that ignores its constraints must not block the team.
 TEST(GreedyTeamTest, OutOfRoundsTheRestIsChosenFromWhatWasOffered) {
   TeamRules rules;
   rules.max_rounds = 2;

@@ -7,7 +7,7 @@
 namespace kg_selector {
 namespace {
 
-// The best column of an agent under prices; kNobody = it has none.
+// Best column of an agent under prices; kNobody = none.
 int FindWish(const TeamColumns& pool, int agent,
              const std::vector<double>& prices) {
   int wish = kNobody;
@@ -35,12 +35,12 @@ void GroupExchange::Drop(int agent) {
   if (agent < static_cast<int>(choice_.size())) choice_[agent] = kNobody;
   for (Group& group : groups_) {
     if (std::count(group.members.begin(), group.members.end(), agent) > 0) {
-      group.members.clear();  // Keeps what it has.
+      group.members.clear();  // The group keeps its columns.
     }
   }
 }
 
-// The most wanted first; chance decides between equals.
+// Most shared rows first; ties in random order.
 std::vector<int> GroupExchange::FindRivals(const TeamColumns& pool, int agent,
                                            const std::set<int>& free) {
   const int wish = FindWish(pool, agent, prices_);
@@ -66,7 +66,7 @@ void GroupExchange::MakeGroups(const TeamColumns& pool) {
   for (int agent = 0; agent < pool.agents(); ++agent) {
     if (dropped_.count(agent) == 0) free.insert(agent);
   }
-  // Groups of 2 to 4: larger ones seldom find anything better.
+  // Groups of 2 to 4: larger ones rarely improve the plan.
   const int size = 2 + Random(3);
   groups_.clear();
   while (!free.empty()) {
@@ -78,13 +78,13 @@ void GroupExchange::MakeGroups(const TeamColumns& pool) {
     if (static_cast<int>(group.members.size()) > size) {
       group.members.resize(size);
     }
-    // Fisher-Yates, with this class's random numbers.
+    // Fisher-Yates shuffle: std::shuffle is not reproducible across libraries.
     for (std::size_t i = group.members.size(); i > 1; --i) {
       std::swap(group.members[i - 1],
                 group.members[Random(static_cast<int>(i))]);
     }
     for (const int member : group.members) free.erase(member);
-    // 0 to 1.2 of the prices: above 1 to leave contested rows to the last.
+    // 0 to 1.2 of the prices: above 1 leaves contested rows to the last member.
     group.share = 0.012 * Random(101);
     groups_.push_back(std::move(group));
   }
@@ -111,7 +111,7 @@ ColumnRequests GroupExchange::RequestMembers() const {
         request.prices.push_back(group.share * price);
       }
     }
-    // Around everybody outside the group, and the members that answered.
+    // Around all agents outside the group, and the members that answered.
     TeamChoice others = choice_;
     for (const int member : group.members) others[member] = kNobody;
     for (const int column : others) {

@@ -1,16 +1,15 @@
-// Small groups of agents give up their columns and plan again, one after the
-// other, beside all other agents: escapes plans that no single agent can
-// improve. Large neighbourhood search [1] whose moves are requests to planners.
+// Small groups of agents release their columns and replan one after the other
+// around all other agents: escapes plans that no single agent can improve.
+// Large neighbourhood search [1] whose moves are requests to planners.
 //
-// All groups of one wave work at the same time, so a wave takes as many rounds
-// as a group has members. The first members pay a random share of the prices,
-// the last none: it takes the best that is left. A group's new columns replace
-// its old ones if the plan stays within `slack` of the best known, which
-// shrinks to 0 (record-to-record travel [2]); the best is kept.
+// All groups of a wave run in parallel, so a wave takes as many rounds as a
+// group has members. The first members pay a random share of the prices, the
+// last pays none: it takes the best column that is left. A group's new columns
+// replace its old ones if the plan stays within `slack` of the best known plan;
+// `slack` shrinks to 0 (record-to-record travel [2]); the best plan is kept.
 //
-// A group is one agent, chosen at random, and those that hold the rows of its
-// best column under the prices. Chance is seeded: the same answers, the same
-// plan.
+// A group is a random agent and the agents that hold rows of its best column
+// under the prices. Seeded: the same answers give the same plan.
 //
 // [1] P. Shaw, "Using Constraint Programming and Local Search Methods to Solve
 //     Vehicle Routing Problems", CP 1998, LNCS 1520, 417-431.
@@ -31,21 +30,20 @@ namespace kg_selector {
 
 class GroupExchange {
  public:
-  // Starts a wave from `choice`; the first questions. None if there are no
-  // agents.
+  // Starts a wave from `choice`; returns the first requests. Empty = no agents.
   ColumnRequests Begin(const TeamColumns& pool, const TeamChoice& choice,
                        const std::vector<double>& prices);
-  // Takes the answers; the next questions. None = the wave is over.
+  // Takes the answers, returns the next requests. Empty = the wave is over.
   ColumnRequests Next(const ColumnAnswers& answers);
-  // What the wave ends with: at most `slack` below `best`.
+  // Final choice of the wave: at most `slack` below `best`.
   TeamChoice End(const TeamColumns& pool, const TeamWorth& best,
                  double slack) const;
   void Drop(int agent);
 
  private:
   struct Group {
-    std::vector<int> members;  // In order of planning.
-    std::vector<int> columns;  // New, of the members that have answered.
+    std::vector<int> members;  // Agents in planning order.
+    std::vector<int> columns;  // New columns of the members that answered.
     double share =
         0.0;  // Share of the prices that all but the last member pay.
   };
@@ -60,7 +58,7 @@ class GroupExchange {
   std::vector<double> prices_;
   std::vector<Group> groups_;
   std::set<int> dropped_;
-  std::size_t member_ = 0;  // Being asked, of every group.
+  std::size_t member_ = 0;  // Index of the member being asked, per group.
 };
 
 }  // namespace kg_selector

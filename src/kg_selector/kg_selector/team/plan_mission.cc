@@ -19,11 +19,11 @@ using kg_compiler::WindowWorld;
 
 struct AgentGraphs {
   NavGraphs graphs;
-  std::string trouble;  // Why there are none.
+  std::string trouble;  // Reason if there are none.
   GraphCache cache;
 };
 
-// A compilation's rasters by hash.
+// Rasters of a compilation, by hash.
 class RasterIndex {
  public:
   explicit RasterIndex(const Compilation& compilation) {
@@ -35,7 +35,7 @@ class RasterIndex {
     }
   }
 
-  // In the order of the rules' windows.
+  // Rasters in the order of the rules' windows.
   std::vector<WindowWorld> FindWorlds(const SeamRules& rules) const {
     std::vector<WindowWorld> worlds;
     for (const kg_compiler::WindowRules& window : rules.windows) {
@@ -134,7 +134,7 @@ TeamRules ToTeamRules(const Compilation& compilation) {
     team.energy_budget_j[rules.agent_id] = rules.energy_budget_j;
   }
   for (const kg_mission::TimeWindow& window : compilation.mission.windows) {
-    // Windows before are over.
+    // Earlier windows have ended.
     if (window.index >= compilation.first_window) {
       team.window_end_s[window.index] = window.end_s;
     }

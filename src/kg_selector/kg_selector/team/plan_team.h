@@ -1,5 +1,5 @@
-// From the NavGraphs of all agents to a team plan, in one process: what
-// planner and selector nodes do together, for what-ifs and benchmarks.
+// From the NavGraphs of all agents to a team plan in one process, as planner
+// and selector nodes do together, for what-ifs and benchmarks.
 
 #ifndef KG_SELECTOR_TEAM_PLAN_TEAM_H_
 #define KG_SELECTOR_TEAM_PLAN_TEAM_H_
@@ -19,7 +19,7 @@ namespace kg_selector {
 
 struct TeamPlan : TeamOutcome {
   bool proven = true;  // Every path was proven best for its agent.
-  // What those without a path said with their last offer, if anything.
+  // Last note of each agent without a path, if any.
   std::map<std::string, std::string> notes{};
   double score() const;
 };

@@ -17,7 +17,8 @@ namespace {
 
 using kg_compiler::TimedPoint;
 
-// --- The reference: all paths of all agents, best first, filter, again. ---
+// --- Reference: greedy over all paths of all agents: best first, filter,
+// repeat. ---
 
 struct PathOption {
   std::vector<int> nodes;
@@ -145,9 +146,9 @@ TEST(PlanTeamTest, EqualsBestFirstMaskAndPlanAgainByExhaustion) {
   EXPECT_GT(alone, 5);
 }
 
-// --- The checker: looks at the plan only, minute by minute. ---
+// --- Checker: uses the plan only, sampled every minute. ---
 
-// Number of violations. Those from one ship are looked at from the end of the
+// Number of violations. Agents from one ship are checked from the end of the
 // first window on.
 int Violations(const TeamRules& rules, const std::vector<Pathlet>& plan,
                double from_s) {
@@ -195,7 +196,7 @@ TEST(PlanTeamTest, TwoHundredRandomTeamsKeepTheRules) {
     }
     would_violate += Violations(rules, selfish, from_s) > 0;
   }
-  EXPECT_GT(would_violate, 100);  // Else nothing was tested.
+  EXPECT_GT(would_violate, 100);  // The test must not be vacuous.
 }
 
 // --- Order of messages. ---

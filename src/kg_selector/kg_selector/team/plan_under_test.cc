@@ -20,7 +20,7 @@ double Price(const PlanRequest& request, int window, int waypoint) {
   return sum;
 }
 
-// What a path is worth if it earns what pays.
+// Value of a path that earns only events that pay.
 struct PathWorth {
   double score = 0.0;
   double paid = 0.0;

@@ -48,7 +48,8 @@ bool HasPrices(const PlanRequest& request) {
   return !request.waypoint_prices.empty() || !request.event_prices.empty();
 }
 
-// The seam a path takes into a stage: that it names, or the one of its nodes.
+// Seam of a path into a stage: the one it names, else the one between its
+// nodes.
 std::size_t TakenSeam(const Trellis& trellis, const kg_planner::Path& path,
                       std::size_t s) {
   if (!path.seams.empty()) return path.seams[s];
@@ -156,7 +157,7 @@ AgentOffer PlanPriced(const TeamRules& team, const TeamMember& member,
       MaskCommitted(team, graphs, request.around), member.memory.get());
   AgentOffer candidates;
   candidates.proven = best.proven;
-  // The bound counts prices, the pathlets do not.
+  // The bound includes prices, the pathlets do not.
   candidates.bound = best.bound;
   for (const kg_planner::Path& path : best.paths) {
     candidates.pathlets.push_back(

@@ -1,12 +1,12 @@
-// One agent's answer to a request of its team, wherever its planner runs: a
-// pure function of the agent, its NavGraphs and the PlanRequest.
+// One agent's answer to a request of its team, in any process: a pure function
+// of the agent, its NavGraphs and the PlanRequest.
 //
 //   maximise  score - prices    over paths around those committed
 //
-// Prices count in what is chosen and in its order, and in AgentOffer::bound;
-// the reward of a Pathlet never has them. A waypoint's price is paid by a path
-// that ends its window there (stops on the way are free), an event's by a path
-// that earns it. An event that costs as much as it rewards in a window is not
+// Prices affect the choice, its order and AgentOffer::bound; the reward of a
+// Pathlet excludes them. A waypoint's price is paid by a path that ends its
+// window there (stops on the way are free), an event's price by a path that
+// earns it. An event whose price is at least its reward in a window is not
 // earned there: it is not in Visit::events.
 
 #ifndef KG_SELECTOR_TEAM_PRICED_REPLANNING_H_
@@ -26,38 +26,38 @@ namespace kg_selector {
 
 struct TeamMember {
   kg_compiler::SeamRules rules;
-  // One a window of `rules`; none = the agent cannot be planned.
+  // One per window of `rules`; empty = the agent cannot be planned.
   kg_compiler::NavGraphs graphs;
-  // What the last search for the K best left for the next one; may be null. The
-  // paths are the same without it.
+  // State of the last search for the K best, to speed up the next one; may be
+  // null. The paths are the same without it.
   std::shared_ptr<kg_planner::KBestMemory> memory = {};
 };
 
-// What a team calls its members, as the selector node does: the ex:id, or the
-// IRI of who has none.
+// Name of a member in its team, as in the selector node: the ex:id, or the IRI
+// if it has none.
 const std::string& NameOf(const TeamMember& member);
 
-// What a planner says that found no path, alone or around those committed.
+// Note of a planner that found no path, alone or around committed paths.
 const char* NoPathNote(bool alone);
 
-// `rules` for a path that pays the event prices of `request` and is too late
-// for its full events: what it can still earn, unpriced.
+// `rules` for a path that pays the event prices of `request`, with the full
+// events closed: what it can still earn, before prices.
 kg_compiler::SeamRules OpenRules(const kg_compiler::SeamRules& rules,
                                  const PlanRequest& request);
 
-// The trellis of `open` (OpenRules) less the prices of `request`. Throws
-// kg_base::InputError for a price that is negative or not finite, and for a
-// waypoint that is not there.
+// The trellis of `open` (OpenRules) minus the prices of `request`. Throws
+// kg_base::InputError for a negative or nonfinite price and for an unknown
+// waypoint.
 kg_planner::Trellis PricedTrellis(const kg_compiler::SeamRules& open,
                                   const kg_compiler::NavGraphs& graphs,
                                   const PlanRequest& request);
 
-// A path found under prices, worth what it is without them.
+// A path found under prices, with its value recomputed without them.
 kg_planner::Path Unpriced(const kg_planner::Trellis& unpriced,
                           kg_planner::Path path);
 
-// None of the paths has a hard conflict with request.around. Of the team's
-// rules those of separation and the windows' ends are read.
+// The K best paths without a hard conflict with request.around. Of `team`,
+// separation and window ends are read.
 AgentOffer PlanPriced(const TeamRules& team, const TeamMember& member,
                       const PlanRequest& request);
 

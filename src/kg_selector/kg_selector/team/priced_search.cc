@@ -7,15 +7,14 @@
 namespace kg_selector {
 namespace {
 
-// Share of the rounds that may be spent on prices.
+// Maximum share of rounds spent on prices.
 constexpr double kPriceShare = 0.5;
-// Columns of an agent that Exchange() tries: in every round, and at the end of
-// a phase.
+// Columns per agent that Exchange() tries: in every round, and at the end of a
+// phase.
 constexpr int kKeptColumns = 15;
 constexpr int kManyColumns = 100;
-// Groups may lead to plans this much worse than the best, at first: a share of
-// its score, over the square of the number of agents. In large teams better
-// moves abound.
+// Initial slack of group exchanges: a share of the best score, divided by the
+// square of the number of agents; large teams have more improving moves.
 constexpr double kSlack = 0.3;
 
 }  // namespace
@@ -89,7 +88,8 @@ ColumnRequests PricedSearch::AfterGroups(const TeamColumns& pool,
   return RequestGroups(pool);
 }
 
-// Who has the most to lose keeps what it has.
+// Keeps columns in order of decreasing reduced value; agents that no longer fit
+// are displaced.
 void PricedSearch::FitColumns(const TeamColumns& pool,
                               const ColumnAnswers& answers) {
   std::vector<std::pair<double, int>> order;
@@ -101,7 +101,7 @@ void PricedSearch::FitColumns(const TeamColumns& pool,
     }
   }
   std::sort(order.begin(), order.end());
-  // Most valuable under the prices first: it has the most to lose.
+  // Highest reduced value first: it would lose most.
   if (!answers.empty()) displaced_.clear();
   for (const auto& [value, column] : order) {
     const int agent = pool.columns()[column].agent;

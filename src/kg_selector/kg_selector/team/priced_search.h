@@ -1,13 +1,14 @@
-// Mode "priced": everybody plans under common prices of scarce rows, which rise
-// where too many want the same (team_prices.h), until the plan is as close to
-// its bound as wanted.
+// Mode "priced": all agents plan under common prices of scarce rows, which rise
+// where demand exceeds capacity (team_prices.h), until the gap between plan and
+// bound is small enough.
 //
-// 1. Prices. All are asked under the prices, until they have settled or half of
-//    the rounds are gone. What they answer fits together but for a few.
-// 2. Repair. Who lost a row is asked again, at the same prices, beside those
-//    who keep theirs, until everybody has a path or there is none.
-// 3. Groups plan again beside the others (group_exchange.h), wave by wave.
-// 4. Whoever has no path is asked for one beside the plan.
+// 1. Prices. All agents are asked under the prices, until these settle or half
+// of
+//    the rounds are used. Few of the answers then still conflict.
+// 2. Repair. Agents that lost a row are asked again at the same prices, around
+//    the others, until every agent has a path or none is left.
+// 3. Groups replan around the others (group_exchange.h), wave by wave.
+// 4. Agents without a path are asked for one around the plan.
 // After each round Exchange() over all columns so far; the best plan is kept.
 //
 // Rounds are bounded by max_rounds, and only a better plan replaces the best:
@@ -60,11 +61,11 @@ class PricedSearch : public TeamSearch {
   TeamPrices prices_;
   GroupExchange groups_;
   TeamChoice best_;
-  TeamChoice current_;       // That groups go on from.
-  TeamChoice partial_;       // Kept in the repair under way.
-  std::set<int> displaced_;  // To be asked in it.
+  TeamChoice current_;       // Start of the next wave of groups.
+  TeamChoice partial_;       // Columns kept by the current repair.
+  std::set<int> displaced_;  // Agents to ask in the current repair.
   std::set<int> dropped_;
-  std::set<TeamChoice> asked_unserved_;  // Plans around which it was done.
+  std::set<TeamChoice> asked_unserved_;  // Plans for which step 4 was done.
   Phase phase_ = Phase::kPrices;
   int rounds_ = 0;
 };

@@ -63,7 +63,8 @@ void AddAsk(const std::string& agent, const PlanRequest& ask,
     request->cooling.push_back(cooling);
   }
   if (ask.around.empty() && !ask.full_events.empty()) {
-    request->cooling.push_back(cooling);  // Full, whoever it was.
+    // Full events, regardless of the visitors.
+    request->cooling.push_back(cooling);
   }
   AddPrices(agent, ask, request);
 }

@@ -1,6 +1,6 @@
-// What a team asks of its planners between two rounds, and what it says when
-// the run has ended. Planners may be anywhere: these values are all that goes
-// to them, and candidates (agent_candidates.h) all that comes back.
+// Requests of a team to its planners between two rounds, and its report at the
+// end of the run. Planners may be in any process: these values are all they
+// receive, and candidates (agent_candidates.h) all they return.
 
 #ifndef KG_SELECTOR_TEAM_ROUND_REQUEST_H_
 #define KG_SELECTOR_TEAM_ROUND_REQUEST_H_
@@ -17,14 +17,14 @@
 
 namespace kg_selector {
 
-// What one agent must plan around in the round: the track of an agent that is
-// committed, or events that are full (then by_agent and track may be empty).
+// A constraint on one agent in the round: the track of a committed agent, or
+// full events (then by_agent and track may be empty).
 struct CoolingConstraint {
   std::string agent;          // ex:id of the agent to be cooled.
   std::string by_agent;       // ex:id of the committed agent.
-  double separation_m = 0.0;  // From its track at all times.
-  double factor = 0.0;        // Of rewards there: 0 = forbidden, in [0, 1].
-  double expires_s = 0.0;     // Unix seconds.
+  double separation_m = 0.0;  // Distance to the track at all times [m].
+  double factor = 0.0;     // Factor on rewards there, in [0, 1]; 0 = forbidden.
+  double expires_s = 0.0;  // Unix seconds.
   std::vector<kg_compiler::TimedPoint> track;
   std::vector<std::string> full_events;  // IRIs.
 };
@@ -38,20 +38,20 @@ struct VisitPrice {
   double price = 0.0;  // Reward units.
 };
 
-// Those asked plan again, around what cools them and at these prices alone
-// (earlier rounds are forgotten).
+// The agents in `asked` replan around their constraints and under these prices
+// only (earlier rounds are forgotten).
 struct RoundRequest {
   double time_s = 0.0;  // Unix seconds.
   std::uint64_t world_version = 0;
   std::uint64_t cycle = 0;
   std::uint64_t run = 0;
-  std::uint32_t round = 0;         // That is asked for; > 0.
+  std::uint32_t round = 0;         // Requested round, > 0.
   std::vector<std::string> asked;  // ex:id.
   std::vector<CoolingConstraint> cooling;
   std::vector<VisitPrice> prices;
 };
 
-// The run has ended: what was rejected in all its rounds.
+// End of a run, with the rejections of all its rounds.
 struct RunEnd {
   double time_s = 0.0;
   std::uint64_t world_version = 0;
@@ -71,11 +71,11 @@ void AddAsk(const std::string& agent, const PlanRequest& ask,
 
 struct AskedOf {
   PlanRequest ask;
-  double separation_m = 0.0;  // From those committed.
+  double separation_m = 0.0;  // Distance to the committed agents [m].
 };
-// What the request asks of an agent; nothing if it does not. Prices without an
-// agent are for all. Throws kg_base::InputError if a price is not a finite
-// number >= 0.
+// Extracts the request for one agent; nullopt if it is not asked. Prices
+// without an agent apply to all. Throws kg_base::InputError if a price is not a
+// finite number >= 0.
 std::optional<AskedOf> AskOf(const RoundRequest& request,
                              const std::string& agent);
 

@@ -1,4 +1,4 @@
-// What planners are asked: whoever is named, under exactly that.
+// Requests reach exactly the named agents, with exactly the stated conditions.
 
 #include "kg_selector/team/round_request.h"
 
@@ -39,7 +39,7 @@ TEST(RoundRequest, AnAskComesBackAsItWas) {
   EXPECT_EQ(back->ask.event_prices, ask.event_prices);
   EXPECT_EQ(request.cooling.at(0).expires_s, 1.7e9);
   const auto free = AskOf(request, "charlie");
-  ASSERT_TRUE(free);  // Asked for nothing but another answer.
+  ASSERT_TRUE(free);  // Asked again without conditions.
   EXPECT_TRUE(free->ask.around.empty());
   EXPECT_TRUE(free->ask.waypoint_prices.empty());
   EXPECT_FALSE(AskOf(request, "alpha"));

@@ -79,7 +79,7 @@ ScreenedOffer ScreenOffer(const TeamRules& rules, const std::string& agent,
   for (Pathlet& pathlet : offered) {
     pathlet.agent = agent;
     pathlet.round = round;
-    // A malformed path has no values that the rules could be checked with.
+    // The rules cannot be evaluated on a malformed path.
     const std::string malformed = Malformed(rules, pathlet);
     const auto violation = malformed.empty() ? FindViolation(rules, pathlet)
                                              : std::optional<Conflict>();

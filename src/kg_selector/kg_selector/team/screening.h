@@ -1,4 +1,4 @@
-// The check that offers pass in every mode: a path that cannot be part of any
+// Screening of offers, common to all modes: a path that cannot be part of any
 // plan is rejected with the reason, so that the modes need not handle malformed
 // input.
 
@@ -15,20 +15,20 @@
 namespace kg_selector {
 
 struct ScreenedOffer {
-  std::vector<Pathlet> sound;  // In the order offered; agent, round set.
-  std::vector<RejectedPath> rejected;  // Ditto.
+  std::vector<Pathlet> sound;  // In the order offered; agent and round set.
+  std::vector<RejectedPath> rejected;  // In the order offered.
 };
 
-// Turned away: what FindViolation() finds, and what is malformed (a number that
-// is not finite, windows that do not ascend or are not planned, times that
-// descend; its reason says "malformed: "). A path offered twice counts once.
+// Rejects paths for which FindViolation() finds a violation, and malformed ones
+// (a number is not finite, windows do not ascend or are not planned, times
+// decrease; the reason starts with "malformed: "). Drops duplicates.
 ScreenedOffer ScreenOffer(const TeamRules& rules, const std::string& agent,
                           std::vector<Pathlet> offered, int round);
 
-// Why `pathlet` cannot be weighed at all; empty if it can.
+// Why `pathlet` is malformed; empty if it is not.
 std::string Malformed(const TeamRules& rules, const Pathlet& pathlet);
 
-// The same visits, worth the same, along the same track.
+// True if visits, score, energy and track are equal.
 bool SamePath(const Pathlet& a, const Pathlet& b);
 
 }  // namespace kg_selector

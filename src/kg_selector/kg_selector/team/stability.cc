@@ -17,7 +17,7 @@ PlanStability ComputeStability(const std::vector<Pathlet>& before,
       places[{pathlet.agent, visit.window}] = visit.position;
     }
   }
-  // Only windows that both plans have count.
+  // Count only windows that both plans have.
   int common = 0, same = 0;
   double sum_m = 0.0;
   for (const Pathlet& pathlet : now) {

@@ -1,4 +1,4 @@
-// How much of a plan a new one keeps (A34).
+// Similarity of a new plan to the previous one (A34).
 
 #ifndef KG_SELECTOR_TEAM_STABILITY_H_
 #define KG_SELECTOR_TEAM_STABILITY_H_
@@ -10,11 +10,11 @@
 
 namespace kg_selector {
 
-// Over the agents' windows that both plans have; NaN if there are none.
+// Over the (agent, window) pairs that both plans have; NaN if there are none.
 struct PlanStability {
-  // Share that ends at the same place: within kSamePlace_m (conflict.h).
+  // Share of pairs with the same end place: within kSamePlace_m (conflict.h).
   double share = std::numeric_limits<double>::quiet_NaN();
-  // Mean distance between where they end [m].
+  // Mean distance between end places [m].
   double displacement_m = std::numeric_limits<double>::quiet_NaN();
 };
 PlanStability ComputeStability(const std::vector<Pathlet>& before,

@@ -78,7 +78,7 @@ TeamWorth TeamColumns::Worth(const TeamChoice& choice) const {
   double min_value = std::numeric_limits<double>::infinity();
   double max_value = 0.0;
   for (std::size_t a = 0; a < choice.size(); ++a) {
-    // Agents that never offered anything count nothing.
+    // Agents without any offer do not count.
     if (of_agent_[a].empty()) continue;
     const bool served = choice[a] != kNobody;
     if (!served) worth.second += unserved_;
@@ -111,7 +111,7 @@ bool TeamColumns::IsAllowed(const TeamChoice& choice) const {
 
 namespace {
 
-// A choice under change, with who uses what.
+// A mutable choice with the users of each row.
 class ChoiceTable {
  public:
   ChoiceTable(const TeamColumns& pool, const TeamChoice& choice)
@@ -151,7 +151,8 @@ class ChoiceTable {
     }
   }
 
-  // Puts it, whoever is in its way; who had to go. False if it never fits.
+  // Adds the column and removes blocking agents into `displaced`. False if it
+  // fits into no plan.
   bool Displace(int column, std::vector<int>* displaced) {
     for (const int row : pool_.columns()[column].rows) {
       if (pool_.capacities()[row] < 1) return false;
@@ -166,7 +167,7 @@ class ChoiceTable {
     return true;
   }
 
-  // The best column of an agent that fits, penalties counted.
+  // Best feasible column of an agent, penalties included.
   int BestFitting(int agent, const std::vector<int>& columns) const {
     int best = kNobody;
     double max_value = -std::numeric_limits<double>::infinity();
@@ -208,15 +209,15 @@ class ChoiceTable {
 
   const TeamColumns& pool_;
   TeamChoice choice_;
-  std::vector<std::vector<int>> users_;  // By row: columns.
+  std::vector<std::vector<int>> users_;  // Chosen columns that use each row.
 };
 
-// The columns of every agent that are worth trying, best first under prices.
+// Best columns of every agent under prices, best first.
 std::vector<std::vector<int>> Shortlists(const TeamColumns& pool,
                                          const std::vector<double>& prices,
                                          std::size_t length) {
   std::vector<std::vector<int>> lists;
-  // Reduced values once: sorting reads them often.
+  // Computed once: sorting reads them often.
   std::vector<double> reduced;
   for (std::size_t c = 0; c < pool.columns().size(); ++c) {
     reduced.push_back(pool.Reduced(static_cast<int>(c), prices));

@@ -1,14 +1,14 @@
-// All offers of the agents, as columns over rows, and the choice of one
-// column an agent. Knows neither missions nor planners: missions and benchmarks
-// have it in common.
+// All offers of the agents as columns over rows, and the choice of one column
+// per agent. Independent of missions and planners; used by missions and
+// benchmarks alike.
 //
 //   maximise  sum of score_c - sum of penalty_cd over pairs chosen
 //   such that every row has at most its capacity of users, and no pair
 //   conflicts
 //
 // An agent without a column counts unserved(): the worst score on offer, at
-// most 0. So it never pays to leave out an agent that could be served, and a
-// plan in which every agent has a column is worth the sum of their scores.
+// most 0. So leaving out an agent that could be served never pays, and a plan
+// in which every agent has a column is worth the sum of their scores.
 
 #ifndef KG_SELECTOR_TEAM_TEAM_COLUMNS_H_
 #define KG_SELECTOR_TEAM_TEAM_COLUMNS_H_
@@ -24,15 +24,16 @@ namespace kg_selector {
 
 constexpr int kNobody = -1;
 
-// By agent: its column, or kNobody.
+// Chosen column by agent, or kNobody.
 using TeamChoice = std::vector<int>;
 
-// What a choice is worth: the first counts, the second breaks ties.
+// Lexicographic value of a choice: `second` breaks ties of `first`.
 struct TeamWorth {
   double first = 0.0;
   double second = 0.0;
 };
-bool IsMore(const TeamWorth& a, const TeamWorth& b);  // By more than rounding.
+// True if a > b by more than rounding.
+bool IsMore(const TeamWorth& a, const TeamWorth& b);
 
 class TeamColumns {
  public:
@@ -40,13 +41,14 @@ class TeamColumns {
 
   int AddRow(int capacity);
   int Add(Column column);
-  // The one of the same agent and rows if there is one, else added.
+  // Index of the column with the same agent and rows; added if missing.
   int AddIfNew(Column column);
-  // Rows may be found out after a column was added. Ascending.
+  // Sets rows found after a column was added; ascending.
   void SetRows(int column, std::vector<int> rows);
-  void Drop(int agent);  // Its columns are not chosen any more.
+  void Drop(int agent);  // Excludes the agent's columns from choices.
 
-  // Between two columns of distinct agents, beyond rows. Empty = never; 0.
+  // Conflict and penalty between two columns of distinct agents, apart from
+  // rows. Empty function = no conflict, penalty 0.
   std::function<bool(int, int)> conflict;
   std::function<double(int, int)> penalty;
   Fairness fairness = Fairness::kNone;
@@ -60,14 +62,14 @@ class TeamColumns {
   }
   double unserved() const { return unserved_; }
 
-  double Score(const TeamChoice& choice) const;  // Sum, less penalties.
+  double Score(const TeamChoice& choice) const;  // Sum of scores - penalties.
   TeamWorth Worth(const TeamChoice& choice) const;
   bool IsAllowed(const TeamChoice& choice) const;
   bool Conflict(int a, int b) const { return conflict && conflict(a, b); }
   double Penalty(int a, int b) const { return penalty ? penalty(a, b) : 0.0; }
-  // The load that fairness compares; for kMaxMin the score beyond unserved().
+  // Load compared for fairness; for kMaxMin the score above unserved().
   double FairnessLoad(int column) const;
-  // The score less the prices of its rows.
+  // Score minus the prices of the column's rows.
   double Reduced(int column, const std::vector<double>& prices) const;
 
  private:
@@ -78,17 +80,18 @@ class TeamColumns {
   double unserved_ = 0.0;
 };
 
-// Best first by reduced value, whoever fits; ties by agent, then column.
+// Greedy by reduced value, skipping columns that do not fit; ties by agent,
+// then column.
 TeamChoice ChooseGreedily(const TeamColumns& pool,
                           const std::vector<double>& prices);
 
 struct ExchangeOptions {
-  int columns = 60;  // Tried for each agent, the best under prices.
+  int columns = 60;  // Columns tried per agent, the best under prices.
   int passes = 20;
 };
-// A column for what is in its way, and a new one for each agent so ousted, as
-// long as that is worth more. Everybody who fits is served. Never worse than
-// `choice`.
+// Local search: replaces the columns that block a column by it, and gives each
+// displaced agent a new one, while the worth increases. Agents that fit are
+// served first. Never worse than `choice`.
 TeamChoice Exchange(const TeamColumns& pool, const std::vector<double>& prices,
                     TeamChoice choice, const ExchangeOptions& options);
 

@@ -1,4 +1,4 @@
-// Cases in which fairness, or soft separation, changes who gets what.
+// Cases in which fairness or soft separation changes the assignment.
 
 #include "gtest/gtest.h"
 #include "kg_base/common/input_error.h"
@@ -7,7 +7,7 @@
 namespace kg_selector {
 namespace {
 
-// Rests at one of many places, 10 km apart, through one window.
+// Stays at one of several places, 10 km apart, for one window.
 Pathlet At(int place, double score, double energy_j = 0.0) {
   Pathlet pathlet;
   const kg_base::LonLat position = {-90.0 + 0.1 * place, 25.0};
@@ -20,7 +20,7 @@ Pathlet At(int place, double score, double energy_j = 0.0) {
 
 using Offers = std::map<std::string, std::vector<Pathlet>>;
 
-// Whatever it is asked, an agent answers with all it has.
+// Agents ignore requests and always answer with all their paths.
 std::map<std::string, int> PlacesOf(const TeamRules& rules,
                                     const Offers& offers) {
   std::vector<std::string> agents;
@@ -54,7 +54,7 @@ TeamRules RulesOf(const std::string& mode, const std::string& fairness) {
 
 class FairnessOfMode : public testing::TestWithParam<const char*> {};
 
-// 20 + 2 is the larger sum, 18 + 3 has the larger least.
+// 20 + 2 has the larger sum, 18 + 3 the larger minimum.
 TEST_P(FairnessOfMode, MaxMinLooksAfterTheLeast) {
   const Offers offers = {{"a", {At(1, 20.0), At(2, 18.0)}},
                          {"b", {At(1, 3.0), At(3, 2.0)}}};

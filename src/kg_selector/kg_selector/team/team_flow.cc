@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kUnreached = std::numeric_limits<double>::infinity();
 constexpr int kNone = -1;
-constexpr int kThroughNode = -2;  // Parent: the other half of the node.
+constexpr int kThroughNode = -2;  // Parent is the other half of the node.
 
 void CheckStage(const TeamFlow& flow, std::size_t s) {
   const FlowStage& stage = flow.stages[s];
   const std::string where = "stage " + std::to_string(s);
-  // Seams of the first stage come from the agents themselves.
+  // Seams of the first stage start at the agents.
   const int before = s == 0
                          ? flow.agents
                          : static_cast<int>(flow.stages[s - 1].rewards.size());
@@ -42,14 +42,15 @@ void CheckStage(const TeamFlow& flow, std::size_t s) {
   }
 }
 
-// The seams into one stage, by where they come from, and the flow into it.
+// Seams into one stage, sorted by source, and the flow into it.
 struct FlowLayer {
-  int first_node = 0;      // Number of the first half of its first node.
-  std::vector<int> first;  // By from: its first seam; one more at the end.
+  int first_node = 0;  // Vertex of the first node's in half.
+  // Index of the first seam, by source; one extra entry at the end.
+  std::vector<int> first;
   std::vector<FlowSeam> seams;
   std::vector<double> gain;
   std::vector<int> capacity_left;         // Capacity left, by node.
-  std::vector<std::vector<int>> flow_in;  // By node: seams with flow.
+  std::vector<std::vector<int>> flow_in;  // Seams with flow, by target node.
   int nodes() const { return static_cast<int>(gain.size()); }
   int in(int v) const { return first_node + v; }
   int out(int v) const { return first_node + nodes() + v; }
@@ -74,7 +75,7 @@ FlowLayer ToLayer(const FlowStage& stage, int before, int first_node) {
   return layer;
 }
 
-// Agents, both halves of all nodes and the exit are vertices, in this order.
+// Vertices in this order: agents, both halves of all nodes, exit.
 class FlowSolver {
  public:
   explicit FlowSolver(const TeamFlow& flow) : agents_(flow.agents) {
@@ -99,7 +100,7 @@ class FlowSolver {
     StartPotentials();
   }
 
-  // Serves one more agent, if capacities allow it: the cheapest augmenting
+  // Serves one more agent if capacities allow, along the shortest augmenting
   // path.
   bool Augment() {
     Search();
@@ -112,10 +113,10 @@ class FlowSolver {
     return true;
   }
 
-  // By agent. Takes the flow apart.
+  // Decomposes the flow into paths, by agent.
   std::vector<std::vector<int>> Paths() const {
     std::vector<std::vector<int>> paths(agents_);
-    std::vector<std::vector<int>> at(agents_);  // Agents, by node.
+    std::vector<std::vector<int>> at(agents_);  // Agents at each node.
     for (int a = 0; a < agents_; ++a) at[a] = {a};
     for (const FlowLayer& layer : layers_) {
       std::vector<std::vector<int>> next(layer.gain.size());
@@ -152,13 +153,13 @@ class FlowSolver {
     return layer < 0 ? u : layers_[layer].out(u);
   }
 
-  // Least costs without any flow, stage by stage.
+  // Initial potentials: shortest distances without flow, stage by stage.
   void StartPotentials() {
     for (int a = 0; a < agents_; ++a) potential_[a] = 0.0;
     for (std::size_t s = 0; s < layers_.size(); ++s) {
       const FlowLayer& layer = layers_[s];
-      // The trellis has no cycles: one pass gives exact distances, although
-      // costs are negative where rewards are.
+      // The trellis is acyclic: one pass gives exact distances although costs
+      // are negative where rewards are.
       for (const FlowSeam& seam : layer.seams) {
         double& in = potential_[layer.in(seam.to)];
         in = std::min(
@@ -177,7 +178,7 @@ class FlowSolver {
     }
   }
 
-  // What is not nearer than the exit does not matter.
+  // Relaxation step; vertices not nearer than the exit are irrelevant.
   void Reach(int from, int to, double cost, int parent) {
     const double reached =
         cost_[from] + std::max(0.0, cost + potential_[from] - potential_[to]);
@@ -212,7 +213,7 @@ class FlowSolver {
     }
   }
 
-  // Dijkstra's algorithm from the agents that are free, to the exit.
+  // Dijkstra's algorithm from the unserved agents to the exit.
   void Search() {
     cost_.assign(potential_.size(), kUnreached);
     parent_.assign(potential_.size(), kNone);
@@ -225,9 +226,9 @@ class FlowSolver {
     while (!queue_.empty()) {
       const auto [cost, vertex] = queue_.top();
       queue_.pop();
-      // What lies beyond the exit is not needed: potentials are capped there.
+      // Vertices beyond the exit are not needed: potentials are capped there.
       if (vertex == exit_) return;
-      // An outdated entry of the queue.
+      // Outdated queue entry.
       if (cost > cost_[vertex]) continue;
       const int layer = layer_of_[vertex];
       const int nodes = layer < 0 ? 0 : layers_[layer].nodes();
@@ -240,13 +241,13 @@ class FlowSolver {
     }
   }
 
-  // One unit along the parents, from the exit back to an agent.
+  // Pushes one unit along the parents, from the exit back to an agent.
   void Push() {
     int layer = static_cast<int>(layers_.size()) - 1;
     int node = parent_[exit_];
     while (true) {
       const int out_parent = parent_[OutVertex(layer, node)];
-      if (out_parent == kNone) break;  // An agent that was free.
+      if (out_parent == kNone) break;  // Reached an unserved agent.
       if (out_parent == kThroughNode) {
         --layers_[layer].capacity_left[node];
       } else {
@@ -255,7 +256,7 @@ class FlowSolver {
         std::vector<int>& flow = layers_[layer].flow_in[node];
         flow.erase(std::find(flow.begin(), flow.end(), out_parent));
       }
-      // Now at the first half of a node.
+      // At the in half of a node.
       const int in_parent = parent_[layers_[layer].in(node)];
       if (in_parent == kThroughNode) {
         ++layers_[layer].capacity_left[node];
@@ -271,12 +272,12 @@ class FlowSolver {
   std::vector<FlowLayer> layers_;
   int agents_ = 0;
   int exit_ = 0;
-  std::vector<char> used_;         // By agent.
-  std::vector<int> layer_of_;      // By vertex; of an agent kNone.
-  std::vector<double> potential_;  // By vertex.
+  std::vector<char> used_;         // True for served agents.
+  std::vector<int> layer_of_;      // Stage of each vertex; kNone for agents.
+  std::vector<double> potential_;  // Potential of each vertex.
 
-  // State of the current search, by vertex: reduced cost, and how it was
-  // reached: by which seam, or kThroughNode. The exit's parent is a node.
+  // State of the current search, by vertex: reduced cost and parent (a seam or
+  // kThroughNode). The exit's parent is a node.
   std::vector<double> cost_;
   std::vector<int> parent_;
   std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>>

@@ -1,13 +1,13 @@
-// The exact plan of agents that are alike but for where they start: each wants
-// one node a stage, each node takes so many of them.
+// Exact plan of agents that differ only in their start: each visits one node
+// per stage, and each node has a capacity.
 //
 //   maximise  sum of rewards of nodes visited - sum of seam costs
 //
-// A minimum-cost flow on the trellis with every node split in two, one unit an
+// Minimum-cost flow on the trellis with every node split in two, one unit per
 // agent: successive shortest paths [1] by Dijkstra's algorithm on costs reduced
-// by potentials, which a first pass through the stages gives. At most agents *
-// seams steps. Exact but for rounding; deterministic.
-// As many agents are served as the capacities allow.
+// by potentials, initialised by one pass through the stages. At most agents *
+// seams steps. Exact up to rounding; deterministic. Serves as many agents as
+// the capacities allow.
 //
 // [1] R. K. Ahuja, T. L. Magnanti and J. B. Orlin, "Network Flows", 1993, 9.7.
 
@@ -20,14 +20,14 @@
 namespace kg_selector {
 
 struct FlowSeam {
-  int from = 0;  // Node of the stage before; the agent, if it is the first.
+  int from = 0;  // Node of the previous stage; in the first stage the agent.
   int to = 0;
   double cost = 0.0;
 };
 
 struct FlowStage {
-  std::vector<double> rewards;  // By node.
-  std::vector<int> capacities;  // By node, >= 0.
+  std::vector<double> rewards;  // Reward by node.
+  std::vector<int> capacities;  // Capacity by node, >= 0.
   std::vector<FlowSeam> seams;  // Into this stage.
 };
 
@@ -37,7 +37,7 @@ struct TeamFlow {
 };
 
 struct FlowPlan {
-  // By agent its node of every stage; empty = it has none.
+  // Node of every stage, by agent; empty = not served.
   std::vector<std::vector<int>> nodes;
   double value = 0.0;
 };

@@ -37,7 +37,7 @@ TeamFlow RandomFlow(std::mt19937* prng) {
   return flow;
 }
 
-// Agent by agent, all paths or none: first as many as can be, then the best.
+// Exhaustive search: first as many agents as possible, then the best value.
 class ReferenceFlow {
  public:
   explicit ReferenceFlow(const TeamFlow& flow) : flow_(flow) {
@@ -109,8 +109,8 @@ TEST(TeamFlowTest, EqualsTheBestOfAllPlans) {
   EXPECT_GT(unserved, 100);
 }
 
-// Both want node 0; who would lose more by going elsewhere gets it, although
-// the other one came first.
+// Both want node 0; the agent that would lose more elsewhere gets it, although
+// the other was served first.
 TEST(TeamFlowTest, UndoesWhatWasChosenBefore) {
   TeamFlow flow;
   flow.agents = 2;

@@ -1,6 +1,6 @@
-// The table of team modes. A mode is a row: its name, as ex:teamMode, the
-// message CoordinationRules and the option --mode have it, and what makes its
-// plans. To add one: a file for it, and a row in team_modes.cc.
+// The table of team modes. A row has the name (as in ex:teamMode, the message
+// CoordinationRules and the option --mode) and the factory of its coordinator.
+// To add a mode: a file for it, and a row in team_modes.cc.
 
 #ifndef KG_SELECTOR_TEAM_TEAM_MODES_H_
 #define KG_SELECTOR_TEAM_TEAM_MODES_H_
@@ -17,17 +17,17 @@ namespace kg_selector {
 
 struct TeamMode {
   const char* name;
-  // The coordinator of a team by these rules.
+  // Makes the coordinator of a team under these rules.
   std::unique_ptr<Coordinator> (*make_coordinator)(
       const TeamRules& rules, const std::vector<std::string>& agents);
-  // The same idea for tours of the Team Orienteering benchmark.
+  // The corresponding method for tours of the Team Orienteering benchmark.
   TourPlanner plan_tours;
 };
 
 // Every mode, the default first.
 const std::vector<TeamMode>& TeamModes();
 
-// Null: there is no such mode.
+// Null = unknown mode.
 const TeamMode* FindTeamMode(const std::string& name);
 
 std::vector<std::string> TeamModeNames();
@@ -35,8 +35,8 @@ std::vector<std::string> TeamModeNames();
 // "greedy, auction, priced or exact", each name in `quote`: for error messages.
 std::string TeamModeChoices(const std::string& quote = "");
 
-// By rules.mode. Throws kg_base::InputError for another one, and, of a mode
-// with columns, for a fairness that is not known.
+// Makes the coordinator of rules.mode. Throws kg_base::InputError for an
+// unknown mode and, in modes with columns, for an unknown fairness.
 std::unique_ptr<Coordinator> MakeCoordinator(
     const TeamRules& rules, const std::vector<std::string>& agents);
 

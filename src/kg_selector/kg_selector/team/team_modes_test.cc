@@ -1,5 +1,5 @@
-// Every mode against all plans of small teams, and against itself in another
-// order.
+// Every mode against exhaustive search on small teams, and against itself with
+// answers in another order.
 
 #include "kg_selector/team/team_modes.h"
 
@@ -19,7 +19,7 @@
 namespace kg_selector {
 namespace {
 
-// --- The reference: the best of all plans. ---
+// --- Reference: the best of all plans. ---
 
 struct PathOption {
   double score = 0.0;
@@ -130,8 +130,7 @@ double WorstPath(const std::vector<TeamMember>& members) {
   return worst;
 }
 
-// 1 where all tracks come from distinct starts: else the first window has
-// rules of its own.
+// Teams of 2 to 4 agents in two windows with 0 or 2 events.
 RandomTeamOptions SmallTeam(unsigned seed) {
   RandomTeamOptions options;
   options.agents = 2 + static_cast<int>(seed % 3);
@@ -167,7 +166,7 @@ TEST_P(OfMode, StaysBetweenWhatIsPossibleAndItsBound) {
   EXPECT_GT(share, GetParam() == "greedy" ? 0.92 : 0.985);
 }
 
-// The shapes check ex:teamMode of a mission: their list and the table are one.
+// The SHACL shapes check ex:teamMode: their list must match the table.
 TEST(TeamModes, AreThoseThatTheShapesAllow) {
   std::ifstream file("../kg_mission/ontology/shapes.ttl");
   const std::string text(std::istreambuf_iterator<char>(file), {});

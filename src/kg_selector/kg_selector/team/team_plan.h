@@ -1,6 +1,6 @@
-// What a team and its agents exchange while a plan is made, and the plan that
-// comes out: offers, requests, rejected paths, the outcome. Scores, prices and
-// bounds in reward units.
+// Data exchanged between a team and its agents during planning, and the result:
+// offers, requests, rejected paths, the outcome. Scores, prices and bounds are
+// in reward units.
 
 #ifndef KG_SELECTOR_TEAM_TEAM_PLAN_H_
 #define KG_SELECTOR_TEAM_TEAM_PLAN_H_
@@ -16,13 +16,13 @@
 
 namespace kg_selector {
 
-// One agent's answer.
+// One agent's answer to a request.
 struct AgentOffer {
-  std::vector<Pathlet> pathlets;  // Best first, prices counted; at most K.
+  std::vector<Pathlet> pathlets;  // Best first (prices included); at most K.
   bool proven = true;
-  std::string note = {};  // One line; why there is no path, or "".
+  std::string note = {};  // One line: why there is no path, or "".
 
-  // No path that keeps to what was asked is worth more, prices taken off.
+  // Upper bound of score - prices over paths that satisfy the request.
   double bound = std::numeric_limits<double>::quiet_NaN();  // NaN = not known.
 };
 
@@ -32,22 +32,23 @@ struct WaypointPrice {
   double price = 0.0;  // >= 0; paid if the window ends there.
 };
 
-// What one agent is to plan under.
+// Conditions under which one agent plans.
 struct PlanRequest {
-  std::vector<Pathlet> around;        // Committed; only tracks are read.
-  std::set<std::string> full_events;  // A visit earns nothing there.
+  std::vector<Pathlet> around;        // Committed paths; only tracks are read.
+  std::set<std::string> full_events;  // Visits earn no event reward there.
   std::vector<WaypointPrice> waypoint_prices;
-  std::map<std::string, double> event_prices;  // Paid once, if it is earned.
+  // Paid once if the event is earned.
+  std::map<std::string, double> event_prices;
 };
 
-// Around those committed, without prices.
+// A request around the committed paths, without prices.
 PlanRequest RequestAround(const TeamRules& rules,
                           const std::vector<Pathlet>& committed);
 
 struct RejectedPath {
   Pathlet pathlet;
   Conflict conflict;   // Meaningful unless reason says otherwise.
-  std::string reason;  // One line for a person.
+  std::string reason;  // Display text, one line.
   int round = 0;
 };
 
@@ -56,8 +57,8 @@ struct TeamOutcome {
   std::vector<RejectedPath> rejections;
   // Agents that got no path, with the reason.
   std::map<std::string, std::string> unassigned;
-  int rounds = 1;  // Of planning, the first included.
-  // No plan of this team is worth more, reward - seam cost; NaN = not known.
+  int rounds = 1;  // Planning rounds, the first included.
+  // Upper bound of reward - seam cost of any plan of this team; NaN = unknown.
   double bound = std::numeric_limits<double>::quiet_NaN();
 };
 

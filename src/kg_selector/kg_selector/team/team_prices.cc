@@ -9,13 +9,13 @@ namespace kg_selector {
 namespace {
 
 constexpr double kLeastShare =
-    0.1;  // Least weight of the newest answers in the average.
+    0.1;  // Minimum weight of the newest answers in the average.
 constexpr int kMaxFailedSteps =
     2;  // Steps without gain before they get shorter.
-// Expected gap of the best plan, as a share of the bound, while no plan so good
-// is known.
+// Assumed gap of the best plan, as a share of the bound, until a better plan is
+// known.
 constexpr double kLikelyGap = 0.05;
-// Settled: the bound fell by less than this share in so many rounds.
+// Settled: the bound fell by less than this share in kSettledRounds rounds.
 constexpr double kSettledShare = 2e-4;
 constexpr std::size_t kSettledRounds = 30;
 
@@ -41,7 +41,7 @@ void TeamPrices::Learn(const std::vector<int>& capacities,
                        const Answers& answers) {
   capacities_ = capacities;
   Grow(capacities.size());
-  // L at the prices asked: rows' part and agents' part.
+  // L at the requested prices: rows' part and agents' part.
   double rows = 0.0;
   for (std::size_t r = 0; r < capacities.size(); ++r) {
     rows += prices_[r] * capacities[r];
@@ -51,12 +51,12 @@ void TeamPrices::Learn(const std::vector<int>& capacities,
     agents.push_back(AtLeastZero(bound));
   }
   const double value = std::accumulate(agents.begin(), agents.end(), rows);
-  // A running mean of the first answers, later an exponential one.
+  // Running mean of the first answers, then exponential.
   const double share = std::max(kLeastShare, 1.0 / (1.0 + bounds_.size()));
   for (std::size_t r = 0; r < capacities.size(); ++r) {
     average_usage_[r] += share * (answers.usage[r] - average_usage_[r]);
   }
-  // Better: longer steps from here. Two steps without gain: shorter ones.
+  // Improvement: longer steps from here. kMaxFailedSteps without: shorter ones.
   if (value < bound()) {
     rows_part_ = rows;
     agents_part_ = std::move(agents);
@@ -85,6 +85,7 @@ void TeamPrices::Step(double plan) {
     squared += excess[r] * excess[r];
   }
   prices_ = best_prices_;
+  // Polyak step length: step * gap / |excess|^2.
   const double gap = std::min(bound() - plan, kLikelyGap * std::abs(bound()));
   if (!(squared > 0.0) || !std::isfinite(gap)) return;
   const double length = step_ * std::max(gap, 0.0) / squared;

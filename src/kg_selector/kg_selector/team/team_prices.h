@@ -1,21 +1,21 @@
-// What a team's scarce rows (a place at a window's end, an event) cost: the
-// multipliers of its Lagrangian relaxation, and the bound that comes with them.
+// Prices of a team's scarce rows (a place at a window's end, an event): the
+// multipliers of its Lagrangian relaxation, and the resulting bound.
 //
 //   L(p) = sum over rows r  p_r capacity_r
 //        + sum over agents a  max(0, best score - prices of a)
 //
-// No plan is worth more than L(p), for any p >= 0: take any plan, let each
-// agent pay p_r for each row that it uses. What is paid is at most sum p_r
-// capacity_r, and what is left to an agent is at most its best less prices, or
-// 0 if it is left out. All that is not a row (tracks that cross within a
-// window, soft separation) is left out of the relaxation, which only makes L
-// larger.
+// No plan is worth more than L(p), for any p >= 0: let each agent of a plan pay
+// p_r for each row that it uses. The payments sum to at most sum p_r
+// capacity_r, and each agent keeps at most its best score minus prices, or 0 if
+// it is left out. Conflicts that are not rows (tracks that cross within a
+// window, soft separation) are dropped by the relaxation, which only increases
+// L.
 //
-// L is least near good prices. Rows seen to be used too much get dearer, others
-// cheaper: the volume algorithm [1], steps of Polyak's length towards the best
-// plan known, taken from the best prices known, along the average of past
-// choices. It cannot cycle: nothing is decided by comparing with the round
-// before, only the best is kept, and the number of rounds is bounded.
+// L is minimised by the volume algorithm [1]: overused rows become more
+// expensive, others cheaper, by Polyak steps towards the best known plan, from
+// the best known prices along the average of past choices. It cannot cycle: no
+// decision compares with the previous round, only the best is kept, and the
+// number of rounds is bounded.
 //
 // [1] F. Barahona and R. Anbil, "The volume algorithm: producing primal
 //     solutions with a subgradient method", Math. Programming 87 (2000)
@@ -36,43 +36,45 @@ class TeamPrices {
  public:
   // The answers of all agents under prices().
   struct Answers {
-    std::vector<double> bounds;  // By agent, prices taken off; NaN = unknown.
-    std::vector<int> usage;      // By row: agents whose best path uses it.
+    std::vector<double> bounds;  // By agent, score - prices; NaN = unknown.
+    // By row: number of agents whose best path uses it.
+    std::vector<int> usage;
   };
-  // Takes them in. `capacities` by row; new rows cost nothing yet.
+  // Updates bound and average usage. `capacities` by row; new rows have price
+  // 0.
   void Learn(const std::vector<int>& capacities, const Answers& answers);
 
-  // The prices to ask for next, given what a plan is known to be worth.
+  // Computes the next prices, given the value of a known plan.
   void Step(double plan);
 
-  // Other prices to ask for next.
+  // Overrides the next prices.
   void Set(std::vector<double> prices) { prices_ = std::move(prices); }
 
   const std::vector<double>& prices() const { return prices_; }
-  // Those of the least L so far, and it; infinite if there was none.
+  // Prices of the smallest L so far, and that L; infinite if unknown.
   const std::vector<double>& best_prices() const { return best_prices_; }
   double bound() const;
-  // The bound has hardly moved for a while.
+  // True if the bound has hardly moved for kSettledRounds rounds.
   bool settled() const;
-  // As if there were no such agent.
+  // Removes the agent from the bound.
   void Drop(int agent);
 
  private:
   void Grow(std::size_t rows);
 
   std::vector<int> capacities_;
-  std::vector<double> prices_;         // Asked for.
-  std::vector<double> best_prices_;    // Of the least L.
-  std::vector<double> average_usage_;  // Of past answers, by row.
+  std::vector<double> prices_;         // Prices of the next request.
+  std::vector<double> best_prices_;    // Prices of the smallest L.
+  std::vector<double> average_usage_;  // Average of past answers, by row.
   double rows_part_ =
-      std::numeric_limits<double>::infinity();  // Of the least L.
+      std::numeric_limits<double>::infinity();  // Row part of the smallest L.
   std::vector<double> agents_part_;
   double step_ = 1.0;
-  std::vector<double> bounds_;  // By round, the least until then.
+  std::vector<double> bounds_;  // Smallest L up to each round.
   int failed_steps_ = 0;
 };
 
-// What a round at common prices taught.
+// Bounds and row usage from a round at common prices.
 TeamPrices::Answers SummarizeAnswers(const TeamColumns& pool,
                                      const ColumnAnswers& answers);
 

@@ -9,7 +9,8 @@
 namespace kg_selector {
 namespace {
 
-// Distances are geodesics here and in a plane where conflicts are found.
+// Covers the difference between geodesics (here) and the plane used for
+// conflicts (conflict.h).
 constexpr double kSafetyFactor = 0.999;
 constexpr double kSamePosition_deg = 1e-9;
 
@@ -31,7 +32,7 @@ TeamRows::TeamRows(const TeamRules& rules)
 bool TeamRows::HoldsStation(const Pathlet& pathlet, const Visit& visit) const {
   const auto end = rules_.window_end_s.find(visit.window);
   if (end == rules_.window_end_s.end()) return false;
-  // The points on either side of the end, or at it.
+  // First track point at or after the window's end.
   const auto after =
       std::lower_bound(pathlet.track.begin(), pathlet.track.end(), end->second,
                        [](const kg_compiler::TimedPoint& point, double time_s) {
@@ -72,12 +73,12 @@ void TeamRows::JoinCliques(int window, int place) {
   }
 }
 
-// A row for every place close to this one (itself, too) that shares none yet.
+// Adds a row for every close place (including itself) that shares none yet.
 void TeamRows::AddMissingRows(int window, int place) {
   const int count = static_cast<int>(places_.at(window).size());
   for (int other = 0; other < count; ++other) {
     if (!AreClose(window, place, other)) continue;
-    // They have a row in common already.
+    // Skip pairs that already share a row.
     const std::vector<int>& mine = places_.at(window)[place].rows;
     const std::vector<int>& its = places_.at(window)[other].rows;
     if (std::any_of(mine.begin(), mine.end(), [&](int row) {
@@ -85,7 +86,7 @@ void TeamRows::AddMissingRows(int window, int place) {
         })) {
       continue;
     }
-    // A maximal clique around the pair, grown greedily.
+    // Grow a maximal clique around the pair greedily.
     const int row = static_cast<int>(capacities_.size());
     capacities_.push_back(1);
     cliques_[row] = {window, {}};
@@ -143,7 +144,7 @@ std::vector<int> TeamRows::UsedRows(const Pathlet& pathlet) const {
 void TeamRows::PutPrices(const std::string& agent,
                          const std::vector<double>& prices,
                          PlanRequest* request) const {
-  // Rows added since the prices were made cost nothing.
+  // Rows added after the prices were computed have price 0.
   const auto price_of = [&](int row) {
     return row < static_cast<int>(prices.size()) ? prices[row] : 0.0;
   };
@@ -155,7 +156,7 @@ void TeamRows::PutPrices(const std::string& agent,
       double sum = 0.0;
       for (const int row : place.rows) sum += price_of(row);
       if (!(sum > 0.0)) continue;
-      // In the numbering of the agent's own graph.
+      // Use the agent's own waypoint ids.
       for (const auto& [owner, waypoint] : place.waypoints) {
         if (owner == agent) {
           request->waypoint_prices.push_back({window, waypoint, sum});

@@ -1,12 +1,11 @@
-// What of a mission is scarce, as rows with a capacity: the link between paths
+// Scarce resources of a mission as rows with a capacity: the link between paths
 // and the columns of team_columns.h.
 //
-// Events: as many distinct agents as rules.event_capacity says.
-// Places: of agents that hold station at a window's end, only one may be among
-// places that all lie closer to each other than the separation. Rows are made
-// as places are seen (relax and cut); a new place joins every row it fits into.
-// The separation is taken 0.1 % shorter for them, so that two paths of one row
-// always conflict.
+// Events: capacity rules.event_capacity. Places: of agents that hold station at
+// a window's end, at most one may be in a set of places that are pairwise
+// closer than the separation. Rows are added as places appear (relax and cut);
+// a new place joins every row it fits into. The separation is shortened by 0.1
+// % for this test, so that two paths of one row always conflict.
 
 #ifndef KG_SELECTOR_TEAM_TEAM_ROWS_H_
 #define KG_SELECTOR_TEAM_TEAM_ROWS_H_
@@ -27,13 +26,14 @@ class TeamRows {
  public:
   explicit TeamRows(const TeamRules& rules);
 
-  // Gets to know the places where its windows end.
+  // Registers the places where the path's windows end.
   void Add(const Pathlet& pathlet);
-  // Ascending; of a path that was added. More rows may come with later ones.
+  // Rows of a registered path, ascending. Rows added later may extend them.
   std::vector<int> UsedRows(const Pathlet& pathlet) const;
   const std::vector<int>& capacities() const { return capacities_; }
 
-  // What `agent` has to pay for rows, in words of its own.
+  // Writes row prices as event and waypoint prices of `agent` (its own waypoint
+  // ids).
   void PutPrices(const std::string& agent, const std::vector<double>& prices,
                  PlanRequest* request) const;
 
@@ -41,14 +41,14 @@ class TeamRows {
   struct Place {
     kg_base::LonLat position;
     std::vector<int> rows;
-    // Who has it as which waypoint.
+    // (agent, waypoint id in its graph) pairs of the place.
     std::set<std::pair<std::string, int>> waypoints;
   };
   struct Clique {
     int window = 0;
-    std::vector<int> places;  // Index in the window's.
+    std::vector<int> places;  // Indices into the window's places.
   };
-  // The place where a visit holds station; nothing if it is elsewhere then.
+  // True if the path is at the visit's place when the window ends.
   bool HoldsStation(const Pathlet& pathlet, const Visit& visit) const;
   int AddPlace(int window, kg_base::LonLat position);
   void JoinCliques(int window, int place);
@@ -61,8 +61,8 @@ class TeamRows {
   double separation_m_ = 0.0;
   std::vector<int> capacities_;
   std::map<std::string, int> events_;         // Row by event.
-  std::map<int, Clique> cliques_;             // By row.
-  std::map<int, std::vector<Place>> places_;  // By window.
+  std::map<int, Clique> cliques_;             // Clique by row.
+  std::map<int, std::vector<Place>> places_;  // Places by window.
 };
 
 }  // namespace kg_selector

@@ -1,5 +1,5 @@
-// The rules, looked at from outside: a checker that shares no code with the
-// selector, and the order in which messages come.
+// Rules checked from outside: a checker that shares no code with the selector,
+// and random orders of messages.
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +14,15 @@
 namespace kg_selector {
 namespace {
 
-// --- The checker: looks at plan and members only, every two minutes, with
-// geodesics. ---
+// --- Checker: uses plan and members only, every two minutes, with geodesics.
+// ---
 
 struct MissionRules {
-  double separation_m = 0.0;  // None may come closer.
+  double separation_m = 0.0;  // Hard minimum distance [m].
   std::map<std::string, int> capacity;
-  std::map<std::string, std::set<int>> open;  // Windows of an event.
+  std::map<std::string, std::set<int>> open;  // Open windows of each event.
   std::map<std::string, const TeamMember*> members;
-  double from_s = 0.0;  // Separation is looked at from here on.
+  double from_s = 0.0;  // Separation is checked from here on [Unix s].
 };
 
 int TooCloseOnes(const MissionRules& mission,
@@ -56,7 +56,7 @@ int BadVisits(const MissionRules& mission, const std::vector<Pathlet>& plan) {
   return count;
 }
 
-// Score and energy are those of the edges that the visits say.
+// Visits whose score or energy differs from that of their edges.
 int WrongSums(const MissionRules& mission, const std::vector<Pathlet>& plan) {
   int count = 0;
   for (const Pathlet& pathlet : plan) {
@@ -98,8 +98,8 @@ struct TestScene {
   MissionRules mission;
 };
 
-// One in three is launched from one place; one in two has an event that is over
-// after the first window, and a member that thinks it is not.
+// One in three starts from one place; one in two has an event that expires
+// after the first window, and a member that assumes it does not.
 TestScene MakeScene(unsigned seed) {
   RandomTeamOptions options;
   options.agents = 2 + static_cast<int>(seed % 4);
@@ -154,7 +154,7 @@ TEST_P(RulesOfMode, AreKeptInTwoHundredRandomMissions) {
                      rejection.conflict.kind == ConflictKind::kExpired;
     }
   }
-  EXPECT_GT(would_violate, 100);  // Else nothing was tested.
+  EXPECT_GT(would_violate, 100);  // The test must not be vacuous.
   EXPECT_GT(turned_away, 50);
 }
 
@@ -178,7 +178,7 @@ TeamOutcome InRandomOrder(const TeamRules& rules,
     for (const std::string& agent : order) {
       AgentOffer answer =
           PlanPriced(rules, *by_agent[agent], team->RequestFor(agent));
-      if ((*prng)() % 2 == 0) {  // Twice, and each path twice.
+      if ((*prng)() % 2 == 0) {  // Duplicate answer with duplicate paths.
         team->Offer(agent, answer);
         const auto once = answer.pathlets;
         answer.pathlets.insert(answer.pathlets.end(), once.begin(), once.end());
@@ -275,7 +275,7 @@ TEST_P(RulesOfMode, ADeadAgentIsPlannedWithout) {
   }
 }
 
-// --- Nonsense. ---
+// --- Malformed input. ---
 
 TEST_P(RulesOfMode, NonsenseIsTurnedAwayWithAReason) {
   RandomTeam random({}, 11);

@@ -1,5 +1,6 @@
-// Every path of a member of a small team, by walking its graphs: what the tests
-// compare planners and teams with. Knows nothing of trellises and prices.
+// Enumerates every path of a member of a small team by traversing its graphs:
+// the reference for tests of planners and teams. Shares no code with trellises
+// and prices.
 
 #ifndef KG_SELECTOR_TESTING_EVERY_PATH_H_
 #define KG_SELECTOR_TESTING_EVERY_PATH_H_
@@ -17,9 +18,9 @@ namespace kg_selector {
 
 struct EveryPath {
   std::vector<int> nodes;
-  double score = 0.0;  // Without any event.
+  double score = 0.0;  // Score without events.
   double energy_j = 0.0;
-  std::map<std::string, double> events;  // Met: the most each rewards.
+  std::map<std::string, double> events;  // Largest reward of each event met.
   std::vector<kg_compiler::TimedPoint> track;
 };
 
@@ -33,7 +34,7 @@ inline void ExtendPath(const TeamMember& member, const EveryPath& path,
   for (const auto& edge : member.graphs[stage].edges) {
     if (edge.from != (stage == 0 ? 0 : path.nodes.back())) continue;
     const auto& waypoint = member.graphs[stage].waypoints[edge.to];
-    // Events are met, not earned: which ones count is decided by capacity.
+    // Events are met, not earned: capacity decides which ones count.
     EveryPath longer = path;
     longer.nodes.push_back(edge.to);
     longer.score += waypoint.score - edge.seam_cost;

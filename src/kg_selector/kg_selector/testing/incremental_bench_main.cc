@@ -1,11 +1,11 @@
-// What a change of facts costs, and what everything anew (targets 13 and 15):
-// soft areas of 40 x 40 cells, one after the other, in one window, for 3 agents
-// and 7 windows and for 10 and 24 (the target is that of areas anywhere in the
-// grid; in an agent's way they move most of its waypoints, and all that follows
-// from them is new); and 100 agents by 168 windows in 5 classes.
-// On the grid of the Gulf. Times are of compiling and planning from rasters in
-// memory, reading left out; both sides on all cores. `--quick`: small teams,
-// once.
+// Cost of an incremental update against a full recomputation (targets 13 and
+// 15): soft areas of 40 x 40 cells, one at a time, in one window, for 3 agents
+// and 7 windows and for 10 and 24 (the target applies to areas anywhere in the
+// grid; areas in an agent's way move most of its waypoints, and everything
+// downstream is recomputed); and 100 agents by 168 windows in 5 classes. Uses
+// the grid of the Gulf. Times cover compiling and planning from rasters in
+// memory, without reading; both sides on all cores. `--quick`: small teams, one
+// repetition.
 
 #include <sys/resource.h>
 
@@ -26,13 +26,13 @@ using kg_compiler::SeamCounts;
 using CompilationPtr = std::shared_ptr<const Compilation>;
 
 constexpr double kWindow_s = 86400.0;
-constexpr int kRings = 11;  // Distinct windows of water; then they come again.
+constexpr int kRings = 11;  // Distinct flow windows; then they repeat.
 
 struct BenchTeam {
   int agents = 3;
   int windows = 7;
-  int classes = 3;  // Policies; and as many speeds.
-  int slices = 2;   // Of each window's field, without its end.
+  int classes = 3;  // Number of policies and of speeds.
+  int slices = 2;   // Slices of each window's field, without its end.
 };
 
 // Slices of one window, from time 0.
@@ -96,7 +96,7 @@ kg_mission::Mission MakeMission(const BenchTeam& team) {
   return mission;
 }
 
-// Where an area comes to lie.
+// Location of the changed area.
 enum class ChangePlace { kAnywhere, kInTheWay };
 
 kg_base::LonLat MiddleOf(ChangePlace where, const kg_mission::Mission& mission,
@@ -195,7 +195,7 @@ bool SameBits(const BenchWorld& a, const BenchWorld& b) {
   return same;
 }
 
-// Medians over areas, one after the other, of full / incremental.
+// Medians of full / incremental time over areas.
 class TimeRatios {
  public:
   void Add(const BenchWorld& full, const BenchWorld& step) {
@@ -234,7 +234,7 @@ bool Measure(const BenchTrial& trial, const BenchWorld& base,
   for (int i = 0; i < trial.rounds; ++i) {
     const kg_mission::Mission after =
         WithArea(before, MiddleOf(trial.where, before, &rng));
-    // Once from nothing, once with what the mission before left.
+    // One run from scratch, one from the previous mission's data.
     const BenchWorld full = PlanAll(empty, after, nullptr);
     const BenchWorld step = PlanAll(base.compiler, after, &base.planned);
     Show("full", full);
@@ -272,7 +272,7 @@ double PeakMemory_mb() {
   return usage.ru_maxrss / 1024.0;  // Kilobytes.
 }
 
-// Of all threads so far: what others do on the machine does not count.
+// CPU time of all threads so far [s]: independent of other load on the machine.
 double Cpu_s() {
   rusage usage;
   getrusage(RUSAGE_SELF, &usage);
@@ -282,7 +282,7 @@ double Cpu_s() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// One agent of a policy of its own, so that all rasters are there.
+// One agent with its own policy, so that all rasters exist.
 kg_mission::Mission Scout(const BenchTeam& team) {
   kg_mission::Mission mission = MakeMission(team);
   mission.agents.resize(1);
@@ -316,7 +316,8 @@ int Run(bool quick) {
     const bool counts = Scale({20, 3, 5, 1});
     return counts && CompareTeam({3, 3, 3, 1}, 50.0, 1) ? 0 : 1;
   }
-  bool good = Scale({100, 168, 5, 1});  // First: peak memory never falls.
+  // Runs first because peak memory never falls.
+  bool good = Scale({100, 168, 5, 1});
   good = CompareTeam({3, 7, 3, 2}, 50.0, 7) && good;
   good = CompareTeam({10, 24, 5, 2}, 150.0, 3) && good;
   return good ? 0 : 1;

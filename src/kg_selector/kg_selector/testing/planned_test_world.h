@@ -33,8 +33,8 @@ class PlannedTestWorld {
     mission.coordination.candidates_per_agent = 4;
   }
 
-  // Of `mission` as it is now. Throws kg_base::InputError if an agent cannot be
-  // planned.
+  // Plans the current `mission`. Throws kg_base::InputError if an agent cannot
+  // be planned.
   PlannedWorld Plan() {
     PlannedWorld world;
     world.view = store_.Read();
@@ -80,7 +80,7 @@ class PlannedTestWorld {
       agent.policy.soft_overrides = {{"ex:soft", 0.3}};
       agent.capabilities.cruise_mps = 0.35;
       agent.capabilities.energy_budget_j = 1e6;
-      // Close together, so that they are in each other's way.
+      // Close together, so that their paths conflict.
       agent.start = {-90.5 + 0.05 * kg_compiler::Uniform(rng_, -1, 1) +
                          0.1 * static_cast<double>(mission.agents.size()),
                      24.5 + 0.05 * kg_compiler::Uniform(rng_, -1, 1)};

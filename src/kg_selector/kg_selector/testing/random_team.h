@@ -1,5 +1,5 @@
-// Small random teams with flights between shared places: what the tests of this
-// package run on.
+// Small random teams with flights between shared places, for the tests of this
+// package.
 
 #ifndef KG_SELECTOR_TESTING_RANDOM_TEAM_H_
 #define KG_SELECTOR_TESTING_RANDOM_TEAM_H_
@@ -17,14 +17,14 @@ namespace kg_selector {
 struct RandomTeamOptions {
   int agents = 3;
   int windows = 3;
-  int places = 6;     // Shared by all, in a square of about 25 km.
+  int places = 6;  // Places shared by all agents, in a square of about 25 km.
   int waypoints = 4;  // Per window.
   int events = 2;
   bool same_start = false;
   double begin_s = 1.5e9;
   double window_s = 6 * 3600.0;
-  double gap_s = 0.0;  // Between windows.
-  bool walks = false;  // Edges by way of another waypoint, too.
+  double gap_s = 0.0;  // Gap between windows [s].
+  bool walks = false;  // Also edges via another waypoint.
 };
 
 class RandomTeam {
@@ -70,7 +70,7 @@ class RandomTeam {
   std::mt19937& prng() { return prng_; }
 
  private:
-  // Starts; no separation is more.
+  // Minimum distance of starts [m]; separations do not exceed it.
   static constexpr double kLeastApart_m = 6000.0;
 
   static std::string Event(int i) { return "ex:event" + std::to_string(i); }
@@ -107,7 +107,7 @@ class RandomTeam {
     kg_compiler::NavGraph graph;
     graph.agent_iri = member.rules.agent_iri;
     graph.window = w;
-    // Each window offers another sample of the shared places.
+    // Each window has another sample of the shared places.
     std::vector<int> places(places_.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
       places[i] = static_cast<int>(i);
@@ -144,7 +144,7 @@ class RandomTeam {
     }
   }
 
-  // As the last edge goes to `to`, by way of a waypoint where it bends.
+  // Adds an edge like the last one to `to`, via a waypoint at its bend.
   void AddWalk(const std::vector<kg_compiler::TraverseEdge>& edges,
                const kg_compiler::Waypoint& to, kg_compiler::NavGraph* graph) {
     const int count = static_cast<int>(graph->waypoints.size());
@@ -161,8 +161,8 @@ class RandomTeam {
     graph->edges.push_back(walk);
   }
 
-  // Half way with a bend, at 2.5 to 4 m/s, then holding station: no distance
-  // takes longer than the shortest window.
+  // A flight with a bend half way, at 2.5 to 4 m/s, then holding station: no
+  // distance takes longer than the shortest window.
   kg_compiler::TraverseEdge MakeEdge(int u, const kg_compiler::Waypoint& to,
                                      kg_base::LonLat from,
                                      const kg_compiler::WindowRules& window) {

@@ -1,5 +1,5 @@
-// For tests: how close two tracks come, by looking at them every so often with
-// geodesics. Shares no code with the closed form (pathlet.h).
+// For tests: closest approach of two tracks, sampled in time with geodesics.
+// Shares no code with the closed form (pathlet.h).
 
 #ifndef KG_SELECTOR_TESTING_SAMPLED_DISTANCE_H_
 #define KG_SELECTOR_TESTING_SAMPLED_DISTANCE_H_
@@ -27,7 +27,7 @@ inline kg_base::LonLat PlaceAt(
 }
 
 struct SampleTimes {
-  double from_s = 0.0;  // Until a's track ends.
+  double from_s = 0.0;  // Sampled from here to the end of a's track [s].
   double step_s = 60.0;
 };
 

@@ -2,10 +2,10 @@
 //
 //   kg_selector_team_bench [--quick]
 //
-// Agents share T stages of n nodes that take so many of them. Alike but for
-// their starts: against the exact flow. With rewards and weights of their own:
-// against the Lagrangian bound over all paths, which the mode "priced" states.
-// Seconds are of the processor.
+// Agents share T stages of n nodes with a capacity. Identical except for their
+// starts: compared with the exact flow. With individual rewards and weights:
+// compared with the Lagrangian bound over all paths, from mode "priced". Times
+// are processor seconds.
 
 #include <cstdio>
 #include <ctime>
@@ -30,7 +30,7 @@ double ProcessorSeconds(const std::function<void()>& work) {
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-// The paper's: the best of all is committed, who is in conflict plans again.
+// Greedy of the paper: commit the best of all, conflicting agents replan.
 TeamChoice PlanGreedily(const TrellisTeam& team, TeamColumns* pool) {
   TeamChoice choice(team.options().agents, kNobody);
   std::vector<int> wish;
@@ -70,8 +70,8 @@ TeamFlow ToFlow(const TrellisTeam& team) {
   flow.agents = options.agents;
   for (int t = 0; t < options.stages; ++t) {
     FlowStage stage;
-    // The agents differ by where they start only: seams of later stages are
-    // those of agent 0.
+    // Agents differ only in their start: seams of later stages are those of
+    // agent 0.
     const int before = t == 0 ? options.agents : options.nodes;
     for (int v = 0; v < options.nodes; ++v) {
       stage.rewards.push_back(static_cast<double>(team.Reward(0, t, v)));

@@ -1,7 +1,7 @@
-// Team Orienteering, sets 1 to 4, against the published values (target 12):
-// the exact mode at 0.5 s and at 2 s of processor time an instance, and the
-// other modes beside it. `--quick`: every 40th instance, at 0.05 s. Says so and
-// measures nothing where the data is not there.
+// Team Orienteering, sets 1 to 4, against the published values (target 12): the
+// exact mode at 0.5 s and 2 s of processor time per instance, and the other
+// modes. `--quick`: every 40th instance, at 0.05 s. Prints a notice and
+// measures nothing if the data is missing.
 //
 //   team_orienteering_bench [--quick]
 

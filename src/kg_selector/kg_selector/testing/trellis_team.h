@@ -1,8 +1,8 @@
-// Synthetic teams as large as one likes: agents on one trellis whose nodes take
-// only so many of them. What benchmarks and tests of whole teams run on; a
-// mission with nothing but places.
+// Synthetic teams of any size: agents on one trellis whose nodes have a
+// capacity. For benchmarks and tests of whole teams; a mission that has only
+// places.
 //
-// Seam costs are one table a stage, times the agent's weight; rewards are the
+// Seam costs: one table per stage, times the agent's weight. Rewards: the
 // agent's own blend of three layers.
 
 #ifndef KG_SELECTOR_TESTING_TRELLIS_TEAM_H_
@@ -21,10 +21,10 @@ namespace kg_selector {
 
 struct TrellisTeamOptions {
   int agents = 3;
-  int nodes = 20;  // A stage.
+  int nodes = 20;  // Nodes per stage.
   int stages = 7;
   int capacity = 1;
-  bool homogeneous = false;  // All weigh alike; only starts differ.
+  bool homogeneous = false;  // Agents differ only in their start.
 };
 
 class TrellisTeam {
@@ -59,7 +59,7 @@ class TrellisTeam {
     }
     return sum;
   }
-  // From 0, the start, if it is the first.
+  // In the first stage `from` is 0, the start.
   float SeamCost(int agent, int stage, int from, int to) const {
     const float base = stage == 0 ? starts_[agent][to]
                                   : seams_[stage][from * options_.nodes + to];
@@ -74,7 +74,7 @@ class TrellisTeam {
     return pool;
   }
 
-  // The agent's best path; its column goes to the pool.
+  // The agent's best path; its column is added to the pool.
   ColumnAnswer Answer(int agent, const ColumnRequest& request,
                       TeamColumns* pool) const {
     const int n = options_.nodes;
@@ -124,7 +124,7 @@ class TrellisTeam {
   std::vector<float> NodeValues(int agent, const ColumnRequest& request,
                                 const TeamColumns& pool) const {
     const std::size_t rows = pool.capacities().size();
-    // Full nodes are priced out of reach.
+    // Full nodes get a prohibitive price.
     std::vector<int> used(rows, 0);
     for (const int column : request.around) {
       for (const int r : pool.columns()[column].rows) ++used[r];
@@ -151,7 +151,7 @@ class TrellisTeam {
         static_cast<int>(std::max_element(ends, ends + options_.nodes) - ends);
     ColumnAnswer answer;
     answer.bound = static_cast<double>(ends[node]);
-    // Every path leads through a full node.
+    // Every path passes a full node: no answer.
     if (ends[node] < -0.5F * kNever) return {{}, 0.0};
     Column column;
     column.agent = agent;
@@ -168,13 +168,13 @@ class TrellisTeam {
   }
 
   TrellisTeamOptions options_;
-  std::vector<std::vector<float>> seams_;      // By stage, from x to.
-  std::vector<std::vector<float>> layers_[3];  // By stage, node.
-  std::vector<std::vector<float>> starts_;     // By agent, node.
+  std::vector<std::vector<float>> seams_;      // By stage; index (from, to).
+  std::vector<std::vector<float>> layers_[3];  // By stage; index node.
+  std::vector<std::vector<float>> starts_;     // By agent and node.
   std::vector<Agent> agents_;
 };
 
-// Runs a search to its end.
+// Runs a search until it returns no requests.
 inline void RunSearch(const TrellisTeam& team, TeamSearch* search,
                       TeamColumns* pool) {
   ColumnRequests requests;

@@ -1,6 +1,5 @@
-// For tests: a W3C suite as far as it lies in ../shared/data/w3c beside the
-// project (or in $KG_SHARED_DATA/w3c). Tests run in the package's source
-// folder.
+// For tests: a W3C suite, if present in ../shared/data/w3c next to the project
+// (or in $KG_SHARED_DATA/w3c). Tests run in the package's source folder.
 
 #ifndef KG_ENGINE_CONFORMANCE_TESTING_W3C_SUITE_H_
 #define KG_ENGINE_CONFORMANCE_TESTING_W3C_SUITE_H_
@@ -25,7 +24,8 @@ inline std::filesystem::path W3cFolder() {
          "w3c";
 }
 
-// Every test of the suite is run and passes, `least` of them.
+// Expects that every test of the suite passes, and that there are at least
+// `least`.
 inline void ExpectSuitePasses(const std::string& suite, int least) {
   const std::filesystem::path folder = W3cFolder() / suite;
   if (!std::filesystem::is_directory(folder)) {

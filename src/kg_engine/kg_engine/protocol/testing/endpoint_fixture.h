@@ -69,7 +69,7 @@ struct BadRequest {
   int status;
 };
 
-// A small mission behind an endpoint that may be written.
+// A small mission behind a writable endpoint.
 class SparqlEndpointTest : public testing::Test {
  protected:
   EndpointStore StoreOfTheWorld() {
@@ -95,7 +95,7 @@ class SparqlEndpointTest : public testing::Test {
     request.headers.emplace("authorization", std::string("Bearer ") + kToken);
     return endpoint_.Answer(request);
   }
-  // Of the one row and column that `query` gives.
+  // Value of the single row and column of the answer to `query`.
   std::string Value(const std::string& query) {
     const HttpResponse response = Answer(Ask(query));
     EXPECT_EQ(response.status, 200) << response.body;

@@ -1,6 +1,5 @@
 // For tests: a mission folder of one agent and two daily windows, with an ocean
-// of 40 x 30 cells: a coast in the west, a weak current, a warm patch that
-// moves.
+// of 40 x 30 cells: a coast in the west, a weak current, a moving warm patch.
 
 #ifndef KG_ENGINE_SERVER_TESTING_TEST_MISSION_H_
 #define KG_ENGINE_SERVER_TESTING_TEST_MISSION_H_

@@ -1,4 +1,4 @@
-// For tests: a server of the test mission, and a second agent beside its own.
+// For tests: a server of the test mission with a second agent.
 
 #ifndef KG_ENGINE_SERVER_TESTING_TEST_TEAM_H_
 #define KG_ENGINE_SERVER_TESTING_TEST_TEAM_H_
@@ -12,8 +12,7 @@
 
 namespace kg_engine {
 
-// A second agent beside the test mission's: so near that the two are in each
-// other's way.
+// A second agent, close enough to the test mission's agent for conflicts.
 inline constexpr char kSecondAgent[] = R"ttl(
 ex:mission ex:hasAgent ex:bravo .
 ex:bravo a ex:Agent ; ex:id "bravo" ; ex:mobility "glider" ;
