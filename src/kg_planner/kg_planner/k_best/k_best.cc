@@ -165,11 +165,11 @@ std::vector<double> AboveLimits(const Trellis& trellis, const PathMasks& masks,
   bool any = false;
   for (std::size_t r = 0; r < limits.size(); ++r) {
     if (!(limits[r] < kNoLimit)) continue;
-    const KBest thriftiest =
+    const KBest cheapest =
         FindWithinLimits(ThriftTrellis(trellis, r), masks,
                          {1, options.enumeration_limit}, nullptr);
-    if (!(thriftiest.bound > kNone)) continue;
-    above[r] = -thriftiest.bound - limits[r];
+    if (!(cheapest.bound > kNone)) continue;
+    above[r] = -cheapest.bound - limits[r];
     any = true;
   }
   if (!any) above.clear();

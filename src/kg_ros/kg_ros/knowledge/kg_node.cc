@@ -69,7 +69,7 @@ KgNode::KgNode(const MissionFolders& folders, const SparqlHttpOptions& http,
       server_.mission().agents.size(), server_.mission().windows.size(),
       server_.mission().constraints.size(), server_.mission().events.size(),
       server_.world_version(),
-      server_.was_restored() ? ", taken up again" : "");
+      server_.was_restored() ? ", resumed from the store" : "");
   for (const std::string& line : server_.violations_at_start()) {
     ROS_WARN_STREAM("[facts] the store holds what its shapes forbid: " << line);
   }
@@ -279,8 +279,8 @@ void KgNode::StartCycle() {
   pending_.Compiled(*compilation_, compiled_s - cycle_began_s_,
                     published_s - compiled_s);
   ROS_INFO(
-      "[compile] cycle %lu, world version %lu: %zu artifacts anew of %zu "
-      "tensors and %zu work fields in %.3f s, published in %.3f s",
+      "[compile] cycle %lu, world version %lu: recompiled %zu artifacts (%zu "
+      "tensors, %zu work fields) in %.3f s, published in %.3f s",
       server_.cycle(), compilation_->world_version, compilation_->dirty.size(),
       compilation_->tensors.size(), compilation_->fields.size(),
       compiled_s - cycle_began_s_, published_s - compiled_s);

@@ -168,7 +168,7 @@ class ViaExplainer {
              facts_.Quote({std::string(kg_core::kEx) + "state/" + agent_.id,
                            {"ex:energyRemaining"}}),
          "it has " + Short(budget_j / kg_base::kJoulesPerWh) + " Wh"});
-    explanation.text += "the thriftiest path by way of it takes " +
+    explanation.text += "the cheapest path by way of it takes " +
                         Short(needed_wh) + " Wh, " +
                         Short(explanation.value / kg_base::kJoulesPerWh) +
                         " Wh more than there are.";

@@ -23,7 +23,7 @@ struct BudgetUnit {
   const char* of;  // Text after the budget's unit.
   double size;
 };
-constexpr BudgetUnit kEnergy = {"thriftiest", "Wh", "", kg_base::kJoulesPerWh};
+constexpr BudgetUnit kEnergy = {"cheapest", "Wh", "", kg_base::kJoulesPerWh};
 constexpr BudgetUnit kHazard = {"safest", "h", " of hazard",
                                 kg_base::kSecondsPerHour};
 

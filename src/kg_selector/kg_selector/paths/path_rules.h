@@ -28,7 +28,7 @@ kg_planner::KBest ChoosePaths(const kg_compiler::SeamRules& rules,
                               kg_planner::KBestMemory* memory = nullptr);
 
 // Text on how much the budgets fall short, if `found` shows that this is why
-// there is no path: "no path within 12.3 Wh: the thriftiest takes 15.1 Wh".
+// there is no path: "no path within 12.3 Wh: the cheapest takes 15.1 Wh".
 // Empty otherwise.
 std::string BudgetNote(const kg_compiler::SeamRules& rules,
                        const kg_planner::KBest& found);

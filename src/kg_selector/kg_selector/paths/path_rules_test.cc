@@ -42,10 +42,10 @@ TEST(PathRulesTest, ANoteSaysByHowMuchABudgetIsTooSmall) {
   EXPECT_EQ(BudgetNote(rules, found), "");
   found.above_limits = {2.8 * 3600, 0.0};
   EXPECT_EQ(BudgetNote(rules, found),
-            "no path within 12.3 Wh: the thriftiest takes 15.1 Wh");
+            "no path within 12.3 Wh: the cheapest takes 15.1 Wh");
   found.above_limits = {0.008 * 3600, INFINITY};
   EXPECT_EQ(BudgetNote(rules, found),
-            "no path within 12.34 Wh: the thriftiest takes 12.35 Wh");
+            "no path within 12.34 Wh: the cheapest takes 12.35 Wh");
   found.above_limits = {INFINITY, 1800};
   EXPECT_EQ(BudgetNote(rules, found),
             "no path within 2.0 h of hazard: the safest takes 2.5 h");
@@ -148,7 +148,7 @@ TEST(PathRulesTest, AnAgentSaysByHowMuchItsEnergyIsTooLittle) {
   member.rules.energy_budget_j = 1.0;
   const AgentOffer none = PlanPriced({}, member, {});
   ASSERT_TRUE(none.pathlets.empty());
-  EXPECT_EQ(none.note.find("no path within 0.0 Wh: the thriftiest takes "), 0u)
+  EXPECT_EQ(none.note.find("no path within 0.0 Wh: the cheapest takes "), 0u)
       << none.note;
 }
 
