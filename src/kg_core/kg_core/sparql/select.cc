@@ -173,8 +173,7 @@ bool PatternEvaluator::Grouped(const SelectQuery& select, const ActiveGraph& g,
     if (is_new) groups.push_back(NewGroup(select, key));
     return groups[found->second];
   };
-  // Without GROUP BY there is one group, even if there are no solutions.
-  if (select.group_by.empty()) group_of({});
+  if (select.group_by.empty()) group_of({});  // One group, even if empty.
   const std::size_t before = matched_ == nullptr ? 0 : matched_->size();
   Row start(query_->variables.size(), kNoTerm);
   Evaluate(select.where, g, &start, [&](Row& row) {
@@ -184,8 +183,7 @@ bool PatternEvaluator::Grouped(const SelectQuery& select, const ActiveGraph& g,
                         ? expressions_.Evaluate(*column.expression, {row, g})
                         : Slot(&row, column.variable));
     }
-    // Accumulate the solution into its group.
-    Group& group = group_of(key);
+    Group& group = group_of(key);  // Accumulates this solution.
     if (matched_ != nullptr) {
       budget_->UseWorkingBytes(sizeof(Quad) * (matched_->size() - before));
       const std::vector<Quad> more = MatchedSince(*matched_, before);
@@ -203,8 +201,7 @@ bool PatternEvaluator::Grouped(const SelectQuery& select, const ActiveGraph& g,
     return true;
   });
   Row row(query_->variables.size(), kNoTerm);
-  // Emit one solution per group: its keys and the values of its aggregates.
-  for (const Group& group : groups) {
+  for (const Group& group : groups) {  // One solution per group.
     for (std::size_t i = 0; i < group.key.size(); ++i) {
       Slot(&row, select.group_by[i].variable) = group.key[i];
     }
