@@ -59,25 +59,25 @@ class PlanProgress {
   // What the agents were asked in one run.
   struct RunRequests {
     std::uint32_t last_round = 0;
-    // What they were to plan around, by who is cooled, and by whom: the last.
+    // Latest cooling constraint by cooled agent and committed agent.
     std::map<std::pair<std::string, std::string>,
              kg_selector::CoolingConstraint>
         cooling;
-    std::vector<kg_selector::VisitPrice> prices;  // Of the last round.
+    std::vector<kg_selector::VisitPrice> prices;  // Last round.
   };
 
   template <typename Value>
   bool IsCurrent(const Value& value);
   bool IsFinished() const;
-  // Empty if nobody was asked.
+  // Requests of a run; empty if no agent was asked to plan again.
   RunRequests RequestsOf(std::uint64_t run) const;
 
   std::uint64_t cycle_ = 0;
   std::uint64_t dropped_ = 0;
   std::optional<kg_selector::CommittedPlan> plan_;
   kg_selector::RunEnd end_;
-  // Of this cycle, by run: a selector that is started anew, or a planner that
-  // comes back, begins another run in it.
+  // Requests of this cycle by run: a restarted selector or a reconnected
+  // planner begins another run of the same cycle.
   std::map<std::uint64_t, RunRequests> requests_;
   std::uint64_t last_asked_run_ = 0;
   std::map<Key, AgentGraph> graphs_;

@@ -77,7 +77,7 @@ TEST(PlanProgressTest, APlanWaitsForTheRequestOfItsLastRound) {
   progress.Take(Plan(9, 2));
   progress.Take(Answer<RunEnd>(4, 9));
   EXPECT_FALSE(progress.TakeFinishedPlan());
-  progress.Take(Request(8, 2, 3.0));  // Of another run.
+  progress.Take(Request(8, 2, 3.0));  // Another run.
   EXPECT_FALSE(progress.TakeFinishedPlan());
   progress.Take(Request(9, 1, 1.0));
   EXPECT_FALSE(progress.TakeFinishedPlan());
