@@ -53,6 +53,8 @@ inline std::string BaseFrame(const std::string& agent_id) {
 }
 
 inline constexpr bool kLatched = true;
+// Queue length of topics with a message a window: more than a mission has.
+inline constexpr unsigned kAllWindows = 512;
 
 }  // namespace kg_ros
 

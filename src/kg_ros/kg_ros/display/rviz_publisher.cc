@@ -17,7 +17,7 @@ namespace {
 
 using kg_compiler::Compilation;
 
-geometry_msgs::Quaternion ToMessage(const tf2::Quaternion& rotation) {
+geometry_msgs::Quaternion QuaternionMessage(const tf2::Quaternion& rotation) {
   geometry_msgs::Quaternion message;
   message.x = rotation.x();
   message.y = rotation.y();
@@ -45,7 +45,7 @@ geometry_msgs::TransformStamped EarthToMap(const kg_base::LonLat& centre) {
   message.transform.translation.x = x_m;
   message.transform.translation.y = y_m;
   message.transform.translation.z = z_m;
-  message.transform.rotation = ToMessage(rotation);
+  message.transform.rotation = QuaternionMessage(rotation);
   return message;
 }
 
@@ -124,7 +124,7 @@ void RvizPublisher::ShowFleet(const kg_engine::FleetState& fleet) {
     transform.child_frame_id = BaseFrame(id);
     transform.transform.translation.x = point.x_m;
     transform.transform.translation.y = point.y_m;
-    transform.transform.rotation = ToMessage(rotation);
+    transform.transform.rotation = QuaternionMessage(rotation);
     transforms.push_back(transform);
   }
   // Sent together, so that receivers have all frames.

@@ -16,8 +16,6 @@ namespace {
 using kg_compiler::Compilation;
 using kg_compiler::Layer;
 
-constexpr unsigned kAllWindows = 512;  // Queue: more than a mission's windows.
-
 const std::vector<Layer>& PlannersLayers() {
   static const std::vector<Layer> layers = {Layer::kFused, Layer::kFeasibility,
                                             Layer::kAttenuation};

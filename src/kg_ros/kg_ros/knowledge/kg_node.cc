@@ -29,7 +29,7 @@ constexpr unsigned kManyGraphs = 1000;
 constexpr double kWatchPeriod_s = 0.5;
 constexpr double kIdle_s = 0.02;
 constexpr int kMovesPerRepaint = 4;       // Markers are large: every 2 s.
-constexpr double kPatience_s = 0.5;       // Wait for all poses at a new window.
+constexpr double kPosePatience_s = 0.5;   // Wait for all poses at a new window.
 constexpr double kHttpPatience_s = 30.0;  // Wait for an HTTP update to begin.
 
 double Now_s() { return ros::WallTime::now().toSec(); }
@@ -435,7 +435,7 @@ void KgNode::PassWindows(const int from, const int to) {
     ROS_INFO("[mission] window %d begins", to);
     plan_status_ = World::PLAN_STALE;
     cycle_is_due_ = true;
-    patience_ends_s_ = Now_s() + kPatience_s;
+    patience_ends_s_ = Now_s() + kPosePatience_s;
   }
   PublishWorld();
 }
