@@ -20,7 +20,7 @@ help:
 	@echo 'make clean     remove all that was built or written: build, devel, install, state'
 
 install:
-	@scripts/install_packages.sh base gui
+	@scripts/install_packages.sh base checks gui
 
 build:
 	@scripts/install_packages.sh base

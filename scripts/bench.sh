@@ -18,7 +18,7 @@ for argument in "$@"; do
   esac
 done
 
-"$repository/scripts/install_packages.sh" base
+"$repository/scripts/install_packages.sh" base checks
 "$repository/scripts/build.sh" all benches
 use_workspace
 shopt -s nullglob

@@ -17,7 +17,12 @@ jobs=${JOBS:-$(nproc)}
 use_ccache
 
 echo "build:   ${#packages[@]} packages with $jobs jobs, log: $log"
-if ! catkin_make --no-color -j"$jobs" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
+# A folder that another generator has configured is configured anew.
+if ! grep -qs '^CMAKE_GENERATOR:INTERNAL=Ninja$' build/CMakeCache.txt; then
+  rm -rf build/CMakeCache.txt build/CMakeFiles
+fi
+
+if ! catkin_make --use-ninja --no-color -j"$jobs" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
     -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_BUILD_TYPE="${BUILD_TYPE:-Release}" \
     -DKG_UNITY="$([ -n "${PLAIN:-}" ] && echo OFF || echo ON)" \
     "$@" </dev/null >"$log" 2>&1

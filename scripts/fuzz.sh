@@ -30,14 +30,14 @@ for name in "${fuzzers[@]}"; do
   targets+=("$(package_of "$name")_${name}_fuzz")
 done
 mapfile -t packages < <(library_packages)
-"$repository/scripts/install_packages.sh" base
+"$repository/scripts/install_packages.sh" base checks
 mkdir -p "$build/devel/lib/python3/dist-packages"
 link_packages "$build/src" "${packages[@]}"
-if ! { CC=clang CXX=clang++ cmake -S "$build/src" -B "$build" -DKG_FUZZ=ON \
+if ! { CC=clang CXX=clang++ cmake -G Ninja -S "$build/src" -B "$build" -DKG_FUZZ=ON \
     -DKG_SANITIZE=address,undefined -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
     -DCATKIN_ENABLE_TESTING=OFF -DPYTHON_EXECUTABLE=/usr/bin/python3 \
     -DCATKIN_DEVEL_PREFIX="$build/devel" &&
-    make -C "$build" -j"${JOBS:-$(nproc)}" "${targets[@]}"
+    ninja -C "$build" -j"${JOBS:-$(nproc)}" "${targets[@]}"
   } </dev/null >"$build/build.log" 2>&1
 then
   grep -nE 'error|\*\*\*' "$build/build.log" | head -n 20 >&2 || true

@@ -7,7 +7,7 @@ source "$repository/scripts/stage.sh"
 cd "$repository"
 
 rounds=${1:?"usage: scripts/kill_rounds.sh ROUNDS"}
-scripts/install_packages.sh base
+scripts/install_packages.sh base checks
 scripts/build.sh
 use_workspace
 log=build/kill_rounds.log

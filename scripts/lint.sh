@@ -7,17 +7,17 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 source "$repository/scripts/stage.sh"
 
-"$repository/scripts/install_packages.sh" base
+"$repository/scripts/install_packages.sh" base checks
 cd "$repository"
 lint=$repository/build/lint
 mkdir -p "$lint/devel/lib/python3/dist-packages"
 mapfile -t packages < <(find src -mindepth 2 -name package.xml -printf '%h\n' |
   xargs -n 1 basename)
 link_packages "$lint/src" "${packages[@]}"
-if ! { cmake -S "$lint/src" -B "$lint" -DKG_UNITY=OFF -DCMAKE_BUILD_TYPE=Release \
+if ! { cmake -G Ninja -S "$lint/src" -B "$lint" -DKG_UNITY=OFF -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DPYTHON_EXECUTABLE=/usr/bin/python3 \
     -DCATKIN_DEVEL_PREFIX="$lint/devel" &&
-    make -C "$lint" kg_msgs_generate_messages_cpp
+    ninja -C "$lint" kg_msgs_generate_messages_cpp
   } </dev/null >"$lint/configure.log" 2>&1
 then
   fail lint "configure failed, log: $lint/configure.log"

@@ -11,14 +11,14 @@ mapfile -t libraries < <(library_packages)
 packages=("$@")
 [ $# -gt 0 ] || packages=("${libraries[@]}")
 build=$repository/build/sanitize
-scripts/install_packages.sh base
+scripts/install_packages.sh base checks
 mkdir -p "$build/devel/lib/python3/dist-packages"
 link_packages "$build/src" "${libraries[@]}"
 
-if ! { cmake -S "$build/src" -B "$build" -DKG_SANITIZE=address,undefined \
+if ! { cmake -G Ninja -S "$build/src" -B "$build" -DKG_SANITIZE=address,undefined \
     -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
     -DCATKIN_DEVEL_PREFIX="$build/devel" -DPYTHON_EXECUTABLE=/usr/bin/python3 &&
-    make -C "$build" -j"${JOBS:-$(nproc)}" all tests
+    ninja -C "$build" -j"${JOBS:-$(nproc)}" all tests
   } </dev/null >"$build/build.log" 2>&1
 then
   grep -nE 'error|\*\*\*' "$build/build.log" | head -n 20 >&2 || true

@@ -8,7 +8,7 @@ source "$repository/scripts/stage.sh"
 cd "$repository"
 
 cases=${1:?"usage: scripts/second_opinion.sh CASES"}
-scripts/install_packages.sh base
+scripts/install_packages.sh base checks
 scripts/build.sh kg_core_random_cases
 
 # ask ENGINE [ARGUMENT...]

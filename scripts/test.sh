@@ -25,7 +25,7 @@ written() { find "$results" -name "$1" | wc -l; }
 results=$repository/build/test_results
 jobs=${JOBS:-$(nproc)}
 rm -rf "$results"
-step scripts/install_packages.sh base gui
+step scripts/install_packages.sh base checks gui
 step scripts/build.sh all benches tests
 step scripts/fuzz.sh 0
 stage_began=$SECONDS
@@ -40,7 +40,7 @@ run_group() {
       targets+=("_run_tests_$(basename "$folder")_$kind")
     fi
   done
-  timeout -k 30 "${TEST_LIMIT_S:-840}" make -C build -k -j"$group_jobs" \
+  timeout -k 30 "${TEST_LIMIT_S:-840}" ninja -C build -k 0 -j"$group_jobs" \
     "${targets[@]}" >"build/$kind.log" 2>&1 ||
     echo "tests:   timed out or failed, log: build/$kind.log"
 }

@@ -26,6 +26,7 @@ add_compile_options(-Wall -Wextra -Werror -fno-math-errno)
 # and gives clang-tidy the real commands.
 #catkin_lint: ignore_once global_var_collision
 option(KG_UNITY "Compile libraries in batches of sources" ON)
+set(KG_BATCH 24)  # Two cores have work until the end; a batch takes about 1 GB.
 
 #catkin_lint: ignore_once global_var_collision
 option(KG_FUZZ "Build the fuzzers, and everything for them" OFF)
@@ -62,9 +63,8 @@ macro(kg_find_sources)
   list(FILTER KG_SOURCES EXCLUDE REGEX "/testing/")
 endmacro()
 
-# The library of the package, of KG_SOURCES, in batches of at most 12 sources of
-# one folder: a file that moves changes no batch but those of its folders. CMake
-# keeps sources with compile options of their own out of the batches.
+# The library of the package, of KG_SOURCES, in equal batches of about KG_BATCH
+# sources. CMake keeps sources with compile options of their own out of the batches.
 # ${PROJECT_NAME}_testing holds testing/*.cc, if there are any.
 macro(kg_add_library)
   add_library(${PROJECT_NAME} ${KG_SOURCES})
@@ -78,15 +78,16 @@ macro(kg_add_library)
   endif()
 endmacro()
 
-# Gives each source the batch that it is compiled in.
+# Gives each source the batch that it is compiled in: neighbours in the list, so
+# that most of a folder is together and its headers are read once.
 function(kg_group_sources)
+  list(LENGTH ARGN count)
+  math(EXPR batches "(${count} + ${KG_BATCH} - 1) / ${KG_BATCH}")
+  set(index 0)
   foreach(source ${ARGN})
-    get_filename_component(folder ${source} DIRECTORY)
-    string(MAKE_C_IDENTIFIER ${folder} folder)
-    math(EXPR batch "0${count_${folder}} / 12")
-    math(EXPR count_${folder} "0${count_${folder}} + 1")
-    set_source_files_properties(${source} PROPERTIES
-                                UNITY_GROUP ${folder}_${batch})
+    math(EXPR batch "${index} * ${batches} / ${count}")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${batch})
+    math(EXPR index "${index} + 1")
   endforeach()
 endfunction()
 

@@ -6,8 +6,11 @@
 #ifndef KG_BASE_COMMON_UNITS_H_
 #define KG_BASE_COMMON_UNITS_H_
 
+#include <limits>
+
 namespace kg_base {
 
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kSecondsPerHour = 3600.0;
 inline constexpr double kMetresPerKm = 1000.0;

@@ -7,29 +7,29 @@
 namespace kg_base {
 namespace {
 
-class Context {
+class GeosContext {
  public:
-  Context() : handle_(GEOS_init_r()) {
-    GEOSContext_setErrorMessageHandler_r(handle_, &Context::Keep, this);
+  GeosContext() : handle_(GEOS_init_r()) {
+    GEOSContext_setErrorMessageHandler_r(handle_, &GeosContext::Keep, this);
   }
-  ~Context() { GEOS_finish_r(handle_); }
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
+  ~GeosContext() { GEOS_finish_r(handle_); }
+  GeosContext(const GeosContext&) = delete;
+  GeosContext& operator=(const GeosContext&) = delete;
 
   GEOSContextHandle_t handle() const { return handle_; }
   const std::string& message() const { return message_; }
 
  private:
   static void Keep(const char* message, void* context) {
-    static_cast<Context*>(context)->message_ = message;
+    static_cast<GeosContext*>(context)->message_ = message;
   }
 
   GEOSContextHandle_t handle_;
   std::string message_;
 };
 
-const Context& ThisThreadsContext() {
-  thread_local const Context context;
+const GeosContext& ThisThreadsContext() {
+  thread_local const GeosContext context;
   return context;
 }
 

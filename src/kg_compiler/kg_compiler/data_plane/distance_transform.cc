@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "kg_base/common/units.h"
 #include "kg_base/geo/geodesy.h"
 
 namespace kg_compiler {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using kg_base::kInfinity;
 
 // Positions of the row centres along the meridian [m], relative to the first.
 std::vector<double> Northings_m(const kg_base::Grid& grid) {

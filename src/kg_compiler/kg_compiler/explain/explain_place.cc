@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -18,7 +17,7 @@
 namespace kg_compiler {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using kg_base::kInfinity;
 // Largest number of times that the search doubles the window's length.
 constexpr int kMaxDoublings = 5;
 

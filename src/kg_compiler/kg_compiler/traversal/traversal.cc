@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "kg_base/common/units.h"
 #include "kg_compiler/traversal/crossing.h"
 #include "kg_compiler/traversal/leg.h"
 #include "kg_compiler/traversal/sight.h"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kGolden = 0.6180339887498949;
 constexpr int kRefinements = 10;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using kg_base::kInfinity;
 constexpr int kNear_cells = 2;
 constexpr double kHoldStep_s = 1800.0;
 constexpr double kWorth = 1e-3;  // Least relative cost reduction worth trying.

@@ -62,7 +62,7 @@ kg_base::LonLat BeginOf(const TeamMember& member, std::size_t window,
 }
 
 EdgePrices::EdgePrices(const kg_selector::PlannedMission& now,
-                       const PlannedWorld& then)
+                       const CompiledPlan& then)
     : now_(now), prices_(now.members.size()) {
   std::vector<std::pair<std::size_t, std::size_t>> jobs;
   for (std::size_t i = 0; i < now.members.size(); ++i) {
@@ -77,7 +77,7 @@ EdgePrices::EdgePrices(const kg_selector::PlannedMission& now,
 
 EdgePrices::WindowPrices EdgePrices::PriceWindow(
     const TeamMember& member, std::size_t window,
-    const PlannedWorld& then) const {
+    const CompiledPlan& then) const {
   WindowPrices prices;
   const NavGraph& graph = member.graphs[window];
   prices.then.resize(graph.edges.size());

@@ -15,7 +15,7 @@
 namespace kg_engine {
 
 // A world with the plan that the nodes would commit for it.
-struct PlannedWorld {
+struct CompiledPlan {
   std::shared_ptr<const kg_compiler::Compilation> compilation;
   kg_selector::PlannedMission planned;
 };
@@ -31,7 +31,7 @@ kg_base::LonLat BeginOf(const kg_selector::TeamMember& member,
 class EdgePrices {
  public:
   // Both must outlive this object.
-  EdgePrices(const kg_selector::PlannedMission& now, const PlannedWorld& then);
+  EdgePrices(const kg_selector::PlannedMission& now, const CompiledPlan& then);
 
   // Null = infeasible in `then`, or its agent or window no longer exists.
   const kg_compiler::TraverseEdge* Then(std::size_t member, std::size_t window,
@@ -44,7 +44,7 @@ class EdgePrices {
     std::vector<std::optional<kg_compiler::TraverseEdge>> then;
   };
   WindowPrices PriceWindow(const kg_selector::TeamMember& member,
-                           std::size_t window, const PlannedWorld& then) const;
+                           std::size_t window, const CompiledPlan& then) const;
 
   const kg_selector::PlannedMission& now_;
   // Indexed by member and graph.

@@ -42,7 +42,7 @@ struct FlownAgain {
 
 class Comparison {
  public:
-  Comparison(const PlannedWorld& now, const PlannedWorld& then,
+  Comparison(const CompiledPlan& now, const CompiledPlan& then,
              const EdgePrices& prices)
       : now_(now.planned), then_(then.planned), prices_(prices) {}
 
@@ -209,7 +209,7 @@ double Energy_j(const kg_selector::CommittedPlan& plan) {
 
 }  // namespace
 
-void ComparePlans(const PlannedWorld& now, const PlannedWorld& then,
+void ComparePlans(const CompiledPlan& now, const CompiledPlan& then,
                   const EdgePrices& prices, WhatIfAnswer* answer) {
   const kg_selector::CommittedPlan before =
       kg_selector::ToCommittedPlan(now.planned);

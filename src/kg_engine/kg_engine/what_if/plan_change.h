@@ -10,7 +10,7 @@ namespace kg_engine {
 
 // Fills dirty, plan, reward_change, energy_change_j, paths, edges... and
 // changed_edges of `answer`.
-void ComparePlans(const PlannedWorld& now, const PlannedWorld& then,
+void ComparePlans(const CompiledPlan& now, const CompiledPlan& then,
                   const EdgePrices& prices, WhatIfAnswer* answer);
 
 }  // namespace kg_engine

@@ -59,7 +59,7 @@ std::shared_ptr<const WhatIf::Base> WhatIf::PlanPresent(
   const std::string key = KeyOf(present);
   if (base_ != nullptr && base_->key == key) return base_;
   kg_compiler::MissionCompiler compiler = present.compiler;
-  PlannedWorld world;
+  CompiledPlan world;
   world.compilation =
       Compile(present.start, kg_mission::ReadMission(*present.facts),
               present.facts->world_version(), &compiler);
@@ -112,7 +112,7 @@ class WhatIf::Inquiry {
     const std::shared_ptr<const Base> base = what_if_->PlanPresent(present_);
     EndStage("base", base->world.planned.members.size());
     kg_compiler::MissionCompiler compiler = base->compiler;
-    PlannedWorld then;
+    CompiledPlan then;
     then.compilation =
         Compile(present_.start, mission_, fork_->world_version(), &compiler);
     EndStage("compile", then.compilation->dirty.size());
@@ -129,17 +129,17 @@ class WhatIf::Inquiry {
     EndStage("query", 1);
   }
 
-  void RecordWorlds(const PlannedWorld& now, const PlannedWorld& then,
+  void RecordWorlds(const CompiledPlan& now, const CompiledPlan& then,
                     const EdgePrices& prices) {
     kg_core::Transaction transaction = fork_->Begin();
     HypotheticalRun run;
     run.number = answer_.plan.run;
     run.executed = present_.start.executed;
     run.graph = kWhatIfPlan;
-    RecordPlannedWorld(then, run, &transaction);
+    RecordCompiledPlan(then, run, &transaction);
     run.number -= 1;
     run.graph = kPresentPlan;
-    RecordPlannedWorld(now, run, &transaction);
+    RecordCompiledPlan(now, run, &transaction);
     RecordPrices(now.planned, prices, kRepriced, &transaction);
     transaction.Commit(kg_core::WorldChange::kNo);
   }

@@ -47,7 +47,7 @@ class WhatIf {
  private:
   struct Base {
     std::string key;  // Hash of all inputs of the plan.
-    PlannedWorld world;
+    CompiledPlan world;
     kg_compiler::MissionCompiler compiler;
   };
   class Inquiry;

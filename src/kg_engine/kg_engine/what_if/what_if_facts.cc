@@ -26,7 +26,7 @@ void AddAll(std::vector<Statement> statements, const std::string& graph,
   }
 }
 
-PlanRecord RecordOf(const PlannedWorld& world, const HypotheticalRun& run) {
+PlanRecord RecordOf(const CompiledPlan& world, const HypotheticalRun& run) {
   PlanRecord record;
   record.plan = kg_selector::ToCommittedPlan(world.planned);
   record.plan.run = run.number;
@@ -47,7 +47,7 @@ PlanRecord RecordOf(const PlannedWorld& world, const HypotheticalRun& run) {
   return record;
 }
 
-void RecordGraphs(const PlannedWorld& world, const TeamMember& member,
+void RecordGraphs(const CompiledPlan& world, const TeamMember& member,
                   const HypotheticalRun& run,
                   kg_core::Transaction* transaction) {
   NavGraphPlace place;
@@ -67,7 +67,7 @@ void RecordGraphs(const PlannedWorld& world, const TeamMember& member,
 
 }  // namespace
 
-void RecordPlannedWorld(const PlannedWorld& world, const HypotheticalRun& run,
+void RecordCompiledPlan(const CompiledPlan& world, const HypotheticalRun& run,
                         kg_core::Transaction* transaction) {
   AddAll(PlanStatements(RecordOf(world, run), *world.compilation), run.graph,
          transaction);

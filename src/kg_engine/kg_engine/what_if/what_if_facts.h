@@ -20,7 +20,7 @@ struct HypotheticalRun {
 };
 
 // Records the run, its assignments, rejections and waypoint graphs.
-void RecordPlannedWorld(const PlannedWorld& world, const HypotheticalRun& run,
+void RecordCompiledPlan(const CompiledPlan& world, const HypotheticalRun& run,
                         kg_core::Transaction* transaction);
 
 // Records the cost of each edge of `now` as an ex:EdgeCost in the plan graph of
