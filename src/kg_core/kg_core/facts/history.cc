@@ -144,15 +144,6 @@ std::vector<LoggedUpdate> ReadLog(const GraphView& view) {
   return log;
 }
 
-std::vector<Statement> FactsAt(const GraphView& view,
-                               std::uint64_t world_version) {
-  std::vector<Statement> statements;
-  for (const Fact3& fact : Rewind(view, ReadLog(view), world_version)) {
-    statements.push_back(MakeStatement(fact));
-  }
-  return statements;
-}
-
 std::vector<FactDifference> FindDifferences(const GraphView& view,
                                             std::uint64_t before,
                                             std::uint64_t after) {

@@ -15,6 +15,7 @@
 #include "kg_engine/planning/team_selector.h"
 #include "kg_engine/server/testing/test_mission.h"
 #include "kg_engine/terms/plan_names.h"
+#include "kg_mission/mission/testing/validate_graph.h"
 #include "kg_mission/mission/validator.h"
 
 namespace kg_engine {

@@ -118,7 +118,7 @@ ColumnAnswers ColumnTeam::CollectOffers() {
 
 int ColumnTeam::FindOrAddColumn(int agent, Pathlet pathlet) {
   for (const int column : pool_.columns_of(agent)) {
-    if (SamePath(pathlets_[column], pathlet)) return column;
+    if (IsSamePath(pathlets_[column], pathlet)) return column;
   }
   rows_.Add(pathlet);
   Column column;
