@@ -83,7 +83,7 @@ class Cursor {
     return ToDouble("0." + std::string(digits));
   }
   [[noreturn]] void Refuse() const {
-    throw InputError("'" + std::string(text_.substr(0, 64)) + "' is no " +
+    throw InputError("'" + std::string(text_.substr(0, 64)) + "' is not a " +
                      expected_);
   }
 
@@ -252,7 +252,7 @@ double ParseDateTime(std::string_view text) {
   const std::optional<DateTimeParts> parts = ReadDateTimeParts(text);
   if (!parts) {
     throw InputError("'" + std::string(text.substr(0, 64)) +
-                     "' is no xsd:dateTime like 2026-03-01T12:00:00Z");
+                     "' is not an xsd:dateTime like 2026-03-01T12:00:00Z");
   }
   const std::string_view second = parts->second;
   const int whole_second = (second[0] - '0') * 10 + (second[1] - '0');

@@ -150,7 +150,7 @@ TEST(ReadFieldFile, ReadsTheWindByItsStandardNames) {
   EXPECT_FALSE(IsWindName(Read(TestFile()).series[0].standard_name));
 }
 
-TEST(ReadFieldFile, TheWindBlowsHarderThanWaterFlows) {
+TEST(ReadFieldFile, AcceptsHigherSpeedsOfWindThanOfWater) {
   TestFile spec = WindFile();
   spec.packed = false;
   spec.all_value = 35.0;

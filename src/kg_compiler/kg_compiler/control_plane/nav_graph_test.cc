@@ -223,7 +223,7 @@ TEST(NavGraph, KeepsThePlaceThePlanIsCommittedToWhileItCanBeReached) {
   }
 }
 
-TEST(NavGraph, StaysPutWhereNothingElseIsWorthGoing) {
+TEST(NavGraph, OffersOnlyStayingWhereNothingHasValue) {
   TestSea sea(7);
   sea.mission.agents[0].policy.alpha_base = 0.0;  // Zero everywhere.
   sea.Compile();
@@ -288,7 +288,7 @@ void ExpectSameGraphs(const NavGraphs& a, const NavGraphs& b) {
   }
 }
 
-TEST(NavGraph, IsTheSameBuiltAnewAsBuiltOnAnother) {
+TEST(NavGraph, IsTheSameWithAndWithoutAPreviousGraph) {
   TestSea sea(9);
   SeamCache cache;
   sea.Compile(&cache);
@@ -347,7 +347,7 @@ TEST(NavGraph, RefusesAStartInAForbiddenPlaceByName) {
   EXPECT_NE(std::string::npos, ErrorOf(&sea).find("POINT"));
 }
 
-TEST(NavGraph, RefusesAWindowAtWhoseEndTheAgentCanBeNowhere) {
+TEST(NavGraph, RefusesAWindowWithoutReachableEnd) {
   TestSea sea(11);
   sea.mission.agents[0].capabilities.max_mps = 0.0;  // Cannot hold station.
   const std::string error = ErrorOf(&sea);

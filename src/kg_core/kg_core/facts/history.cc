@@ -85,7 +85,7 @@ Facts3 Rewind(const GraphView& view, const std::vector<LoggedUpdate>& log,
               std::uint64_t world_version) {
   if (world_version > view.world_version()) {
     throw InputError("world version " + std::to_string(world_version) +
-                     " is yet to come; expected at most " +
+                     " does not exist yet; expected at most " +
                      std::to_string(view.world_version()));
   }
   Facts3 facts = CurrentFacts(view);

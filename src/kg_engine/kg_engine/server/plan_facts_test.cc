@@ -84,7 +84,7 @@ TEST_F(PlanFactsTest, ARunSaysItsModeBoundAndGap) {
   EXPECT_EQ(Said("displacementKm"), "0");
 }
 
-TEST_F(PlanFactsTest, WhatIsNotKnownIsNotSaid) {
+TEST_F(PlanFactsTest, OmitsUnknownValues) {
   PlanRecord record;
   record.plan = team_->Plan();
   record.plan.bound = std::nan("");

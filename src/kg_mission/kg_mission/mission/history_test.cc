@@ -156,7 +156,7 @@ TEST(History, SaysWhoAndWhen) {
   EXPECT_EQ(differences[1].author, "operator \"A\"");
 }
 
-TEST(History, RefusesAVersionThatIsYetToCome) {
+TEST(History, RefusesAVersionThatDoesNotExistYet) {
   MissionWorld world;
   const auto view = world.store.Read();
   EXPECT_THROW(FindDifferences(*view, 0, view->world_version() + 1),

@@ -121,7 +121,7 @@ TEST(ClosestApproachTest, OfTheWholeIsTheLeastOfItsPieces) {
   }
 }
 
-TEST(ComeCloserThanTest, SaysWhatTheClosestApproachSays) {
+TEST(ComeCloserThanTest, AgreesWithTheClosestApproach) {
   RandomTracks random(45);
   for (int i = 0; i < 500; ++i) {
     const LonLat about = {random.Number(-180.0, 180.0),
@@ -139,7 +139,7 @@ TEST(ComeCloserThanTest, SaysWhatTheClosestApproachSays) {
 const LonLat kHere = {-90.0, 25.0};
 const LonLat kThere = {-89.9, 25.0};
 
-TEST(ClosestApproachTest, IsNothingWithoutACommonTime) {
+TEST(ClosestApproachTest, IsNulloptWithoutACommonTime) {
   EXPECT_FALSE(ClosestApproach({}, {}));
   EXPECT_FALSE(ClosestApproach({{kHere, 0.0}}, {}));
   EXPECT_FALSE(ClosestApproach({{kHere, 0.0}, {kHere, 1.0}},
@@ -155,14 +155,14 @@ TEST(ClosestApproachTest, OneCommonInstantIsEnough) {
   EXPECT_EQ(ClosestApproach({{kHere, 1.0}}, {{kHere, 1.0}})->distance_m, 0.0);
 }
 
-TEST(ClosestApproachTest, OfThoseWhoMeetHeadOnIsZeroHalfWay) {
+TEST(ClosestApproachTest, OfHeadOnTracksIsZeroHalfWay) {
   const auto meeting = ClosestApproach({{kHere, 0.0}, {kThere, 1000.0}},
                                        {{kThere, 0.0}, {kHere, 1000.0}});
   EXPECT_NEAR(meeting->distance_m, 0.0, 1e-6);
   EXPECT_NEAR(meeting->time_s, 500.0, 1e-6);
 }
 
-TEST(ClosestApproachTest, OfThoseWhoRestIsTheirDistance) {
+TEST(ClosestApproachTest, OfAgentsAtRestIsTheirDistance) {
   const auto rest = ClosestApproach({{kHere, 0.0}, {kHere, 9.0}},
                                     {{kThere, 3.0}, {kThere, 5.0}});
   EXPECT_NEAR(rest->distance_m, kg_base::Distance_m(kHere, kThere), 0.1);
