@@ -77,7 +77,7 @@ class CheckVerdict(unittest.TestCase):
             lambda verdict: verdict["agents"]["bravo"].update(waypoints=0),
             "no plan for bravo")
 
-    def test_refuses_a_plan_of_nobody(self):
+    def test_refuses_a_plan_without_agents(self):
         self.assert_refused(lambda verdict: verdict["agents"].clear(),
                             "no agent has a plan")
 

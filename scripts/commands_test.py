@@ -34,7 +34,7 @@ class MakeHelp(unittest.TestCase):
 
 class TheMaster(unittest.TestCase):
 
-    def test_is_the_wanted_one_if_nobody_listens_there(self):
+    def test_is_the_wanted_one_if_it_is_free(self):
         with socket.socket() as probe:
             probe.bind(("127.0.0.1", 0))
             port = probe.getsockname()[1]

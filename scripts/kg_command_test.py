@@ -270,7 +270,7 @@ class AStore(KgTestCase):
             lines)
         self.assertRegex(diff, r"9\.0 \.  # version \d+, \S+Z, tester\n")
         self.assertEqual("", self.kg("diff", store, versions[1], versions[1]))
-        self.assert_refused(["diff", store, "0", "99"], "is yet to come")
+        self.assert_refused(["diff", store, "0", "99"], "does not exist yet")
 
     def test_refuses_a_whole_update_with_its_reasons(self):
         store = self.make_store()

@@ -24,8 +24,8 @@ def area(text):
 BAD_UPDATES = {
     'a ring that does not close': (
         dict(add=area('POLYGON((-91 25.5, -90.5 25.5, -90.5 26))')), 'ex:bad'),
-    'text that is no WKT': (dict(add=area('POLYGON(oops')), 'ex:bad'),
-    'a coordinate that is no number': (
+    'text that is not WKT': (dict(add=area('POLYGON(oops')), 'ex:bad'),
+    'a coordinate that is not a number': (
         dict(add=area('POLYGON((nan 1, 2 2, 3 1, nan 1))')), 'ex:bad'),
     'a latitude beyond the pole': (
         dict(add=area('POLYGON((-91 95, -90 95, -90 96, -91 95))')), 'ex:bad'),
@@ -49,7 +49,7 @@ BAD_UPDATES = {
         dict(set=[('', 'ex:usesPolicy', 'ex:safe')]), 'expected'),
     'Turtle that breaks off': (
         dict(turtle='ex:w1 ex:confidence '), '1:'),
-    'the removal of a fact that is not there': (
+    'the removal of a fact that does not exist': (
         dict(remove=[('ex:alpha', 'ex:usesPolicy', 'ex:safe')]),
         'ex:usesPolicy'),
 }

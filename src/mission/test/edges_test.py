@@ -61,7 +61,7 @@ class EdgesTest(MissionTestCase):
             self.assertAlmostEqual(edge.value, sum(edge.contributions),
                                    places=9)
 
-    def test_2_what_it_holds_is_what_compiling_anew_gives(self):
+    def test_2_its_artifacts_equal_a_full_recompilation(self):
         rospy.wait_for_service('kg/check', CHANGE_S)
         answer = rospy.ServiceProxy('kg/check', Check)()
         self.assertEqual(([], []), (answer.errors, answer.differs), answer.text)

@@ -492,7 +492,7 @@ class GulfTest(MissionTestCase):
         self.assert_no_violation(self.mission.verdict(
             lambda v: v['world_version'] == report.world_version))
 
-    def test_6_what_it_holds_is_what_compiling_anew_gives(self):
+    def test_6_its_artifacts_equal_a_full_recompilation(self):
         """After all changes that the tests made."""
         _, plan = self.mission.wait_for_plan()
         rospy.wait_for_service('kg/check', CHANGE_S)

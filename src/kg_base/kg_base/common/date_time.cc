@@ -12,6 +12,12 @@ namespace kg_base {
 namespace {
 
 constexpr std::int64_t kSecondsPerDay = 86400;
+constexpr int kDaysInMonth[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+
+// Days since March 1, in a year that begins there.
+int DayOfYearFromMarch(int month, int day) {
+  return (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
+}
 
 struct CivilDay {
   std::int64_t year;
@@ -77,7 +83,7 @@ class Cursor {
     return ToDouble("0." + std::string(digits));
   }
   [[noreturn]] void Refuse() const {
-    throw InputError("'" + std::string(text_.substr(0, 64)) + "' is no " +
+    throw InputError("'" + std::string(text_.substr(0, 64)) + "' is not a " +
                      expected_);
   }
 
@@ -198,17 +204,28 @@ std::int64_t DaysFromCivil(std::int64_t year, int month, int day) {
   year -= month <= 2;
   const std::int64_t era = (year >= 0 ? year : year - 399) / 400;
   const std::int64_t year_of_era = year - era * 400;
-  const std::int64_t day_of_year =
-      (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
-  const std::int64_t day_of_era =
-      year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year;
+  const std::int64_t day_of_era = year_of_era * 365 + year_of_era / 4 -
+                                  year_of_era / 100 +
+                                  DayOfYearFromMarch(month, day);
   return era * 146097 + day_of_era - 719468;
 }
 
+std::int64_t DaysFromJulian(std::int64_t year, int month, int day) {
+  year -= month <= 2;
+  const std::int64_t era = (year >= 0 ? year : year - 3) / 4;
+  const std::int64_t year_of_era = year - era * 4;
+  // 0000-03-01 is two days earlier than in the Gregorian calendar.
+  return era * 1461 + year_of_era * 365 + DayOfYearFromMarch(month, day) -
+         719470;
+}
+
 int DaysInMonth(std::int64_t year, int month) {
-  constexpr int kDays[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
   const bool leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
-  return month == 2 && leap ? 29 : kDays[month - 1];
+  return month == 2 && leap ? 29 : kDaysInMonth[month - 1];
+}
+
+int DaysInJulianMonth(std::int64_t year, int month) {
+  return month == 2 && year % 4 == 0 ? 29 : kDaysInMonth[month - 1];
 }
 
 std::optional<DateTimeParts> ReadDateTimeParts(std::string_view text) {
@@ -235,7 +252,7 @@ double ParseDateTime(std::string_view text) {
   const std::optional<DateTimeParts> parts = ReadDateTimeParts(text);
   if (!parts) {
     throw InputError("'" + std::string(text.substr(0, 64)) +
-                     "' is no xsd:dateTime like 2026-03-01T12:00:00Z");
+                     "' is not an xsd:dateTime like 2026-03-01T12:00:00Z");
   }
   const std::string_view second = parts->second;
   const int whole_second = (second[0] - '0') * 10 + (second[1] - '0');

@@ -48,9 +48,12 @@ double ParseDuration(std::string_view text);
 // Days since 1970-01-01; the year is counted from March, so that a leap day is
 // its last. http://howardhinnant.github.io/date_algorithms.html#days_from_civil
 std::int64_t DaysFromCivil(std::int64_t year, int month, int day);
+// The same for a date of the Julian calendar.
+std::int64_t DaysFromJulian(std::int64_t year, int month, int day);
 
-// Proleptic Gregorian calendar; month in 1..12.
+// Proleptic Gregorian and Julian calendar; month in 1..12.
 int DaysInMonth(std::int64_t year, int month);
+int DaysInJulianMonth(std::int64_t year, int month);
 
 }  // namespace kg_base
 

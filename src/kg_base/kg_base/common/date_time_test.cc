@@ -97,6 +97,27 @@ TEST(DateTime, FormatsOnlyTimesOfFourDigitYears) {
   }
 }
 
+TEST(Calendars, CountEveryDayOnce) {
+  std::int64_t gregorian = DaysFromCivil(-9, 1, 1);
+  std::int64_t julian = DaysFromJulian(-9, 1, 1);
+  for (int year = -9; year < 2110; ++year) {
+    for (int month = 1; month <= 12; ++month) {
+      ASSERT_EQ(DaysFromCivil(year, month, 1), gregorian) << year << month;
+      ASSERT_EQ(DaysFromJulian(year, month, 1), julian) << year << month;
+      gregorian += DaysInMonth(year, month);
+      julian += DaysInJulianMonth(year, month);
+    }
+  }
+}
+
+// The reform of 1582 skipped ten days; day 0 of the Julian day numbers is at
+// noon of -4712-01-01.
+TEST(Calendars, MeetAtKnownDates) {
+  EXPECT_EQ(DaysFromJulian(1582, 10, 5), DaysFromCivil(1582, 10, 15));
+  EXPECT_EQ(DaysFromJulian(1900, 2, 29), DaysFromCivil(1900, 3, 13));
+  EXPECT_EQ(DaysFromJulian(-4712, 1, 1), -2440588);
+}
+
 TEST(Duration, AddsItsParts) {
   EXPECT_EQ(ParseDuration("PT0S"), 0.0);
   EXPECT_EQ(ParseDuration("P7D"), 604800.0);

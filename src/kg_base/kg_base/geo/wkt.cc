@@ -187,10 +187,6 @@ std::string Geometry::Wkt() const {
   return Keyword(handle_->type) + Body(handle_->geos.get());
 }
 
-LonLat Geometry::Centroid() const {
-  return PointOf(Owned(GEOSGetCentroid_r(Geos(), handle_->geos.get())).get());
-}
-
 double Geometry::west_deg() const { return handle_->west_deg; }
 double Geometry::east_deg() const { return handle_->east_deg; }
 double Geometry::south_deg() const { return handle_->south_deg; }
@@ -216,16 +212,6 @@ bool Geometry::Intersects(const Geometry& other) const {
 bool Geometry::Within(const Geometry& other) const {
   return Answer(
       GEOSWithin_r(Geos(), handle_->geos.get(), other.handle_->geos.get()));
-}
-
-bool Geometry::IntersectsSegment(LonLat a, LonLat b) const {
-  const Handle& h = *handle_;
-  const bool boxes_meet = std::max(a.lon_deg, b.lon_deg) >= h.west_deg &&
-                          std::min(a.lon_deg, b.lon_deg) <= h.east_deg &&
-                          std::max(a.lat_deg, b.lat_deg) >= h.south_deg &&
-                          std::min(a.lat_deg, b.lat_deg) <= h.north_deg;
-  if (!boxes_meet) return false;
-  return Touches(h.parts, a, b);
 }
 
 double Geometry::DistanceDegrees(const Geometry& other) const {

@@ -32,7 +32,6 @@ class Geometry {
   bool IsArea() const;   // Polygon or multipolygon.
   LonLat Point() const;  // POINT only; throws std::logic_error otherwise.
   std::string Wkt() const;
-  LonLat Centroid() const;
   double west_deg() const;
   double east_deg() const;
   double south_deg() const;
@@ -41,8 +40,6 @@ class Geometry {
   bool Contains(LonLat position) const;  // Interior or boundary.
   bool Intersects(const Geometry& other) const;
   bool Within(const Geometry& other) const;
-  // Does the segment, straight in lon/lat, touch this geometry?
-  bool IntersectsSegment(LonLat a, LonLat b) const;
   double DistanceDegrees(const Geometry& other) const;  // Planar, for geof.
   // Rings of an area as closed vertex lists, for display.
   std::vector<std::vector<LonLat>> Rings() const;

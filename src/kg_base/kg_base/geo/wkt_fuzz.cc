@@ -21,7 +21,6 @@ void ReadWriteRead(const std::string& text) {
                         again.north_deg() == geometry.north_deg();
   if (!same_box || again.repaired()) std::abort();
   if (!geometry.Intersects(again)) std::abort();
-  geometry.Centroid();
   geometry.Rings();
   geometry.Parts();
 }

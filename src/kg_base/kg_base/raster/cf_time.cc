@@ -2,9 +2,10 @@
 
 #include <cctype>
 #include <cmath>
-#include <cstdint>
 #include <regex>
+#include <tuple>
 
+#include "kg_base/common/date_time.h"
 #include "kg_base/common/input_error.h"
 #include "kg_base/common/text.h"
 
@@ -26,28 +27,37 @@ constexpr TimeUnit kUnits[] = {
     {"ms", 1e-3},
 };
 
-constexpr double kUnixEpochJulianDay = 2440588.0;  // Day number at noon.
 constexpr std::size_t kMaxUnitsBytes = 200;
 
+// A date in one of the two calendars.
 struct CalendarDate {
-  std::int64_t year;
-  std::int64_t month;
-  std::int64_t day;
+  int year;
+  int month;
+  int day;
+  bool is_julian;
+
+  bool IsValid() const {
+    if (month < 1 || month > 12 || day < 1) return false;
+    return day <= (is_julian ? DaysInJulianMonth(year, month)
+                             : DaysInMonth(year, month));
+  }
+  // Days since 1970-01-01 of the Gregorian calendar.
+  double Days() const {
+    return static_cast<double>(is_julian ? DaysFromJulian(year, month, day)
+                                         : DaysFromCivil(year, month, day));
+  }
 };
 
-bool BeforeReform(const CalendarDate& date) {
-  if (date.year != 1582) return date.year < 1582;
-  return date.month < 10 || (date.month == 10 && date.day < 15);
+bool IsBeforeReform(int year, int month, int day) {
+  return std::tie(year, month, day) < std::make_tuple(1582, 10, 15);
 }
 
-// Fliegel and van Flandern, CACM 11 (1968), p. 657; for years after -4800.
-double JulianDay(const CalendarDate& date, bool julian) {
-  const std::int64_t a = (14 - date.month) / 12;
-  const std::int64_t y = date.year + 4800 - a;
-  const std::int64_t m = date.month + 12 * a - 3;
-  const std::int64_t day = date.day + (153 * m + 2) / 5 + 365 * y + y / 4;
-  return static_cast<double>(julian ? day - 32083
-                                    : day - y / 100 + y / 400 - 32045);
+// Calendar "standard" is Julian before the reform of 1582.
+CalendarDate ReadDate(const std::smatch& match, bool is_proleptic) {
+  const int year = std::stoi(match[2]);
+  const int month = std::stoi(match[3]);
+  const int day = std::stoi(match[4]);
+  return {year, month, day, !is_proleptic && IsBeforeReform(year, month, day)};
 }
 
 [[noreturn]] void Refuse(const std::string& units) {
@@ -92,17 +102,12 @@ CfTime ParseCfTime(const std::string& units, const std::string& calendar) {
   for (const TimeUnit& unit : kUnits) {
     if (match[1] == unit.name) time.unit_s = unit.seconds;
   }
-  const CalendarDate date{std::stol(match[2]), std::stol(match[3]),
-                          std::stol(match[4])};
-  const bool sensible = date.month >= 1 && date.month <= 12 && date.day >= 1 &&
-                        date.day <= 31 && Field(match[5]) <= 24.0 &&
+  const CalendarDate date = ReadDate(match, proleptic);
+  const bool sensible = date.IsValid() && Field(match[5]) <= 24.0 &&
                         Field(match[6]) < 60.0 && Field(match[7]) < 61.0;
   if (time.unit_s == 0.0 || !sensible) Refuse(units);
-  // Calendar "standard" is Julian before the reform of 1582.
-  const double day = JulianDay(date, !proleptic && BeforeReform(date));
-  time.epoch_s = (day - kUnixEpochJulianDay) * 86400.0 +
-                 Field(match[5]) * 3600.0 + Field(match[6]) * 60.0 +
-                 Field(match[7]) - ZoneOffset_s(match);
+  time.epoch_s = date.Days() * 86400.0 + Field(match[5]) * 3600.0 +
+                 Field(match[6]) * 60.0 + Field(match[7]) - ZoneOffset_s(match);
   return time;
 }
 

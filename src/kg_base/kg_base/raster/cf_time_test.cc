@@ -55,13 +55,23 @@ TEST(ParseCfTime, TellsTheStandardFromTheProlepticCalendar) {
             86400.0);
 }
 
+// Only the Julian calendar has a leap day in 1500.
+TEST(ParseCfTime, KnowsTheLeapDaysOfBothCalendars) {
+  const std::string units = "days since 1500-02-29";
+  EXPECT_THROW(ParseCfTime(units, "proleptic_gregorian"), InputError);
+  EXPECT_EQ(ParseCfTime("days since 1500-03-01", "").epoch_s -
+                ParseCfTime(units, "").epoch_s,
+            86400.0);
+}
+
 TEST(ParseCfTime, RefusesWhatHasNoFixedLengthOrNoSense) {
   for (const char* units :
        {"", "hours", "months since 2000-01-01", "years since 2000-01-01",
         "hours since", "hours since 2000-13-01", "hours since 2000-00-01",
-        "hours since 2000-01-32", "hours since 2000-01-01 25:00",
-        "day as %Y%m%d.%f", "hours since 2000-01-01 00:00:00 EST",
-        "hours since yesterday"}) {
+        "hours since 2000-01-32", "hours since 2001-02-29",
+        "hours since 2000-04-31", "hours since 1501-02-29",
+        "hours since 2000-01-01 25:00", "day as %Y%m%d.%f",
+        "hours since 2000-01-01 00:00:00 EST", "hours since yesterday"}) {
     EXPECT_THROW(ParseCfTime(units, ""), InputError) << units;
   }
   EXPECT_THROW(ParseCfTime("d since 2000-01-01", "360_day"), InputError);

@@ -19,7 +19,7 @@ constexpr std::uint64_t kMaxLength = std::uint64_t{1} << 52;
 std::uint64_t TimesSize(std::uint64_t a, std::uint64_t b) {
   std::uint64_t product = 0;
   if (__builtin_mul_overflow(a, b, &product) || product > kMaxLength) {
-    throw InputError("the header promises a file of impossible length");
+    throw InputError("the header states an impossible file length");
   }
   return product;
 }
@@ -197,7 +197,7 @@ void CheckClassicLength(const std::string& path) {
   try {
     const std::optional<std::uint64_t> promised = ClassicLength(header);
     if (!promised || length >= *promised) return;
-    throw InputError("truncated: its header promises " +
+    throw InputError("truncated: its header states " +
                      std::to_string(*promised) + " bytes, it has " +
                      std::to_string(length));
   } catch (const InputError& error) {

@@ -63,7 +63,7 @@ std::string FindProgram() {
     if (access(candidate.c_str(), X_OK) == 0) return candidate;
   }
   throw InputError(
-      std::string("the program read_field_file is not there, expected it in ") +
+      std::string("program read_field_file not found, expected it in ") +
       folder + ", in ../kg_base beside it, or named by KG_READ_FIELD_FILE");
 }
 

@@ -135,7 +135,7 @@ TEST(ReadFieldFileSafely, SaysHowAChildDied) {
 
 TEST(ReadFieldFileSafely, RefusesNonsenseFromItsChild) {
   const Impostor impostor("head -c 100000 /dev/zero");
-  EXPECT_NE(RefusalOf("any.nc", kDeadline_s).find("sent nonsense"),
+  EXPECT_NE(RefusalOf("any.nc", kDeadline_s).find("sent invalid data"),
             std::string::npos);
 }
 
@@ -231,7 +231,7 @@ TEST(FieldProtocol, RefusesSizesBeforeItAllocatesForThem) {
         at += count;
       });
     });
-    EXPECT_NE(error.find("x.nc: the reading process sent nonsense"),
+    EXPECT_NE(error.find("x.nc: the reading process sent invalid data"),
               std::string::npos)
         << lie << ": " << error;
   }

@@ -19,10 +19,6 @@ struct QuantitySeries {
   std::vector<Raster> at_time;  // One raster for each time of the file.
 };
 
-inline bool IsWind(const QuantitySeries& series) {
-  return IsWindName(series.standard_name);
-}
-
 struct FieldFile {
   std::string path;
   std::string sha256;  // Digest of the whole file.

@@ -144,13 +144,13 @@ TestFile WindFile() {
 TEST(ReadFieldFile, ReadsTheWindByItsStandardNames) {
   const FieldFile file = Read(WindFile());
   ExpectCanonical(file);
-  EXPECT_TRUE(IsWind(file.series[0]));
+  EXPECT_TRUE(IsWindName(file.series[0].standard_name));
   EXPECT_EQ(file.series[0].variable, "u10");
   EXPECT_EQ(file.series[0].standard_name, "eastward_wind");
-  EXPECT_FALSE(IsWind(Read(TestFile()).series[0]));
+  EXPECT_FALSE(IsWindName(Read(TestFile()).series[0].standard_name));
 }
 
-TEST(ReadFieldFile, TheWindBlowsHarderThanWaterFlows) {
+TEST(ReadFieldFile, AcceptsHigherSpeedsOfWindThanOfWater) {
   TestFile spec = WindFile();
   spec.packed = false;
   spec.all_value = 35.0;

@@ -62,7 +62,7 @@ class MessageReader {
  private:
   [[noreturn]] void Refuse() const {
     throw InputError(path_ +
-                     ": the reading process sent nonsense, expected "
+                     ": the reading process sent invalid data, expected "
                      "the contents of a NetCDF file");
   }
   void CheckSizes(const MessageHead& head) const {

@@ -400,7 +400,7 @@ TEST_F(CompileFromFiles, WrongFactsAreRefusedInALineEach) {
   ASSERT_EQ(Add(facts_), "");
 }
 
-TEST_F(CompileFromFiles, AFixedScaleThatNobodyStatedIsOneLine) {
+TEST_F(CompileFromFiles, AMissingFixedScaleIsOneLine) {
   Prepare(MadeUp());
   ASSERT_EQ(Add(Replaced(facts_, "ex:frontFullScale 0.2", "rdfs:label \"\"")),
             "");

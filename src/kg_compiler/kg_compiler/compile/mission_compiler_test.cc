@@ -93,7 +93,7 @@ void ExpectSame(const Compilation& a, const Compilation& b) {
   }
 }
 
-TEST(MissionCompiler, MakesEverythingTheFirstTimeAndNothingTheSecond) {
+TEST(MissionCompiler, CompilesAllTheFirstTimeAndNothingTheSecond) {
   Files files;
   MissionCompiler compiler(files.Readers());
   const auto first = compiler.Compile(TestMission(), 1, 0);
@@ -248,7 +248,7 @@ TEST(MissionCompiler, SharesATensorAmongAgentsThatWouldHaveTheSame) {
 
 // Any sequence of changes gives the same bits as compiling from scratch, and
 // artifacts that are not dirty are unchanged.
-TEST(MissionCompiler, IncrementallyGivesWhatCompilingAnewGives) {
+TEST(MissionCompiler, IncrementalEqualsFullCompilation) {
   std::mt19937 rng(51);
   Files files;
   MissionCompiler compiler(files.Readers());

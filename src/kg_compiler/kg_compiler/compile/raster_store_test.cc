@@ -150,7 +150,7 @@ TEST(RasterStore, APriorThatIsNotWeighedIsNotRead) {
   EXPECT_EQ(files.read.count("ex:reefs") + files.read.count("ex:kelp"), 0u);
 }
 
-TEST(RasterStore, ARasterThatChangesIsReadAnewAndNothingElse) {
+TEST(RasterStore, ReadsOnlyChangedRastersAgain) {
   Mission mission = TestMission();
   const Policy policy = Weighing({"ex:reefs", "ex:kelp"});
   Files files;
@@ -179,7 +179,7 @@ TEST(RasterStore, ARasterThatChangesIsReadAnewAndNothingElse) {
   EXPECT_EQ(files.read.size(), 0u);
 }
 
-TEST(RasterStore, WhatNobodyAskedForIsForgotten) {
+TEST(RasterStore, ForgetsRastersNotAskedFor) {
   const Mission mission = TestMission();
   Files files;
   RasterStore store(files.Readers());
@@ -236,7 +236,7 @@ TEST(RasterStore, TheNewestOfSeveralFilesIsKnownByItsTimeNotItsIndex) {
   EXPECT_EQ(chosen(), "ex:late");
 }
 
-TEST(RasterStore, AFixedScaleMustBeSaidOfTheLayerThatIsRead) {
+TEST(RasterStore, AFixedScaleMustBeStatedForTheLayerRead) {
   Mission mission = TestMission();
   Files files;
   RasterStore store(files.Readers());

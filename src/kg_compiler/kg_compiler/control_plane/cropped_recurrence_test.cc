@@ -73,7 +73,7 @@ TEST(RecurrenceWithin, PicksWhatTheWholeGridPicksToTheBit) {
   EXPECT_GT(picks, 300);
 }
 
-TEST(RecurrenceWithin, TakesItsPicksOverOnlyWhileNothingSeenChanges) {
+TEST(RecurrenceWithin, ReusesPicksOnlyIfTheirInputsAreUnchanged) {
   std::mt19937 rng(4);
   const kg_base::Grid grid = EvenGrid(-92, 23, 0.04, 45, 60);
   kg_base::Raster utility = RandomRaster(rng, grid.size(), 0, 1);

@@ -76,7 +76,7 @@ TEST(Discs, RefuseARadiusThatIsNone) {
   EXPECT_THROW(Discs(grid, kGap, {0, 5}), std::logic_error);
 }
 
-TEST(EvenColumns, KnowTheHalfWidthOrSayNothing) {
+TEST(EvenColumns, HaveAHalfWidthOrNullopt) {
   std::mt19937 rng(42);
   int known = 0;
   for (int round = 0; round < 300; ++round) {

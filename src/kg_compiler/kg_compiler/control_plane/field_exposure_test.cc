@@ -70,7 +70,7 @@ TEST(FieldExposures, AreEmptyWithoutAFieldThatCosts) {
   EXPECT_TRUE(FieldExposures(field, TwoLegs()).empty());
 }
 
-TEST(FieldExposures, CountWhatIsNotKnownAsNothing) {
+TEST(FieldExposures, CountUnknownValuesAsZero) {
   kg_base::VectorField field = FieldWithWaves();
   for (auto& slice : field.scalars[0].slices) {
     for (float& value : slice.values) {

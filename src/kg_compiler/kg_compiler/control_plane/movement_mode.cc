@@ -3,15 +3,16 @@
 #include <stdexcept>
 
 #include "kg_base/common/input_error.h"
+#include "kg_mission/mission/option_names.h"
 
 namespace kg_compiler {
 
 const char* Name(MovementMode mode) {
   switch (mode) {
     case MovementMode::kHops:
-      return "hops";
+      return kg_mission::kHopsMovement;
     case MovementMode::kEdges:
-      return "edges";
+      return kg_mission::kEdgesMovement;
   }
   throw std::logic_error("a movement mode without a name");
 }
@@ -20,8 +21,9 @@ MovementMode MovementModeOf(const std::string& name) {
   for (const MovementMode mode : {MovementMode::kHops, MovementMode::kEdges}) {
     if (name == Name(mode)) return mode;
   }
-  throw kg_base::InputError("movement mode '" + name +
-                            "': expected 'hops' or 'edges'");
+  throw kg_base::InputError("movement mode '" + name + "': expected '" +
+                            Name(MovementMode::kHops) + "' or '" +
+                            Name(MovementMode::kEdges) + "'");
 }
 
 }  // namespace kg_compiler

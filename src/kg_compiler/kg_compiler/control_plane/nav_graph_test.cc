@@ -8,7 +8,9 @@
 #include <stdexcept>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/units.h"
 #include "kg_base/geo/geodesy.h"
+#include "kg_compiler/control_plane/edge_cost.h"
 #include "kg_compiler/control_plane/seam_cache.h"
 #include "kg_compiler/testing/test_world.h"
 
@@ -73,6 +75,24 @@ std::string ErrorOf(TestSea* sea) {
     return error.what();
   }
   return "";
+}
+
+// Turning takes no time: the heading is part of the pose only.
+TEST(NavGraph, DoesNotDependOnTheHeadingAtTheStart) {
+  TestSea north(1), south(1);
+  south.mission.agents[0].start_heading_rad = kg_base::kPi;
+  north.Compile();
+  south.Compile();
+  EXPECT_NE(SeamRulesHash(north.rules), SeamRulesHash(south.rules));
+  ASSERT_EQ(north.graphs.size(), south.graphs.size());
+  for (std::size_t t = 0; t < north.graphs.size(); ++t) {
+    EXPECT_EQ(north.graphs[t].hash, south.graphs[t].hash);
+    ASSERT_EQ(north.graphs[t].edges.size(), south.graphs[t].edges.size());
+    for (std::size_t i = 0; i < north.graphs[t].edges.size(); ++i) {
+      EXPECT_EQ(CostOfEdge(north.graphs[t].edges[i]),
+                CostOfEdge(south.graphs[t].edges[i]));
+    }
+  }
 }
 
 TEST(NavGraph, HoldsOnlyWaypointsAndEdgesThatCanBeFlownAgain) {
@@ -203,7 +223,7 @@ TEST(NavGraph, KeepsThePlaceThePlanIsCommittedToWhileItCanBeReached) {
   }
 }
 
-TEST(NavGraph, StaysPutWhereNothingElseIsWorthGoing) {
+TEST(NavGraph, OffersOnlyStayingWhereNothingHasValue) {
   TestSea sea(7);
   sea.mission.agents[0].policy.alpha_base = 0.0;  // Zero everywhere.
   sea.Compile();
@@ -268,7 +288,7 @@ void ExpectSameGraphs(const NavGraphs& a, const NavGraphs& b) {
   }
 }
 
-TEST(NavGraph, IsTheSameBuiltAnewAsBuiltOnAnother) {
+TEST(NavGraph, IsTheSameWithAndWithoutAPreviousGraph) {
   TestSea sea(9);
   SeamCache cache;
   sea.Compile(&cache);
@@ -327,7 +347,7 @@ TEST(NavGraph, RefusesAStartInAForbiddenPlaceByName) {
   EXPECT_NE(std::string::npos, ErrorOf(&sea).find("POINT"));
 }
 
-TEST(NavGraph, RefusesAWindowAtWhoseEndTheAgentCanBeNowhere) {
+TEST(NavGraph, RefusesAWindowWithoutReachableEnd) {
   TestSea sea(11);
   sea.mission.agents[0].capabilities.max_mps = 0.0;  // Cannot hold station.
   const std::string error = ErrorOf(&sea);

@@ -63,7 +63,7 @@ struct SeamRules {
   double hazard_range_m = 10e3;  // Hazard falls to 1/e at this distance.
   MovementMode movement_mode = MovementMode::kHops;
   kg_base::LonLat start;  // Position of the agent at the first begin_s.
-  double start_heading_rad = 0.0;    // Clockwise from north.
+  double start_heading_rad = 0.0;    // Clockwise from north; no seam uses it.
   std::string start_iri;             // IRI of the ex:AgentState with start.
   std::vector<WindowRules> windows;  // Windows still to be planned, ascending.
   // IRIs of the facts read, besides start, windows and their events.

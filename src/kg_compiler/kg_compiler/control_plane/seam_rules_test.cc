@@ -22,7 +22,7 @@ kg_mission::Mission TestMission() {
   return mission;
 }
 
-TEST(SeamRules, SpeakSiPerSecondAndJoule) {
+TEST(SeamRules, AreInSiPerSecondAndJoule) {
   kg_mission::Mission mission = TestMission();
   mission.agents[0].policy.lambda_risk = 3.6;           // Per hour.
   mission.agents[0].policy.lambda_time_per_s = 0.001;   // Facts are in SI.

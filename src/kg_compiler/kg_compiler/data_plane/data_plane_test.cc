@@ -469,7 +469,7 @@ TEST(DataPlane, HashIsTheContentsAndNotTheAgentsName) {
   EXPECT_NE(before1, hash(0, 1));
 }
 
-TEST(DataPlane, HashCoversWhatIsReadAndNothingElse) {
+TEST(DataPlane, HashCoversExactlyTheInputsRead) {
   std::mt19937 rng(10);
   const kg_base::Grid grid = UnevenGrid(rng, 8, 8);
   const Mission base = RandomMission(rng, grid);

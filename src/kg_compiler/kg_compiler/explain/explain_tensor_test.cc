@@ -274,7 +274,7 @@ TEST_F(ExplainTensor, NamesEveryConstraintThatForbidsACell) {
   }
 }
 
-TEST_F(ExplainTensor, SaysSoWhereNothingIsOfValue) {
+TEST_F(ExplainTensor, ReportsWindowsWithoutValue) {
   RandomMission random(5);
   kg_mission::Policy& policy = random.mission.agents[0].policy;
   policy = kg_mission::Policy();

@@ -99,7 +99,7 @@ std::vector<kg_base::LonLat> FastestCrossing::Corners(int root) const {
 
 std::optional<FlownPath> FastestCrossing::Fly(
     const std::vector<kg_base::LonLat>& via) const {
-  return FlyTrackWithin(voyage_, via, &inside_);
+  return FlyTrack(voyage_, via, &inside_);
 }
 
 std::optional<FlownPath> FastestCrossing::Fly(const TimedCourse& course) const {

@@ -183,13 +183,8 @@ double HoldableFrom_s(const VoyageRequest& voyage, kg_base::LonLat place) {
 }
 
 std::optional<FlownPath> FlyTrack(const VoyageRequest& voyage,
-                                  const std::vector<kg_base::LonLat>& via) {
-  return FlyTrackWithin(voyage, via, nullptr);
-}
-
-std::optional<FlownPath> FlyTrackWithin(const VoyageRequest& voyage,
-                                        const std::vector<kg_base::LonLat>& via,
-                                        const CellBox* box) {
+                                  const std::vector<kg_base::LonLat>& via,
+                                  const CellBox* box) {
   return FlyAll(voyage, {{via, voyage.motion.cruise_mps}}, box);
 }
 

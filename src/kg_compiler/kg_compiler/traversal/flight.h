@@ -24,9 +24,10 @@ double HoldableFrom_s(const VoyageRequest& voyage, kg_base::LonLat place);
 // touches counts, both beside a corner it passes), the deadline passes, or
 // station cannot be held then. A leg can be held where 99.8 % of V compensate
 // the cross current and at least 0.2 % of V are left over ground, sampled every
-// 0.05 cells.
+// 0.05 cells. Cells outside `box`, if given, count as closed.
 std::optional<FlownPath> FlyTrack(const VoyageRequest& voyage,
-                                  const std::vector<kg_base::LonLat>& via);
+                                  const std::vector<kg_base::LonLat>& via,
+                                  const CellBox* box = nullptr);
 
 // A part of a track flown at one speed through water. Its first place is the
 // end of the previous stretch, or the departure.
@@ -41,11 +42,6 @@ struct TrackStretch {
 // until the arrival.
 std::optional<FlownPath> FlyStretches(
     const VoyageRequest& voyage, const std::vector<TrackStretch>& stretches);
-
-// As FlyTrack, with cells outside `box` treated as closed; null = no box.
-std::optional<FlownPath> FlyTrackWithin(const VoyageRequest& voyage,
-                                        const std::vector<kg_base::LonLat>& via,
-                                        const CellBox* box);
 
 }  // namespace kg_compiler
 

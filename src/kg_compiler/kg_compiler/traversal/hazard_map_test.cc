@@ -9,7 +9,7 @@
 namespace kg_compiler {
 namespace {
 
-TEST(HazardMap, RisesTowardsAWallAndInsideASoftZone) {
+TEST(HazardMap, RisesTowardsClosedCellsAndInSoftZones) {
   const kg_base::Grid grid = EvenGrid(-91, 24, 0.04, 50, 50);
   kg_base::Mask open(grid.size(), 1);
   for (int r = 0; r < 50; ++r) open[r * 50 + 40] = 0;
@@ -27,7 +27,7 @@ TEST(HazardMap, RisesTowardsAWallAndInsideASoftZone) {
 }
 
 // Distances of the whole grid at once, against tiles computed in any order.
-TEST(HazardMap, IsTheFormulaUpToSixRangesAndNothingBeyond) {
+TEST(HazardMap, EqualsTheFormulaUpToSixRangesAndZeroBeyond) {
   std::mt19937 rng(3);
   int near = 0, beyond = 0;
   for (int round = 0; round < 12; ++round) {

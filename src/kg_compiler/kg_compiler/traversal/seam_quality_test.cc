@@ -25,7 +25,7 @@ TEST(SeamQuality, IsWithinAFifthOfAPercentOfFiveClosedForms) {
 }
 
 // The cone of places reachable downstream need not contain its source.
-TEST(SeamQuality, ReachesTheConeOfAStrongCurrentAndNothingElse) {
+TEST(SeamQuality, ReachesExactlyTheConeOfAStrongCurrent) {
   const ClosedForm form = closed_forms::Uniform("", 1.3, 0.8);
   const TestFlowWorld sea(form.field);
   const kg_base::DegreesPerMetre scale = kg_base::LocalScale(0.0);
@@ -90,7 +90,7 @@ TestFlowWorld Finer(const TestFlowWorld& sea) {
 
 // Every place that Dijkstra reaches on a grid three times finer, and FlyTrack
 // confirms on the original one, is found and not later, with or without land.
-TEST(SeamQuality, MissesNothingThatAFineGridSearchFliesTo) {
+TEST(SeamQuality, ReachesAllPlacesOfAFineGridSearch) {
   std::mt19937 rng(13);
   int flown = 0, missed = 0, late = 0;
   for (int round = 0; round < 14; ++round) {
@@ -127,7 +127,7 @@ TEST(SeamQuality, MissesNothingThatAFineGridSearchFliesTo) {
   EXPECT_LE(late, flown / 100);
 }
 
-TEST(SeamQuality, OnRealCurrentsClaimsOnlyWhatCanBeFlownAndMissesNothing) {
+TEST(SeamQuality, OnRealCurrentsReachesExactlyTheFlyablePlaces) {
   for (const char* file : kRealFiles) {
     const std::optional<TestFlowWorld> sea = RealSea(file);
     if (!sea) GTEST_SKIP() << file << " is not beside the repository";

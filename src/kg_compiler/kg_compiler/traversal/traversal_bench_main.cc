@@ -54,7 +54,7 @@ void ReportTruth(bool quick) {
   for (const char* file : kRealFiles) {
     const std::optional<TestFlowWorld> sea = RealSea(file);
     if (!sea) {
-      std::printf("          %s is not there: not flown\n", file);
+      std::printf("          %s not found: not flown\n", file);
       continue;
     }
     // The same currents for slow and fast agents.

@@ -136,7 +136,7 @@ void ExpectOpen(const TestFlowWorld& sea, const FlownPath& flight) {
   }
 }
 
-TEST(Traverse, GoesRoundAThinWallAndNeverThroughIt) {
+TEST(Traverse, AvoidsThinBarriersOfClosedCells) {
   TestFlowWorld sea(UniformFlow(TestGrid(), 0, 0));
   for (int r = 15; r < 50; ++r) sea.open[r * 50 + 25] = 0;
   const LonLat from{-90.2, 25}, to{-89.8, 25};
@@ -148,7 +148,7 @@ TEST(Traverse, GoesRoundAThinWallAndNeverThroughIt) {
   EXPECT_FALSE(sea.Go(Glider(2.0), from, to));
 }
 
-TEST(Traverse, DoesNotSlipThroughTheCornersOfADiagonalWall) {
+TEST(Traverse, DoesNotPassBetweenDiagonalClosedCells) {
   TestFlowWorld sea(UniformFlow(TestGrid(), 0, 0));
   for (int r = 0; r < 50; ++r) sea.open[r * 50 + r] = 0;
   EXPECT_FALSE(sea.Go(Glider(1.0), {-90.2, 25.2}, {-89.8, 24.8}));

@@ -85,7 +85,7 @@ Facts3 Rewind(const GraphView& view, const std::vector<LoggedUpdate>& log,
               std::uint64_t world_version) {
   if (world_version > view.world_version()) {
     throw InputError("world version " + std::to_string(world_version) +
-                     " is yet to come; expected at most " +
+                     " does not exist yet; expected at most " +
                      std::to_string(view.world_version()));
   }
   Facts3 facts = CurrentFacts(view);
@@ -142,15 +142,6 @@ std::vector<LoggedUpdate> ReadLog(const GraphView& view) {
     return a.world_version < b.world_version;
   });
   return log;
-}
-
-std::vector<Statement> FactsAt(const GraphView& view,
-                               std::uint64_t world_version) {
-  std::vector<Statement> statements;
-  for (const Fact3& fact : Rewind(view, ReadLog(view), world_version)) {
-    statements.push_back(MakeStatement(fact));
-  }
-  return statements;
 }
 
 std::vector<FactDifference> FindDifferences(const GraphView& view,

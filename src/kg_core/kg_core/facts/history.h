@@ -2,8 +2,8 @@
 // removed and added, so any version of the facts can be restored by undoing the
 // later updates.
 //
-//   FactsAt(*store.Read(), 12)            the facts graph at world version 12
 //   FindDifferences(*store.Read(), 12, 15)   changes, with author and time
+//   FindDifferences(*store.Read(), 0, 12)    all facts at world version 12
 
 #ifndef KG_CORE_FACTS_HISTORY_H_
 #define KG_CORE_FACTS_HISTORY_H_
@@ -36,11 +36,6 @@ struct LoggedUpdate {
 // Every logged update, oldest first; changes by subject and property.
 std::vector<LoggedUpdate> ReadLog(const GraphView& view);
 
-// The facts graph at a world version, sorted. Throws InputError for a version
-// that does not exist yet.
-std::vector<Statement> FactsAt(const GraphView& view,
-                               std::uint64_t world_version);
-
 // A statement in the facts of only one of two versions, and the last update
 // between them that changed this property of this subject.
 struct FactDifference {
@@ -52,7 +47,8 @@ struct FactDifference {
 };
 
 // The differences from version `before` to `after`, sorted; `after` may be the
-// older one. Throws InputError like FactsAt.
+// older one. Before version 1 there are no facts. Throws InputError for a
+// version that does not exist yet.
 std::vector<FactDifference> FindDifferences(const GraphView& view,
                                             std::uint64_t before,
                                             std::uint64_t after);

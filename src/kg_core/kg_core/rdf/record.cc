@@ -100,7 +100,8 @@ void CheckHeader(const std::string& path) {
                        std::memcmp(header, "SQLite format 3", 16) == 0 &&
                        number_at(68) == kApplicationId;
   if (!is_ours) {
-    throw InputError(path + ": is no store of this program, or its head is " +
+    throw InputError(path +
+                     ": is not a store of this program, or its head is " +
                      "damaged; expected a store or no file");
   }
   if (number_at(60) != kSchemaVersion) {
@@ -141,7 +142,7 @@ const std::string& ReadyPath(const std::string& path) {
   try {
     if (!fs::exists(path)) {
       if (fs::exists(path + "-wal")) {
-        RefuseDamage(path, "the file is missing beside its log");
+        RefuseDamage(path, "its log exists, but the file is missing");
       }
       CreateStore(path);
     }

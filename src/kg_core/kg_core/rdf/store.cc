@@ -350,7 +350,8 @@ Transaction Store::Begin() {
 std::unique_ptr<Store> Store::Fork(std::shared_ptr<const GraphView> world) {
   const auto* snapshot = dynamic_cast<const Snapshot*>(world.get());
   if (snapshot == nullptr) {
-    throw std::invalid_argument("only what Store::Read gave can be forked");
+    throw std::invalid_argument(
+        "only a snapshot from Store::Read can be forked");
   }
   return std::unique_ptr<Store>(
       new Store(std::make_unique<QuadStore>(snapshot->version())));

@@ -299,7 +299,7 @@ TEST(StoreDurability, RefusesFilesOfOthersAndLeavesThemAlone) {
 TEST(StoreDurability, RefusesALogWithoutItsFile) {
   const TemporaryFolder folder;
   WriteFile(folder / "gone.db-wal", MakeTorn(folder, 9).log);
-  EXPECT_NE(GetError(folder / "gone.db").find("missing beside its log"),
+  EXPECT_NE(GetError(folder / "gone.db").find("the file is missing"),
             std::string::npos);
 }
 
@@ -353,7 +353,7 @@ int FillTheDisk(const std::string& path) {
   return 0;
 }
 
-TEST(StoreDurability, AFullDiskRefusesAndChangesNothing) {
+TEST(StoreDurability, AFullDiskIsAnErrorWithoutChanges) {
   const TemporaryFolder folder;
   const std::string path = folder / "store.db";
   EXPECT_EQ(GetExitCode(Fork([&] { return FillTheDisk(path); })), 0);
@@ -405,7 +405,7 @@ int FillTheDiskWithForgottenTerms(const std::string& path) {
   return 0;
 }
 
-TEST(StoreDurability, AFullDiskLosesNoRowsOfForgottenTerms) {
+TEST(StoreDurability, AFullDiskLosesNoRowsOfRemovedTerms) {
   const TemporaryFolder folder;
   const std::string path = folder / "store.db";
   const auto work = [&] { return FillTheDiskWithForgottenTerms(path); };
@@ -428,7 +428,7 @@ TEST(StoreDurability, ADiskTooFullForAStoreIsNamed) {
   EXPECT_TRUE(IsWhole(Store(path)));
 }
 
-TEST(StoreDurability, SweepsTermsThatNobodyUses) {
+TEST(StoreDurability, RemovesUnusedTerms) {
   const TemporaryFolder folder;
   const std::string path = folder / "store.db";
   MakeStore(path, 500);  // Leaves 200 facts of 2500.

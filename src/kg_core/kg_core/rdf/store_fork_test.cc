@@ -133,7 +133,7 @@ void AddFact(Store* store, const std::string& name) {
   change.Commit(WorldChange::kYes);
 }
 
-TEST(StoreFork, NobodySeesTheNewTermsOfTheOther) {
+TEST(StoreFork, NewTermsAreInvisibleToTheOther) {
   Store origin("");
   AddFact(&origin, "common");
   const auto world = origin.Read();

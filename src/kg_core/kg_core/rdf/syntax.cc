@@ -23,10 +23,10 @@ bool EndsWith(std::string_view text, std::string_view end) {
 
 const std::vector<RdfSyntaxName>& RdfSyntaxes() {
   static const std::vector<RdfSyntaxName> syntaxes = {
-      {RdfSyntax::kTurtle, "turtle", ".ttl", "text/turtle", false},
-      {RdfSyntax::kTriG, "trig", ".trig", "application/trig", true},
-      {RdfSyntax::kNTriples, "ntriples", ".nt", "application/n-triples", false},
-      {RdfSyntax::kNQuads, "nquads", ".nq", "application/n-quads", true},
+      {RdfSyntax::kTurtle, "turtle", ".ttl", false},
+      {RdfSyntax::kTriG, "trig", ".trig", true},
+      {RdfSyntax::kNTriples, "ntriples", ".nt", false},
+      {RdfSyntax::kNQuads, "nquads", ".nq", true},
   };
   return syntaxes;
 }
@@ -39,13 +39,6 @@ const RdfSyntaxName* SyntaxOfPath(std::string_view path) {
   const std::string lower = kg_base::ToLowerAscii(path);
   return FindSyntax(
       [&](const RdfSyntaxName& s) { return EndsWith(lower, s.suffix); });
-}
-
-const RdfSyntaxName* SyntaxOfMediaType(std::string_view media_type) {
-  const std::string lower = kg_base::ToLowerAscii(
-      kg_base::StripAsciiSpace(media_type.substr(0, media_type.find(';'))));
-  return FindSyntax(
-      [&](const RdfSyntaxName& s) { return lower == s.media_type; });
 }
 
 std::vector<Statement> ParseRdfFile(const std::string& path,

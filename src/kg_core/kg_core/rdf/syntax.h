@@ -26,18 +26,15 @@ enum class RdfSyntax { kTurtle, kTriG, kNTriples, kNQuads };
 
 struct RdfSyntaxName {
   RdfSyntax syntax;
-  const char* name;        // "turtle", "trig", "ntriples", "nquads".
-  const char* suffix;      // ".ttl", ".trig", ".nt", ".nq".
-  const char* media_type;  // RFC 6838
+  const char* name;    // "turtle", "trig", "ntriples", "nquads".
+  const char* suffix;  // ".ttl", ".trig", ".nt", ".nq".
   bool has_graphs;
 };
 const std::vector<RdfSyntaxName>& RdfSyntaxes();
 
-// Each returns null if there is no such syntax. Suffixes and media types are
-// case-insensitive; media type parameters (";charset=utf-8") are ignored.
+// Each returns null if there is no such syntax. Suffixes are case-insensitive.
 const RdfSyntaxName* SyntaxNamed(std::string_view name);
 const RdfSyntaxName* SyntaxOfPath(std::string_view path);
-const RdfSyntaxName* SyntaxOfMediaType(std::string_view media_type);
 
 // Source of a text and target of its statements.
 struct RdfSource {

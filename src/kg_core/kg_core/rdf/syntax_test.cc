@@ -156,19 +156,14 @@ TEST(RdfSyntaxes, WriteOnlyTheChosenGraphs) {
   EXPECT_EQ(WriteRdf(view, {{"http://h/none"}}, RdfSyntax::kNTriples), "");
 }
 
-TEST(RdfSyntaxes, AreKnownByNameSuffixAndMediaType) {
+TEST(RdfSyntaxes, AreKnownByNameAndSuffix) {
   for (const RdfSyntaxName& syntax : RdfSyntaxes()) {
     EXPECT_EQ(SyntaxNamed(syntax.name), &syntax);
     EXPECT_EQ(SyntaxOfPath(std::string("/a.b/facts") + syntax.suffix), &syntax);
-    EXPECT_EQ(
-        SyntaxOfMediaType(std::string(syntax.media_type) + " ; charset=utf-8"),
-        &syntax);
   }
   EXPECT_EQ(SyntaxOfPath("FACTS.TTL"), SyntaxNamed("turtle"));
-  EXPECT_EQ(SyntaxOfMediaType("Text/Turtle"), SyntaxNamed("turtle"));
   EXPECT_EQ(SyntaxOfPath("facts.rdf"), nullptr);
   EXPECT_EQ(SyntaxNamed("Turtle"), nullptr);
-  EXPECT_EQ(SyntaxOfMediaType("text/html"), nullptr);
 }
 
 // https://www.w3.org/TR/trig/#sec-trig-intro

@@ -79,7 +79,7 @@ class TermParser {
       rest_ = {};
       return term;
     }
-    Refuse("it is no number");
+    Refuse("it is not a number");
   }
 
   Term ParseBlank() {
@@ -108,7 +108,7 @@ class TermParser {
     const std::size_t colon = rest_.find(':');
     const std::string prefix(rest_.substr(0, colon));
     for (const char c : prefix) {
-      if (!IsNameChar(c) && c != '.') Refuse("it starts like no term");
+      if (!IsNameChar(c) && c != '.') Refuse("it does not start like a term");
     }
     if (colon == std::string_view::npos) Refuse("it has no prefix");
     const auto start = ExpandPrefixed(prefix + ":");
@@ -245,7 +245,7 @@ class TermParser {
       code = code * 16 + HexValue(c);
     }
     if (!kg_base::IsUnicodeScalar(code))
-      Refuse("it escapes what is no character");
+      Refuse("it escapes a code that is not a character");
     kg_base::AppendUtf8(code, text);
     rest_.remove_prefix(2 + digits);
   }

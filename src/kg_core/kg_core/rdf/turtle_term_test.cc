@@ -91,7 +91,7 @@ TEST(TurtleTerm, RefusesAnythingThatIsNotExactlyOneTerm) {
   }
 }
 
-TEST(TurtleTerm, SaysWhatItSawAndWhatItExpected) {
+TEST(TurtleTerm, ErrorsQuoteTheTextAndTheExpectation) {
   try {
     ParseTurtleTerm("ex:a .\nex:b ex:c ex:d");
     FAIL();

@@ -73,7 +73,7 @@ TEST(Turtle, TakesDeclaredPrefixesAndBases) {
   EXPECT_EQ(statements[1].object, Iri("http://h/../k"));  // Kept as written.
 }
 
-TEST(Turtle, ReadsNothingFromNothing) {
+TEST(Turtle, ReadsNoStatementsFromEmptyText) {
   EXPECT_TRUE(Read("").empty());
   EXPECT_TRUE(Read("  \n# only a note").empty());
   EXPECT_TRUE(Read("@prefix f: <http://f/> .").empty());

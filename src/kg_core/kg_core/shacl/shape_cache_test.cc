@@ -67,7 +67,7 @@ TEST_F(ShapeCacheTest, RefusesIllFormedShapesEveryTime) {
   EXPECT_THROW(Get(), kg_base::InputError);
 }
 
-TEST_F(ShapeCacheTest, TellsTwoStoresApart) {
+TEST_F(ShapeCacheTest, DistinguishesTwoStores) {
   Add("ex:S a sh:NodeShape ; sh:class ex:C .");
   EXPECT_EQ(Get()->begin()->first.text, kEx + std::string("S"));
   Store other("");

@@ -85,7 +85,7 @@ TEST(Isomorphism, FindsARenamedGraphOfLookAlikes) {
   EXPECT_FALSE(IsIsomorphic(GetGraph(ring, same), GetGraph(two, same)));
 }
 
-TEST(Isomorphism, TellsGroundTermsAndGraphsApart) {
+TEST(Isomorphism, DistinguishesGroundTermsAndGraphs) {
   const Statement base{Iri("urn:s"), Iri("urn:p"), Literal("1"), Iri("urn:g")};
   EXPECT_TRUE(IsIsomorphic({base, base}, {base}));
   EXPECT_TRUE(IsIsomorphic({}, {}));

@@ -72,7 +72,7 @@ TEST_F(WatchListTest, ReportsWhatCameAndWhatWent) {
   EXPECT_FALSE(Look("speeds"));
 }
 
-TEST_F(WatchListTest, SaysNothingOfChangesThatCancelOrDoNotConcernIt) {
+TEST_F(WatchListTest, IgnoresChangesThatCancelOrAreUnrelated) {
   Watch("speeds", kSpeeds);
   Add("ex:a ex:speed 1 .");
   Remove("ex:a ex:speed 1 .");
@@ -181,7 +181,7 @@ TEST_F(WatchListTest, RefusesWhatCannotBeWatched) {
   EXPECT_EQ(Watch("", kSpeeds).id, "watch7");
 }
 
-TEST_F(WatchListTest, GivesASecondClientTheAnswerThatAllWereTold) {
+TEST_F(WatchListTest, GivesASecondClientTheLastAnswer) {
   Watch("speeds", kSpeeds);
   Add("ex:a ex:speed 1 .");
   const WatchedAnswer again = Watch("speeds", kSpeeds);

@@ -24,7 +24,7 @@ int RunCheck(const Arguments& arguments) {
 const Subcommand kCheck = {
     "check",
     "STORE [--data FOLDER]",
-    "compile the facts anew and compare with what the store says was compiled",
+    "recompile the facts and compare with the artifacts recorded in the store",
     "STORE is that of a node that has been stopped. Its facts are compiled "
     "from\n"
     "nothing; a tensor that its provenance graph does not know, by the hash "

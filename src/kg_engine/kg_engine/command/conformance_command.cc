@@ -33,7 +33,7 @@ void Show(const ConformanceTest& test) {
 void WriteTable(const std::string& file,
                 const std::vector<ConformanceTest>& tests) {
   std::ofstream out(file, std::ios::binary);
-  out << "# Conformance\n\nEvery test of the W3C suites that lie beside the "
+  out << "# Conformance\n\nEvery test of the W3C suites shipped next to the "
          "project, made by `kg conformance --table`.\n\n"
       << kg_engine::ConformanceTable(tests);
   out.close();

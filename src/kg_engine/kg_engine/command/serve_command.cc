@@ -94,7 +94,7 @@ const Subcommand kServe = {
     "of the output is the endpoint.\n\n"
     "  --port N           0: one that is free\n"
     "  --token-file FILE  holds the token that every request must carry;\n"
-    "                     readable by nobody else (chmod 600)\n"
+    "                     readable by its owner only (chmod 600)\n"
     "  --writable         facts may be changed; needs a token and a store\n"
     "  --data FOLDER      where a mission's files are looked up first\n",
     {{"--port", true},

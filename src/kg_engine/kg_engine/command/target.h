@@ -26,8 +26,8 @@ struct Target {
 bool IsMissionFolder(const std::string& path);
 
 // Throws InputError, also if the store is in use by a running node. If a
-// mission's files are missing, ingested facts are omitted and a line on stderr
-// says so. `data_folder` is searched first for files.
+// mission's files are missing, ingested facts are omitted, with a warning on
+// stderr. `data_folder` is searched first for files.
 Target OpenTarget(const std::string& path, const std::string& data_folder);
 // Opens a store. OpenOrMakeStore creates it, with the ontology, if `path` does
 // not exist and ends in .db.

@@ -157,7 +157,8 @@ const Subcommand kImport = {
     "STORE FILE... [--graph IRI] [--author NAME]",
     "add files of Turtle, TriG, N-Triples or N-Quads: one transaction",
     "Facts are checked and logged like any update, or all is refused. A STORE\n"
-    "that is not there and ends in .db is made, with the ontology in it. The "
+    "that does not exist and ends in .db is created, with the ontology in it. "
+    "The "
     "log\n"
     "and what is inferred are left out: the store keeps its own.\n\n"
     "  --graph IRI    of statements in no graph; otherwise graph:facts\n"

@@ -66,9 +66,9 @@ const Subcommand kValidate = {
     "validate",
     "TARGET|FILE [--report]",
     "check facts against the shapes; status 1 if there is a violation",
-    "FILE is Turtle, as mission.ttl is. Of a file or a mission, all that "
-    "would\n"
-    "refuse it is said: shapes, ontology, and whether it makes a mission.\n\n"
+    "FILE is Turtle, as mission.ttl is. All violations of a file or a mission\n"
+    "are listed: of the shapes, of the ontology, and facts that are not a\n"
+    "mission.\n\n"
     "  --report  a W3C SHACL validation report in Turtle\n",
     {{"--report"}},
     RunValidate};

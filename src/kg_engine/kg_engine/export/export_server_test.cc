@@ -306,7 +306,7 @@ TEST_F(ExportServerTest, TracksAreExportedWithTheirTurningPoints) {
   ExpectSameWay(committed, TrackOfNetCdf(path));
 }
 
-TEST_F(ExportServerTest, FilesHoldWhatTheAnswerWouldHaveSaid) {
+TEST_F(ExportServerTest, FilesEqualTheAnswer) {
   MissionServer server(folders_);
   MissionPlanning(&server).Plan();
   for (const char* format : {"turtle", "geojson", "gpx"}) {

@@ -22,6 +22,7 @@
 #include "kg_compiler/control_plane/edge_cost.h"
 #include "kg_compiler/control_plane/nav_graph.h"
 #include "kg_core/rdf/store.h"
+#include "kg_mission/mission/option_names.h"
 
 namespace kg_engine {
 
@@ -39,7 +40,7 @@ kg_core::Term InnerEdgeNode(const std::string& graph_hash, unsigned from,
 // Data kept of a graph for its provenance.
 struct NavGraphStamp {
   std::string hash;
-  std::string movement_mode = "hops";
+  std::string movement_mode = kg_mission::kHopsMovement;
   double made_s = 0.0;  // Unix seconds; 0 = unknown.
 };
 NavGraphStamp ToStamp(const kg_compiler::NavGraph& graph, double made_s);

@@ -262,7 +262,7 @@ TEST(HttpServerTest, RefusesAPortThatIsTaken) {
   EXPECT_THAT(Exchange(server.port(), kGet), StartsWith("HTTP/1.1 200"));
 }
 
-TEST(HttpServerTest, EndsWithClientsThatSayNothing) {
+TEST(HttpServerTest, StopsWithSilentClients) {
   auto server = std::make_optional<HttpServer>(Options(), Echo);
   const int port = server->port();
   Client silent(port);

@@ -51,7 +51,7 @@ kg_selector::AgentCandidates Offer(const std::string& agent,
   return candidates;
 }
 
-TEST(TeamSelectorTest, CommitsWhenEverybodyHasAnswered) {
+TEST(TeamSelectorTest, CommitsWhenAllPlannersHaveAnswered) {
   TeamSelector server;
   server.KnowRun(6);
   server.Take(Rules(1));
@@ -66,7 +66,7 @@ TEST(TeamSelectorTest, CommitsWhenEverybodyHasAnswered) {
   EXPECT_EQ(answer.end->run, 7u);
 }
 
-TEST(TeamSelectorTest, AsksWhoIsInTheWayToPlanAgain) {
+TEST(TeamSelectorTest, RequestsReplanningOfConflictingAgents) {
   TeamSelector server;
   server.KnowRun(0);
   server.Take(Rules(1));
@@ -91,7 +91,7 @@ TEST(TeamSelectorTest, AsksWhoIsInTheWayToPlanAgain) {
   EXPECT_EQ(lost.with_agent, "alpha");
 }
 
-TEST(TeamSelectorTest, RulesThatMakeNoSenseChangeNothing) {
+TEST(TeamSelectorTest, InvalidRulesChangeNothing) {
   TeamSelector server;
   server.KnowRun(0);
   server.Take(Rules(1));

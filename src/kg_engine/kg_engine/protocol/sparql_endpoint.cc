@@ -98,9 +98,8 @@ UpdateVerdict Write(const RequestContext& context, kg_core::FactUpdate update) {
     case UpdateVerdict::Outcome::kAccepted:
       return verdict;
     case UpdateVerdict::Outcome::kNobody:
-      throw HttpError(
-          kUnavailable,
-          "nobody decided on the update in time: nothing has changed");
+      throw HttpError(kUnavailable,
+                      "no decision on the update in time: no change");
     case UpdateVerdict::Outcome::kRefused:
       break;
   }

@@ -98,7 +98,7 @@ TEST_F(SparqlEndpointTest, RefusesWhatTheProtocolDoesNotKnow) {
        406},
       {"rows as Turtle", With(Ask(kAgents), "accept", "text/turtle"), 406},
       {"another path", Get("/"), 404},
-      {"a graph that is not there",
+      {"a graph that does not exist",
        Ask(kAgents, "&" + Field("default-graph-uri", "http://nowhere/")), 400},
       {"a relative graph", Ask(kAgents, "&default-graph-uri=facts"), 400},
   };
@@ -195,7 +195,7 @@ TEST_F(SparqlEndpointTest, LetsARequestChooseTheGraphs) {
   EXPECT_TRUE(asks("FROM <http://nowhere/> " + agent, facts));
 }
 
-TEST_F(SparqlEndpointTest, UpdatesFactsAndSaysWhoAsked) {
+TEST_F(SparqlEndpointTest, UpdatesFactsAndRecordsTheAuthor) {
   const std::uint64_t before = world_.store.world_version();
   const HttpResponse response =
       Answer(With(Change("DELETE { ?a ex:usesPolicy ?p } "
@@ -327,7 +327,7 @@ TEST_F(SparqlEndpointTest, AsksForItsToken) {
   }
 }
 
-TEST_F(SparqlEndpointTest, IsReadOnlyUnlessToldOtherwise) {
+TEST_F(SparqlEndpointTest, IsReadOnlyByDefault) {
   const SparqlEndpoint endpoint(StoreOfTheWorld(), {});
   EXPECT_EQ(endpoint.Answer(Ask(kAgents)).status, 200);
   const std::string before = Facts();
@@ -373,7 +373,7 @@ TEST_F(SparqlEndpointTest, LetsNoOtherPageIn) {
   EXPECT_EQ(Answer(Send("OPTIONS", "/sparql", "", "")).status, 405);
 }
 
-TEST_F(SparqlEndpointTest, SaysWhenNobodyDecides) {
+TEST_F(SparqlEndpointTest, ReportsAnUpdateWithoutADecision) {
   EndpointStore store = StoreOfTheWorld();
   store.update = [](const kg_core::FactUpdate&) { return UpdateVerdict{}; };
   const SparqlEndpoint endpoint(store, {kToken, true, {}, 1000});

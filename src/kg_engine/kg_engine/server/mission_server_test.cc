@@ -15,6 +15,7 @@
 #include "kg_engine/planning/team_selector.h"
 #include "kg_engine/server/testing/test_mission.h"
 #include "kg_engine/terms/plan_names.h"
+#include "kg_mission/mission/testing/validate_graph.h"
 #include "kg_mission/mission/validator.h"
 
 namespace kg_engine {
@@ -133,7 +134,7 @@ TEST_F(MissionServerTest, CheckChangesNothing) {
   EXPECT_EQ(server.mission().agents.at(0).policy.name, "fast");
 }
 
-TEST_F(MissionServerTest, CheckTellsTheViolationsThatAnUpdateWouldCause) {
+TEST_F(MissionServerTest, CheckListsTheViolationsOfAnUpdate) {
   MissionServer server(folders_);
   const kg_mission::UpdateJudgement judgement =
       server.Check(Set("ex:w0", "ex:confidence", "1.2"));
@@ -155,7 +156,7 @@ TEST_F(MissionServerTest, CheckTellsTheViolationsThatAnUpdateWouldCause) {
   EXPECT_FALSE(server.Check(unreadable).violations);
 }
 
-TEST_F(MissionServerTest, AStoreThatViolatesTheShapesIsToldAndCanBeRepaired) {
+TEST_F(MissionServerTest, AStoreThatViolatesTheShapesIsReportedAndRepairable) {
   { MissionServer server(folders_); }
   {
     kg_core::Store store(folders_.state + "/store.db");
@@ -254,7 +255,7 @@ TEST_F(MissionServerTest, RefusesTheStateOfAnotherMission) {
   EXPECT_THROW(MissionServer server(other), InputError);
 }
 
-TEST_F(MissionServerTest, AfterItsEndAMissionBeginsAnewAndTheOldOneIsKept) {
+TEST_F(MissionServerTest, AMissionCanRestartAfterItsEndAndKeepsTheOldOne) {
   {
     MissionServer server(folders_);
     AgentPose pose;
@@ -337,7 +338,7 @@ TEST_F(MissionServerTest, AConstraintThatExpiresComesOffTheMap) {
             1u);
 }
 
-TEST_F(MissionServerTest, WhatOthersReferToOutlivesItsEndAndIsSaidOnce) {
+TEST_F(MissionServerTest, ReferencedFactsOutliveTheirEndWithOneWarning) {
   MissionServer server(folders_);
   kg_core::FactUpdate update;
   update.turtle =

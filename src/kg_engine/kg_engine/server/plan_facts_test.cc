@@ -18,7 +18,7 @@
 #include "kg_engine/server/testing/test_mission.h"
 #include "kg_engine/server/testing/test_team.h"
 #include "kg_engine/terms/plan_names.h"
-#include "kg_mission/mission/validator.h"
+#include "kg_mission/mission/testing/validate_graph.h"
 
 namespace kg_engine {
 namespace {
@@ -84,7 +84,7 @@ TEST_F(PlanFactsTest, ARunSaysItsModeBoundAndGap) {
   EXPECT_EQ(Said("displacementKm"), "0");
 }
 
-TEST_F(PlanFactsTest, WhatIsNotKnownIsNotSaid) {
+TEST_F(PlanFactsTest, OmitsUnknownValues) {
   PlanRecord record;
   record.plan = team_->Plan();
   record.plan.bound = std::nan("");

@@ -42,7 +42,7 @@ class PlanProgress {
   const std::vector<kg_selector::RecordedRejection>& rejections() const {
     return end_.rejections;
   }
-  // At which agents were last asked to plan; as they were told.
+  // At which agents were last asked to plan; as in their requests.
   std::vector<kg_selector::VisitPrice> prices() const {
     return RequestsOf(last_asked_run_).prices;
   }

@@ -164,7 +164,7 @@ TEST_F(ProvenanceTest, TensorsAreDerivedFromExactlyWhatTheirCompileRead) {
   }
 }
 
-TEST_F(ProvenanceTest, RejectionsSayWhoWasCooledByWhomUntilWhen) {
+TEST_F(ProvenanceTest, RejectionsNameBothAgentsAndTheEndOfCooling) {
   const kg_selector::CommittedPlan& plan = team_->Plan();
   EXPECT_GT(plan.rounds, 0);
   const auto rows = Rows(

@@ -162,7 +162,7 @@ TEST(ShippedQueries, SayWhatTheyAnswerAndForWhichParameters) {
   }
 }
 
-TEST(ShippedQueries, EveryFactHasSomebodyWhoSaidIt) {
+TEST(ShippedQueries, EveryFactHasAnAuthor) {
   const std::string text =
       kg_base::ReadFile(std::string(kQueries) + "/who_said.rq", kMaxBytes);
   const kg_core::QueryResult said = SharedMission().Ask(text);

@@ -357,7 +357,7 @@ TEST_F(WhatIfTest, AnAreaThatIsClosedMakesEdgesAndPathsInfeasible) {
 }
 
 // The paper's first question, with the shipped files.
-TEST_F(WhatIfTest, TellsWhichPlannedPathsALowerBudgetMakesInfeasible) {
+TEST_F(WhatIfTest, ReportsPathsInfeasibleUnderALowerBudget) {
   PlanReally();
   const std::string folder = "../../config/queries/what_if_energy_budget";
   FactUpdate less;
@@ -384,7 +384,7 @@ TEST_F(WhatIfTest, TellsWhichPlannedPathsALowerBudgetMakesInfeasible) {
 }
 
 // The second one: the query's rows are those of the answer's own list.
-TEST_F(WhatIfTest, TellsWhichEdgesBecomeTooCostly) {
+TEST_F(WhatIfTest, ReportsEdgesThatBecomeTooCostly) {
   PlanReally();
   const std::string folder = "../../config/queries/what_if_too_costly";
   FactUpdate safe;

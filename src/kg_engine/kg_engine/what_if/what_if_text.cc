@@ -19,13 +19,13 @@ std::string Print(const char* format, Values... values) {
 double ToWh(double energy_j) { return energy_j / kg_base::kJoulesPerWh; }
 
 std::string DirtyLine(const WhatIfAnswer& answer) {
-  if (answer.dirty.empty()) return "nothing to compile anew\n";
+  if (answer.dirty.empty()) return "nothing to recompile\n";
   std::map<std::string, int> counts;
   for (const RecompiledArtifact& dirty : answer.dirty) {
     const std::string of = dirty.agent.empty() ? "" : " of " + dirty.agent;
     ++counts[dirty.kind + of];
   }
-  std::string line = "to compile anew:";
+  std::string line = "to recompile:";
   for (const auto& [what, count] : counts) {
     line +=
         (line.back() == ':' ? " " : ", ") + std::to_string(count) + " " + what;

@@ -110,7 +110,7 @@ std::vector<Agent> ReadAgents(const GraphView& asserted, const GraphView& view,
       [](const Agent& a, const Agent& b) { return a.id == b.id; });
   if (twin != agents.end()) {
     FactEntity(view, Iri(twin->iri))
-        .Refuse(Ex("id"), "an id of its own, not \"" + twin->id + "\" twice");
+        .Refuse(Ex("id"), "a unique id, not \"" + twin->id + "\" twice");
   }
   return agents;
 }

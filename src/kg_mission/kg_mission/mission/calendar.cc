@@ -57,7 +57,7 @@ void WindowCalendar::Complete(const kg_core::GraphView& view, int i) {
   if (window.index != i) {
     entity.Refuse(Ex("index"), std::to_string(i) +
                                    ": the windows' indices run from 0 " +
-                                   "without gap or twin");
+                                   "without gaps or duplicates");
   }
   const bool is_last = i + 1 == static_cast<int>(planned_.size());
   // Without end and duration the window lasts until the next one begins.

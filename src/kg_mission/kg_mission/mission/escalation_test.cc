@@ -42,7 +42,7 @@ std::vector<kg_core::Inference> WhyAvoids(const MissionWorld& world,
                               {Ex(agent), Ex("mustAvoid"), Ex(zone)});
 }
 
-TEST(Escalation, NobodyEscalatesUnlessAPolicySaysSo) {
+TEST(Escalation, NeedsAPolicyThatAllowsIt) {
   const MissionWorld world;
   EXPECT_EQ(AvoidedBy(world, "alpha"), Zones());
   EXPECT_EQ(AvoidedBy(world, "bravo"), Zones());

@@ -44,7 +44,7 @@ std::string FileCache::Resolve(const std::string& file) const {
     tried.push_back(path.lexically_normal().string());
     if (name.is_absolute()) break;
   }
-  throw kg_base::InputError("file \"" + file + "\" is not there; looked for " +
+  throw kg_base::InputError("file \"" + file + "\" not found; looked for " +
                             (tried.empty() ? "it nowhere: no folder is given"
                                            : kg_base::JoinStrings(tried)));
 }

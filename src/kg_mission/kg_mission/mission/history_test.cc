@@ -13,7 +13,6 @@ namespace kg_mission {
 namespace {
 
 using kg_core::Ex;
-using kg_core::FactsAt;
 using kg_core::FactUpdate;
 using kg_core::FindDifferences;
 using kg_core::Statement;
@@ -24,12 +23,6 @@ using Lines = std::set<std::string>;
 std::string FormatLine(const Statement& s) {
   return ToNTriples(s.subject) + " " + ToNTriples(s.predicate) + " " +
          ToNTriples(s.object);
-}
-
-Lines FormatLines(const std::vector<Statement>& statements) {
-  Lines lines;
-  for (const Statement& s : statements) lines.insert(FormatLine(s));
-  return lines;
 }
 
 // The current facts, read directly.
@@ -84,6 +77,17 @@ FactUpdate RandomUpdate(std::mt19937& random) {
   return update;
 }
 
+// The facts at a version: its differences from the empty version 0.
+Lines FactsAt(const kg_core::GraphView& view, std::uint64_t version) {
+  Lines lines;
+  for (const kg_core::FactDifference& difference :
+       FindDifferences(view, 0, version)) {
+    EXPECT_TRUE(difference.is_added);
+    lines.insert(FormatLine(difference.statement));
+  }
+  return lines;
+}
+
 TEST(History, BringsBackTheFactsOfEveryVersion) {
   std::mt19937 random(7);
   for (int round = 0; round < 5; ++round) {
@@ -97,7 +101,7 @@ TEST(History, BringsBackTheFactsOfEveryVersion) {
     ASSERT_GT(saved.size(), 15u);
     const auto view = world.store.Read();
     for (const auto& [version, facts] : saved) {
-      ASSERT_EQ(FormatLines(FactsAt(*view, version)), facts) << version;
+      ASSERT_EQ(FactsAt(*view, version), facts) << version;
     }
     EXPECT_TRUE(FactsAt(*view, 0).empty());
     EXPECT_TRUE(FactsAt(*view, 1).empty());  // Vocabulary only.
@@ -152,10 +156,11 @@ TEST(History, SaysWhoAndWhen) {
   EXPECT_EQ(differences[1].author, "operator \"A\"");
 }
 
-TEST(History, RefusesAVersionThatIsYetToCome) {
+TEST(History, RefusesAVersionThatDoesNotExistYet) {
   MissionWorld world;
   const auto view = world.store.Read();
-  EXPECT_THROW(FactsAt(*view, view->world_version() + 1), kg_base::InputError);
+  EXPECT_THROW(FindDifferences(*view, 0, view->world_version() + 1),
+               kg_base::InputError);
   EXPECT_TRUE(
       FindDifferences(*view, view->world_version(), view->world_version())
           .empty());

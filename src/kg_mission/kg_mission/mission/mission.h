@@ -15,6 +15,7 @@
 #include "kg_base/raster/resample.h"
 #include "kg_core/facts/source_file.h"
 #include "kg_mission/mission/constraint_kind.h"
+#include "kg_mission/mission/option_names.h"
 
 namespace kg_mission {
 
@@ -213,26 +214,24 @@ struct CostFieldRef {
 
 // Options of team coordination: properties of ex:Mission.
 struct CoordinationFacts {
-  // ex:teamMode: "greedy", "auction", "priced" or "exact".
-  std::string mode = "greedy";
+  std::string mode = kTeamModeNames[0];  // ex:teamMode, see option_names.h.
   // ex:gapGoal: relative gap to the bound (fraction of the bound) at which no
   // further round is run.
   double gap_goal = 0.01;
-  double auction_epsilon = 0.05;  // ex:auctionEpsilon, reward.
-  double select_limit_s = 2.0;    // ex:selectTimeLimitS.
-  // ex:fairness: "scarcity", "balance" or "max_min".
-  std::string fairness = "scarcity";
-  double fairness_weight = 0.0;     // ex:fairnessWeight, reward.
-  double separation_m = 0.0;        // ex:minimumSeparationKm.
-  bool separation_is_hard = true;   // ex:separationIsHard.
-  double separation_weight = 0.0;   // ex:separationWeight, when soft.
-  int candidates_per_agent = 10;    // ex:candidatesPerAgent (K).
+  double auction_epsilon = 0.05;             // ex:auctionEpsilon, reward.
+  double select_limit_s = 2.0;               // ex:selectTimeLimitS.
+  std::string fairness = kFairnessNames[0];  // ex:fairness.
+  double fairness_weight = 0.0;              // ex:fairnessWeight, reward.
+  double separation_m = 0.0;                 // ex:minimumSeparationKm.
+  bool separation_is_hard = true;            // ex:separationIsHard.
+  double separation_weight = 0.0;            // ex:separationWeight, when soft.
+  int candidates_per_agent = 10;             // ex:candidatesPerAgent (K).
   int waypoints_per_window = 20;    // ex:waypointsPerWindow, at most 20.
   double waypoint_spacing_m = 0.0;  // ex:waypointSpacingKm; PR's disc.
   int max_rounds = 8;               // ex:maxCoolingRounds.
   // ex:movementMode (A22): "hops" visits one waypoint per window, "edges" a
   // path of several waypoints within a window.
-  std::string movement_mode = "hops";
+  std::string movement_mode = kMovementModeNames[0];
 };
 bool operator==(const CoordinationFacts& a, const CoordinationFacts& b);
 

@@ -16,21 +16,13 @@
 #include "kg_mission/mission/entity.h"
 #include "kg_mission/mission/grid_check.h"
 #include "kg_mission/mission/layer_reader.h"
+#include "kg_mission/mission/option_names.h"
 
 namespace kg_mission {
 namespace {
 
 using kg_core::Ex;
 using kg_core::GraphView;
-
-constexpr NamedChoice<const char*> kMovementModes[] = {{"hops", "hops"},
-                                                       {"edges", "edges"}};
-constexpr NamedChoice<const char*> kTeamModes[] = {{"greedy", "greedy"},
-                                                   {"auction", "auction"},
-                                                   {"priced", "priced"},
-                                                   {"exact", "exact"}};
-constexpr NamedChoice<const char*> kFairness[] = {
-    {"scarcity", "scarcity"}, {"balance", "balance"}, {"max_min", "max_min"}};
 
 // All instances of a class in the facts, sorted by IRI.
 std::vector<FactEntity> All(const GraphView& view, const char* type) {
@@ -53,15 +45,13 @@ FactEntity TheMission(const GraphView& view) {
 
 // Reads the options for team selection.
 void ReadChoice(const FactEntity& mission, CoordinationFacts* facts) {
-  facts->mode =
-      Choice(mission, Ex("teamMode"), kTeamModes, kTeamModes[0].value);
+  facts->mode = NameChoice(mission, Ex("teamMode"), kTeamModeNames);
   facts->gap_goal = mission.Number(Ex("gapGoal"), facts->gap_goal);
   facts->auction_epsilon =
       mission.Number(Ex("auctionEpsilon"), facts->auction_epsilon);
   facts->select_limit_s =
       mission.Number(Ex("selectTimeLimitS"), facts->select_limit_s);
-  facts->fairness =
-      Choice(mission, Ex("fairness"), kFairness, kFairness[0].value);
+  facts->fairness = NameChoice(mission, Ex("fairness"), kFairnessNames);
   facts->fairness_weight =
       mission.Number(Ex("fairnessWeight"), facts->fairness_weight);
 }
@@ -83,8 +73,8 @@ CoordinationFacts ReadCoordination(const FactEntity& mission) {
   facts.waypoint_spacing_m =
       kg_base::KmToMetres(mission.Number(Ex("waypointSpacingKm"), 0.0));
   facts.max_rounds = mission.Integer(Ex("maxCoolingRounds"), facts.max_rounds);
-  facts.movement_mode = Choice(mission, Ex("movementMode"), kMovementModes,
-                               kMovementModes[0].value);
+  facts.movement_mode =
+      NameChoice(mission, Ex("movementMode"), kMovementModeNames);
   return facts;
 }
 

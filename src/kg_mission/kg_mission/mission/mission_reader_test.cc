@@ -278,7 +278,7 @@ const Refused kRefused[] = {
     {"ex:m a ex:Mission", "ex:m a ex:Event", "exactly one ex:Mission, not 0"},
     {"ex:index 1", "ex:index 0", "ex:w1 ex:index: expected 1"},
     {"ex:durationHours 24", "rdfs:label \"x\"", "ex:w1 time:hasEnd: expected"},
-    {"ex:id \"bravo\"", "ex:id \"alpha\"", "an id of its own"},
+    {"ex:id \"bravo\"", "ex:id \"alpha\"", "a unique id"},
     {"ex:bravo_start a ex:AgentState", "ex:bravo_start a ex:Event",
      "ex:AgentState with ex:forAgent ex:bravo"},
     {"time:hasBeginning \"2026-06-03T00",

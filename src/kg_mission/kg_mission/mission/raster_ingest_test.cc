@@ -222,7 +222,7 @@ struct Wrong {
   const char* said;
 };
 const Wrong kWrong[] = {
-    {"habitat.nc#reef", "nowhere.nc#reef", "file \"nowhere.nc\" is not there"},
+    {"habitat.nc#reef", "nowhere.nc#reef", "file \"nowhere.nc\" not found"},
     {"#reef@1", "#coral@1",
      "no variable \"coral\", expected one of reef, farm, empty"},
     {"#reef@1", "#reef@2", "has 2 time steps, none with index 2"},

@@ -45,15 +45,6 @@ std::vector<Violation> Validate(const GraphView& view) {
   return kg_core::shacl::ShapeValidation(data, *shapes).Run();
 }
 
-std::vector<Violation> ValidateGraph(const GraphView& view,
-                                     const std::string& graph) {
-  const auto shapes = GetShapes(view);
-  kg_core::shacl::DataGraph data = GetFacts(view);
-  data.graph = graph;
-  data.class_graphs.push_back(graph);
-  return kg_core::shacl::ShapeValidation(data, *shapes).Run();
-}
-
 std::vector<Violation> ValidateChange(const kg_core::Transaction& transaction) {
   const GraphView& view = transaction.view();
   const kg_core::shacl::GraphChange change = {transaction.added(),

@@ -21,11 +21,6 @@ namespace kg_mission {
 // vocabulary graph. Throws InputError if a shape itself cannot be used.
 std::vector<kg_core::Violation> Validate(const kg_core::GraphView& view);
 
-// The same for another graph, such as a plan graph: with its own focus nodes
-// and values; classes are also read from the graphs above.
-std::vector<kg_core::Violation> ValidateGraph(const kg_core::GraphView& view,
-                                              const std::string& graph);
-
 // The same for the state after `transaction`, provided that the state before
 // had no violation: checks only the focus nodes that its changes can affect
 // (shacl/changes.h), or everything if they affect the vocabulary.

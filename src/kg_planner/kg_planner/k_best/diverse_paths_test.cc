@@ -226,7 +226,7 @@ TEST(DiversePathsTest, SayByHowMuchALimitIsMissed) {
   EXPECT_EQ(found.above_limits, std::vector<double>{2.0});
 }
 
-TEST(DiversePathsTest, NothingOfNothing) {
+TEST(DiversePathsTest, OfAnEmptyTrellisAreNone) {
   EXPECT_TRUE(FindDiverse({}, {}, {}).paths.empty());
   Trellis trellis = RandomTrellis({}, 71).Make();
   EXPECT_TRUE(FindDiverse(trellis, {}, {0, 1}).paths.empty());

@@ -349,7 +349,7 @@ TEST(KBestTest, AllPathsFoundIsProvenWhateverTheLimit) {
   EXPECT_TRUE(found.proven);
 }
 
-TEST(KBestTest, FindsNothingWhereThereIsNothing) {
+TEST(KBestTest, FindsNoPathIfThereIsNone) {
   EXPECT_TRUE(FindKBest({}, {}, {5, 100}).paths.empty());
   Trellis empty_stage = Uniform(3, 2);
   empty_stage.stages[1] = Stage();

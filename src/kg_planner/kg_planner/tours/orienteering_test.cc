@@ -231,7 +231,7 @@ TEST(TourSearch, PoolsToursThatKeepTheLimit) {
   EXPECT_EQ(search.pool(7).size(), 7u);
 }
 
-TEST(TourSearch, GoesOnFromWhereItIsTold) {
+TEST(TourSearch, StartsFromTheGivenTour) {
   const OrienteeringProblem problem = LargeProblem();
   TourSearch good(problem, 1);
   good.Run(500, 1.0);

@@ -47,7 +47,7 @@ TEST(MainThreadTest, NeverDoesWhatWasGivenUp) {
   EXPECT_FALSE(was_done);
 }
 
-TEST(MainThreadTest, LetsGoOfThoseWhoWaitWhenItCloses) {
+TEST(MainThreadTest, ReleasesWaitingCallersOnClose) {
   ros::CallbackQueue queue;
   MainThread main_thread(&queue);
   std::thread asking(

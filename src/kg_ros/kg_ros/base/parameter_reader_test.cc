@@ -41,7 +41,7 @@ TEST(ParameterReaderTest, RefusesTheWrongType) {
   EXPECT_THROW(MakeReader().Boolean("deadline_s", true), kg_base::InputError);
 }
 
-TEST(ParameterReaderTest, RefusesAKeyNobodyReads) {
+TEST(ParameterReaderTest, RefusesAnUnknownKey) {
   ParameterReader read = MakeReader();
   read.Text("agent");
   EXPECT_THROW(read.RefuseTheRest(), kg_base::InputError);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "kg_base/common/input_error.h"
+#include "kg_mission/mission/option_names.h"
 #include "kg_ros/conversion/message_units.h"
 #include "kg_selector/team/team_modes.h"
 
@@ -140,7 +142,9 @@ void CheckChoice(const kg_msgs::CoordinationRules& message) {
     throw InputError("CoordinationRules.auction_epsilon must be a number > 0");
   }
   RequireAtLeast(message.time_limit_s, 0.0, "CoordinationRules.time_limit_s");
-  RequireOneOf(message.fairness, {"scarcity", "balance", "max_min"},
+  RequireOneOf(message.fairness,
+               {std::begin(kg_mission::kFairnessNames),
+                std::end(kg_mission::kFairnessNames)},
                "CoordinationRules.fairness");
   RequireAtLeast(message.fairness_weight, 0.0,
                  "CoordinationRules.fairness_weight");

@@ -123,7 +123,7 @@ TEST_F(ClickedPoint, OfALoopOfFramesIsRefused) {
                kg_base::InputError);
 }
 
-TEST_F(ClickedPoint, ThatIsNotFiniteIsNowhere) {
+TEST_F(ClickedPoint, IsRefusedIfNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(
       std::isnan(ToPosition(Point("map", nan, 0.0), frames_, map_).lon_deg));

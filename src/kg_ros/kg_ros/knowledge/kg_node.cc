@@ -71,7 +71,7 @@ KgNode::KgNode(const MissionFolders& folders, const SparqlHttpOptions& http,
       server_.world_version(),
       server_.was_restored() ? ", resumed from the store" : "");
   for (const std::string& line : server_.violations_at_start()) {
-    ROS_WARN_STREAM("[facts] the store holds what its shapes forbid: " << line);
+    ROS_WARN_STREAM("[facts] the store violates its shapes: " << line);
   }
   ExpectFirstPlan();
   ExpireFacts();
@@ -201,7 +201,7 @@ UpdateReport KgNode::Report(const kg_core::FactUpdate& update,
     pending_.Add(report);
     PublishWorld();
   } else if (decision.accepted) {
-    report.warnings.push_back("nothing changed: the facts were so already");
+    report.warnings.push_back("no change: all facts were already present");
     report.plan_status = plan_status_ == World::PLAN_OK
                              ? UpdateReport::PLAN_OK
                              : UpdateReport::PLAN_PENDING;
@@ -294,7 +294,7 @@ bool KgNode::FleetIsReady() const {
 }
 
 void KgNode::FailCycle(const std::string& why) {
-  ROS_ERROR_STREAM("[compile] " << why << "; the last plan stays");
+  ROS_ERROR_STREAM("[compile] " << why << "; the last plan remains in force");
   plan_status_ = World::PLAN_FAILED;
   plan_note_ = why;
   for (const UpdateReport& report : pending_.Fail(why)) {
@@ -473,10 +473,10 @@ void KgNode::Watch() {
 std::string KgNode::MissingNodes() const {
   for (const kg_mission::Agent& agent : server_.mission().agents) {
     if (!artifacts_.HasPlanner(agent.id)) {
-      return "the planner of " + agent.id + " is not there";
+      return "planner for " + agent.id + " not connected";
     }
   }
-  return artifacts_.HasSelector() ? "" : "the selector is not there";
+  return artifacts_.HasSelector() ? "" : "selector not connected";
 }
 
 int KgNode::ViewWindow() const {

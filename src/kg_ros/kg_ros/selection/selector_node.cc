@@ -61,7 +61,7 @@ class SelectorNode {
     const double waited_s =
         ros::WallTime::now().toSec() - selector_.waiting_since_s();
     if (waited_s < deadline_s_) return;
-    ROS_WARN("[select] %s is late by more than %.1f s: going on without it",
+    ROS_WARN("[select] %s is late by more than %.1f s: continuing without it",
              selector_.WaitingFor().front().c_str(), deadline_s_);
     Answer([this] { return selector_.GiveUpWaiting(); });
   }

@@ -386,7 +386,7 @@ TEST(ExplainPlan, WaypointVerdictsAreThoseOfExhaustion) {
   EXPECT_GT(verdicts["worth_less"], 100);
 }
 
-TEST(ExplainPlan, SaysWhatABudgetLacks) {
+TEST(ExplainPlan, StatesTheEnergyMissingInTheBudget) {
   int lacking = 0;
   for (unsigned seed = 1; seed <= 5; ++seed) {
     PlannedTestWorld random(seed);

@@ -269,7 +269,7 @@ TEST(Packing, IsTheHeadersExample) {
   EXPECT_EQ(SolvePacking(packing, {}).chosen, (std::vector<int>{1, 2}));
 }
 
-TEST(Packing, LetsNobodyHaveAColumnThatCosts) {
+TEST(Packing, ChoosesNoColumnOfNegativeScore) {
   Packing packing;
   packing.agent_counts = {1};
   packing.columns = {{0, -1.0, {}}};

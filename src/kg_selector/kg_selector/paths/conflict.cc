@@ -157,14 +157,14 @@ std::string Conflict::Line() const {
       line << margin << " m too close to " << with_agent;
       break;
     case ConflictKind::kCapacity:
-      line << event << " rewards no more agents"
-           << (with_agent.empty() ? "" : " since " + with_agent);
+      line << event << " is at capacity"
+           << (with_agent.empty() ? "" : " after " + with_agent);
       break;
     case ConflictKind::kEnergy:
       line << margin << " J above the energy budget";
       break;
     case ConflictKind::kExpired:
-      line << event << " rewards nobody";
+      line << event << " has expired";
       break;
     case ConflictKind::kOutbid:
       line << "outbid by " << (with_agent.empty() ? "the others" : with_agent)

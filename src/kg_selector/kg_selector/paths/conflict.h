@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "kg_mission/mission/option_names.h"
 #include "kg_selector/paths/pathlet.h"
 
 namespace kg_selector {
@@ -37,13 +38,13 @@ struct TeamRules {
   // Soft separation: reward lost per metre by which the closest approach to
   // each committed agent falls below separation_m.
   double separation_weight_per_m = 0.0;
-  std::string mode = "greedy";  // Mode name, see team_modes.h.
-  int max_rounds = 8;           // Planning rounds, the first included.
+  std::string mode = kg_mission::kGreedyMode;  // See team_modes.h.
+  int max_rounds = 8;  // Planning rounds, the first included.
   // Modes with prices stop at this relative gap between plan and bound.
   double gap_goal = 0.01;
   double auction_epsilon = 0.05;  // Minimum price increment [reward].
   double time_limit_s = 2.0;      // Limit of the choice among candidates [s].
-  std::string fairness = "scarcity";  // "scarcity", "balance", "max_min".
+  std::string fairness = kg_mission::kScarcityFairness;
   double fairness_weight =
       0.0;  // Weight of the spread of loads in "balance" [reward].
   // Energy budget by agent name in the team [J]; absent = unlimited.

@@ -90,7 +90,7 @@ TEST(FindConflictTest, SoftSeparationForbidsOnlyTheSamePlace) {
   EXPECT_TRUE(FindConflict(rules, {a}, Through("ex:b", East(100), {East(0)})));
 }
 
-TEST(FindConflictTest, ThoseWhoBeginTogetherMustPart) {
+TEST(FindConflictTest, AgentsThatStartTogetherMustSeparate) {
   const Pathlet a = Through("ex:a", East(0), {East(9000), East(9000)});
   const Pathlet apart = Through("ex:b", East(0), {East(-9000), East(-9000)});
   const Pathlet stays = Through("ex:b", East(0), {East(8500), East(-9000)});
@@ -100,7 +100,7 @@ TEST(FindConflictTest, ThoseWhoBeginTogetherMustPart) {
   EXPECT_EQ(FindConflict(RulesOf(2000.0), {a}, later)->window, 1);
 }
 
-TEST(FindConflictTest, ThoseWhoHavePartedMayNotMeetAgainInTheFirstWindow) {
+TEST(FindConflictTest, SeparatedAgentsMayNotMeetInTheFirstWindow) {
   Pathlet a = Through("ex:a", East(0), {East(0)});
   Pathlet b = a;
   b.agent = "ex:b";
@@ -145,7 +145,7 @@ TEST(FindConflictTest, ManyVisitsOfOneAgentCountOnce) {
   EXPECT_TRUE(FullEvents(rules, {a}).empty());
 }
 
-TEST(FindConflictTest, CapacityZeroRewardsNobody) {
+TEST(FindConflictTest, CapacityZeroAllowsNoVisit) {
   TeamRules rules = RulesOf(0.0);
   rules.event_capacity["ex:e"] = 0;
   const auto conflict = FindConflict(rules, {}, Visiting("ex:a", 0, "ex:e"));
@@ -177,7 +177,7 @@ TEST(ConflictTest, LinesSayWhatWhereAndWithWhom) {
   EXPECT_EQ((Conflict{ConflictKind::kSeparation, "ex:a", 3, "", 250.0}.Line()),
             "250 m too close to ex:a, window 3");
   EXPECT_EQ((Conflict{ConflictKind::kCapacity, "ex:a", 2, "ex:e", -1.0}.Line()),
-            "ex:e rewards no more agents since ex:a, window 2");
+            "ex:e is at capacity after ex:a, window 2");
   EXPECT_STREQ(Name(ConflictKind::kSeparation), "separation");
   EXPECT_STREQ(Name(ConflictKind::kCapacity), "capacity");
 }

@@ -180,12 +180,17 @@ bool operator==(const Visit& a, const Visit& b) {
 }
 
 bool IsSamePath(const Pathlet& a, const Pathlet& b) {
+  const auto same_stops = [](const Visit& one, const Visit& other) {
+    return one.window == other.window && one.events == other.events &&
+           StopsOf(one) == StopsOf(other);
+  };
   const auto same_point = [](const TimedPoint& one, const TimedPoint& other) {
     return one.time_s == other.time_s && one.position == other.position;
   };
-  return a.rank == b.rank && a.reward == b.reward &&
-         a.seam_cost == b.seam_cost && a.energy_j == b.energy_j &&
-         a.visits == b.visits &&
+  return a.reward == b.reward && a.seam_cost == b.seam_cost &&
+         a.energy_j == b.energy_j &&
+         std::equal(a.visits.begin(), a.visits.end(), b.visits.begin(),
+                    b.visits.end(), same_stops) &&
          std::equal(a.track.begin(), a.track.end(), b.track.begin(),
                     b.track.end(), same_point);
 }

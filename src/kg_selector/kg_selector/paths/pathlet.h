@@ -50,8 +50,9 @@ struct Pathlet {
   double score() const { return reward - seam_cost; }
 };
 
-// True if values, visits and tracks are equal; agent, rank and round are
-// ignored.
+// True if reward, seam cost, energy, track and the waypoints and events of each
+// visit are equal. Agent, rank, round, and how reward and cost are divided
+// among the visits are ignored: they may differ between two offers of one path.
 bool IsSamePath(const Pathlet& a, const Pathlet& b);
 
 // Closest approach of two tracks while both exist [m]; position is linear (in

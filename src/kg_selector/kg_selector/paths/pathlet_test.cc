@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "gtest/gtest.h"
 #include "kg_base/geo/geodesy.h"
@@ -120,7 +121,7 @@ TEST(ClosestApproachTest, OfTheWholeIsTheLeastOfItsPieces) {
   }
 }
 
-TEST(ComeCloserThanTest, SaysWhatTheClosestApproachSays) {
+TEST(ComeCloserThanTest, AgreesWithTheClosestApproach) {
   RandomTracks random(45);
   for (int i = 0; i < 500; ++i) {
     const LonLat about = {random.Number(-180.0, 180.0),
@@ -138,7 +139,7 @@ TEST(ComeCloserThanTest, SaysWhatTheClosestApproachSays) {
 const LonLat kHere = {-90.0, 25.0};
 const LonLat kThere = {-89.9, 25.0};
 
-TEST(ClosestApproachTest, IsNothingWithoutACommonTime) {
+TEST(ClosestApproachTest, IsNulloptWithoutACommonTime) {
   EXPECT_FALSE(ClosestApproach({}, {}));
   EXPECT_FALSE(ClosestApproach({{kHere, 0.0}}, {}));
   EXPECT_FALSE(ClosestApproach({{kHere, 0.0}, {kHere, 1.0}},
@@ -154,14 +155,14 @@ TEST(ClosestApproachTest, OneCommonInstantIsEnough) {
   EXPECT_EQ(ClosestApproach({{kHere, 1.0}}, {{kHere, 1.0}})->distance_m, 0.0);
 }
 
-TEST(ClosestApproachTest, OfThoseWhoMeetHeadOnIsZeroHalfWay) {
+TEST(ClosestApproachTest, OfHeadOnTracksIsZeroHalfWay) {
   const auto meeting = ClosestApproach({{kHere, 0.0}, {kThere, 1000.0}},
                                        {{kThere, 0.0}, {kHere, 1000.0}});
   EXPECT_NEAR(meeting->distance_m, 0.0, 1e-6);
   EXPECT_NEAR(meeting->time_s, 500.0, 1e-6);
 }
 
-TEST(ClosestApproachTest, OfThoseWhoRestIsTheirDistance) {
+TEST(ClosestApproachTest, OfAgentsAtRestIsTheirDistance) {
   const auto rest = ClosestApproach({{kHere, 0.0}, {kHere, 9.0}},
                                     {{kThere, 3.0}, {kThere, 5.0}});
   EXPECT_NEAR(rest->distance_m, kg_base::Distance_m(kHere, kThere), 0.1);
@@ -200,6 +201,42 @@ TEST(FirstTimeApartTest, IsThatOfAPointOfEitherTrack) {
   EXPECT_EQ(FirstTimeApart(a, b, 10000.0, TimeSpan()), 1000.0);
   EXPECT_FALSE(FirstTimeApart(a, b, 20000.0, TimeSpan()));
   EXPECT_FALSE(FirstTimeApart(a, b, 5000.0, {0.0, 400.0}));
+}
+
+TEST(IsSamePathTest, ComparesTheWayAndItsValueOnly) {
+  Pathlet path;
+  path.reward = 5.0;
+  path.seam_cost = 2.0;
+  path.energy_j = 1e4;
+  path.visits.resize(1);
+  path.visits[0].waypoint = 3;
+  path.visits[0].events = {"ex:seep"};
+  path.visits[0].via = {{4, {-90.0, 25.0}}};
+  path.track = {{{-90.0, 25.0}, 0.0}, {{-90.0, 25.1}, 3600.0}};
+  Pathlet again = path;
+  again.agent = "bravo";
+  again.rank = 2;
+  again.round = 1;
+  again.visits[0].edge = 7;
+  again.visits[0].cost.hazard_s = std::nan("");  // By message, for example.
+  EXPECT_TRUE(IsSamePath(path, again));
+  const std::vector<void (*)(Pathlet*)> changes = {
+      [](Pathlet* p) { p->reward = 6.0; },
+      [](Pathlet* p) { p->seam_cost = 1.0; },
+      [](Pathlet* p) { p->energy_j = 0.0; },
+      [](Pathlet* p) { p->visits[0].window = 1; },
+      [](Pathlet* p) { p->visits[0].waypoint = 5; },
+      [](Pathlet* p) { p->visits[0].events.clear(); },
+      [](Pathlet* p) { p->visits[0].via[0].waypoint = 5; },
+      [](Pathlet* p) { p->visits.emplace_back(); },
+      [](Pathlet* p) { p->track[1].time_s = 7200.0; },
+      [](Pathlet* p) { p->track[1].position.lat_deg = 25.2; },
+      [](Pathlet* p) { p->track.pop_back(); }};
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    Pathlet other = path;
+    changes[i](&other);
+    EXPECT_FALSE(IsSamePath(path, other)) << i;
+  }
 }
 
 }  // namespace

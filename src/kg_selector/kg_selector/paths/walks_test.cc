@@ -381,7 +381,7 @@ TEST(WalksTest, APlanWithThemIsWorthNoLess) {
 
 // Caches --------------------------------------------------------------------
 
-TEST(WalksTest, TheSameBitsWithWhatWasKeptAsFromNothing) {
+TEST(WalksTest, AreBitIdenticalWithAndWithoutCache) {
   int kept = 0;
   for (unsigned seed = 1; seed <= 4; ++seed) {
     EdgesWorld world(seed);

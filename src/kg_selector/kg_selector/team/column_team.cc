@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kg_base/common/input_error.h"
+#include "kg_mission/mission/option_names.h"
 #include "kg_selector/team/screening.h"
 
 namespace kg_selector {
@@ -22,9 +23,9 @@ std::size_t PairKey(int a, int b) {
 }
 
 Fairness ParseFairness(const TeamRules& rules) {
-  if (rules.fairness == "scarcity") return Fairness::kNone;
-  if (rules.fairness == "balance") return Fairness::kBalance;
-  if (rules.fairness == "max_min") return Fairness::kMaxMin;
+  if (rules.fairness == kg_mission::kScarcityFairness) return Fairness::kNone;
+  if (rules.fairness == kg_mission::kBalanceFairness) return Fairness::kBalance;
+  if (rules.fairness == kg_mission::kMaxMinFairness) return Fairness::kMaxMin;
   throw kg_base::InputError("fairness '" + rules.fairness +
                             "': expected 'scarcity', 'balance' or 'max_min'");
 }
@@ -117,7 +118,7 @@ ColumnAnswers ColumnTeam::CollectOffers() {
 
 int ColumnTeam::FindOrAddColumn(int agent, Pathlet pathlet) {
   for (const int column : pool_.columns_of(agent)) {
-    if (SamePath(pathlets_[column], pathlet)) return column;
+    if (IsSamePath(pathlets_[column], pathlet)) return column;
   }
   rows_.Add(pathlet);
   Column column;

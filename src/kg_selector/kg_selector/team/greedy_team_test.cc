@@ -55,7 +55,7 @@ TEST(GreedyTeamTest, FollowsTheHandExample) {
   EXPECT_TRUE(team.outcome().unassigned.empty());
 }
 
-TEST(GreedyTeamTest, OneRoundIfNobodyIsInAnybodysWay) {
+TEST(GreedyTeamTest, TakesOneRoundWithoutConflicts) {
   GreedyTeam team({}, {"a", "b", "c"});
   team.Offer("c", {{At(3, 1.0)}});
   team.Offer("a", {{At(1, 2.0)}});
@@ -67,7 +67,7 @@ TEST(GreedyTeamTest, OneRoundIfNobodyIsInAnybodysWay) {
   EXPECT_EQ(team.outcome().committed.size(), 3u);
 }
 
-TEST(GreedyTeamTest, AnAgentOutrankingThoseWhoPlanAgainDoesNotWait) {
+TEST(GreedyTeamTest, AnAgentAboveThoseReplanningDoesNotWait) {
   GreedyTeam team({}, {"a", "b", "c"});
   team.Offer("a", {{At(1, 10.0)}});
   team.Offer("b", {{At(1, 5.0), At(2, 4.0)}});
@@ -156,7 +156,7 @@ TEST(GreedyTeamTest, ALaterOfferReplacesTheEarlier) {
   EXPECT_EQ(Agents(team.outcome().committed), (Names{"b", "a"}));
 }
 
-TEST(GreedyTeamTest, StrangersAreIgnored) {
+TEST(GreedyTeamTest, UnknownAgentsAreIgnored) {
   GreedyTeam team({}, {"a"});
   team.Offer("z", {{At(1, 10.0)}});
   team.Drop("y", "?");
@@ -166,7 +166,7 @@ TEST(GreedyTeamTest, StrangersAreIgnored) {
   EXPECT_TRUE(team.outcome().unassigned.empty());
 }
 
-TEST(GreedyTeamTest, SaysWhoFoundNoPath) {
+TEST(GreedyTeamTest, NamesAgentsWithoutAPath) {
   GreedyTeam team({}, {"a", "b", "c"});
   team.Offer("a", {{At(1, 10.0)}});
   team.Offer("b", {{At(1, 9.0)}});
@@ -179,7 +179,7 @@ TEST(GreedyTeamTest, SaysWhoFoundNoPath) {
             "found no path around those committed");
 }
 
-TEST(GreedyTeamTest, ATeamOfNobodyIsDone) {
+TEST(GreedyTeamTest, AnEmptyTeamIsFinished) {
   GreedyTeam team({}, {});
   EXPECT_TRUE(team.Advance());
 }

@@ -87,8 +87,7 @@ std::vector<AgentGraphs> CompileAll(const Compilation& compilation,
   return made;
 }
 
-// A planner that finds no path says so in its own words, which go before the
-// selector's.
+// If a planner found no path, its own reason precedes that of the selector.
 void AddReasons(const std::map<std::string, std::string>& unplannable,
                 TeamPlan* plan) {
   for (auto& [agent, why] : plan->unassigned) {

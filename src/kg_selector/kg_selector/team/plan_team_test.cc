@@ -278,7 +278,7 @@ TEST(PlanTeamTest, TwoIdenticalAgentsNeverShareAWaypoint) {
   EXPECT_GT(both, 60);
 }
 
-TEST(PlanTeamTest, ATeamOfNobodyHasAnEmptyPlan) {
+TEST(PlanTeamTest, AnEmptyTeamHasAnEmptyPlan) {
   const TeamPlan plan = PlanTeam({}, {});
   EXPECT_TRUE(plan.committed.empty());
   EXPECT_EQ(plan.score(), 0.0);

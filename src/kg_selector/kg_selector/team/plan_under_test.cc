@@ -101,7 +101,7 @@ TEST(PlanUnderTest, FindsTheBestPathsLessPricesByExhaustion) {
   EXPECT_GT(dear_events, 1000);
 }
 
-TEST(PlanUnderTest, PricesOfNothingChangeNothing) {
+TEST(PlanUnderTest, PricesOfNoRowsChangeNothing) {
   RandomTeam random({}, 3);
   const TeamMember member = random.MakeMembers().front();
   PlanRequest free;

@@ -61,7 +61,7 @@ struct RunEnd {
 };
 
 // Is the request of a run that this end, or the end of a later run, has closed?
-// They may arrive in either order. A selector that was started anew may use a
+// They may arrive in either order. A restarted selector may use a
 // run number again; what it asks is stamped later than the end.
 bool HasEnded(const RoundRequest& request, const RunEnd& end);
 

@@ -56,7 +56,7 @@ TEST(RoundRequest, AnEventMayBeFullWithoutATrackInTheWay) {
   EXPECT_EQ(back->ask.full_events, ask.full_events);
 }
 
-TEST(RoundRequest, APriceWithoutAnAgentIsForAllWhoAreAsked) {
+TEST(RoundRequest, APriceWithoutAnAgentAppliesToAllAgentsAsked) {
   RoundRequest request;
   request.asked = {"alpha", "bravo"};
   request.prices.resize(2);

@@ -44,26 +44,6 @@ std::string MalformedTrack(const std::vector<TimedPoint>& track) {
 
 }  // namespace
 
-bool SamePath(const Pathlet& a, const Pathlet& b) {
-  const auto same_visit = [](const Visit& x, const Visit& y) {
-    return x.window == y.window && x.waypoint == y.waypoint &&
-           x.events == y.events &&
-           std::equal(x.via.begin(), x.via.end(), y.via.begin(), y.via.end(),
-                      [](const Stop& s, const Stop& t) {
-                        return s.waypoint == t.waypoint;
-                      });
-  };
-  const auto same_point = [](const TimedPoint& x, const TimedPoint& y) {
-    return x.time_s == y.time_s && x.position.lon_deg == y.position.lon_deg &&
-           x.position.lat_deg == y.position.lat_deg;
-  };
-  return a.score() == b.score() && a.energy_j == b.energy_j &&
-         std::equal(a.visits.begin(), a.visits.end(), b.visits.begin(),
-                    b.visits.end(), same_visit) &&
-         std::equal(a.track.begin(), a.track.end(), b.track.begin(),
-                    b.track.end(), same_point);
-}
-
 std::string Malformed(const TeamRules& rules, const Pathlet& pathlet) {
   if (!std::isfinite(pathlet.reward) || !std::isfinite(pathlet.seam_cost) ||
       !std::isfinite(pathlet.energy_j)) {
@@ -93,7 +73,7 @@ ScreenedOffer ScreenOffer(const TeamRules& rules, const std::string& agent,
           {std::move(pathlet), *violation, violation->Line(), round});
     } else if (std::none_of(screened.sound.begin(), screened.sound.end(),
                             [&](const Pathlet& other) {
-                              return SamePath(pathlet, other);
+                              return IsSamePath(pathlet, other);
                             })) {
       screened.sound.push_back(std::move(pathlet));
     }

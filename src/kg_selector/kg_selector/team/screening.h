@@ -28,9 +28,6 @@ ScreenedOffer ScreenOffer(const TeamRules& rules, const std::string& agent,
 // Why `pathlet` is malformed; empty if it is not.
 std::string Malformed(const TeamRules& rules, const Pathlet& pathlet);
 
-// True if visits, score, energy and track are equal.
-bool SamePath(const Pathlet& a, const Pathlet& b);
-
 }  // namespace kg_selector
 
 #endif  // KG_SELECTOR_TEAM_SCREENING_H_

@@ -48,7 +48,7 @@ TEST(StabilityTest, AMetreIsTheSamePlaceAndALittleMoreIsNot) {
   }
 }
 
-TEST(StabilityTest, NothingInCommonIsNoNumber) {
+TEST(StabilityTest, IsUndefinedWithoutCommonWindows) {
   for (const auto& before :
        {std::vector<Pathlet>(), std::vector<Pathlet>{Path("b", 0, {-90})}}) {
     const PlanStability found = ComputeStability(before, {Path("a", 0, {-90})});

@@ -1,6 +1,7 @@
 #include "kg_selector/team/team_modes.h"
 
 #include "kg_base/common/input_error.h"
+#include "kg_mission/mission/option_names.h"
 #include "kg_selector/team/auction_search.h"
 #include "kg_selector/team/column_team.h"
 #include "kg_selector/team/exact_search.h"
@@ -29,10 +30,12 @@ std::unique_ptr<Coordinator> MakeColumnTeam(
 
 const std::vector<TeamMode>& TeamModes() {
   static const std::vector<TeamMode> modes = {
-      {"greedy", MakeGreedyTeam, PlanToursGreedily},
-      {"auction", MakeColumnTeam<AuctionSearch>, PlanToursByAuction},
-      {"priced", MakeColumnTeam<PricedSearch>, PlanToursByPrices},
-      {"exact", MakeColumnTeam<ExactSearch>, PlanToursExactly}};
+      {kg_mission::kGreedyMode, MakeGreedyTeam, PlanToursGreedily},
+      {kg_mission::kAuctionMode, MakeColumnTeam<AuctionSearch>,
+       PlanToursByAuction},
+      {kg_mission::kPricedMode, MakeColumnTeam<PricedSearch>,
+       PlanToursByPrices},
+      {kg_mission::kExactMode, MakeColumnTeam<ExactSearch>, PlanToursExactly}};
   return modes;
 }
 

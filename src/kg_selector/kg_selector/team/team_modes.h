@@ -1,6 +1,7 @@
 // The table of team modes. A row has the name (as in ex:teamMode, the message
 // CoordinationRules and the option --mode) and the factory of its coordinator.
-// To add a mode: a file for it, and a row in team_modes.cc.
+// To add a mode: its name in option_names.h of kg_mission, a file for it, and a
+// row in team_modes.cc.
 
 #ifndef KG_SELECTOR_TEAM_TEAM_MODES_H_
 #define KG_SELECTOR_TEAM_TEAM_MODES_H_
@@ -24,7 +25,7 @@ struct TeamMode {
   TourPlanner plan_tours;
 };
 
-// Every mode, the default first.
+// Every mode, in the order of kg_mission::kTeamModeNames.
 const std::vector<TeamMode>& TeamModes();
 
 // Null = unknown mode.

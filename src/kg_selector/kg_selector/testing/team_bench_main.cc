@@ -18,7 +18,7 @@
 #include "kg_selector/team/auction_search.h"
 #include "kg_selector/team/exact_search.h"
 #include "kg_selector/team/priced_search.h"
-#include "kg_selector/team/team_flow.h"
+#include "kg_selector/testing/team_flow.h"
 #include "kg_selector/testing/trellis_team.h"
 
 namespace kg_selector {

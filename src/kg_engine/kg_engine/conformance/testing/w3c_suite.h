@@ -29,7 +29,7 @@ inline std::filesystem::path W3cFolder() {
 inline void ExpectSuitePasses(const std::string& suite, int least) {
   const std::filesystem::path folder = W3cFolder() / suite;
   if (!std::filesystem::is_directory(folder)) {
-    GTEST_SKIP() << "the W3C suite is not there: " << folder;
+    GTEST_SKIP() << "W3C suite not found: " << folder;
   }
   const auto tests = RunConformance(folder);
   std::map<std::string, int> groups;

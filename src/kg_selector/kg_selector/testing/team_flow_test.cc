@@ -1,4 +1,4 @@
-#include "kg_selector/team/team_flow.h"
+#include "kg_selector/testing/team_flow.h"
 
 #include <algorithm>
 #include <limits>
@@ -111,7 +111,7 @@ TEST(TeamFlowTest, EqualsTheBestOfAllPlans) {
 
 // Both want node 0; the agent that would lose more elsewhere gets it, although
 // the other was served first.
-TEST(TeamFlowTest, UndoesWhatWasChosenBefore) {
+TEST(TeamFlowTest, RevisesEarlierChoices) {
   TeamFlow flow;
   flow.agents = 2;
   flow.stages = {
@@ -121,7 +121,7 @@ TEST(TeamFlowTest, UndoesWhatWasChosenBefore) {
   EXPECT_DOUBLE_EQ(plan.value, 17.0);
 }
 
-TEST(TeamFlowTest, NobodyAndNothingAreNoTrouble) {
+TEST(TeamFlowTest, AcceptsNoAgentsAndNoStages) {
   EXPECT_TRUE(SolveFlow({}).nodes.empty());
   TeamFlow flow;
   flow.agents = 2;
@@ -130,7 +130,7 @@ TEST(TeamFlowTest, NobodyAndNothingAreNoTrouble) {
   EXPECT_EQ(SolveFlow(flow).value, 0.0);
 }
 
-TEST(TeamFlowTest, RefusesWhatIsNotThere) {
+TEST(TeamFlowTest, RefusesIndicesOutOfRange) {
   TeamFlow flow;
   flow.agents = 1;
   flow.stages = {{{1.0}, {1}, {{1, 0, 0.0}}}};

@@ -1,4 +1,4 @@
-#include "kg_selector/team/team_flow.h"
+#include "kg_selector/testing/team_flow.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,8 +11,8 @@
 //
 // [1] R. K. Ahuja, T. L. Magnanti and J. B. Orlin, "Network Flows", 1993, 9.7.
 
-#ifndef KG_SELECTOR_TEAM_TEAM_FLOW_H_
-#define KG_SELECTOR_TEAM_TEAM_FLOW_H_
+#ifndef KG_SELECTOR_TESTING_TEAM_FLOW_H_
+#define KG_SELECTOR_TESTING_TEAM_FLOW_H_
 
 #include <cstddef>
 #include <vector>
@@ -48,4 +48,4 @@ FlowPlan SolveFlow(const TeamFlow& flow);
 
 }  // namespace kg_selector
 
-#endif  // KG_SELECTOR_TEAM_TEAM_FLOW_H_
+#endif  // KG_SELECTOR_TESTING_TEAM_FLOW_H_
