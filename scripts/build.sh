@@ -14,6 +14,12 @@ mkdir -p devel/lib/python3/dist-packages build
 log=build/build.log
 packages=(src/*/package.xml)
 jobs=${JOBS:-$(nproc)}
+# Tests are configured when they are first asked for, and from then on.
+testing=OFF
+if [[ " $* " == *" tests "* ]] ||
+    grep -qs '^CATKIN_ENABLE_TESTING:.*=ON$' build/CMakeCache.txt; then
+  testing=ON
+fi
 use_ccache
 
 echo "build:   ${#packages[@]} packages with $jobs jobs, log: $log"
@@ -21,13 +27,13 @@ echo "build:   ${#packages[@]} packages with $jobs jobs, log: $log"
 if ! grep -qs '^CMAKE_GENERATOR:INTERNAL=Ninja$' build/CMakeCache.txt; then
   rm -rf build/CMakeCache.txt build/CMakeFiles
 fi
-
-if ! catkin_make --use-ninja --no-color -j"$jobs" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
-    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_BUILD_TYPE="${BUILD_TYPE:-Release}" \
+if ! catkin_make --use-ninja --no-color -j"$jobs" \
+    -DPYTHON_EXECUTABLE=/usr/bin/python3 -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
+    -DCMAKE_BUILD_TYPE="${BUILD_TYPE:-Release}" -DCATKIN_ENABLE_TESTING=$testing \
     -DKG_UNITY="$([ -n "${PLAIN:-}" ] && echo OFF || echo ON)" \
     "$@" </dev/null >"$log" 2>&1
 then
-  grep -nE 'error|Error|\*\*\*' "$log" | head -n 40 >&2 || true
+  grep -nE 'error|Error|^FAILED' "$log" | head -n 40 >&2 || true
   tail -n 15 "$log" >&2
   fail build "log: $repository/$log"
 fi

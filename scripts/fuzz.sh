@@ -40,7 +40,7 @@ if ! { CC=clang CXX=clang++ cmake -G Ninja -S "$build/src" -B "$build" -DKG_FUZZ
     ninja -C "$build" -j"${JOBS:-$(nproc)}" "${targets[@]}"
   } </dev/null >"$build/build.log" 2>&1
 then
-  grep -nE 'error|\*\*\*' "$build/build.log" | head -n 20 >&2 || true
+  grep -nE 'error|^FAILED' "$build/build.log" | head -n 20 >&2 || true
   fail fuzz "build failed, log: $build/build.log"
 fi
 stage fuzz "${#fuzzers[@]} fuzzers built"

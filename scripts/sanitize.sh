@@ -21,7 +21,7 @@ if ! { cmake -G Ninja -S "$build/src" -B "$build" -DKG_SANITIZE=address,undefine
     ninja -C "$build" -j"${JOBS:-$(nproc)}" all tests
   } </dev/null >"$build/build.log" 2>&1
 then
-  grep -nE 'error|\*\*\*' "$build/build.log" | head -n 20 >&2 || true
+  grep -nE 'error|^FAILED' "$build/build.log" | head -n 20 >&2 || true
   fail sanitize "build failed, log: $build/build.log"
 fi
 stage sanitize "built"
