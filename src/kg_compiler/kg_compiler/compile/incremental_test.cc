@@ -230,6 +230,8 @@ const LivingMission::Changes LivingMission::kChanges = {
     {"lambda_risk", [](auto* m) { m->AnyPolicy().lambda_risk = m->Any(0, 1); }},
     {"lambda_uncertainty",
      [](auto* m) { m->AnyPolicy().lambda_uncertainty = m->Any(0, 1); }},
+    {"lambda_turn",
+     [](auto* m) { m->AnyPolicy().lambda_turn_per_rad = m->Any(0, 2); }},
     {"hazard range",
      [](auto* m) { m->AnyPolicy().hazard_range_m = m->Any(0, 6000); }},
     {"isolation weight",

@@ -106,8 +106,8 @@ bool Same(const TimedPoint& a, const TimedPoint& b) {
 
 bool Same(const TraverseEdge& a, const TraverseEdge& b) {
   const auto tie = [](const TraverseEdge& e) {
-    return std::tie(e.from, e.to, e.seam_cost, e.isolation_s, e.flight.travel_s,
-                    e.flight.energy_j, e.flight.hazard_s,
+    return std::tie(e.from, e.to, e.seam_cost, e.isolation_s, e.turn_rad,
+                    e.flight.travel_s, e.flight.energy_j, e.flight.hazard_s,
                     e.flight.through_water_m);
   };
   const auto same_point = [](const TimedPoint& x, const TimedPoint& y) {

@@ -21,6 +21,7 @@ struct EdgeCost {
   // Time integrals of the cost fields along the edge [unit s]; empty = no
   // field.
   std::vector<double> exposures = {};
+  double turn_rad = 0.0;   // T: turn from the start heading, in [0, pi].
   double seam_cost = 0.0;  // S, reward units.
 };
 
@@ -39,6 +40,7 @@ inline EdgeCost CostOfEdge(const TraverseEdge& edge) {
   EdgeCost cost = CostOfFlight(edge.flight);
   cost.isolation_s = edge.isolation_s;
   cost.exposures = edge.exposures;
+  cost.turn_rad = edge.turn_rad;
   cost.seam_cost = edge.seam_cost;
   return cost;
 }
@@ -48,7 +50,8 @@ inline bool operator==(const EdgeCost& a, const EdgeCost& b) {
   return a.travel_s == b.travel_s && a.energy_j == b.energy_j &&
          a.hazard_s == b.hazard_s && a.isolation_s == b.isolation_s &&
          a.through_water_m == b.through_water_m && a.speed_mps == b.speed_mps &&
-         a.exposures == b.exposures && a.seam_cost == b.seam_cost;
+         a.exposures == b.exposures && a.turn_rad == b.turn_rad &&
+         a.seam_cost == b.seam_cost;
 }
 
 }  // namespace kg_compiler

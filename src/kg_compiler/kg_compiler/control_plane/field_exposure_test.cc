@@ -104,6 +104,11 @@ TEST(SeamTerms, SumToTheSeamCostAndLeaveNoBitBehindWithoutAnOptionalWeight) {
     EXPECT_EQ(SeamCost(weights, edge, w), literal);
     weights.field_per_s = {1e-6};
     EXPECT_EQ(SeamCost(weights, edge, w), literal + 1e-6 * edge.exposures[0]);
+    weights.field_per_s.clear();
+    edge.turn_rad = Uniform(rng, 0, 3);
+    EXPECT_EQ(SeamCost(weights, edge, w), literal);
+    weights.turn_per_rad = 0.25;
+    EXPECT_EQ(SeamCost(weights, edge, w), literal + 0.25 * edge.turn_rad);
   }
 }
 

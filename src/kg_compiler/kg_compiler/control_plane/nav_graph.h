@@ -7,12 +7,14 @@
 // stay. A seam into window t departs when t begins and arrives before it ends.
 //
 //   S = lambda_time t + lambda_energy E + lambda_risk (H + I)
-//       + lambda_unc (1 - w)
+//       + lambda_unc (1 - w) + lambda_turn T
 //   I = isolation_weight t / (1 + n)
 //
 // with the flight's time t, energy E and hazard H, w the confidence of the
 // window of arrival (A55), and n the number of other waypoints of that window
 // within half the base travel of the destination, i.e. the alternatives (A20).
+// T is the turn from the agent's heading at the start to the course on which an
+// edge of the first window leaves it; 0 for all other edges.
 //
 // Waypoints: the window's events that can be flown to, then picks of Proximal
 // Recurrence (within reach, station held until the window ends), at most

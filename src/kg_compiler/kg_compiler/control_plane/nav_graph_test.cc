@@ -77,22 +77,128 @@ std::string ErrorOf(TestSea* sea) {
   return "";
 }
 
-// Turning takes no time: the heading is part of the pose only.
-TEST(NavGraph, DoesNotDependOnTheHeadingAtTheStart) {
+TEST(NavGraph, DoesNotDependOnTheHeadingIfTurnsHaveNoPrice) {
   TestSea north(1), south(1);
   south.mission.agents[0].start_heading_rad = kg_base::kPi;
   north.Compile();
   south.Compile();
-  EXPECT_NE(SeamRulesHash(north.rules), SeamRulesHash(south.rules));
   ASSERT_EQ(north.graphs.size(), south.graphs.size());
   for (std::size_t t = 0; t < north.graphs.size(); ++t) {
     EXPECT_EQ(north.graphs[t].hash, south.graphs[t].hash);
     ASSERT_EQ(north.graphs[t].edges.size(), south.graphs[t].edges.size());
     for (std::size_t i = 0; i < north.graphs[t].edges.size(); ++i) {
+      EXPECT_EQ(0.0, north.graphs[t].edges[i].turn_rad);
       EXPECT_EQ(CostOfEdge(north.graphs[t].edges[i]),
                 CostOfEdge(south.graphs[t].edges[i]));
     }
   }
+}
+
+// The graphs with a price of turns, in a heading [deg].
+NavGraphs GraphsHeading(TestSea* sea, double heading_deg, double per_rad,
+                        SeamCache* cache = nullptr) {
+  sea->mission.agents[0].policy.lambda_turn_per_rad = per_rad;
+  sea->mission.agents[0].start_heading_rad = kg_base::DegToRad(heading_deg);
+  sea->Compile(cache);
+  return sea->graphs;
+}
+
+// Angle between a heading and the first leg of a flight, by the dot product of
+// vectors to the east and north [rad].
+double TurnByVectors(const FlownPath& flight, double heading_deg) {
+  const LonLat from = flight.track[0].position, to = flight.track[1].position;
+  if (flight.travel_s == 0.0) return 0.0;
+  const kg_base::DegreesPerMetre scale = kg_base::LocalScale(from.lat_deg);
+  const double east = (to.lon_deg - from.lon_deg) / scale.lon_deg;
+  const double north = (to.lat_deg - from.lat_deg) / scale.lat_deg;
+  const double heading = kg_base::DegToRad(heading_deg);
+  return std::acos(
+      std::clamp((east * std::sin(heading) + north * std::cos(heading)) /
+                     std::hypot(east, north),
+                 -1.0, 1.0));
+}
+
+TEST(NavGraph, ChargesEdgesFromTheStartForTheTurnFromTheHeading) {
+  for (const double heading_deg : {0.0, 90.0, 217.0, 359.0}) {
+    for (const char* mode : {"hops", "edges"}) {
+      TestSea sea(13);
+      sea.mission.coordination.movement_mode = mode;
+      const NavGraphs free = GraphsHeading(&sea, heading_deg, 0.0);
+      const NavGraphs priced = GraphsHeading(&sea, heading_deg, 0.75);
+      double largest_rad = 0.0;
+      for (std::size_t t = 0; t < free.size(); ++t) {
+        EXPECT_NE(priced[t].hash, free[t].hash);
+        ASSERT_EQ(free[t].edges.size(), priced[t].edges.size());
+        for (std::size_t e = 0; e < free[t].edges.size(); ++e) {
+          const TraverseEdge& edge = priced[t].edges[e];
+          const double turn_rad =
+              t == 0 ? TurnByVectors(edge.flight, heading_deg) : 0.0;
+          EXPECT_NEAR(turn_rad, edge.turn_rad, 1e-7);
+          EXPECT_NEAR(free[t].edges[e].seam_cost + 0.75 * turn_rad,
+                      edge.seam_cost, 1e-7);
+          largest_rad = std::max(largest_rad, edge.turn_rad);
+        }
+        for (const TraverseEdge& edge : priced[t].inner_edges) {
+          EXPECT_EQ(0.0, edge.turn_rad);
+        }
+      }
+      EXPECT_GT(largest_rad, 1.5);
+      EXPECT_LE(largest_rad, kg_base::kPi);
+    }
+  }
+}
+
+TEST(NavGraph, IsBuiltAnewForAnotherHeadingWithoutFlyingAgain) {
+  TestSea sea(14);
+  SeamCache cache;
+  GraphsHeading(&sea, 0.0, 0.75, &cache);
+  const NavGraphs turned = GraphsHeading(&sea, 180.0, 0.75, &cache);
+  EXPECT_EQ(1, cache.counts.graphs);
+  EXPECT_EQ(2, cache.counts.graphs_kept);
+  EXPECT_EQ(0, cache.counts.flights);
+  const NavGraphs fresh = GraphsHeading(&sea, 180.0, 0.75);
+  for (std::size_t t = 0; t < fresh.size(); ++t) {
+    EXPECT_EQ(fresh[t].hash, turned[t].hash);
+    ASSERT_EQ(fresh[t].edges.size(), turned[t].edges.size());
+    for (std::size_t e = 0; e < fresh[t].edges.size(); ++e) {
+      EXPECT_EQ(CostOfEdge(fresh[t].edges[e]), CostOfEdge(turned[t].edges[e]));
+    }
+  }
+}
+
+// The only edge of the first window to an event at a distance [deg] from the
+// start, in still water, with a price of 1 per radian of turn.
+TraverseEdge EdgeToEvent(double east_deg, double north_deg,
+                         double heading_deg) {
+  TestSea sea(15, 0.0);
+  const LonLat start = sea.mission.agents[0].start;
+  sea.mission.coordination.waypoints_per_window = 1;
+  kg_mission::Event event;
+  event.iri = "ex:event";
+  event.position = {start.lon_deg + east_deg, start.lat_deg + north_deg};
+  event.value = 1.0;
+  event.radius_m = 10.0;
+  event.windows = {0};
+  sea.mission.events = {event};
+  return GraphsHeading(&sea, heading_deg, 1.0)[0].edges.at(0);
+}
+
+TEST(NavGraph, MeasuresTurnsFromTheHeadingEitherWay) {
+  const double near_rad = 1e-3;
+  EXPECT_NEAR(EdgeToEvent(0.3, 0, 0).turn_rad, kg_base::kPi / 2, near_rad);
+  EXPECT_NEAR(EdgeToEvent(-0.3, 0, 0).turn_rad, kg_base::kPi / 2, near_rad);
+  EXPECT_NEAR(EdgeToEvent(0.3, 0, 300).turn_rad, kg_base::DegToRad(150),
+              near_rad);
+  EXPECT_NEAR(EdgeToEvent(0, 0.3, 350).turn_rad, kg_base::DegToRad(10),
+              near_rad);
+  EXPECT_NEAR(EdgeToEvent(0, -0.3, 0).turn_rad, kg_base::kPi, near_rad);
+  EXPECT_NEAR(EdgeToEvent(0, -0.3, 180).turn_rad, 0.0, near_rad);
+}
+
+TEST(NavGraph, ChargesNoTurnForStaying) {
+  const TraverseEdge stay = EdgeToEvent(0, 0, 45);
+  EXPECT_EQ(0.0, stay.flight.travel_s);
+  EXPECT_EQ(0.0, stay.turn_rad);
 }
 
 TEST(NavGraph, HoldsOnlyWaypointsAndEdgesThatCanBeFlownAgain) {

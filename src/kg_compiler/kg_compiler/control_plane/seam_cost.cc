@@ -9,8 +9,8 @@ double At(const std::vector<double>& values, std::size_t i) {
   return i < values.size() ? values[i] : 0.0;
 }
 
-// The terms of every edge. Columns: name, symbol, unit, weight, quantity,
-// policy properties, field.
+// The terms of every mission. Columns: name, symbol, unit, weight, quantity,
+// policy properties, field, is_optional.
 std::vector<SeamTerm> FixedTerms() {
   return {
       {"time",
@@ -42,7 +42,15 @@ std::vector<SeamTerm> FixedTerms() {
        [](const SeamWeights& weights) { return weights.uncertainty; },
        [](const TraverseEdge&, double confidence) { return 1.0 - confidence; },
        {"ex:lambda_unc"},
-       ""}};
+       ""},
+      {"turn",
+       "lambda_turn * T",
+       "rad",
+       [](const SeamWeights& weights) { return weights.turn_per_rad; },
+       [](const TraverseEdge& edge, double) { return edge.turn_rad; },
+       {"ex:lambda_turn"},
+       "",
+       true}};
 }
 
 // The term of the i-th entry of CostQuantities().

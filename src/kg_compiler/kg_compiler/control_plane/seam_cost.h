@@ -7,6 +7,7 @@
 //   energy       lambda_energy         E [J]
 //   risk         lambda_risk           H + I [s], hazard and isolation
 //   uncertainty  lambda_unc            1 - w of the window of arrival
+//   turn         lambda_turn           T [rad], from the start heading
 //   wave_height  lambda_waveHeight     X, integral over the flight [m s]
 //   ...          likewise for every kg_mission::CostQuantities()
 //

@@ -52,6 +52,7 @@ SeamWeights Weights(const kg_mission::Policy& policy) {
   weights.risk_per_s = policy.lambda_risk / kg_base::kSecondsPerHour;
   weights.uncertainty = policy.lambda_uncertainty;
   weights.isolation = policy.isolation_weight;
+  weights.turn_per_rad = policy.lambda_turn_per_rad;
   if (policy.lambda_fields.empty()) return weights;
   for (const kg_mission::SourceQuantity& field : kg_mission::CostQuantities()) {
     const auto lambda = policy.lambda_fields.find(field.name);
@@ -132,7 +133,7 @@ auto Tie(const MotionModel& m) {
 
 auto Tie(const SeamWeights& w) {
   return std::tie(w.time_per_s, w.energy_per_j, w.risk_per_s, w.uncertainty,
-                  w.isolation, w.field_per_s);
+                  w.isolation, w.field_per_s, w.turn_per_rad);
 }
 
 auto TieOwn(const SeamRules& r) {
@@ -193,6 +194,18 @@ SeamRules CompileSeamRules(const kg_mission::Mission& mission,
   }
   rules.read_facts = read.Take();
   return rules;
+}
+
+bool ChargesTurns(const SeamRules& rules, const WindowRules& window) {
+  return rules.weights.turn_per_rad != 0.0 && !rules.windows.empty() &&
+         window.window == rules.windows.front().window;
+}
+
+void HashStartHeading(const SeamRules& rules, const WindowRules& window,
+                      kg_base::Hasher* hash) {
+  if (!ChargesTurns(rules, window)) return;
+  hash->Add("heading");
+  hash->Add(rules.start_heading_rad);
 }
 
 void HashCommitted(const WindowRules& window, kg_base::Hasher* hash) {

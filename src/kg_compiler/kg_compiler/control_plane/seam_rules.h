@@ -63,7 +63,9 @@ struct SeamRules {
   double hazard_range_m = 10e3;  // Hazard falls to 1/e at this distance.
   MovementMode movement_mode = MovementMode::kHops;
   kg_base::LonLat start;  // Position of the agent at the first begin_s.
-  double start_heading_rad = 0.0;    // Clockwise from north; no seam uses it.
+  // Clockwise from north. Edges that leave the start are charged for the turn
+  // from it (SeamWeights::turn_per_rad).
+  double start_heading_rad = 0.0;
   std::string start_iri;             // IRI of the ex:AgentState with start.
   std::vector<WindowRules> windows;  // Windows still to be planned, ascending.
   // IRIs of the facts read, besides start, windows and their events.
@@ -90,6 +92,14 @@ void HashMotion(const MotionModel& motion, kg_base::Hasher* hash);
 // Adds the weights of the seam cost terms in the order of the table. Absent
 // optional terms add nothing, so that hashes without them stay unchanged.
 void HashWeights(const SeamWeights& weights, kg_base::Hasher* hash);
+
+// Are edges into the window charged for the turn from the start heading? True
+// for the first window, whose edges leave the start, if turns have a price.
+bool ChargesTurns(const SeamRules& rules, const WindowRules& window);
+// Adds the start heading if edges into the window are charged for turns. Adds
+// nothing otherwise, so that hashes without it stay unchanged.
+void HashStartHeading(const SeamRules& rules, const WindowRules& window,
+                      kg_base::Hasher* hash);
 
 // Adds the committed end of the window, if the current plan has one. Adds
 // nothing otherwise, so that hashes without it stay unchanged.

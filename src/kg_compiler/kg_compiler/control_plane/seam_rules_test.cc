@@ -89,6 +89,24 @@ TEST(SeamRules, TakeFieldPricesInTheOrderOfTheQuantities) {
   EXPECT_NE(SeamRulesHash(priced), SeamRulesHash(free));
 }
 
+TEST(SeamRules, TakeThePriceOfTurnsAndHashItOnlyIfThereIsOne) {
+  kg_mission::Mission mission = TestMission();
+  kg_mission::Agent& agent = mission.agents[0];
+  const SeamRules free = CompileSeamRules(mission, agent, 0);
+  EXPECT_EQ(free.weights.turn_per_rad, 0.0);
+  EXPECT_FALSE(ChargesTurns(free, free.windows[0]));
+  agent.policy.lambda_turn_per_rad = 0.5;
+  const SeamRules priced = CompileSeamRules(mission, agent, 0);
+  EXPECT_EQ(priced.weights.turn_per_rad, 0.5);
+  EXPECT_NE(SeamRulesHash(priced), SeamRulesHash(free));
+  EXPECT_FALSE(SameButForWindows(priced, free));
+  EXPECT_TRUE(ChargesTurns(priced, priced.windows[0]));
+  EXPECT_FALSE(ChargesTurns(priced, priced.windows[1]));
+  // The first window still to be planned is the one that leaves the start.
+  const SeamRules later = CompileSeamRules(mission, agent, 1);
+  EXPECT_TRUE(ChargesTurns(later, later.windows[0]));
+}
+
 TEST(SeamRules, TakeWhichPathsAreWantedFromThePolicy) {
   kg_mission::Mission mission = TestMission();
   kg_mission::Policy& policy = mission.agents[0].policy;
@@ -170,6 +188,11 @@ const Change kChanges[] = {
      "ex:alpha_capabilities"},
     {"price of risk",
      [](kg_mission::Mission* m) { m->agents[0].policy.lambda_risk += 1; },
+     "ex:fast"},
+    {"price of turns",
+     [](kg_mission::Mission* m) {
+       m->agents[0].policy.lambda_turn_per_rad = 1;
+     },
      "ex:fast"},
     {"budget of risk",
      [](kg_mission::Mission* m) { m->agents[0].policy.hazard_budget_s = 60.0; },

@@ -8,10 +8,11 @@
 namespace kg_compiler {
 
 // S = lambda_time t + lambda_energy E + lambda_risk (H + I)
-//     + lambda_uncertainty (1 - w)
+//     + lambda_uncertainty (1 - w) + lambda_turn T
 // with t [s], E [J], H the hazard integrated over time [s], I the isolation of
 // the destination, over time [s] (nav_graph.h, A20), and w the confidence of
-// the window of arrival (A55). In reward units, >= 0. The lambdas are also the
+// the window of arrival (A55), and T the turn from the start heading [rad]
+// (waypoint_graph.h). In reward units, >= 0. The lambdas are also the
 // objective of the flight: a policy trades speed against energy.
 struct SeamWeights {
   double time_per_s = 0.0;
@@ -23,6 +24,7 @@ struct SeamWeights {
   // per second and unit; empty = all 0. With X the integral of such a field
   // over the flight, S has a further term lambda_field X for each.
   std::vector<double> field_per_s = {};
+  double turn_per_rad = 0.0;
 };
 
 }  // namespace kg_compiler

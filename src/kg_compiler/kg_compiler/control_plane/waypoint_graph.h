@@ -39,6 +39,10 @@ struct TraverseEdge {
   // X, time integral along the flight of each of kg_mission's CostQuantities()
   // [unit s]; empty where the window's field has none.
   std::vector<double> exposures = {};
+  // T, angle between the agent's start heading and the course over ground on
+  // which the flight leaves the start, in [0, pi]. 0 for edges that do not
+  // leave the start, for flights that stay there, and if turns have no price.
+  double turn_rad = 0.0;
   // Waypoints of this window visited on the way, in order: a walk.
   std::vector<int> via = {};
 };

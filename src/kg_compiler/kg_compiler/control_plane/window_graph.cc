@@ -181,7 +181,7 @@ class GraphBuilder {
     const std::vector<double> isolation = Isolation(graph.waypoints);
     for (std::size_t to = 0; to < drafts_.size(); ++to) {
       for (const auto& [from, flight] : drafts_[to].flights) {
-        graph.edges.push_back(traversal_.Price(*flight, isolation[to]));
+        graph.edges.push_back(traversal_.PriceEntry(*flight, isolation[to]));
         graph.edges.back().from = from;
         graph.edges.back().to = static_cast<int>(to);
       }
@@ -225,7 +225,8 @@ class GraphBuilder {
         const auto flight =
             seams_.Fly(from.position, graph->waypoints[to].position);
         if (!flight) continue;
-        graph->inner_edges.push_back(traversal_.Price(*flight, isolation[to]));
+        graph->inner_edges.push_back(
+            traversal_.PriceInner(*flight, isolation[to]));
         graph->inner_edges.back().from = from.id;
         graph->inner_edges.back().to = to;
         if (++found == kInnerNeighbours) break;
@@ -284,6 +285,7 @@ std::string WindowGraphHash(const WindowInputs& inputs) {
   kg_base::Hasher hash;
   HashRules(*inputs.rules, &hash);
   HashGraphWindow(*inputs.window, &hash);
+  HashStartHeading(*inputs.rules, *inputs.window, &hash);
   hash.Add(inputs.world.tensor->hash);
   hash.Add(inputs.window->field_hash.empty() ? inputs.world.field->Hash()
                                              : inputs.window->field_hash);

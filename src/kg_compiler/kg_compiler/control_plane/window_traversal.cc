@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kg_base/common/sha256.h"
+#include "kg_base/common/units.h"
 #include "kg_base/geo/geodesy.h"
 #include "kg_compiler/control_plane/field_exposure.h"
 #include "kg_compiler/control_plane/seam_cost.h"
@@ -54,6 +55,16 @@ std::vector<kg_base::LonLat> TrackOf(const FlownPath& flight) {
   return track;
 }
 
+// Course over ground on which a flight leaves, rad clockwise from north; legs
+// are straight in longitude and latitude. Nullopt if it stays.
+std::optional<double> LeavingCourse_rad(const FlownPath& flight) {
+  const std::vector<kg_base::LonLat> track = TrackOf(flight);
+  if (track.size() < 2) return std::nullopt;
+  const kg_base::DegreesPerMetre scale = kg_base::LocalScale(track[0].lat_deg);
+  return std::atan2((track[1].lon_deg - track[0].lon_deg) / scale.lon_deg,
+                    (track[1].lat_deg - track[0].lat_deg) / scale.lat_deg);
+}
+
 // Flies between places within one window, caching the arrival fields.
 class RouteFlyer {
  public:
@@ -82,7 +93,7 @@ class RouteFlyer {
       at = stop;
     }
     if (flights.size() == 1) {
-      return traversal_.Price(std::move(flights.front()), isolation);
+      return traversal_.PriceEntry(std::move(flights.front()), isolation);
     }
     std::vector<const FlownPath*> legs;
     for (const FlownPath& flight : flights) legs.push_back(&flight);
@@ -152,7 +163,7 @@ std::optional<TraverseEdge> WindowTraversal::FlyWalk(
     flight = FlyStretches(voyage, stretches);
   }
   if (!flight) return std::nullopt;
-  return Price(std::move(*flight), isolation);
+  return PriceEntry(std::move(*flight), isolation);
 }
 
 double WindowTraversal::HazardAt(kg_base::LonLat place) const {
@@ -194,8 +205,28 @@ double WindowTraversal::Isolation(
   return rules_.weights.isolation / (1.0 + others);
 }
 
-TraverseEdge WindowTraversal::Price(FlownPath flight, double isolation) const {
+TraverseEdge WindowTraversal::PriceEntry(FlownPath flight,
+                                         double isolation) const {
+  double turn_rad = 0.0;
+  if (ChargesTurns(rules_, window_)) {
+    const std::optional<double> course_rad = LeavingCourse_rad(flight);
+    if (course_rad) {
+      turn_rad = std::abs(std::remainder(*course_rad - rules_.start_heading_rad,
+                                         2.0 * kg_base::kPi));
+    }
+  }
+  return Price(std::move(flight), isolation, turn_rad);
+}
+
+TraverseEdge WindowTraversal::PriceInner(FlownPath flight,
+                                         double isolation) const {
+  return Price(std::move(flight), isolation, 0.0);
+}
+
+TraverseEdge WindowTraversal::Price(FlownPath flight, double isolation,
+                                    double turn_rad) const {
   TraverseEdge edge;
+  edge.turn_rad = turn_rad;
   edge.isolation_s = isolation * flight.travel_s;
   edge.exposures = FieldExposures(field_, flight);
   edge.flight = std::move(flight);

@@ -37,7 +37,7 @@ class WindowTraversal {
 
   // Flies a walk from `source` along the tracks of these flights in sequence,
   // each departing when the previous one has arrived, at their own speeds, or
-  // all at cruise speed if that is infeasible. `isolation` is that of the end.
+  // all at cruise speed if that is infeasible. Priced as PriceEntry does.
   // Members via, from and to of the result are not set.
   std::optional<TraverseEdge> FlyWalk(kg_base::LonLat source,
                                       const std::vector<const FlownPath*>& legs,
@@ -55,11 +55,15 @@ class WindowTraversal {
   // `waypoints` as alternatives (nav_graph.h), not counting the place itself.
   double Isolation(kg_base::LonLat place,
                    const std::vector<kg_base::LonLat>& waypoints) const;
-  // The priced edge of a flight; from and to are not set.
-  TraverseEdge Price(FlownPath flight, double isolation) const;
+  // The priced edge of a flight into the window from its begin; `isolation` is
+  // that of the end. from and to are not set.
+  TraverseEdge PriceEntry(FlownPath flight, double isolation) const;
+  // Likewise for a flight between two waypoints of the window.
+  TraverseEdge PriceInner(FlownPath flight, double isolation) const;
 
  private:
   VoyageRequest VoyageFrom(kg_base::LonLat source) const;
+  TraverseEdge Price(FlownPath flight, double isolation, double turn_rad) const;
 
   const SeamRules& rules_;
   const WindowRules& window_;
@@ -76,8 +80,8 @@ struct WaypointRoute {
   std::vector<kg_base::LonLat> via = {};
 };
 
-// Prices each of `ways` as an edge of a graph of these waypoints; nullopt where
-// it cannot be flown. `via` of the edges is not set.
+// Prices each of `ways` as an edge into the window of a graph of these
+// waypoints; nullopt where it cannot be flown. `via` of the edges is not set.
 std::vector<std::optional<TraverseEdge>> PriceWays(
     const WindowTraversal& traversal, const std::vector<WaypointRoute>& ways,
     const std::vector<kg_base::LonLat>& waypoints);

@@ -18,6 +18,10 @@ std::string WattHours(double joules) {
   return Short(joules / kg_base::kJoulesPerWh) + " Wh";
 }
 
+std::string DegreesText(double angle_rad) {
+  return Short(kg_base::RadToDeg(angle_rad)) + " degrees";
+}
+
 const WorkField* FindField(const Compilation& compilation, int window) {
   for (const auto& field : compilation.fields) {
     if (field->window == window) return field.get();
@@ -48,7 +52,8 @@ class SeamExplainer {
         {"time", &SeamExplainer::AddTime},
         {"energy", &SeamExplainer::AddEnergy},
         {"risk", &SeamExplainer::AddRisk},
-        {"uncertainty", &SeamExplainer::AddUncertainty}};
+        {"uncertainty", &SeamExplainer::AddUncertainty},
+        {"turn", &SeamExplainer::AddTurn}};
     const auto teller = kTellers.find(term.name);
     if (teller == kTellers.end()) return AddField(term);
     (this->*teller->second)();
@@ -157,6 +162,17 @@ class SeamExplainer {
             Short(in_.window->confidence),
         facts_.Policy(*in_.agent, {"ex:lambda_unc"}) +
             facts_.Window(TimeWindowOf(), {"ex:confidence"}));
+  }
+
+  void AddTurn() {
+    const SeamRules& rules = *in_.rules;
+    Add(rules.weights.turn_per_rad * edge_.turn_rad, "lambda_turn * T",
+        "turn: ex:lambda_turn for " + DegreesText(edge_.turn_rad) +
+            " from the start heading of " +
+            DegreesText(rules.start_heading_rad),
+        facts_.Policy(*in_.agent, {"ex:lambda_turn"}) +
+            facts_.Quote({rules.start_iri, {"ex:headingDeg"}}) +
+            MotionFacts(in_, facts_));
   }
 
   const kg_mission::TimeWindow& TimeWindowOf() const {

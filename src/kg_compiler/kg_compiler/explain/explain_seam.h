@@ -1,7 +1,8 @@
 // Explains the cost of a seam by its terms:
 //
 //   S = lambda_time t + lambda_energy E + lambda_risk (H + I)
-//       + lambda_unc (1 - w) + sum of lambda_field X     (seam_cost.h)
+//       + lambda_unc (1 - w) + lambda_turn T + sum of lambda_field X
+//       (seam_cost.h)
 //   E = energy_per_m (V t + m held on station) + hotel_load (whole window)
 //
 // Each product is a contribution; the three parts of energy and the two of risk

@@ -57,8 +57,10 @@ class FactWriter {
     return Add(property, kg_core::WktLiteral(kg_base::PointWkt(position)));
   }
 
-  // Writes ex:costHours, ex:costEnergy, ex:costRisk, ex:seamCost.
+  // Writes ex:costHours, ex:costEnergy, ex:costRisk, ex:seamCost, and
+  // ex:costTurn if there is a turn.
   FactWriter& Cost(const kg_compiler::EdgeCost& cost) {
+    if (cost.turn_rad > 0.0) Number("costTurn", cost.turn_rad);
     return Number("costHours", cost.travel_s / kg_base::kSecondsPerHour)
         .Number("costEnergy", cost.energy_j / kg_base::kJoulesPerWh)
         .Number("costRisk",

@@ -79,6 +79,7 @@ ExecutedVisit ReadStop(const Node& node, const kg_mission::Mission& mission) {
   cost.travel_s = kg_base::HoursToSeconds(node.Number("costHours"));
   cost.energy_j = kg_base::WhToJoules(node.Number("costEnergy"));
   cost.hazard_s = kg_base::HoursToSeconds(node.Number("costRisk"));
+  cost.turn_rad = node.Number("costTurn");
   cost.seam_cost = node.Number("seamCost");
   stop.visit.events = node.All(Ex("visits"));
   ReadPlan(node, &stop);

@@ -62,6 +62,9 @@ struct Policy {
   double lambda_energy_per_j = 0.0;    // ex:lambda_energy, per Wh.
   double lambda_risk = 0.0;            // Per hour at hazard 1, see SeamRules.
   double lambda_uncertainty = 0.0;     // Multiplies (1 - w).
+  // ex:lambda_turn: per radian between the start heading and the course on
+  // which the agent leaves its start.
+  double lambda_turn_per_rad = 0.0;
   // Reward per second and unit of a cost field, keyed by SourceQuantity::name
   // (ex:lambda_waveHeight, ...); absent = no cost.
   std::map<std::string, double> lambda_fields;

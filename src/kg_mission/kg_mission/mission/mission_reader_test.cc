@@ -210,6 +210,13 @@ TEST(MissionReaderTest, PoliciesPriceFieldsThatCost) {
   EXPECT_DOUBLE_EQ(said.lambda_fields.at("wave_height"), 0.002);
 }
 
+TEST(MissionReaderTest, PoliciesPriceTheTurnFromTheStartHeading) {
+  EXPECT_EQ(ReadWith().agents.at(0).policy.lambda_turn_per_rad, 0.0);
+  const Agent said = ReadWith("ex:safe ex:lambda_turn 0.5 .").agents.at(0);
+  EXPECT_EQ(said.policy.lambda_turn_per_rad, 0.5);
+  EXPECT_DOUBLE_EQ(said.start_heading_rad, kg_base::kPi / 2.0);
+}
+
 TEST(MissionReaderTest, PoliciesSayWhichPathsAreOffered) {
   const Policy plain = ReadWith().agents.at(0).policy;
   EXPECT_FALSE(plain.hazard_budget_s);

@@ -121,6 +121,8 @@ Policy ReadPolicy(const kg_core::GraphView& view, const FactEntity& entity) {
   policy.lambda_risk = entity.Number(Ex("lambda_risk"), policy.lambda_risk);
   policy.lambda_uncertainty =
       entity.Number(Ex("lambda_unc"), policy.lambda_uncertainty);
+  policy.lambda_turn_per_rad =
+      entity.Number(Ex("lambda_turn"), policy.lambda_turn_per_rad);
   for (const SourceQuantity& quantity : CostQuantities()) {
     const auto lambda = entity.MaybeNumber(Ex(quantity.weight_property));
     if (lambda)

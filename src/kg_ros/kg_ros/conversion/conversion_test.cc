@@ -48,7 +48,9 @@ kg_compiler::SeamRules RandomRules(std::mt19937* random) {
                   number(*random), number(*random),
                   number(*random), number(*random)};
   rules.weights = {number(*random), number(*random), number(*random),
-                   number(*random), number(*random), {number(*random)}};
+                   number(*random), number(*random), {number(*random)},
+                   number(*random)};
+  rules.start_heading_rad = number(*random);
   rules.hazard_range_m = number(*random);
   rules.movement_mode = static_cast<kg_compiler::MovementMode>((*random)() % 2);
   rules.energy_budget_j = number(*random);
@@ -143,6 +145,8 @@ TEST(ConversionTest, SeamRulesComeBackAsTheyWere) {
     EXPECT_EQ(back.weights.risk_per_s, rules.weights.risk_per_s);
     EXPECT_EQ(back.weights.isolation, rules.weights.isolation);
     EXPECT_EQ(back.weights.field_per_s, rules.weights.field_per_s);
+    EXPECT_EQ(back.weights.turn_per_rad, rules.weights.turn_per_rad);
+    EXPECT_EQ(back.start_heading_rad, rules.start_heading_rad);
     EXPECT_EQ(back.motion.rest_mps, rules.motion.rest_mps);
     EXPECT_EQ(back.hazard_range_m, rules.hazard_range_m);
     EXPECT_EQ(back.movement_mode, rules.movement_mode);
@@ -174,6 +178,9 @@ TEST(ConversionTest, RefusesRulesThatAreNoNumbers) {
   EXPECT_THROW(FromMessage(message), InputError);
   message = ToMessage(RandomRules(&random), 1);
   message.isolation_weight = -0.1;
+  EXPECT_THROW(FromMessage(message), InputError);
+  message = ToMessage(RandomRules(&random), 1);
+  message.lambda_turn_per_rad = -0.1;
   EXPECT_THROW(FromMessage(message), InputError);
   message = ToMessage(RandomRules(&random), 1);
   message.movement_mode = "leaps";
@@ -527,6 +534,7 @@ kg_compiler::NavGraph SmallGraph() {
   edge.seam_cost = 0.375;
   edge.isolation_s = 0.0625;
   edge.exposures = {0.5};
+  edge.turn_rad = 2.5;
   graph.edges = {edge};
   edge.via = {1, 0};
   graph.edges.push_back(edge);
@@ -579,6 +587,7 @@ TEST(ConversionTest, AWaypointGraphComesBackAsItWas) {
   EXPECT_EQ(a.flight.speed_mps, b.flight.speed_mps);
   EXPECT_EQ(a.isolation_s, b.isolation_s);
   EXPECT_EQ(a.exposures, b.exposures);
+  EXPECT_EQ(a.turn_rad, b.turn_rad);
   EXPECT_EQ(a.via, b.via);
   EXPECT_EQ(2u, b.flight.track.size());
   EXPECT_EQ(kg_compiler::MovementMode::kEdges, back.movement_mode);

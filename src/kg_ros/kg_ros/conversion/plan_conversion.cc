@@ -57,6 +57,7 @@ TraverseEdge FromMessage(const kg_msgs::TraverseEdge& message) {
   edge.seam_cost = message.cost.seam_cost;
   edge.isolation_s = message.cost.isolation_s;
   edge.exposures = message.cost.exposures;
+  edge.turn_rad = message.cost.turn_rad;
   return edge;
 }
 
@@ -231,6 +232,7 @@ kg_msgs::EdgeCost ToMessage(const EdgeCost& cost) {
   message.speed_mps = cost.speed_mps;
   message.isolation_s = cost.isolation_s;
   message.exposures = cost.exposures;
+  message.turn_rad = cost.turn_rad;
   message.seam_cost = cost.seam_cost;
   return message;
 }
@@ -244,6 +246,7 @@ EdgeCost FromMessage(const kg_msgs::EdgeCost& message) {
   cost.speed_mps = message.speed_mps;
   cost.isolation_s = message.isolation_s;
   cost.exposures = message.exposures;
+  cost.turn_rad = message.turn_rad;
   cost.seam_cost = message.seam_cost;
   return cost;
 }

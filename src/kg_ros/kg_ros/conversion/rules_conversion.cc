@@ -198,6 +198,7 @@ kg_msgs::SeamRules ToMessage(const kg_compiler::SeamRules& rules,
   message.lambda_uncertainty = rules.weights.uncertainty;
   message.isolation_weight = rules.weights.isolation;
   message.lambda_fields = rules.weights.field_per_s;
+  message.lambda_turn_per_rad = rules.weights.turn_per_rad;
   message.hazard_range_m = rules.hazard_range_m;
   message.movement_mode = kg_compiler::Name(rules.movement_mode);
   message.sensor_radius_m = rules.sensor_radius_m;
@@ -222,6 +223,8 @@ kg_compiler::SeamRules FromMessage(const kg_msgs::SeamRules& message) {
   RequireAtLeast(message.isolation_weight, 0.0, "SeamRules.isolation_weight");
   RequireAtLeast(message.hazard_range_m, 0.0, "SeamRules.hazard_range_m");
   RequireAtLeast(message.rest_mps, 0.0, "SeamRules.rest_mps");
+  RequireAtLeast(message.lambda_turn_per_rad, 0.0,
+                 "SeamRules.lambda_turn_per_rad");
   for (const double lambda : message.lambda_fields) {
     RequireAtLeast(lambda, 0.0, "SeamRules.lambda_fields");
   }
@@ -234,9 +237,10 @@ kg_compiler::SeamRules FromMessage(const kg_msgs::SeamRules& message) {
   rules.motion = {message.cruise_mps,   message.max_mps,
                   message.boost_gain,   message.energy_per_m_j,
                   message.hotel_load_w, message.rest_mps};
-  rules.weights = {message.lambda_time_per_s, message.lambda_energy_per_j,
-                   message.lambda_risk_per_s, message.lambda_uncertainty,
-                   message.isolation_weight,  message.lambda_fields};
+  rules.weights = {message.lambda_time_per_s,  message.lambda_energy_per_j,
+                   message.lambda_risk_per_s,  message.lambda_uncertainty,
+                   message.isolation_weight,   message.lambda_fields,
+                   message.lambda_turn_per_rad};
   rules.energy_budget_j = message.energy_budget_j;
   rules.sensor_radius_m = message.sensor_radius_m;
   rules.spacing_m = message.spacing_m;

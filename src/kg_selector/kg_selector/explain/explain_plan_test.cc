@@ -190,6 +190,37 @@ TEST(ExplainPlan, LeavingThePlanInForceIsATermOfItsOwn) {
   EXPECT_GT(charged, 10);
 }
 
+// Plans of random missions in which turns at the start are dear.
+TEST(ExplainPlan, TheTurnAtTheStartIsATermOfItsOwn) {
+  int turns = 0, with_stops = 0;
+  for (unsigned seed = 2; seed <= 12; ++seed) {
+    PlannedTestWorld random(seed);
+    if (seed % 2 == 0) random.mission.coordination.movement_mode = "edges";
+    for (kg_mission::Agent& agent : random.mission.agents) {
+      agent.policy.lambda_turn_per_rad = 3.0;
+      agent.start_heading_rad = kg_compiler::Uniform(random.rng(), 0.0, 6.0);
+    }
+    const PlannedWorld world = random.Plan();
+    for (const Pathlet& path : world.plan.committed) {
+      const kg_mission::Agent& agent = FindAgent(world, path.agent);
+      const auto terms = ListTerms(world, FindMember(world, agent), path);
+      EXPECT_NEAR(path.score(), Sum(terms), 1e-9);
+      for (const PathTerm& term : terms) {
+        if (term.kind != TermKind::kTurn) continue;
+        const double turn_rad =
+            term.window == 0 ? path.visits[0].cost.turn_rad : 0.0;
+        EXPECT_EQ(-3.0 * turn_rad, term.value);
+        turns += turn_rad > 0.0;
+        with_stops += turn_rad > 0.0 && !path.visits[0].via.empty();
+      }
+      ExpectSums(
+          Explain(world, About(QuestionKind::kAssignment, path.agent, 0)));
+    }
+  }
+  EXPECT_GT(turns, 10);
+  EXPECT_GT(with_stops, 0);
+}
+
 TEST(ExplainPlan, AssignmentsSumToTheStepsAndStepsToThePath) {
   int steps = 0, with_stops = 0;
   ForEachWorld(8, [&](const PlannedWorld& world) {

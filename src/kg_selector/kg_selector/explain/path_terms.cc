@@ -38,8 +38,9 @@ std::string EventNames(const Visit& visit) {
 
 // Terms of cost fields are distinguished by `where`.
 TermKind KindOf(const kg_compiler::SeamTerm& term) {
-  for (const TermKind kind : {TermKind::kTime, TermKind::kEnergy,
-                              TermKind::kRisk, TermKind::kUncertainty}) {
+  for (const TermKind kind :
+       {TermKind::kTime, TermKind::kEnergy, TermKind::kRisk,
+        TermKind::kUncertainty, TermKind::kTurn}) {
     if (term.name == Name(kind)) return kind;
   }
   return TermKind::kField;
@@ -68,7 +69,8 @@ const std::vector<const char*>& PolicyProperties(TermKind kind) {
       {"ex:lambda_unc"},
       {"ex:churnWeight"},
       {},
-      {}};
+      {},
+      {"ex:lambda_turn"}};
   return properties[static_cast<int>(kind)];
 }
 
@@ -120,9 +122,9 @@ bool SameStops(const Pathlet& a, const Pathlet& b) {
 }  // namespace
 
 const char* Name(TermKind kind) {
-  static const char* const names[] = {"value",  "events",     "time",
-                                      "energy", "risk",       "uncertainty",
-                                      "churn",  "separation", "field"};
+  static const char* const names[] = {
+      "value",       "events", "time",       "energy", "risk",
+      "uncertainty", "churn",  "separation", "field",  "turn"};
   return names[static_cast<int>(kind)];
 }
 
@@ -184,6 +186,10 @@ Facts TermFacts(const PlannedWorld& world, const kg_mission::Agent& agent,
              facts.Capabilities(agent, {"ex:energyPerKm", "ex:hotelLoadW"});
     case TermKind::kField:
       return FieldFacts(world, agent, term) + window;
+    case TermKind::kTurn:
+      return policy + MotionFacts(world, agent, term.window) +
+             facts.Quote(
+                 {FindMember(world, agent).rules.start_iri, {"ex:headingDeg"}});
     case TermKind::kRisk:
     case TermKind::kUncertainty:
     case TermKind::kChurn:

@@ -2,7 +2,7 @@
 // term.
 //
 //   score = sum over windows of  value + events - time - energy - risk
-//           - uncertainty - churn, and with soft separation - separation
+//           - uncertainty - turn - churn, and with soft separation - separation
 //           (window -1)
 
 #ifndef KG_SELECTOR_EXPLAIN_PATH_TERMS_H_
@@ -27,7 +27,8 @@ enum class TermKind {
   kUncertainty,
   kChurn,  // Cost of deviating from the plan in force.
   kSeparation,
-  kField  // Costs of fields along the way: wave height, ...
+  kField,  // Costs of fields along the way: wave height, ...
+  kTurn    // Turn from the start heading.
 };
 const char* Name(TermKind kind);  // "value", "events", ...
 

@@ -60,6 +60,7 @@ struct WalkLeg {
   double isolation_s = 0.0;  // Per second along the way.
   // Per second along the way, by cost field.
   std::vector<double> exposures = {};
+  double turn_rad = 0.0;  // From the start heading.
 
   double Speed_mps(TravelPace pace) const {
     return pace == TravelPace::kPriced ? flight->speed_mps : cruise_mps;
@@ -137,6 +138,7 @@ class WindowWalks {
       way.hazard = std::clamp(under_way_s / flight.travel_s, 0.0, 1.0);
     }
     way.isolation_s = traversal_.Isolation(places_[edge.to], places_);
+    way.turn_rad = edge.turn_rad;
     for (const double exposure : edge.exposures) {
       way.exposures.push_back(flight.travel_s > 0.0 ? exposure / flight.travel_s
                                                     : 0.0);
@@ -158,6 +160,7 @@ class WindowWalks {
         in_.rules->motion.energy_per_m_j * way.Speed_mps(pace) * travel_s;
     // Confidence 1: the window's uncertainty is not charged per leg.
     TraverseEdge leg;
+    leg.turn_rad = way.turn_rad;
     leg.flight.travel_s = travel_s;
     leg.flight.energy_j = energy_j;
     leg.flight.hazard_s = (way.hazard + way.isolation_s) * travel_s;

@@ -11,7 +11,8 @@
 // as an edge of its own, with `via`, beside the direct one:
 //
 //   R = sum of the waypoints' scores + each event once
-//   S = SeamCost(time, energy, hazard, isolation of the end place)
+//   S = SeamCost(time, energy, hazard, isolation of the end place, turn at
+//                the start)
 //
 // Legs are flown at the speeds of their edges, which were optimised for a
 // single leg, or all at cruise speed if the walk does not fit into the window
