@@ -447,7 +447,7 @@ TEST(Incremental, IsFullBitByBitAfterAnySequenceOfFactChanges) {
   std::set<std::string> kinds;
   std::size_t graphs = 0, boxes = 0, failed = 0;
   SeamCounts counts;
-  for (unsigned seed = 1; seed <= 3; ++seed) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
     LivingMission living(seed);
     MissionCompiler compiler(living.Readers());
     std::map<std::string, SeamCache> caches;
