@@ -331,6 +331,25 @@ TEST_F(WhatIfTest, EveryEdgeIsCountedOnceAndPricedAsItIsListed) {
   }
 }
 
+TEST_F(WhatIfTest, AnotherStartHeadingRepricesTheEdgesThatLeaveTheStart) {
+  ASSERT_TRUE(server_->Apply(Set("ex:fast", "ex:lambda_turn", "0.5")).accepted);
+  PlanReally();
+  const WhatIfAnswer answer =
+      Ask(Set("ex:alpha_start", "ex:headingDeg", "270"));
+  ASSERT_TRUE(answer.ok) << answer.text;
+  EXPECT_GT(answer.edges_dearer, 0u);
+  EXPECT_GT(answer.edges_cheaper, 0u);
+  EXPECT_EQ(answer.edges_infeasible, 0u);
+  for (const EdgeChange& edge : answer.changed_edges) {
+    EXPECT_EQ(edge.agent, "alpha");
+    EXPECT_EQ(edge.window, 0);
+    // From 90 to 270 degrees: what was a turn is the rest of half a circle.
+    EXPECT_NEAR(edge.before.turn_rad + edge.after.turn_rad, kg_base::kPi, 1e-9);
+    EXPECT_NEAR(edge.after.seam_cost - edge.before.seam_cost,
+                0.5 * (edge.after.turn_rad - edge.before.turn_rad), 1e-9);
+  }
+}
+
 TEST_F(WhatIfTest, AnAreaThatIsClosedMakesEdgesAndPathsInfeasible) {
   PlanReally();
   const WhatIfAnswer now = Ask(FactUpdate());

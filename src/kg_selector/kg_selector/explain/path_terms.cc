@@ -8,7 +8,6 @@
 #include "kg_compiler/explain/explain_seam.h"
 #include "kg_compiler/explain/explain_tensor.h"
 #include "kg_core/rdf/namespaces.h"
-#include "kg_mission/mission/source_quantities.h"
 #include "kg_planner/k_best/k_best.h"
 #include "kg_selector/paths/churn.h"
 #include "kg_selector/paths/masking.h"
@@ -36,7 +35,7 @@ std::string EventNames(const Visit& visit) {
   });
 }
 
-// Terms of cost fields are distinguished by `where`.
+// Terms without a kind of their own are distinguished by `where`.
 TermKind KindOf(const kg_compiler::SeamTerm& term) {
   for (const TermKind kind :
        {TermKind::kTime, TermKind::kEnergy, TermKind::kRisk,
@@ -54,8 +53,9 @@ void AddSeam(const TeamMember& member, std::size_t stage,
   const double confidence = member.rules.windows[stage].confidence;
   for (const kg_compiler::SeamTerm& term : kg_compiler::SeamTerms()) {
     if (term.is_optional && term.weight(weights) == 0.0) continue;
-    terms->push_back({window, KindOf(term),
-                      -term.Cost(weights, edge, confidence), term.field});
+    const TermKind kind = KindOf(term);
+    terms->push_back({window, kind, -term.Cost(weights, edge, confidence),
+                      kind == TermKind::kField ? term.name : ""});
   }
 }
 
@@ -84,12 +84,18 @@ Facts EventFacts(const PlannedWorld& world, const PathTerm& term) {
   return facts;
 }
 
-// Facts of a field's price and of the window's layers it applies to.
+// Facts of the price of a term of the table, and of the window's layers that it
+// applies to, if it is that of a field.
 Facts FieldFacts(const PlannedWorld& world, const kg_mission::Agent& agent,
                  const PathTerm& term) {
-  const auto& quantity = kg_mission::FindFieldQuantity(term.where);
-  const std::string property = "ex:" + quantity.weight_property;
-  Facts facts = world.facts().Policy(agent, {property.c_str()});
+  std::vector<const char*> properties;
+  for (const kg_compiler::SeamTerm& row : kg_compiler::SeamTerms()) {
+    if (row.name != term.where) continue;
+    for (const std::string& property : row.policy_properties) {
+      properties.push_back(property.c_str());
+    }
+  }
+  Facts facts = world.facts().Policy(agent, properties);
   for (const auto& field : world.compilation->mission.cost_fields) {
     if (field.quantity != term.where || field.window != term.window) continue;
     facts = std::move(facts) + world.facts().Layer(field.iri);

@@ -27,7 +27,7 @@ enum class TermKind {
   kUncertainty,
   kChurn,  // Cost of deviating from the plan in force.
   kSeparation,
-  kField,  // Costs of fields along the way: wave height, ...
+  kField,  // Further terms of the seam cost: wave height along the way, ...
   kTurn    // Turn from the start heading.
 };
 const char* Name(TermKind kind);  // "value", "events", ...
@@ -36,7 +36,7 @@ struct PathTerm {
   int window = -1;
   TermKind kind = TermKind::kValue;
   double value = 0.0;  // Costs are negative.
-  // Display text: the waypoints, the events' names, or the field quantity.
+  // Display text: the waypoints, the events' names, or the term's name.
   std::string where;
   std::vector<std::string> events = {};  // kEvents: IRIs of the events earned.
 };
