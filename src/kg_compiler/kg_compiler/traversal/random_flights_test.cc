@@ -128,7 +128,7 @@ TEST(RandomFlights, ArePossibleOrNotFlownInMadeWorlds) {
 }
 
 TEST(RandomFlights, ArePossibleOrNotFlownInRealCurrents) {
-  const int flights = CountFlights() / 4;
+  const int flights = CountFlights() / 10;
   int worlds = 0;
   for (const char* file : kRealFiles) {
     std::optional<TestFlowWorld> world = RealSea(file);
