@@ -89,17 +89,18 @@ class SelectorNode {
     const bool is_late =
         std::find(waiting.begin(), waiting.end(), agent) != waiting.end();
     Answer([&] { return selector_.CountDeath(agent); });
-    if (!is_late) return;
     const int deaths = selector_.Deaths(agent);
-    ROS_WARN_STREAM(
-        "[select] planner for "
-        << agent << " (" << node << ") died while it planned, " << deaths
-        << " of " << kg_engine::TeamSelector::kMaxDeaths << " times"
-        << (deaths < kg_engine::TeamSelector::kMaxDeaths
-                ? ""
-                : ": planned without it until it answers")
-        << "; last input: " << selector_.LastInput() << "; exit code in "
-        << ros::file_log::getLogDirectory() << "/roslaunch-*.log");
+    // Otherwise idle: the end of the launch, or a restart by hand.
+    if (!is_late && deaths != kg_engine::TeamSelector::kMaxDeaths) return;
+    ROS_WARN_STREAM("[select] planner for "
+                    << agent << " (" << node << ") died, " << deaths << " of "
+                    << kg_engine::TeamSelector::kMaxDeaths << " times"
+                    << (deaths < kg_engine::TeamSelector::kMaxDeaths
+                            ? ""
+                            : ": planned without it until it answers")
+                    << "; last input: " << selector_.LastInput()
+                    << "; exit code in " << ros::file_log::getLogDirectory()
+                    << "/roslaunch-*.log");
   }
 
   void WatchTheDeadline() {
