@@ -5,6 +5,7 @@ Debian packages."""
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -132,11 +133,16 @@ class DefaultConfiguration(unittest.TestCase):
         ours = [entry["command"] for entry in commands
                 if "/kg_" in entry["file"] and "/devel/" not in entry["file"]]
         self.assertGreater(len(ours), 20)
-        for flag in ("-std=c++17", "-O3", "-DNDEBUG", "-Wall", "-Wextra",
-                     "-Werror"):
+        for flag in ("-std=c++17", "-DNDEBUG", "-Wall", "-Wextra", "-Werror"):
             without = [command for command in ours
                        if flag not in command.split()]
             self.assertEqual([], without[:3], flag)
+        # The last level counts.
+        levels = {(re.search(r"src/(kg_\w+)", command)[1],
+                   re.findall(r" -O(\w)", command)[-1]) for command in ours}
+        self.assertLessEqual({("kg_base", "3"), ("kg_compiler", "3"),
+                              ("kg_core", "2"), ("kg_ros", "1")}, levels)
+        self.assertLessEqual({level for _, level in levels}, {"1", "2", "3"})
 
 
 if __name__ == "__main__":

@@ -15,6 +15,13 @@
 
 namespace kg_base {
 
+// The whole number at or below a position in cell units, held within [0, last];
+// 0 for NaN. Defined for every double, as the conversion to int alone is not.
+inline int HeldFloor(double cell, int last) {
+  if (!(cell > 0.0)) return 0;
+  return cell < last ? static_cast<int>(cell) : last;
+}
+
 class Axis {
  public:
   Axis() = default;

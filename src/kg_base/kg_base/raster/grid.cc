@@ -1,6 +1,5 @@
 #include "kg_base/raster/grid.h"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -12,10 +11,7 @@ namespace kg_base {
 namespace {
 
 // The cell whose centre is nearest in cell units, on an axis of `size` cells.
-int NearestCell(double at, int size) {
-  const int cell = static_cast<int>(std::floor(at + 0.5));
-  return std::clamp(cell, 0, size - 1);
-}
+int NearestCell(double at, int size) { return HeldFloor(at + 0.5, size - 1); }
 
 bool AlmostEqualAxes(const Axis& a, const Axis& b, double tolerance) {
   if (a.centres().size() != b.centres().size()) return false;

@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "kg_compiler/traversal/reach.h"
@@ -23,12 +24,16 @@ class ArrivalTiles {
 
   explicit ArrivalTiles(const kg_base::Grid& grid);
 
+  // Throws std::logic_error for a cell outside of the grid.
   Node& At(kg_base::Cell cell) {
+    if (!grid_.Contains(cell)) throw std::logic_error("no such cell");
     auto& tile = tiles_[TileOf(cell)];
     if (!tile) tile = std::make_unique<Node[]>(kTile * kTile);
     return tile[(cell.row % kTile) * kTile + cell.col % kTile];
   }
+  // Infinite where nothing has arrived, and outside of the grid.
   double Arrival_s(kg_base::Cell cell) const {
+    if (!grid_.Contains(cell)) return std::numeric_limits<double>::infinity();
     const auto& tile = tiles_[TileOf(cell)];
     return tile ? tile[(cell.row % kTile) * kTile + cell.col % kTile].arrival_s
                 : std::numeric_limits<double>::infinity();

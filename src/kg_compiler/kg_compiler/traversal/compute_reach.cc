@@ -36,6 +36,7 @@ CellBox WithSlower(const VoyageRequest& voyage, const CellBox& read) {
 }  // namespace
 
 ReachMap ComputeReach(const VoyageRequest& voyage) {
+  if (!IsWellFormed(voyage)) return {};
   ReachMap reach = ExtremalFan(voyage).Run();
   if (voyage.price.per_j > 0.0) {
     reach.slower = std::make_shared<SlowerReaches>();

@@ -9,7 +9,7 @@
 namespace kg_compiler {
 
 // Cells reachable before the deadline at full speed. Empty if the departure
-// itself is not in an open cell.
+// itself is not in an open cell, or the voyage is not well-formed.
 ReachMap ComputeReach(const VoyageRequest& voyage);
 
 }  // namespace kg_compiler

@@ -30,6 +30,15 @@ constexpr double kSharp = 0.3;
 constexpr double kThinner = 1.0;   // A ray is dropped between two this close
 constexpr double kThinBend = 0.2;  // whose front bends by less than this.
 
+// Work of one fan, in steps of single rays. A front passes each cell once, with
+// a few rays per cell and a few steps: with a hundred times the grid, rays are
+// held in an eddy beside a coast by a current that far exceeds the agent, and
+// would run there until the deadline.
+std::size_t MaxWork(const kg_base::Grid& grid) {
+  return 200000 + 100 * grid.size();
+}
+constexpr std::size_t kWorkPerStep = 100;  // Of one with few rays.
+
 bool Finite(const ExtremalState& at) {
   return std::isfinite(at.col + at.row + at.p_lon + at.p_lat);
 }
@@ -81,7 +90,7 @@ double ExtremalFan::StepLength_s() const {
 
 ReachMap ExtremalFan::Run() {
   if (Begin()) {
-    while (!rays_.empty() && now_s_ < latest_s_) {
+    while (!rays_.empty() && now_s_ < latest_s_ && work_ < MaxWork(grid_)) {
       reach_.cells_per_s = std::max(reach_.cells_per_s, fastest_);
       const double length_s = StepLength_s();
       fastest_ = 1e-9;
@@ -97,6 +106,7 @@ void ExtremalFan::Advance(double length_s) {
   const double end_s =
       length_s >= latest_s_ - now_s_ ? latest_s_ : now_s_ + length_s;
   const ExtremalStepper::Step step(flow_, now_s_, end_s - now_s_);
+  work_ += kWorkPerStep + rays_.size();
   margin_s_ = kLate * length_s;
   next_.clear();
   restarts_.clear();
@@ -242,6 +252,7 @@ void ExtremalFan::Paint(const Stride& stride, const ExtremalStrand& a,
       std::min(static_cast<int>(std::floor(high.y() + 0.5)), grid_.rows() - 1);
   const int col1 =
       std::min(static_cast<int>(std::floor(high.x() + 0.5)), grid_.cols() - 1);
+  if (row0 > row1 || col0 > col1) return;  // Beyond the outer edges.
   const bool near_closed =
       a.dead || b.dead || NearClosed({row0, col0}, {row1, col1});
   for (int row = row0; row <= row1; ++row) {
@@ -290,8 +301,8 @@ void ExtremalFan::PaintCell(const Stride& stride, const ExtremalStrand& a,
 // True if all four surrounding centres were reached earlier by more than
 // margin_s_: this ray cannot improve any arrival any more.
 bool ExtremalFan::IsLate(const ExtremalState& at) const {
-  const int row = std::clamp(static_cast<int>(at.row), 0, grid_.rows() - 2);
-  const int col = std::clamp(static_cast<int>(at.col), 0, grid_.cols() - 2);
+  const int row = kg_base::HeldFloor(at.row, grid_.rows() - 2);
+  const int col = kg_base::HeldFloor(at.col, grid_.cols() - 2);
   const double late_s = now_s_ - margin_s_;
   return arrivals_.Arrival_s({row, col}) < late_s &&
          arrivals_.Arrival_s({row, col + 1}) < late_s &&

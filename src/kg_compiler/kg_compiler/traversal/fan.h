@@ -5,7 +5,9 @@
 // that are late at all surrounding centres are dropped, as are rays closer than
 // needed. An extremal ends at closed cells and at the edge of the grid. Where
 // one passes a corner of a closed region, or grazes its edge, a new fan starts
-// into the shadow, in order of time, repeatedly if needed.
+// into the shadow, in order of time, repeatedly if needed. The fan ends at the
+// deadline, or earlier if the rays circle for far more steps than would cover
+// the grid: what they would still reach is not reached.
 
 #ifndef KG_COMPILER_TRAVERSAL_FAN_H_
 #define KG_COMPILER_TRAVERSAL_FAN_H_
@@ -106,6 +108,7 @@ class ExtremalFan {
   ArrivalTiles arrivals_;
   double latest_s_;
   double now_s_ = 0.0;
+  std::size_t work_ = 0;  // Steps of single rays completed so far.
   std::vector<ExtremalStepper::Step> steps_;  // Common steps completed so far.
   struct FirstStep {
     // From the root's time to the next common time.

@@ -129,9 +129,21 @@ bool HoldStation(const VoyageRequest& voyage, const LegFlyer& flyer,
   return true;
 }
 
+// Is every number of the flight one that can be flown?
+bool IsWellFormed(const VoyageRequest& voyage,
+                  const std::vector<TrackStretch>& stretches) {
+  for (const TrackStretch& stretch : stretches) {
+    if (!(stretch.speed_mps >= 0.0) || !std::isfinite(stretch.speed_mps)) {
+      return false;
+    }
+  }
+  return kg_compiler::IsWellFormed(voyage);
+}
+
 std::optional<FlownPath> FlyAll(const VoyageRequest& voyage,
                                 const std::vector<TrackStretch>& stretches,
                                 const CellBox* box) {
+  if (!IsWellFormed(voyage, stretches)) return std::nullopt;
   CheckStretches(voyage.departure, stretches);
   const double begin_s = voyage.departure.time_s;
   FlownPath flight;
@@ -160,6 +172,7 @@ std::optional<FlownPath> FlyAll(const VoyageRequest& voyage,
 double HoldableFrom_s(const VoyageRequest& voyage, kg_base::LonLat place) {
   const MotionModel& motion = voyage.motion;
   const VoyageDeparture& departure = voyage.departure;
+  if (!IsWellFormed(voyage)) return kNotFlown;
   const LegFlyer flyer(voyage);
   const std::optional<kg_base::GridPoint> at = flyer.grid().Locate(place);
   if (!at) return kNotFlown;

@@ -1,7 +1,12 @@
 // The current sampled for extremals: c = boost_gain current with its exact
 // gradients, bilinear in cell units and linear in time, and the scale of
-// WGS84. Missing corners count as no flow (vector_field.h); beyond the outer
-// centres the value is held constant.
+// WGS84. Missing corners count as no flow (vector_field.h).
+//
+// Defined for every position and time, as extremals may leave the grid before
+// they are stopped: beyond the outer centres the value is held constant and the
+// scale extrapolated linearly; before the first slice and after the last one
+// that slice applies. A position or a time that is NaN gives NaN or the last
+// slice, never a read outside of the field.
 
 #ifndef KG_COMPILER_TRAVERSAL_FLOW_H_
 #define KG_COMPILER_TRAVERSAL_FLOW_H_
@@ -55,7 +60,8 @@ inline FlowSlope Bilinear(const FlowCorners& c, double north, double east) {
 
 class FlowSampler {
  public:
-  explicit FlowSampler(const VoyageRequest& voyage);  // Kept by reference.
+  // The voyage is kept by reference; its field has at least one slice.
+  explicit FlowSampler(const VoyageRequest& voyage);
 
   // The two slices that bracket a time [s after the departure].
   struct Moment {
@@ -75,7 +81,7 @@ class FlowSampler {
     double lon_per_m_row, lat_per_m_row;  // and their change per row.
     double cols_per_deg, rows_per_deg;
   };
-  // Position in cell units; must be on the grid.
+  // Any position in cell units.
   Sample operator()(const Moment& moment, double col, double row) const;
 
   // Degrees per cell step at a position.
@@ -90,9 +96,9 @@ class FlowSampler {
   void Forget() const { felt_ = kNothing; }
 
  private:
+  // Lower centre of the interval that contains a position on an axis.
   static int Lower(double at, int size) {
-    const int i = at > 0.0 ? static_cast<int>(at) : 0;
-    return i < size - 2 ? i : size - 2;
+    return kg_base::HeldFloor(at, size - 2);
   }
   void Interpolate(const Moment& moment, std::size_t corner, double north,
                    double east, Sample* at) const;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "kg_compiler/testing/test_world.h"
+#include "kg_compiler/traversal/sight.h"
 #include "kg_compiler/traversal/testing/test_flow_world.h"
 
 namespace kg_compiler {
@@ -66,6 +67,34 @@ TEST(FlowSampler, HasTheGradientsOfTheFieldWithinAPatch) {
     ASSERT_NEAR((n.north - at.north) / d, at.north_row, 1e-6);
     ASSERT_NEAR((n.lon_per_m - at.lon_per_m) / d, at.lon_per_m_row, 1e-9);
   }
+}
+
+// Extremals leave the grid, and a search for a time may leave the slices.
+TEST(FlowSampler, IsDefinedForEveryPositionAndTime) {
+  std::mt19937 rng(4);
+  const TestFlowWorld sea = RandomSea(rng);
+  const VoyageRequest voyage =
+      sea.From(Glider(0.5), {{-91, 23.4}, 0.0, kDay_s});
+  const FlowSampler flow(voyage);
+  for (const double far : {25.0, 1e3, 3e9, 1e300, HUGE_VAL}) {
+    for (const double time_s : {-HUGE_VAL, -1e300, 1e300, HUGE_VAL}) {
+      const FlowSampler::Moment moment = flow.At(time_s);
+      const FlowSampler::Moment nearest = flow.At(time_s < 0 ? -1 : 9 * kDay_s);
+      EXPECT_EQ(flow(nearest, 24, 7.3).east, flow(moment, far, 7.3).east);
+      EXPECT_EQ(flow(nearest, 0, 7.3).east, flow(moment, -far, 7.3).east);
+      EXPECT_EQ(flow(nearest, 8.1, 19).north, flow(moment, 8.1, far).north);
+      EXPECT_EQ(flow(nearest, 8.1, 0).north, flow(moment, 8.1, -far).north);
+      EXPECT_EQ(0.0, flow(moment, far, 7.3).east_col);
+      EXPECT_EQ(0.0, flow(moment, 8.1, -far).north_row);
+    }
+    EXPECT_EQ(flow.DegPerCol(23.5), flow.DegPerCol(far));
+    EXPECT_EQ(flow.DegPerRow(0.5), flow.DegPerRow(-far));
+  }
+  EXPECT_TRUE(std::isnan(flow(flow.At(0.0), kGap, 7.3).east));
+  EXPECT_TRUE(std::isnan(flow(flow.At(0.0), 8.1, kGap).north));
+  EXPECT_EQ(flow(flow.At(9 * kDay_s), 8.1, 7.3).east,
+            flow(flow.At(kGap), 8.1, 7.3).east);
+  EXPECT_TRUE(IsWithin(flow.felt(), WholeGrid(sea.field.grid)));
 }
 
 TEST(FlowSampler, KnowsWhichCellsItWasAskedFor) {

@@ -106,6 +106,7 @@ void HazardMap::Make(int tile_row, int tile_col, Tile* tile) const {
 }
 
 double HazardMap::At(kg_base::Cell cell) const {
+  if (!grid_.Contains(cell)) return 1.0;
   const std::size_t i = grid_.Index(cell);
   const double soft = std::clamp(1.0 - attenuation_[i], 0.0, 1.0);
   if (!(range_m_ > 0.0)) return open_[i] == 1 ? soft : 1.0;

@@ -3,7 +3,8 @@
 //   h(x) = max( exp(-d(x) / range), 1 - attenuation(x) )
 //
 // d [m] from the cell's centre to the nearest centre that is not open
-// (distance_transform.h); the first term is 0 beyond kRanges ranges (there it
+// (distance_transform.h); a cell outside of the grid is not open, its hazard is
+// 1; the first term is 0 beyond kRanges ranges (there it
 // would be less than 0.0025), so that no cell depends on cells farther away.
 // Thread-safe.
 

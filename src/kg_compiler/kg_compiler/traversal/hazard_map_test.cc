@@ -62,6 +62,8 @@ TEST(HazardMap, WithoutRangeIsTheClosedCellsAndTheSoftZones) {
   const HazardMap hazard(grid, open, kg_base::Raster(25, 1.0f), 0.0);
   EXPECT_EQ(1.0, hazard.At({2, 2}));
   EXPECT_EQ(0.0, hazard.At({2, 3}));
+  EXPECT_EQ(1.0, hazard.At({5, 3}));  // Off the grid.
+  EXPECT_EQ(1.0, hazard.At({2, -1}));
 }
 
 }  // namespace

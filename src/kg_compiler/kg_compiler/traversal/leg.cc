@@ -103,7 +103,7 @@ double LatestArrival_s(const MotionModel& motion,
 LegFlyer::LegFlyer(const VoyageRequest& voyage, const CellBox* box)
     : world_(voyage.world),
       motion_(voyage.motion),
-      box_(box ? *box : CellBox{0, grid().rows(), 0, grid().cols()}),
+      box_(box ? Common(*box, WholeGrid(grid())) : WholeGrid(grid())),
       epoch_s_(voyage.departure.time_s),
       latest_s_(LatestArrival_s(voyage.motion, voyage.departure)) {}
 

@@ -39,8 +39,8 @@ double LatestArrival_s(const MotionModel& motion,
 // Flies legs of one departure.
 class LegFlyer {
  public:
-  // The voyage must outlive this object. Cells outside `box`, if given, count
-  // as closed.
+  // The voyage must outlive this object. Cells outside the grid, and outside
+  // `box` if given, count as closed.
   explicit LegFlyer(const VoyageRequest& voyage, const CellBox* box = nullptr);
 
   std::optional<LegEnd> Fly(const TrackLeg& leg, const LegCare& care) const;

@@ -23,6 +23,16 @@ constexpr double kLeastSpread_rad = 1e-6;
 constexpr int kMaxHalvings = 30;
 constexpr double kSolveStep_cells = 0.5;
 constexpr int kFewestSteps = 6;
+// A leg of more steps is not tried: its current carries it farther in a second
+// than a grid is wide.
+constexpr int kMaxSteps = 100000;
+
+// Equal steps of at most `step_s`; nullopt = more than kMaxSteps, or NaN.
+std::optional<int> CountSteps(double duration_s, double step_s) {
+  const double steps = std::ceil(duration_s / step_s);
+  if (!(steps >= 1.0 && steps <= kMaxSteps)) return std::nullopt;
+  return static_cast<int>(steps);
+}
 
 // The point farthest from the chord in time between two kept points.
 struct FarthestPoint {
@@ -80,19 +90,30 @@ ExtremalShooter::ExtremalShooter(const VoyageRequest& voyage,
       helm_(flow_, speed_mps),
       latest_s_(LatestArrival_s(voyage.motion, voyage.departure)) {}
 
+bool ExtremalShooter::Advance(double time_s, double step_s,
+                              ExtremalState* at) const {
+  *at = helm_.Advance(*at, ExtremalStepper::Step(flow_, time_s, step_s));
+  // A front that runs along its normal may be moved any distance by a small
+  // correction of its time; NaN fails these comparisons, too.
+  const kg_base::Grid& grid = flow_.grid();
+  return at->row > -kFarthest_cells && at->col > -kFarthest_cells &&
+         at->row < grid.rows() + kFarthest_cells &&
+         at->col < grid.cols() + kFarthest_cells &&
+         IsWithin(flow_.felt(), reach_.read);
+}
+
 // Integrates to the guessed time, then forward or back until the front is at
 // the target.
 std::optional<ShotAt> ExtremalShooter::Fire(const ShotLeg& leg,
                                             double heading_rad) const {
   flow_.Forget();
   ExtremalState at = SetOut(flow_, leg.from, heading_rad);
-  const int steps = static_cast<int>(std::ceil(leg.duration_s / leg.step_s));
-  const double step_s = leg.duration_s / steps;
+  const std::optional<int> steps = CountSteps(leg.duration_s, leg.step_s);
+  if (!steps) return std::nullopt;
+  const double step_s = leg.duration_s / *steps;
   double time_s = leg.begin_s;
-  for (int i = 0; i < steps; ++i) {
-    at = helm_.Advance(at, ExtremalStepper::Step(flow_, time_s, step_s));
-    time_s += step_s;
-    if (!IsWithin(flow_.felt(), reach_.read)) return std::nullopt;
+  for (int i = 0; i < *steps; ++i, time_s += step_s) {
+    if (!Advance(time_s, step_s, &at)) return std::nullopt;
   }
   // Newton's method in time: `ahead` is how far the front is past the target,
   // `front` its speed along its normal.
@@ -111,9 +132,8 @@ std::optional<ShotAt> ExtremalShooter::Fire(const ShotLeg& leg,
     const double most_s = kMaxShift_cells / std::max(std::abs(front), 1e-12);
     const double shift_s = std::min(std::max(-ahead / front, -most_s), most_s);
     if (!(time_s + shift_s > leg.begin_s)) return std::nullopt;
-    at = helm_.Advance(at, ExtremalStepper::Step(flow_, time_s, shift_s));
+    if (!Advance(time_s, shift_s, &at)) return std::nullopt;
     time_s += shift_s;
-    if (!IsWithin(flow_.felt(), reach_.read)) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -200,22 +220,22 @@ bool ExtremalShooter::Trace(const ShotLeg& leg, const ShotAt& shot,
                             TimedCourse* course) const {
   flow_.Forget();
   ExtremalState at = SetOut(flow_, leg.from, shot.heading_rad);
-  const int steps = static_cast<int>(std::ceil(shot.duration_s / leg.step_s));
-  const double step_s = shot.duration_s / steps;
+  const std::optional<int> steps = CountSteps(shot.duration_s, leg.step_s);
+  if (!steps) return false;
+  const double step_s = shot.duration_s / *steps;
   const std::size_t first = course->size();
-  for (int i = 0; i < steps; ++i) {
+  for (int i = 0; i < *steps; ++i) {
     const double time_s = leg.begin_s + i * step_s;
     course->push_back({{at.row, at.col}, time_s});
-    at = helm_.Advance(at, ExtremalStepper::Step(flow_, time_s, step_s));
-    if (!IsWithin(flow_.felt(), reach_.read)) return false;
+    if (!Advance(time_s, step_s, &at)) return false;
   }
   // Distribute the remaining miss linearly along the course.
   const CellOffset miss = PlaceOf(at) - CellOffset{leg.to.col, leg.to.row};
   if (!(miss.norm() < 2.0 * kBent_cells)) return false;
-  for (int i = 0; i < steps; ++i) {
+  for (int i = 0; i < *steps; ++i) {
     kg_base::GridPoint& place = (*course)[first + i].place;
-    place.col -= miss.x() * i / steps;
-    place.row -= miss.y() * i / steps;
+    place.col -= miss.x() * i / *steps;
+    place.row -= miss.y() * i / *steps;
   }
   return true;
 }

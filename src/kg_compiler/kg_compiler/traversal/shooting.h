@@ -57,7 +57,8 @@ class ExtremalShooter {
     double arrival_s = 0.0;
   };
   // A course from the departure to a place in steps of at most
-  // `step_cells`; nothing if none is found close to the guess.
+  // `step_cells`; nothing if none is found close to the guess, or if it leaves
+  // the grid by more than a few cells or has more than kMaxSteps steps.
   std::optional<TimedCourse> To(kg_base::GridPoint place, const Guess& guess,
                                 double step_cells) const;
 
@@ -68,12 +69,14 @@ class ExtremalShooter {
     double heading_rad, spread_rad, duration_s;  // Guessed.
     double step_s;
   };
+  // Advances an extremal and checks that it is still where the currents are
+  // known: near the grid, and in the box that the reach has read.
+  bool Advance(double time_s, double step_s, ExtremalState* at) const;
   std::optional<ShotAt> Fire(const ShotLeg& leg, double heading_rad) const;
   std::optional<ShotAt> Solve(const ShotLeg& leg) const;
   std::optional<ShotAt> Search(const ShotLeg& leg) const;
   std::optional<ShotAt> Between(const ShotLeg& leg, ShotAt a, ShotAt b) const;
-  // Appends the extremal of `shot` to the course; false if it leaves the box
-  // that the reach has read.
+  // Appends the extremal of `shot` to the course; false if it leaves that box.
   bool Trace(const ShotLeg& leg, const ShotAt& shot, TimedCourse* course) const;
 
   const ReachMap& reach_;

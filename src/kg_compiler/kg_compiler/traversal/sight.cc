@@ -27,7 +27,7 @@ LineOfSight::LineOfSight(const TraversalWorld& world, const CellBox& box)
     : grid_(world.field->grid),
       open_(*world.open),
       east_mps_(world.field->slices.front().east_mps),
-      box_(box),
+      box_(Common(box, WholeGrid(grid_))),
       block_cols_((grid_.cols() + kBlock - 1) / kBlock),
       near_closed_(static_cast<std::size_t>(block_cols_) *
                        ((grid_.rows() + kBlock - 1) / kBlock),
@@ -35,6 +35,7 @@ LineOfSight::LineOfSight(const TraversalWorld& world, const CellBox& box)
 
 bool LineOfSight::IsClear(kg_base::GridPoint a, kg_base::GridPoint b) const {
   constexpr double kSame = 1e-9;
+  if (!Contains(b) || !std::isfinite(a.row + a.col)) return false;
   kg_base::Cell cell = CellOf(grid_, a);
   const kg_base::Cell last = CellOf(grid_, b);
   AxisWalk row(a.row, b.row, cell.row), col(a.col, b.col, cell.col);
@@ -75,6 +76,7 @@ bool LineOfSight::FindClosed(int block_row, int block_col) const {
 }
 
 bool LineOfSight::NearClosed(kg_base::Cell cell) {
+  if (!grid_.Contains(cell)) return true;
   const int r = cell.row / kBlock, c = cell.col / kBlock;
   signed char& known =
       near_closed_[static_cast<std::size_t>(r) * block_cols_ + c];

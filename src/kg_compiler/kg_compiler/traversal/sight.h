@@ -21,17 +21,17 @@ inline bool IsWithin(const CellBox& a, const CellBox& b) {
          a.col_end <= b.col_end;
 }
 
-// The cell a position lies in; held within the grid at its outer edges.
+// The cell a position lies in, for any position: outside of the grid the
+// nearest cell along each axis, for NaN the first.
 inline kg_base::Cell CellOf(const kg_base::Grid& grid, kg_base::GridPoint at) {
-  const int row = static_cast<int>(at.row + 0.5);
-  const int col = static_cast<int>(at.col + 0.5);
-  return {row < grid.rows() ? (row > 0 ? row : 0) : grid.rows() - 1,
-          col < grid.cols() ? (col > 0 ? col : 0) : grid.cols() - 1};
+  return {kg_base::HeldFloor(at.row + 0.5, grid.rows() - 1),
+          kg_base::HeldFloor(at.col + 0.5, grid.cols() - 1)};
 }
 
 class LineOfSight {
  public:
-  // Cells outside `box` count as closed. The world must outlive this object.
+  // Cells outside `box` or the grid count as closed. The world, whose field
+  // has at least one slice, must outlive this object.
   LineOfSight(const TraversalWorld& world, const CellBox& box);
 
   // Is the cell in the box, open, and with a known current?
@@ -47,10 +47,11 @@ class LineOfSight {
   }
   // Is the straight line from a to b (in cell units) free? Every cell it
   // touches must be open, including both cells beside a corner it passes; the
-  // cell of `a` is not tested.
+  // cell of `a` is not tested. False if b is not in the box or a not finite.
   bool IsClear(kg_base::GridPoint a, kg_base::GridPoint b) const;
 
-  // Is a cell of a block of kBlock by kBlock, or one beside it, closed?
+  // Is a cell of a block of kBlock by kBlock, or one beside it, closed? True
+  // outside of the grid.
   static constexpr int kBlock = 4;
   bool NearClosed(kg_base::Cell cell);
 

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <stdexcept>
+
 #include "kg_compiler/testing/test_world.h"
+#include "kg_compiler/traversal/arrivals.h"
 #include "kg_compiler/traversal/testing/test_flow_world.h"
 
 namespace kg_compiler {
@@ -54,6 +58,40 @@ TEST(LineOfSight, DoesNotSlipThroughACorner) {
   sea.open[1 * 5 + 2] = 0;
   EXPECT_FALSE(sight.IsClear({1, 1}, {3, 3}));
   EXPECT_FALSE(sight.IsClear({3, 3}, {1, 1}));
+}
+
+TEST(LineOfSight, IsDefinedForEveryPositionAndCell) {
+  const TestFlowWorld sea(UniformFlow(EvenGrid(-91, 24, 0.04, 20, 20), 0, 0));
+  const VoyageRequest voyage = sea.From(Glider(1), {{-91, 24}, 0, 1});
+  // The box is larger than the grid: cells off the grid are closed anyway.
+  LineOfSight sight(voyage.world, {-9, 99, -9, 99});
+  EXPECT_TRUE(sight.IsOpen({19, 19}));
+  EXPECT_FALSE(sight.IsOpen({20, 19}));
+  EXPECT_FALSE(sight.IsOpen({-1, 0}));
+  EXPECT_TRUE(sight.NearClosed({20, 3}));
+  EXPECT_TRUE(sight.NearClosed({3, -1}));
+  EXPECT_FALSE(sight.NearClosed({19, 19}));
+  EXPECT_TRUE(sight.IsClear({3, 3}, {3, 19.4}));
+  for (const double bad : {19.6, 1e300, HUGE_VAL, -HUGE_VAL, 0.0 + kGap}) {
+    EXPECT_FALSE(sight.IsClear({3, 3}, {3, bad}));
+    EXPECT_FALSE(sight.IsClear({3, 3}, {bad, 3}));
+  }
+  EXPECT_FALSE(sight.IsClear({kGap, 3}, {0, 0}));
+  EXPECT_FALSE(sight.IsClear({3, HUGE_VAL}, {0, 0}));
+  const kg_base::Grid& grid = sea.field.grid;
+  EXPECT_EQ((kg_base::Cell{19, 0}), CellOf(grid, {3e9, -3e9}));
+  EXPECT_EQ((kg_base::Cell{0, 19}), CellOf(grid, {-HUGE_VAL, HUGE_VAL}));
+  EXPECT_EQ((kg_base::Cell{0, 0}), CellOf(grid, {kGap, kGap}));
+}
+
+TEST(ArrivalTiles, HaveNoArrivalOffTheGrid) {
+  const kg_base::Grid grid = EvenGrid(-91, 24, 0.04, 20, 20);
+  ArrivalTiles arrivals(grid);
+  arrivals.At({19, 19}).arrival_s = 1.0;
+  EXPECT_EQ(1.0, arrivals.Arrival_s({19, 19}));
+  EXPECT_TRUE(std::isinf(arrivals.Arrival_s({20, 19})));
+  EXPECT_TRUE(std::isinf(arrivals.Arrival_s({0, -1})));
+  EXPECT_THROW(arrivals.At({20, 19}), std::logic_error);
 }
 
 TEST(LineOfSight, FindsCornersToGoRoundAndWhatIsNearTheCoast) {

@@ -183,6 +183,7 @@ class SpeedSearch {
 
 std::optional<FlownPath> Traverse(const VoyageRequest& voyage,
                                   const ReachMap& reach, kg_base::LonLat to) {
+  if (!IsWellFormed(voyage)) return std::nullopt;
   const auto at = voyage.world.field->grid.Locate(to);
   if (!at) return std::nullopt;
   if (!(voyage.price.per_j > 0.0) || !reach.slower) {

@@ -32,13 +32,14 @@ namespace kg_compiler {
 
 // The flight from the departure to `to` that minimises
 //   per_s travel_s + per_j energy_j + per_hazard_s hazard_s,
-// or nullopt if no feasible one was found. `reach` is ComputeReach of the same
-// voyage. Without a price of energy this is the fastest flight found, never
-// slower than the straight leg. With one, slower speeds are tried as well: the
-// fractions of SlowerReaches and, if one of them is cheaper, those around it to
-// about 0.3 % of cruise_mps. A speed is skipped if a lower bound of its cost
-// leaves less than 0.1 % to gain. Each speed is tried on its fastest track only
-// (arriving later than possible at that speed is not tried).
+// or nullopt if no feasible one was found or the voyage is not well-formed.
+// `reach` is ComputeReach of the same voyage. Without a price of energy this is
+// the fastest flight found, never slower than the straight leg. With one,
+// slower speeds are tried as well: the fractions of SlowerReaches and, if one
+// of them is cheaper, those around it to about 0.3 % of cruise_mps. A speed is
+// skipped if a lower bound of its cost leaves less than 0.1 % to gain. Each
+// speed is tried on its fastest track only (arriving later than possible at
+// that speed is not tried).
 //
 // The track is the simplified extremal: linear interpolation in time between
 // its points stays within 0.05 cells of the extremal. All figures of the result

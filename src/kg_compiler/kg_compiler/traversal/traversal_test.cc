@@ -241,6 +241,35 @@ TEST(ComputeReach, IsEmptyFromAForbiddenCellAndFromOutsideTheGrid) {
   EXPECT_EQ(0u, count({-90, 25}));
 }
 
+TEST(Traverse, NeitherReachesNorFliesAVoyageThatMakesNoSense) {
+  const TestFlowWorld sea(UniformFlow(TestGrid(), 0.1, 0.0));
+  const LonLat from{-90, 25}, to{-89.9, 25};
+  const VoyageRequest good = sea.From(Glider(0.5), {from, 0.0, kDay_s});
+  ASSERT_TRUE(Traverse(good, ComputeReach(good), to));
+  std::vector<VoyageRequest> bad(9, good);
+  bad[0].departure.deadline_s = -1.0;
+  bad[1].departure.deadline_s = HUGE_VAL;
+  bad[2].departure.time_s = kGap;
+  bad[3].departure.from.lat_deg = kGap;
+  bad[4].departure.base_travel_m = kGap;
+  bad[5].motion.cruise_mps = HUGE_VAL;
+  bad[6].motion.boost_gain = kGap;
+  const TestFlowWorld empty(VectorField{sea.field.grid, {}});
+  bad[7].world.field = &empty.field;
+  const kg_base::Mask small(7, 1);
+  bad[8].world.open = &small;
+  for (const VoyageRequest& voyage : bad) {
+    EXPECT_FALSE(IsWellFormed(voyage));
+    EXPECT_TRUE(ComputeReach(voyage).cells.empty());
+    EXPECT_FALSE(Traverse(voyage, ComputeReach(good), to));
+    EXPECT_FALSE(FlyTrack(voyage, {from, to}));
+    EXPECT_TRUE(std::isinf(HoldableFrom_s(voyage, to)));
+  }
+  EXPECT_FALSE(FlyStretches(good, {{{from, to}, kGap}}));
+  EXPECT_FALSE(FlyStretches(good, {{{from, to}, HUGE_VAL}}));
+  EXPECT_FALSE(FlyStretches(good, {{{from, to}, -0.5}}));
+}
+
 // A later departure on the same track never arrives earlier.
 TEST(FlyTrack, KeepsTheOrderOfDepartures) {
   std::mt19937 rng(37);

@@ -64,6 +64,12 @@ struct VoyageRequest {
   FlightPrice price;
 };
 
+// Whether a request makes sense; anything else reaches nothing and is not
+// flown. A field with slices, all of them and `open` of the size of the grid; a
+// finite departure at most 100 years before its deadline; finite figures of the
+// motion, the speed not negative; prices and limits may be infinite, not NaN.
+bool IsWellFormed(const VoyageRequest& voyage);
+
 }  // namespace kg_compiler
 
 #endif  // KG_COMPILER_TRAVERSAL_VOYAGE_H_

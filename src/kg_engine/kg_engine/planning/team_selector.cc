@@ -80,6 +80,12 @@ void TeamSelector::Begin(std::unique_ptr<kg_selector::Coordinator> team) {
 }
 
 SelectorAnswer TeamSelector::Take(const AgentCandidates& candidates) {
+  // A planner that a later round ends repeats round 0 each time it returns:
+  // that is no sign of life.
+  const bool is_repeated = task_ && !finished_ &&
+                           candidates.cycle == task_->cycle &&
+                           candidates.round < round_;
+  if (!is_repeated) deaths_.erase(candidates.agent);
   if (candidates.round == 0) {
     AgentCandidates& known = unmasked_[candidates.agent];
     if (candidates.cycle < known.cycle) return {};
@@ -119,8 +125,40 @@ SelectorAnswer TeamSelector::GiveUpWaiting() {
   return Step();
 }
 
+int TeamSelector::Deaths(const std::string& agent) const {
+  const auto known = deaths_.find(agent);
+  return known == deaths_.end() ? 0 : known->second;
+}
+
+SelectorAnswer TeamSelector::CountDeath(const std::string& agent) {
+  ++deaths_[agent];
+  return Step();
+}
+
+void TeamSelector::DropDeadPlanners() {
+  for (const std::string& agent : WaitingFor()) {
+    const int deaths = Deaths(agent);
+    if (deaths < kMaxDeaths) continue;
+    team_->Drop(agent, "planner for " + agent + " died " +
+                           std::to_string(deaths) +
+                           " times (respawned), planned without it");
+  }
+}
+
+std::string TeamSelector::LastInput() const {
+  if (!task_) return "none";
+  std::string text = "cycle " + std::to_string(task_->cycle) +
+                     ", world version " + std::to_string(task_->world_version) +
+                     ", round " + std::to_string(round_);
+  const std::map<int, double>& windows = task_->rules.window_end_s;
+  if (windows.empty()) return text;
+  return text + ", windows " + std::to_string(windows.begin()->first) + " to " +
+         std::to_string(windows.rbegin()->first);
+}
+
 SelectorAnswer TeamSelector::Step() {
   if (!team_ || finished_ || !knows_last_run_) return {};
+  DropDeadPlanners();
   if (!team_->waiting_for().empty()) return {};
   if (complete_s_ == 0.0) complete_s_ = Now_s();
   SelectorAnswer answer;

@@ -56,6 +56,16 @@ class TeamSelector {
   // Proceeds without the agents waited for.
   SelectorAnswer GiveUpWaiting();
 
+  // The planner of an agent has died. One that dies kMaxDeaths times without an
+  // answer in between is not waited for, in this cycle and the next ones, until
+  // it answers: what makes it die is probably the input itself.
+  static constexpr int kMaxDeaths = 2;
+  SelectorAnswer CountDeath(const std::string& agent);
+  // Deaths since the agent's last answer.
+  int Deaths(const std::string& agent) const;
+  // The input that the planners of this cycle work on, for the log.
+  std::string LastInput() const;
+
  private:
   // Data of an agent's last answer, apart from its pathlets.
   struct Offered {
@@ -64,6 +74,7 @@ class TeamSelector {
   };
 
   void Begin(std::unique_ptr<kg_selector::Coordinator> team);
+  void DropDeadPlanners();
   void Offer(const kg_selector::AgentCandidates& candidates);
   SelectorAnswer Step();
   kg_selector::RoundRequest Ask();
@@ -78,6 +89,7 @@ class TeamSelector {
   // coordination.
   std::map<std::string, kg_selector::AgentCandidates> unmasked_;
   std::map<std::string, Offered> offered_;  // By agent.
+  std::map<std::string, int> deaths_;       // By agent; see Deaths().
   kg_selector::RoundRequest request_;       // Last.
   std::uint32_t round_ = 0;
   std::uint64_t run_ = 0;       // Current or just finished run.

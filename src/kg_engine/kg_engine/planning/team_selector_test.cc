@@ -211,6 +211,73 @@ TEST(TeamSelectorTest, GoesOnWithoutTheDeadAndTakesThemBack) {
   EXPECT_GT(both.plan->run, alone.plan->run);
 }
 
+TEST(TeamSelectorTest, DoesNotWaitForAPlannerThatDiesAgainAndAgain) {
+  TeamSelector server;
+  server.KnowRun(0);
+  server.Take(Rules(1));
+  server.Take(Offer("alpha", 1, 0, StayAt(-90, 5)));
+  EXPECT_FALSE(server.CountDeath("bravo").plan);
+  EXPECT_EQ(server.WaitingFor(), std::vector<std::string>{"bravo"});
+  const SelectorAnswer alone = server.CountDeath("bravo");
+  ASSERT_TRUE(alone.plan);
+  EXPECT_EQ(alone.plan->assignments.size(), 1u);
+  EXPECT_EQ(alone.plan->unassigned.at("bravo"),
+            "planner for bravo died 2 times (respawned), planned without it");
+  // Not in the next cycle either,
+  server.CountDeath("bravo");
+  server.Take(Rules(2));
+  const SelectorAnswer next = server.Take(Offer("alpha", 2, 0, StayAt(-90, 5)));
+  ASSERT_TRUE(next.plan);
+  EXPECT_EQ(next.plan->unassigned.at("bravo"),
+            "planner for bravo died 3 times (respawned), planned without it");
+  // until it answers.
+  const SelectorAnswer both = server.Take(Offer("bravo", 2, 0, StayAt(-80, 4)));
+  ASSERT_TRUE(both.plan);
+  EXPECT_EQ(both.plan->assignments.size(), 2u);
+  EXPECT_EQ(server.Deaths("bravo"), 0);
+}
+
+TEST(TeamSelectorTest, WaitsForAPlannerThatDiedOnceOrAnsweredInBetween) {
+  TeamSelector server;
+  server.KnowRun(0);
+  server.Take(Rules(1));
+  server.Take(Offer("alpha", 1, 0, StayAt(-90, 5)));
+  server.CountDeath("bravo");
+  ASSERT_TRUE(server.Take(Offer("bravo", 1, 0, StayAt(-80, 4))).plan);
+  server.CountDeath("bravo");  // While idle, and back with the same answer.
+  server.Take(Offer("bravo", 1, 0, StayAt(-80, 4)));
+  server.Take(Rules(2));
+  server.Take(Offer("alpha", 2, 0, StayAt(-90, 5)));
+  EXPECT_FALSE(server.CountDeath("bravo").plan);
+  EXPECT_TRUE(server.Take(Offer("bravo", 2, 0, StayAt(-80, 4))).plan);
+}
+
+// It answers round 0 each time it returns, then dies of the request.
+TEST(TeamSelectorTest, DoesNotWaitForAPlannerThatDiesOfARequest) {
+  TeamSelector server;
+  server.KnowRun(0);
+  server.Take(Rules(1));
+  server.Take(Offer("alpha", 1, 0, StayAt(-90, 5)));
+  ASSERT_TRUE(server.Take(Offer("bravo", 1, 0, StayAt(-90, 4))).request);
+  EXPECT_FALSE(server.CountDeath("bravo").plan);
+  EXPECT_FALSE(server.Take(Offer("bravo", 1, 0, StayAt(-90, 4))).plan);
+  const SelectorAnswer alone = server.CountDeath("bravo");
+  ASSERT_TRUE(alone.plan);
+  EXPECT_EQ(alone.plan->assignments.size(), 1u);
+  EXPECT_EQ(alone.plan->unassigned.count("bravo"), 1u);
+}
+
+TEST(TeamSelectorTest, NamesTheInputThatPlannersWorkOn) {
+  TeamSelector server;
+  EXPECT_EQ(server.LastInput(), "none");
+  server.KnowRun(0);
+  TeamTask task = Rules(7);
+  task.rules.window_end_s = {{2, 1e5}, {5, 4e5}};
+  server.Take(task);
+  EXPECT_EQ(server.LastInput(),
+            "cycle 7, world version 3, round 0, windows 2 to 5");
+}
+
 TEST(TeamSelectorTest, ARepeatedAnswerChangesNothing) {
   TeamSelector server;
   server.KnowRun(0);

@@ -1,6 +1,9 @@
 #include "kg_ros/selection/selector_node.h"
 
+#include <algorithm>
 #include <functional>
+#include <map>
+#include <string>
 
 #include "kg_base/common/input_error.h"
 #include "kg_engine/planning/team_selector.h"
@@ -15,7 +18,9 @@
 #include "kg_ros/base/run_node.h"
 #include "kg_ros/conversion/plan_conversion.h"
 #include "kg_ros/conversion/rules_conversion.h"
+#include "ros/file_log.h"
 #include "ros/ros.h"
+#include "ros/single_subscriber_publisher.h"
 
 namespace kg_ros {
 namespace {
@@ -27,8 +32,15 @@ class SelectorNode {
     assignments_ =
         node_.advertise<kg_msgs::Assignments>(kAssignmentsTopic, 1, kLatched);
     // Latched: a selector that was just started is heard by all.
-    requests_ = node_.advertise<kg_msgs::RoundRequest>(kRoundRequestsTopic, 64,
-                                                       kLatched);
+    requests_ = node_.advertise<kg_msgs::RoundRequest>(
+        kRoundRequestsTopic, 64,
+        [this](const ros::SingleSubscriberPublisher& subscriber) {
+          HandleConnection(subscriber.getSubscriberName());
+        },
+        [this](const ros::SingleSubscriberPublisher& subscriber) {
+          HandleDisconnection(subscriber.getSubscriberName());
+        },
+        ros::VoidConstPtr(), kLatched);
     rejections_ =
         node_.advertise<kg_msgs::Rejections>(kRejectionsTopic, 64, kLatched);
     subscribers_ = {
@@ -56,6 +68,34 @@ class SelectorNode {
     Answer([&] { return selector_.Take(FromMessage(message)); });
   }
 
+  void HandleConnection(const std::string& node) {
+    std::string agent;
+    if (ros::param::get(node + "/agent", agent)) planners_[node] = agent;
+  }
+
+  void HandleDisconnection(const std::string& node) {
+    const auto planner = planners_.find(node);
+    if (planner == planners_.end()) return;  // Not a planner.
+    const std::string agent = planner->second;
+    planners_.erase(planner);
+    const std::vector<std::string> waiting = selector_.WaitingFor();
+    const bool is_late =
+        std::find(waiting.begin(), waiting.end(), agent) != waiting.end();
+    Answer([&] { return selector_.CountDeath(agent); });
+    const int deaths = selector_.Deaths(agent);
+    // Otherwise idle: the end of the launch, or a restart by hand.
+    if (!is_late && deaths != kg_engine::TeamSelector::kMaxDeaths) return;
+    ROS_WARN_STREAM("[select] planner for "
+                    << agent << " (" << node << ") died, " << deaths << " of "
+                    << kg_engine::TeamSelector::kMaxDeaths << " times"
+                    << (deaths < kg_engine::TeamSelector::kMaxDeaths
+                            ? ""
+                            : ": planned without it until it answers")
+                    << "; last input: " << selector_.LastInput()
+                    << "; exit code in " << ros::file_log::getLogDirectory()
+                    << "/roslaunch-*.log");
+  }
+
   void WatchTheDeadline() {
     if (selector_.WaitingFor().empty()) return;
     const double waited_s =
@@ -80,6 +120,7 @@ class SelectorNode {
   ros::NodeHandle node_;
   double deadline_s_;
   kg_engine::TeamSelector selector_;
+  std::map<std::string, std::string> planners_;  // Agent, by node.
   ros::Publisher assignments_;
   ros::Publisher requests_;
   ros::Publisher rejections_;
