@@ -109,8 +109,8 @@ class Comparison {
     change.infeasible = then == nullptr;
     change.before = kg_compiler::CostOfEdge(graph.edges[edge]);
     change.after = then != nullptr ? kg_compiler::CostOfEdge(*then)
-                                   : EdgeCost{kNone, kNone, kNone, kNone,
-                                              kNone, kNone, {},    kNone};
+                                   : EdgeCost{kNone, kNone, kNone, kNone, kNone,
+                                              kNone, {},    kNone, kNone};
     return change;
   }
 

@@ -369,6 +369,12 @@ TEST_F(WhatIfTest, AnAreaThatIsClosedMakesEdgesAndPathsInfeasible) {
   ASSERT_TRUE(answer.ok || !answer.paths.empty()) << answer.text;
   EXPECT_GT(answer.edges_infeasible, 0u);
   EXPECT_TRUE(answer.changed_edges.at(0).infeasible);
+  const kg_compiler::EdgeCost& none = answer.changed_edges.at(0).after;
+  for (const double number :
+       {none.travel_s, none.energy_j, none.hazard_s, none.isolation_s,
+        none.through_water_m, none.speed_mps, none.turn_rad, none.seam_cost}) {
+    EXPECT_TRUE(std::isnan(number));
+  }
   EXPECT_NE(answer.paths[0].infeasible.find("cannot be flown"),
             std::string::npos)
       << answer.text;

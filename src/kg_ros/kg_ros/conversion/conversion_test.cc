@@ -473,7 +473,8 @@ TEST(ConversionTest, APathComesBackWithItsStops) {
   pathlet.seam_cost = 0.5;
   pathlet.energy_j = 1234.5;
   pathlet.visits = {{3, 1, {-89.0, 24.0}, 4.5, {"ex:e"}, {{0, {-90.0, 25.0}}}}};
-  pathlet.visits[0].cost = {20.0, 7.5, 0.125, 0.0625, 6.0, 0.6875, {}, 0.375};
+  pathlet.visits[0].cost = {20.0,   7.5, 0.125, 0.0625, 6.0,
+                            0.6875, {},  2.5,   0.375};
   const kg_msgs::Pathlet message = ToMessage(pathlet);
   EXPECT_EQ(message.visits.at(0).cost.travel_s, 20.0);
   const kg_selector::Pathlet back = FromMessage(message, "alpha");
