@@ -46,6 +46,15 @@ def debian_packages(name):
              f"python3-{dashed}"),)
 
 
+class TheFiles(unittest.TestCase):
+
+    def test_have_no_conflict_markers(self):
+        marked = subprocess.run(
+            ["git", "grep", "-lE", "^(<{7}|>{7}) "], cwd=REPOSITORY,
+            capture_output=True, text=True, check=False).stdout
+        self.assertEqual("", marked)
+
+
 class ThePackages(unittest.TestCase):
 
     def test_are_those_of_the_architecture(self):

@@ -16,11 +16,8 @@ scripts/install_packages.sh base checks
 mkdir -p "$build/devel/lib/python3/dist-packages"
 link_packages "$build/src" "${libraries[@]}"
 
-<<<<<<< HEAD
-if ! { cmake -G Ninja -S "$build/src" -B "$build" -DKG_SANITIZE=address,undefined \
-=======
-if ! { cmake -S "$build/src" -B "$build" -DKG_SANITIZE=address,undefined,float-cast-overflow \
->>>>>>> nocrash
+if ! { cmake -G Ninja -S "$build/src" -B "$build" \
+    -DKG_SANITIZE=address,undefined,float-cast-overflow \
     -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
     -DCATKIN_DEVEL_PREFIX="$build/devel" -DPYTHON_EXECUTABLE=/usr/bin/python3 &&
     ninja -C "$build" -j"${JOBS:-$(nproc)}" all tests

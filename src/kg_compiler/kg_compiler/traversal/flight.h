@@ -21,19 +21,11 @@ double HoldableFrom_s(const VoyageRequest& voyage, kg_base::LonLat place);
 
 // Flies along `via` (first = departure, legs straight in longitude and
 // latitude), holding V = cruise_mps through water on every leg. Nothing if a
-<<<<<<< HEAD
-// leg cannot be held in the current, leaves the open cells (every cell the leg
-// touches counts, both beside a corner it passes), the deadline passes, or
-// station cannot be held then. A leg can be held where 99.8 % of V compensate
-// the cross current and at least 0.2 % of V are left over ground, sampled every
-// 0.05 cells. Cells outside `box`, if given, count as closed.
-=======
 // leg cannot be held in the current, leaves the grid or the open cells (every
 // cell the leg touches counts, both beside a corner it passes), the deadline
 // passes, or station cannot be held then. A leg can be held where 99.8 % of V
 // compensate the cross current and at least 0.2 % of V are left over ground,
-// sampled every 0.05 cells.
->>>>>>> nocrash
+// sampled every 0.05 cells. Cells outside `box`, if given, count as closed.
 std::optional<FlownPath> FlyTrack(const VoyageRequest& voyage,
                                   const std::vector<kg_base::LonLat>& via,
                                   const CellBox* box = nullptr);
