@@ -384,7 +384,7 @@ const Wrong kWrong[] = {
      "no variable \"slope\", expected one of slant, farm"},
     {"\"habitat.nc#slant\"", "\"habitat.nc#slant@1\"",
      "has 1 time steps, none with index 1"},
-    {"\"habitat.nc#slant\"", "\"gone.nc#slant\"", "file \"gone.nc\" is not"},
+    {"\"habitat.nc#slant\"", "\"gone.nc#slant\"", "file \"gone.nc\" not found"},
     {"ex:gridRef \"land\"", "ex:gridRef \"sea\"", "ex:land ex:gridRef"},
     {"ex:paperLiteral true", "ex:paperLiteral \"yes\"", "ex:paperLiteral"},
     {"ex:kind \"frontness\"", "ex:kind \"salt\"", "ex:slope ex:kind"},

@@ -291,7 +291,7 @@ TEST(StoreDurability, RefusesFilesOfOthersAndLeavesThemAlone) {
     EXPECT_EQ(error.rfind(folder / "other.db", 0), 0u) << error;
     EXPECT_EQ(Bytes(folder / "other.db"), bytes);
   }
-  EXPECT_NE(GetError(folder / "").find("no store"), std::string::npos);
+  EXPECT_NE(GetError(folder / "").find("not a store"), std::string::npos);
   EXPECT_NE(GetError(folder / "no/such/folder.db").find("cannot be created"),
             std::string::npos);
 }
