@@ -23,7 +23,7 @@ fi
 use_ccache
 
 echo "build:   ${#packages[@]} packages with $jobs jobs, log: $log"
-# A folder that another generator has configured is configured anew.
+# A folder that another generator has configured is configured again.
 if ! grep -qs '^CMAKE_GENERATOR:INTERNAL=Ninja$' build/CMakeCache.txt; then
   rm -rf build/CMakeCache.txt build/CMakeFiles
 fi

@@ -2,8 +2,8 @@
 # Installs, builds, runs every test and counts: the last line is "N passed, N
 # failed"; the exit status is 0 only if none failed.
 #     scripts/test.sh
-# The C++ tests run JOBS at a time (default: all cores), then the Python and ROS
-# tests one after the other: they measure times and start nodes.
+# The C++ tests run JOBS at a time (default: all cores), then so do the Python
+# tests, then the ROS tests one after the other: each starts a whole system.
 # TEST_LIMIT_S in the environment: time limit of the C++ tests and of the ROS tests.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
@@ -49,12 +49,18 @@ use_workspace
 run_group gtest "$jobs" '*_test.cc'
 stage tests "results of $(written 'gtest-*.xml') C++ test programs"
 
+# run_guard FILE: one Python test, with a time limit.
+run_guard() {
+  local name
+  name=$(basename "$1" .py)
+  timeout -k 10 300 scripts/run_unittest.py "$1" "$results/scripts/$name.xml" \
+    >"build/$name.log" 2>&1 || true
+}
+export -f run_guard
+export results
 mkdir -p "$results/scripts"
-for test in scripts/*_test.py; do
-  name=$(basename "$test" .py)
-  timeout -k 10 300 scripts/run_unittest.py "$test" \
-    "$results/scripts/$name.xml" >"build/$name.log" 2>&1 || true
-done
+printf '%s\0' scripts/*_test.py |
+  xargs -0 -n 1 -P "$jobs" bash -c 'run_guard "$0"'
 stage guards "results of $(find "$results/scripts" -name '*.xml' | wc -l) Python tests"
 
 run_group rostest 1 '*.test'
