@@ -148,7 +148,7 @@ TEST(NavGraph, ChargesEdgesFromTheStartForTheTurnFromTheHeading) {
   }
 }
 
-TEST(NavGraph, IsBuiltAnewForAnotherHeadingWithoutFlyingAgain) {
+TEST(NavGraph, IsRebuiltForAnotherHeadingWithoutFlyingAgain) {
   TestSea sea(14);
   SeamCache cache;
   GraphsHeading(&sea, 0.0, 0.75, &cache);

@@ -37,7 +37,8 @@ constexpr double kThinBend = 0.2;  // whose front bends by less than this.
 std::size_t MaxWork(const kg_base::Grid& grid) {
   return 200000 + 100 * grid.size();
 }
-constexpr std::size_t kWorkPerStep = 100;  // Of one with few rays.
+// Cost of a step besides its rays, counted in rays.
+constexpr std::size_t kWorkPerStep = 100;
 
 bool Finite(const ExtremalState& at) {
   return std::isfinite(at.col + at.row + at.p_lon + at.p_lat);

@@ -182,7 +182,8 @@ void QuadTree::EraseBelow(NodePtr* slot, const QuadKey& key,
   }
 }
 
-// Merges the child with a neighbour if the merged node leaves room to grow.
+// Merges the child with a neighbouring child if the merged node would still
+// have free slots.
 void QuadTree::MergeChild(Node* parent, std::size_t which, std::uint64_t edit) {
   if (parent->children.size() < 2) return;
   const std::size_t at = which == 0 ? 0 : which - 1;

@@ -33,7 +33,8 @@ bool IsPattern(const Term& term, const std::string& flags) {
          regexes.Matches("", term.text, flags).has_value();
 }
 
-// What was expected of the constraint's term; nullopt if the term is valid.
+// Describes what term the constraint expects; nullopt if the given one is
+// valid.
 std::optional<std::string> WhatIsWrong(const Constraint& constraint,
                                        const Term& term) {
   const auto unless = [](bool good, const char* what) {

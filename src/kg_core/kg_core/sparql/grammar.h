@@ -63,7 +63,7 @@ class SparqlGrammar {
 
   // Templates: CONSTRUCT and DESCRIBE (parse_template.cc).
 
-  // What a template may contain, and its name in error messages.
+  // Kinds of terms allowed in a template, and its name in error messages.
   struct TemplateRules {
     bool active = false;
     bool variables = true;

@@ -56,7 +56,7 @@ class PlanProgress {
   std::uint64_t dropped() const { return dropped_; }
 
  private:
-  // What the agents were asked in one run.
+  // Requests sent to the agents in one planning run.
   struct RunRequests {
     std::uint32_t last_round = 0;
     // Latest cooling constraint by cooled agent and committed agent.

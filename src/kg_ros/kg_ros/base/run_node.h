@@ -1,4 +1,4 @@
-// What the main programs of all nodes share.
+// Start-up and error handling shared by the main programs of all nodes.
 
 #ifndef KG_ROS_BASE_RUN_NODE_H_
 #define KG_ROS_BASE_RUN_NODE_H_

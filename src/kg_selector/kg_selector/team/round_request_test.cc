@@ -93,7 +93,7 @@ TEST(RoundRequest, AnEndClosesTheRequestsOfItsRunAndOfEarlierOnes) {
   end.cycle = 5;
   EXPECT_FALSE(HasEnded(request, end));
   end.cycle = 6;
-  end.time_s = 99.0;  // Of a selector before, that used this number.
+  end.time_s = 99.0;  // From an earlier selector that used the same run number.
   EXPECT_FALSE(HasEnded(request, end));
 }
 
