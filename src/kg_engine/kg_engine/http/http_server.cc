@@ -15,6 +15,8 @@
 
 #include "kg_base/common/input_error.h"
 #include "kg_base/common/text.h"
+#include "kg_engine/http/request_reader.h"
+#include "kg_engine/protocol/byte_range.h"
 
 namespace kg_engine {
 namespace {
@@ -27,9 +29,13 @@ constexpr char kLoopback[] = "127.0.0.1";
 constexpr int kSlice_ms = 50;  // Poll interval of waiting threads for shutdown.
 constexpr double kFarewell_s = 1.0;
 
+Clock::duration ToDuration(double seconds) {
+  return std::chrono::duration_cast<Clock::duration>(
+      std::chrono::duration<double>(seconds));
+}
+
 Clock::time_point In(double seconds) {
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                            std::chrono::duration<double>(seconds));
+  return Clock::now() + ToDuration(seconds);
 }
 
 // One connection. Deadlines apply to reading as a whole and to writing as a
@@ -41,12 +47,40 @@ class DeadlineStream : public httplib::Stream {
       : socket_(socket),
         seconds_(seconds),
         stopping_(stopping),
+        began_(Clock::now()),
         read_end_(In(seconds)) {}
 
-  bool is_readable() const override { return Wait(POLLIN, read_end_); }
+  // While `is_crowded`, what is read must arrive within `seconds`; until
+  // AllowFullTime().
+  void LimitWhenCrowded(std::function<bool()> is_crowded, double seconds) {
+    is_crowded_ = std::move(is_crowded);
+    crowded_ = ToDuration(seconds);
+  }
+  void AllowFullTime() { is_crowded_ = nullptr; }
+
+  // Read again before all else.
+  void Unread(std::string text) {
+    unread_ = std::move(text);
+    unread_begin_ = 0;
+  }
+
+  using httplib::Stream::write;
+  bool is_readable() const override {
+    return unread_begin_ < unread_.size() || begin_ < filled_ ||
+           Wait(POLLIN, read_end_);
+  }
   bool is_writable() const override { return Wait(POLLOUT, write_end_); }
   ssize_t read(char* bytes, size_t size) override {
     is_writing_ = false;
+    if (unread_begin_ < unread_.size()) {
+      const size_t count = unread_.copy(bytes, size, unread_begin_);
+      unread_begin_ += count;
+      if (unread_begin_ == unread_.size()) {
+        std::string().swap(unread_);  // Frees the memory of a long body.
+        unread_begin_ = 0;
+      }
+      return static_cast<ssize_t>(count);
+    }
     if (begin_ == filled_) {
       if (!Wait(POLLIN, read_end_)) return -1;
       const ssize_t got = recv(socket_, buffer_, sizeof buffer_, 0);
@@ -85,8 +119,13 @@ class DeadlineStream : public httplib::Stream {
   }
 
  private:
+  bool IsLate(short event, Clock::time_point end) const {
+    const Clock::time_point now = Clock::now();
+    return now >= end || (event == POLLIN && is_crowded_ &&
+                          now >= began_ + crowded_ && is_crowded_());
+  }
   bool Wait(short event, Clock::time_point end) const {
-    while (!*stopping_ && Clock::now() < end) {
+    while (!*stopping_ && !IsLate(event, end)) {
       pollfd waiting{socket_, event, 0};
       const int ready = poll(&waiting, 1, kSlice_ms);
       if (ready > 0) return true;
@@ -98,7 +137,12 @@ class DeadlineStream : public httplib::Stream {
   const socket_t socket_;
   const double seconds_;
   const std::atomic<bool>* const stopping_;
+  const Clock::time_point began_;
   const Clock::time_point read_end_;
+  std::function<bool()> is_crowded_;
+  Clock::duration crowded_{};
+  std::string unread_;
+  size_t unread_begin_ = 0;
   Clock::time_point write_end_;
   bool is_writing_ = false;
   char buffer_[16384];
@@ -138,6 +182,40 @@ class AnswerSlots {
 
 namespace {
 
+// A pool of threads with a limit on waiting connections: unlike httplib's
+// alone, which accepts any number and so uses up the process's descriptors.
+class BoundedQueue : public httplib::TaskQueue {
+ public:
+  // Counts the waiting connections in `waiting`.
+  BoundedQueue(int threads, int max_waiting, std::atomic<int>* waiting)
+      : max_waiting_(max_waiting),
+        waiting_(waiting),
+        pool_(static_cast<std::size_t>(threads)) {}
+
+  // Blocks the thread that accepts until there is room.
+  void enqueue(std::function<void()> serve) override {
+    std::unique_lock<std::mutex> lock(mutex_);
+    begun_.wait(lock, [this] { return *waiting_ < max_waiting_; });
+    ++*waiting_;
+    pool_.enqueue([this, serve = std::move(serve)] {
+      {
+        const std::lock_guard<std::mutex> begun_lock(mutex_);
+        --*waiting_;
+      }
+      begun_.notify_one();
+      serve();
+    });
+  }
+  void shutdown() override { pool_.shutdown(); }
+
+ private:
+  const int max_waiting_;
+  std::atomic<int>* const waiting_;
+  std::mutex mutex_;
+  std::condition_variable begun_;
+  httplib::ThreadPool pool_;
+};
+
 HttpRequest FromHttplib(const httplib::Request& request, std::string body) {
   HttpRequest out;
   out.method = request.method;
@@ -170,6 +248,15 @@ HttpResponse Refusal(int status, const std::string& why) {
   return response;
 }
 
+// A refusal of a request that httplib never sees. The reason phrase may be
+// empty: RFC 9112, 4.
+std::string FormatRefusal(const HttpResponse& refusal) {
+  return "HTTP/1.1 " + std::to_string(refusal.status) +
+         " \r\nContent-Type: " + refusal.content_type +
+         "\r\nContent-Length: " + std::to_string(refusal.body.size()) +
+         "\r\nConnection: close\r\n\r\n" + refusal.body;
+}
+
 // Unlike httplib, no SO_REUSEPORT: two servers would share one port.
 void SetSocketOptions(socket_t socket) {
   const int yes = 1;
@@ -187,8 +274,8 @@ class HttpServer::Listener : public httplib::Server {
     set_payload_max_length(options.body_bytes);
     set_socket_options(SetSocketOptions);
     new_task_queue = [this] {
-      return new httplib::ThreadPool(
-          static_cast<std::size_t>(options_.connections));
+      return new BoundedQueue(options_.connections, options_.waiting,
+                              &waiting_);
     };
     RouteAll();
     Bind();
@@ -262,7 +349,7 @@ class HttpServer::Listener : public httplib::Server {
     ToHttplib(large ? Refusal(kg_engine::kContentTooLarge,
                               "the body is longer than the limit of " + limit +
                                   " bytes")
-                    : Refusal(kRequestTimeout,
+                    : Refusal(kg_engine::kRequestTimeout,
                               "the body did not arrive whole in time"),
               response);
   }
@@ -273,24 +360,62 @@ class HttpServer::Listener : public httplib::Server {
     }
     HttpResponse response = handler_(request);  // Does not throw.
     slots_.Leave();
+    ApplyRange(request, &response);
     return response;
   }
 
   bool process_and_close_socket(socket_t socket) override {
     DeadlineStream stream(socket, options_.request_s, &stopping_);
-    bool is_closed = false;
-    const bool done = process_request(stream, true, is_closed, nullptr);
+    stream.LimitWhenCrowded([this] { return waiting_ > 0; },
+                            options_.crowded_s);
+    const bool done = Serve(&stream);
     if (done) stream.SayGoodbye();
     close(socket);
     return done;
   }
 
-  static constexpr int kRequestTimeout = 408;
+  // False if there was no request.
+  bool Serve(DeadlineStream* stream) {
+    RequestText request;
+    try {
+      request = Read(stream);
+    } catch (const HttpError& error) {
+      return stream->write(
+                 FormatRefusal(Refusal(error.status(), error.what()))) > 0;
+    }
+    if (request.text.empty()) return false;
+    stream->AllowFullTime();
+    stream->Unread(std::move(request.text));
+    bool is_closed = false;
+    // httplib parses ranges before this hook, so it knows none; ApplyRange()
+    // does. Parts are not compressed.
+    return process_request(*stream, true, is_closed,
+                           [&request](httplib::Request& parsed) {
+                             if (request.range.empty()) return;
+                             parsed.set_header("Range", request.range);
+                             parsed.headers.erase("Accept-Encoding");
+                           });
+  }
+
+  RequestText Read(DeadlineStream* stream) {
+    RequestLimits limits;
+    limits.body_bytes = options_.body_bytes;
+    return ReadRequest(
+        limits,
+        [stream](char* bytes, std::size_t size) {
+          return stream->read(bytes, size);
+        },
+        [stream](bool is_awaited) {
+          stream->AllowFullTime();
+          if (is_awaited) stream->write("HTTP/1.1 100 Continue\r\n\r\n");
+        });
+  }
 
   const HttpServerOptions options_;
   const HttpServer::Handler handler_;
   AnswerSlots slots_;
   std::atomic<bool> stopping_{false};
+  std::atomic<int> waiting_{0};  // Connections without a thread yet.
   int port_ = -1;
   std::thread thread_;
 };

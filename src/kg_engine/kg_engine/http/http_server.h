@@ -15,11 +15,14 @@ namespace kg_engine {
 struct HttpServerOptions {
   int port = 0;                        // 0 = any free port.
   std::size_t body_bytes = 16u << 20;  // Maximum size of a request body.
-  // Maximum simultaneous connections; others wait for accept.
-  int connections = 16;
+  int connections = 16;  // Maximum simultaneous connections in service.
+  // Maximum connections that wait for one of these; others wait for accept.
+  int waiting = 32;
   int answers = 4;          // Maximum simultaneous handlers; others wait.
   double request_s = 10.0;  // For all of a request to arrive, and again for
                             // its turn, and again for all of the response.
+  double crowded_s = 1.0;   // For the head of a request while others wait, so
+                            // that idle connections cannot keep them out.
 };
 
 class HttpServer {

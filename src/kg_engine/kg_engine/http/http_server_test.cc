@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@ namespace {
 
 using kg_engine::HttpRequest;
 using kg_engine::HttpResponse;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -215,6 +217,70 @@ TEST(HttpServerTest, GivesUpOnAClientThatIsSlow) {
   dripping.ReadAll();
   ended = true;
   drip.join();
+  EXPECT_THAT(Exchange(server.port(), kGet), StartsWith("HTTP/1.1 200"));
+}
+
+// A GET of one part; all else that asks for parts is answered whole, once.
+TEST(HttpServerTest, SendsNoMoreThanTheAnswerForRanges) {
+  const HttpServer server(Options(), Echo);
+  const std::string part =
+      Exchange(server.port(), "GET /abc HTTP/1.1\r\nRange: bytes=4-7\r\n\r\n");
+  EXPECT_THAT(part, StartsWith("HTTP/1.1 206"));
+  EXPECT_THAT(part, HasSubstr("Content-Range: bytes 4-7/14\r\n"));
+  EXPECT_THAT(part, EndsWith("\r\n\r\n/abc"));
+  EXPECT_THAT(
+      Exchange(server.port(), "GET /abc HTTP/1.1\r\nRange: bytes=90-\r\n\r\n"),
+      StartsWith("HTTP/1.1 416"));
+  std::string many = "bytes=0-";
+  for (int i = 0; i < 500; ++i) many += ", 0-";
+  for (const std::string& range :
+       {many, std::string("rows=1-2"), std::string("nonsense"),
+        std::string("bytes=1-2\r\nRange: bytes=1-2")}) {
+    const std::string whole = Exchange(
+        server.port(), "GET /abc HTTP/1.1\r\nRange: " + range + "\r\n\r\n");
+    EXPECT_THAT(whole, StartsWith("HTTP/1.1 200")) << range.substr(0, 40);
+    EXPECT_THAT(whole, EndsWith("\r\n\r\nGET /abc ?  : "));
+  }
+  for (const char* method : {"POST", "PUT", "DELETE"}) {
+    EXPECT_THAT(
+        Exchange(server.port(), std::string(method) +
+                                    " /abc HTTP/1.1\r\nRange: bytes=0-3\r\n"
+                                    "Content-Length: 0\r\n\r\n"),
+        StartsWith("HTTP/1.1 200"))
+        << method;
+  }
+  const std::string head =
+      Exchange(server.port(), "HEAD /abc HTTP/1.1\r\nRange: bytes=0-3\r\n\r\n");
+  EXPECT_THAT(head, HasSubstr("Content-Length: 15\r\n"));
+}
+
+TEST(HttpServerTest, TellsAtOnceWhatIsWrongWithARequest) {
+  HttpServerOptions options = Options();
+  options.request_s = 60.0;
+  const HttpServer server(options, Echo);
+  const std::string put =
+      "PUT / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n";
+  EXPECT_THAT(Exchange(server.port(), put + "-1\r\na\r\n0\r\n\r\n"),
+              StartsWith("HTTP/1.1 400"));
+  EXPECT_THAT(Exchange(server.port(), put + "ffffff\r\n"),
+              StartsWith("HTTP/1.1 413"));
+  EXPECT_THAT(Exchange(server.port(), "PUT / HTTP/1.1\r\n\r\n"),
+              EndsWith("PUT / ?  : "));
+}
+
+// They may neither use up descriptors nor keep others out for long.
+TEST(HttpServerTest, AnswersOthersWhileManyAreIdle) {
+  HttpServerOptions options = Options();
+  options.connections = 2;
+  options.waiting = 3;
+  options.crowded_s = 0.05;
+  options.request_s = 60.0;
+  const HttpServer server(options, Echo);
+  std::vector<std::unique_ptr<Client>> idle;
+  for (int i = 0; i < 20; ++i) {
+    idle.push_back(std::make_unique<Client>(server.port()));
+    if (i % 2 == 0) idle.back()->Send("GET / HT");
+  }
   EXPECT_THAT(Exchange(server.port(), kGet), StartsWith("HTTP/1.1 200"));
 }
 

@@ -20,19 +20,24 @@ using kg_core::Triple;
 
 constexpr char kFolder[] = "/graphs/";
 
+struct GraphName {
+  std::string iri;
+  bool is_default = false;  // Asked for as the default graph, not by its name.
+};
+
 // https://www.w3.org/TR/sparql11-http-rdf-update/#graph-identification
-std::string GetGraph(const HttpRequest& request) {
+GraphName GetGraph(const HttpRequest& request) {
   const std::string folder = kFolder;
   if (request.path.size() > folder.size()) {
-    return kg_core::kGraph + request.path.substr(folder.size());
+    return {kg_core::kGraph + request.path.substr(folder.size()), false};
   }
   const std::vector<FormField> fields = ParseForm(request.query);
   if (fields.size() == 1) {
     if (fields[0].name == "default" && fields[0].value.empty()) {
-      return kFactsGraph;
+      return {kFactsGraph, true};
     }
     if (fields[0].name == "graph" && !fields[0].value.empty()) {
-      return fields[0].value;
+      return {fields[0].value, false};
     }
   }
   throw HttpError(kBadRequest,
@@ -63,8 +68,10 @@ std::vector<Triple> CollectTriples(const GraphView& view,
   return triples;
 }
 
-bool Exists(const GraphView& view, const std::string& graph) {
-  const kg_core::TermId id = view.Find(Iri(graph));
+// The default graph exists even if it has no triples.
+bool Exists(const GraphView& view, const GraphName& graph) {
+  if (graph.is_default) return true;
+  const kg_core::TermId id = view.Find(Iri(graph.iri));
   bool found = false;
   if (id == kNoTerm) return found;
   view.Match({kNoTerm, kNoTerm, kNoTerm, id}, [&](const kg_core::Quad&) {
@@ -74,20 +81,20 @@ bool Exists(const GraphView& view, const std::string& graph) {
   return found;
 }
 
-void CheckExists(const GraphView& view, const std::string& graph) {
+void CheckExists(const GraphView& view, const GraphName& graph) {
   if (Exists(view, graph)) return;
-  throw HttpError(kNotFound, "the store has no graph <" + graph + ">");
+  throw HttpError(kNotFound, "the store has no graph <" + graph.iri + ">");
 }
 
 // https://www.w3.org/TR/sparql11-http-rdf-update/#http-get
-HttpResponse Get(const RequestContext& context, const std::string& graph) {
+HttpResponse Get(const RequestContext& context, const GraphName& graph) {
   const AnswerFormat& format =
       ChooseFormat(context.request, AnswerKind::kTriples);
   const auto view = context.store.read();
   CheckExists(*view, graph);
   kg_core::QueryResult result;
   result.form = kg_core::QueryResult::Form::kConstruct;
-  result.triples = CollectTriples(*view, graph, context.options.limits);
+  result.triples = CollectTriples(*view, graph.iri, context.options.limits);
   return WriteAnswer(result, format);
 }
 
@@ -105,10 +112,10 @@ const std::string& Payload(const HttpRequest& request) {
 
 // https://www.w3.org/TR/sparql11-http-rdf-update/#http-put, #http-post,
 // #http-delete
-HttpResponse Change(const RequestContext& context, const std::string& graph) {
+HttpResponse Change(const RequestContext& context, const GraphName& graph) {
   CheckWritable(context);
-  if (graph != kFactsGraph) {
-    throw HttpError(kForbidden, "graph <" + graph +
+  if (graph.iri != kFactsGraph) {
+    throw HttpError(kForbidden, "graph <" + graph.iri +
                                     "> cannot be written here; only <" +
                                     kFactsGraph + "> can");
   }
@@ -121,7 +128,7 @@ HttpResponse Change(const RequestContext& context, const std::string& graph) {
   } else {
     update.turtle = Payload(request);
     kg_core::ParseTurtle(update.turtle, "body",
-                         Iri(graph));  // 400 if malformed.
+                         Iri(graph.iri));  // 400 if malformed.
   }
   const int status = Exists(*view, graph) ? kOk : kCreated;
   return Accepted(status, Write(context, std::move(update)));
@@ -131,7 +138,7 @@ HttpResponse Change(const RequestContext& context, const std::string& graph) {
 
 HttpResponse AnswerGraphStore(const RequestContext& context) {
   const std::string& method = context.request.method;
-  const std::string graph = GetGraph(context.request);
+  const GraphName graph = GetGraph(context.request);
   if (method == "GET" || method == "HEAD") return Get(context, graph);
   if (method == "PUT" || method == "POST" || method == "DELETE") {
     return Change(context, graph);

@@ -157,6 +157,22 @@ TEST(EmptyStore, TakesAFirstGraphAndGivesItBack) {
   EXPECT_THAT(answer(Get("/graphs/facts")).body, HasSubstr("ex:a ex:b 2 ."));
   EXPECT_EQ(answer(Send("DELETE", "/graphs/facts", "", "")).status, 200);
   EXPECT_EQ(answer(Get("/graphs/facts")).status, 404);
+  // The default graph is there without triples; it is no new one after a PUT.
+  for (const char* type :
+       {"application/n-triples", "text/turtle", "application/rdf+xml"}) {
+    EXPECT_EQ(answer(With(Get("/graphs", "default"), "accept", type)).status,
+              200)
+        << type;
+  }
+  EXPECT_EQ(
+      answer(With(Get("/graphs", "default"), "accept", "application/n-triples"))
+          .body,
+      "");
+  HttpRequest put = Send("PUT", "/graphs", "text/turtle", "ex:a ex:b 3 .");
+  put.query = "default";
+  EXPECT_EQ(answer(put).status, 200);
+  EXPECT_THAT(answer(Get("/graphs", "default")).body,
+              HasSubstr("ex:a ex:b 3 ."));
 }
 
 }  // namespace

@@ -42,17 +42,23 @@ class HttpError : public std::runtime_error {
 // Status codes used here.
 inline constexpr int kOk = 200;
 inline constexpr int kCreated = 201;
+inline constexpr int kPartialContent = 206;
 inline constexpr int kBadRequest = 400;
 inline constexpr int kUnauthorized = 401;
 inline constexpr int kForbidden = 403;
 inline constexpr int kNotFound = 404;
 inline constexpr int kMethodNotAllowed = 405;
 inline constexpr int kNotAcceptable = 406;
+inline constexpr int kRequestTimeout = 408;
 inline constexpr int kContentTooLarge = 413;
+inline constexpr int kUriTooLong = 414;
 inline constexpr int kUnsupportedMediaType = 415;
+inline constexpr int kRangeNotSatisfiable = 416;
 inline constexpr int kMisdirected = 421;
 inline constexpr int kUnprocessable = 422;  // Valid request, but rejected.
+inline constexpr int kHeadersTooLarge = 431;
 inline constexpr int kInternalError = 500;
+inline constexpr int kNotImplemented = 501;
 inline constexpr int kUnavailable = 503;
 
 inline constexpr char kPlainText[] = "text/plain; charset=utf-8";
