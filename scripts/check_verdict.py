@@ -4,8 +4,9 @@ which exits with 0 whatever its nodes did.
 
     check_verdict.py <state>/verdict.json --since <Unix seconds of the start>
 
-Well means: written after the start, a plan for every agent and every window,
-and not one violation.
+Well means: of a check that began and wrote after the start, every window flown
+(without simulation: planned), a plan for every agent and every window, and not
+one violation.
 """
 
 import argparse
@@ -22,13 +23,18 @@ def complaint(path, since_s):
         if not os.stat(path).st_mtime >= since_s:
             return "it is of an earlier run"
         with open(path) as file:
-            return complaint_of(json.load(file))
+            return complaint_of(json.load(file), since_s)
     except (OSError, ValueError) as error:
         return str(error)
 
 
-def complaint_of(verdict):
+def complaint_of(verdict, since_s):
     try:
+        if not verdict["began_unix_s"] >= since_s:
+            return "it is of a check that began before this run"
+        if verdict["ended"] is not True:
+            return ("the mission has not ended: not every window was flown"
+                    + _said(verdict["notes"]))
         return (_no_plan(verdict["agents"], verdict["complete"],
                          verdict["notes"])
                 or _violated(verdict["violations"]))

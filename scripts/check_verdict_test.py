@@ -13,6 +13,7 @@ import unittest
 SCRIPT = pathlib.Path(__file__).resolve().parent / "check_verdict.py"
 GOOD = {
     "world_version": 3, "windows": 7, "complete": True, "notes": [],
+    "began_unix_s": 1_000_000.0, "ended": True,
     "agents": {name: {"waypoints": 7, "reward": 3.5, "cost": 1.0}
                for name in ("alpha", "bravo", "charlie")},
     "violations": {"no_go": 0, "capacity": 0, "separation": 0}}
@@ -48,6 +49,22 @@ class CheckVerdict(unittest.TestCase):
         for since_s in (WRITTEN_S + 0.1, float("nan")):
             self.assertEqual(1, self.judge(json.dumps(GOOD),
                                            since_s).returncode)
+
+    def test_refuses_a_check_that_began_before_the_run(self):
+        """It goes on to write: two launches on one state folder."""
+        for began_s in (999_999.4, None, "1000000"):
+            self.assert_refused(
+                lambda verdict, began_s=began_s: verdict.update(
+                    began_unix_s=began_s),
+                "began before" if began_s == 999_999.4 else "lacks")
+
+    def test_refuses_a_mission_that_has_not_ended(self):
+        for ended in (False, None, "true", 1):
+            self.assert_refused(
+                lambda verdict, ended=ended: verdict.update(
+                    ended=ended, notes=["flight: in window 1 of 7"]),
+                "has not ended: not every window was flown; flight: in window")
+        self.assert_refused(lambda verdict: verdict.pop("ended"), "'ended'")
 
     def test_refuses_a_missing_or_unreadable_file(self):
         for text in (None, "", "{", "[]", "null", '{"agents": 3}'):

@@ -11,7 +11,7 @@ import dataclasses
 import numpy as np
 
 from geodesic import distance_m
-from plan_check import KINDS, PlanCheck, Track
+from plan_check import KINDS, PlanCheck, Track, exempt_spans
 
 OFF_TRACK_M = 500.0  # A reported state this far from its track is a finding.
 MAX_LINES = 20       # Findings listed as notes.
@@ -44,6 +44,7 @@ class MissionRecord:
         self._facts = None
         self._fields = None
         self._tracks = {}
+        self._exempt = collections.defaultdict(list)  # See check_tracks().
         self._visits = {}
         self._states = collections.defaultdict(list)
         self._settled_s = -np.inf
@@ -82,6 +83,10 @@ class MissionRecord:
             if agent_id in plan.tracks:
                 self._tracks[agent_id] = self._tracks.get(
                     agent_id, Track.of([])).followed_by(plan.tracks[agent_id])
+        for pair, span in exempt_spans(plan.tracks, facts).items():
+            self._exempt[pair] = [
+                (begin_s, min(end_s, span[0])) for begin_s, end_s in
+                self._exempt[pair] if begin_s < span[0]] + [span]
 
     def _replace_visits(self, agent_id, plan, now_s):
         new = {key: visit for key, visit in plan.visits.items()
@@ -118,7 +123,7 @@ class MissionRecord:
         check = PlanCheck(self._facts, self._fields)
         tracks = {agent_id: track for agent_id, track in self._tracks.items()
                   if agent_id in self._facts.agents}
-        check.check_tracks(tracks, begin_s, end_s)
+        check.check_tracks(tracks, begin_s, end_s, self._exempt)
         return check
 
     def _states_off_track(self):
@@ -126,7 +131,7 @@ class MissionRecord:
         count = 0
         for agent_id, states in self._states.items():
             track = self._tracks.get(agent_id)
-            if track is None or not len(track):
+            if not states or track is None or not len(track):
                 continue
             time_s, lon, lat = np.array(states).T
             known = (time_s >= track.time_s[0]) & (time_s <= track.time_s[-1])

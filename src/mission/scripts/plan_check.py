@@ -5,7 +5,10 @@ A track is an agent's position over time: arrays of unix seconds and WGS84
 lon/lat [deg], linear between its points. Every leg is sampled so that
 neighbouring samples are at most a tenth of a cell apart.
 
-    separation  two agents nearer than ex:minimumSeparationKm at the same time
+    separation  two agents nearer than ex:minimumSeparationKm at the same time;
+                if that is soft or 0, at the same place at the same time. Agents
+                that begin a plan nearer than that (launched from one ship)
+                must be apart by the end of the window in which they begin
     no_go       entries into a no_go area of that window and agent, including
                 contact with its edge
     land        entries into cells without field data or into the land buffer
@@ -31,6 +34,7 @@ SPEED_TOLERANCE = 0.02     # Relative, of the speed through the medium.
 SEPARATION_STEP_S = 60.0   # Sampling of a pair; refined at the minimum.
 SEPARATION_STEP_M = 200.0  # Greatest motion between two samples.
 DISTANCE_TOLERANCE_M = 1.0  # Of separation; rounding of positions.
+SAME_PLACE_M = 1.0         # Least separation, even if it is soft or 0.
 VISIT_TOLERANCE_M = 50.0   # Between a waypoint and the track at that time.
 STOP_STEP_S = 20.0         # Sampling for stops, besides the track's points.
 
@@ -227,6 +231,50 @@ def closest(a, b, begin_s, end_s):
     return float(distance.min()), float(near[distance.argmin()])
 
 
+def hard_separation_m(facts):
+    """Distance that two agents must keep [m]."""
+    return max(SAME_PLACE_M,
+               facts.separation_m if facts.separation_is_hard else 0.0)
+
+
+def exempt_span(one, other, limit_m, windows):
+    """(begin, end) in which two tracks of a plan may be nearer than limit_m
+    [s]: from their common begin until they are apart, at the latest until the
+    end of that window. None if they have no common time."""
+    begin_s = max(one.time_s[0], other.time_s[0])
+    last_s = min(one.time_s[-1], other.time_s[-1])
+    ends = [window.end_s for window in windows if window.end_s > begin_s]
+    if not ends or last_s < begin_s:
+        return None
+    stop_s = min(ends[0], last_s)
+    corners = np.concatenate((one.time_s, other.time_s))
+    times = np.unique(np.concatenate(([begin_s, stop_s], corners[
+        (corners > begin_s) & (corners < stop_s)])))
+    apart = distance_m(*one.at(times), *other.at(times)) >= limit_m
+    return begin_s, (times[apart.argmax()] if apart.any() else ends[0])
+
+
+def exempt_spans(tracks, facts):
+    """{(agent id, agent id): (begin, end)} of the tracks of one plan."""
+    ids = sorted(agent for agent, track in tracks.items() if len(track))
+    limit_m = hard_separation_m(facts)
+    spans = {(one, other): exempt_span(tracks[one], tracks[other], limit_m,
+                                       facts.windows)
+             for i, one in enumerate(ids) for other in ids[i + 1:]}
+    return {pair: span for pair, span in spans.items() if span}
+
+
+def _without(begin_s, end_s, exempt):
+    """Spans of [begin, end] outside of the sorted exempt spans; they end a
+    second before these, in which agents begin together."""
+    spans = []
+    for from_s, until_s in exempt:
+        if begin_s < from_s:
+            spans.append((begin_s, min(end_s, from_s - 1.0)))
+        begin_s = max(begin_s, until_s)
+    return [(a, b) for a, b in spans + [(begin_s, end_s)] if a <= b]
+
+
 def needed_speed_mps(track, field, boost_gain):
     """Mean speed through water that each leg needs, and its way over ground.
 
@@ -284,8 +332,9 @@ class PlanCheck:
         if count:
             self.lines.append('%s: %s' % (kind, line))
 
-    def check_tracks(self, tracks, begin_s, end_s):
-        """`tracks` by agent id, checked inside [begin, end]."""
+    def check_tracks(self, tracks, begin_s, end_s, exempt=None):
+        """`tracks` by agent id, checked inside [begin, end]. `exempt`: sorted
+        spans by (agent id, agent id) without the rule of separation."""
         for agent_id, track in sorted(tracks.items()):
             for window in self._facts.windows:
                 part = track.between(max(begin_s, window.begin_s),
@@ -293,7 +342,7 @@ class PlanCheck:
                 if len(part):
                     self._check_part(self._facts.agents[agent_id], window,
                                      part)
-        self._check_separation(tracks, begin_s, end_s)
+        self._check_separation(tracks, begin_s, end_s, exempt or {})
 
     def _check_part(self, agent, window, part):
         field = self._fields[window.index]
@@ -323,18 +372,21 @@ class PlanCheck:
                        agent.iri, window.index)]
         return grown(field.land, max(buffers, default=0.0))
 
-    def _check_separation(self, tracks, begin_s, end_s):
-        limit_m = self._facts.separation_m
-        if limit_m <= 0.0 or not self._facts.separation_is_hard:
-            return
+    def _check_separation(self, tracks, begin_s, end_s, exempt):
+        limit_m = hard_separation_m(self._facts)
+        least_m = limit_m - min(DISTANCE_TOLERANCE_M, limit_m / 2.0)
         ids = sorted(agent for agent, track in tracks.items() if len(track))
         for i, one in enumerate(ids):
             for other in ids[i + 1:]:
-                near = closest(tracks[one], tracks[other], begin_s, end_s)
-                if near and not near[0] >= limit_m - DISTANCE_TOLERANCE_M:
+                approaches = [
+                    closest(tracks[one], tracks[other], *span) for span in
+                    _without(begin_s, end_s, exempt.get((one, other), ()))]
+                near_m = min((approach[0] for approach in approaches
+                              if approach), default=np.inf)
+                if not near_m >= least_m:
                     self._found('separation', 1,
                                 '%s and %s are %.0f m apart, minimum %.0f m' %
-                                (one, other, near[0], limit_m))
+                                (one, other, near_m, limit_m))
 
     def check_visits(self, visits, tracks, past=None):
         """`visits`: (agent id, window) -> (lon, lat, event IRIs, then the

@@ -168,6 +168,7 @@ class Verdict:
         self._field_check = FieldCheck(self._query.select)
         self._field_findings = []
         self._facts = None
+        self._began_unix_s = time.time()
         self._began_s = time.monotonic()
         self.progress_s = self._began_s  # Time of the last progress.
         self._window = None
@@ -247,6 +248,10 @@ class Verdict:
                 world.plan_status == World.PLAN_OK and
                 world.plan_version == self._record.plan.world_version)
 
+    def _ended(self):
+        """Is every window flown, or planned if agents do not move?"""
+        return self._heard.world is not None and self._done()
+
     def patience_s(self, give_up_s):
         """Longest wait without progress [s]."""
         if self._heard.fatal:
@@ -266,6 +271,8 @@ class Verdict:
         verdict['stage_seconds'] = dict(
             self._heard.stage_seconds,
             verdict=time.monotonic() - self._began_s)
+        verdict['began_unix_s'] = self._began_unix_s
+        verdict['ended'] = not why_not and self._ended()
         if why_not:
             verdict['complete'] = False
             verdict['notes'].insert(0, why_not)

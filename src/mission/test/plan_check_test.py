@@ -22,7 +22,8 @@ import small_mission
 from geodesic import distance_m
 from mission_facts import Agent, Constraint, Event, Facts, Window
 from mission_record import MissionRecord, Plan, Visit
-from plan_check import Field, PlanCheck, Track, area_entries, closest, grown
+from plan_check import (Field, PlanCheck, Track, area_entries, closest,
+                        exempt_spans, grown)
 
 HOUR_S = 3600.0
 DAY_S = 24 * HOUR_S
@@ -157,6 +158,51 @@ class PlanCheckTest(unittest.TestCase):
         self.assertEqual(0, found['separation'])
 
 
+class SeparationTest(unittest.TestCase):
+    """Agents that begin together: apart by the end of the first window."""
+
+    @staticmethod
+    def _found(one, other, **changed):
+        the_facts = facts(**{'separation_m': 3e3, **changed})
+        check = PlanCheck(the_facts, {0: field(), 1: field()})
+        tracks = {'a': one, 'b': other}
+        spans = {pair: [span] for pair, span in
+                 exempt_spans(tracks, the_facts).items()}
+        check.check_tracks(tracks, -np.inf, np.inf, spans)
+        return check.violations['separation']
+
+    @staticmethod
+    def _eastward(*hours_lon):
+        return Track.of([(hour * HOUR_S, lon, 1.0) for hour, lon in hours_lon])
+
+    def test_apart_by_the_end_of_the_window_is_no_finding(self):
+        still = self._eastward((0, 0.5), (48, 0.5))
+        for hours in (1, 12, 24):
+            moving = self._eastward((0, 0.5), (hours, 0.6), (48, 0.7))
+            self.assertEqual(0, self._found(still, moving), hours)
+
+    def test_together_beyond_the_window_is_found(self):
+        still = self._eastward((0, 0.5), (48, 0.5))
+        for hours in (25, 40):
+            moving = self._eastward((0, 0.5), (24, 0.51), (hours, 0.6),
+                                    (48, 0.7))
+            self.assertEqual(1, self._found(still, moving), hours)
+
+    def test_together_again_is_found_in_the_same_window(self):
+        still = self._eastward((0, 0.5), (48, 0.5))
+        back = self._eastward((0, 0.5), (4, 0.6), (12, 0.5), (20, 0.6),
+                              (48, 0.7))
+        self.assertEqual(1, self._found(still, back))
+
+    def test_nobody_meets_at_one_place_even_if_separation_is_soft(self):
+        one = self._eastward((0, 0.5), (48, 0.9))
+        other = self._eastward((0, 0.9), (48, 0.5))
+        for changed in (dict(separation_is_hard=False), dict(separation_m=0.0)):
+            self.assertEqual(1, self._found(one, other, **changed))
+        beside = Track.of([(0.0, 0.9, 1.001), (2 * DAY_S, 0.5, 1.001)])
+        self.assertEqual(0, self._found(one, beside, separation_m=0.0))
+
+
 class MissionRecordTest(unittest.TestCase):
     EVENT = Event('ex:e', 0.9, 1.0, 1, 2000.0, {1})
 
@@ -273,6 +319,50 @@ class MissionRecordTest(unittest.TestCase):
         record.take_plan(self._plan(back, []), facts(),
                          {0: field(), 1: field()}, now_s + HOUR_S)
         self.assertEqual(0, record.verdict()['violations']['off_track'])
+
+    def test_a_plan_from_before_every_state_is_followed(self):
+        """A restarted KG node plans from where its store ends."""
+        record = self._record(self._plan(EASTWARD, []), facts())
+        for hour in (13, 14):
+            lon, lat = EASTWARD.at(hour * HOUR_S)
+            record.take_state('a', hour * HOUR_S, float(lon), float(lat))
+        lon = float(EASTWARD.at(12 * HOUR_S)[0])
+        again = Track.of([(12 * HOUR_S, lon, 1.0), (2 * DAY_S, 0.9, 1.0)])
+        record.take_plan(self._plan(again, []), facts(),
+                         {0: field(), 1: field()}, 12 * HOUR_S)
+        self.assertEqual(0, record.verdict()['violations']['off_track'])
+        self.assertTrue(record.complete())
+
+    def test_any_order_of_plans_and_states_is_judged(self):
+        random = np.random.default_rng(7)
+        for _ in range(30):
+            record = self._record(self._plan(EASTWARD, []), facts())
+            for _ in range(8):
+                time_s = float(random.uniform(-0.5, 2.5)) * DAY_S
+                for agent in random.choice(['a', 'b', 'c'], 2):
+                    record.take_state(str(agent), time_s, 0.6, 1.0)
+                agents = ('a', 'b')[:random.integers(0, 3)]
+                begin_s = float(random.uniform(-0.5, 1.5)) * DAY_S
+                onward = Track.of([(begin_s, 0.6, 1.0), (2 * DAY_S, 0.9, 1.0)])
+                record.take_plan(self._plan(onward, [], agents), facts(),
+                                 {0: field(), 1: field()},
+                                 float(random.uniform(0.0, 2.0)) * DAY_S)
+                self.assertIn('off_track', record.verdict()['violations'])
+
+    def test_agents_of_one_ship_may_leave_it_in_a_plan(self):
+        still = Track.of([(0.0, 0.5, 1.0), (2 * DAY_S, 0.5, 1.0)])
+        plan = self._plan(EASTWARD, [])
+        plan.tracks['b'] = still
+        record = self._record(plan, facts(separation_m=3e3))
+        self.assertEqual(0, record.verdict()['violations']['separation'])
+        # They are still together when a new plan begins.
+        soon = {'a': EASTWARD.between(HOUR_S, 2 * DAY_S),
+                'b': still.between(HOUR_S, 2 * DAY_S)}
+        again = self._plan(EASTWARD, [])
+        again.tracks = soon
+        record.take_plan(again, facts(separation_m=3e3),
+                         {0: field(), 1: field()}, HOUR_S)
+        self.assertEqual(0, record.verdict()['violations']['separation'])
 
     def test_a_state_off_the_track_is_found(self):
         record = self._record(self._plan(EASTWARD, []), facts())
