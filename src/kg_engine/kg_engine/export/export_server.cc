@@ -1,6 +1,7 @@
 #include "kg_engine/export/export_server.h"
 
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 
 #include "kg_base/common/input_error.h"
@@ -22,7 +23,9 @@ namespace fs = std::filesystem;
 using kg_base::InputError;
 using kg_core::GraphView;
 
-constexpr char kGotoFile[] = "goto_l10.ma";
+// Gliders know goto lists by number: goto_l10.ma to goto_l99.ma.
+constexpr std::size_t kFirstGotoList = 10;
+constexpr std::size_t kMaxGotoLists = 90;
 
 // Returns the text if no path is given; else writes the file.
 std::string Deliver(const std::string& path, std::string text) {
@@ -39,22 +42,87 @@ std::string Gpx(const PlanTracks& plan, const std::string& path) {
   return Deliver(path, ToGpx(plan));
 }
 
+std::string GotoFile(std::size_t index) {
+  return "goto_l" + std::to_string(kFirstGotoList + index) + ".ma";
+}
+
+// Is it a file that an export wrote?
+bool IsGotoList(const std::string& path) {
+  std::ifstream file(path);
+  std::string behavior, author;
+  std::getline(file, behavior);
+  std::getline(file, author);
+  return behavior == "behavior_name=goto_list" &&
+         author.rfind(kGotoAuthor, 0) == 0;
+}
+
+// An agent's lists; none if it has no stop left.
+std::vector<std::string> CollectGotoLists(const PlanTracks& plan,
+                                          const PlannedAgent& agent) {
+  std::vector<std::string> lists = ToGotoLists(plan, agent);
+  if (lists.size() > kMaxGotoLists) {
+    throw InputError(agent.id + " has more stops than " +
+                     std::to_string(kMaxGotoLists) + " goto lists hold");
+  }
+  return lists;
+}
+
+// Lists of an earlier export, from `first` on: a glider would fly them after
+// the new ones.
+void RemoveGotoLists(const fs::path& folder, std::size_t first) {
+  for (std::size_t i = first; i < kMaxGotoLists; ++i) {
+    const fs::path path = folder / GotoFile(i);
+    if (!IsGotoList(path.string())) continue;
+    std::error_code error;
+    fs::remove(path, error);
+    if (error) {
+      throw InputError(path.string() +
+                       ": cannot be removed: " + error.message());
+    }
+  }
+}
+
+void WriteGotoLists(const fs::path& folder,
+                    const std::vector<std::string>& lists) {
+  std::error_code error;
+  if (folder.is_absolute()) fs::create_directories(folder, error);
+  if (error) {
+    throw InputError(folder.string() + ": cannot be made: " + error.message());
+  }
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    WriteAtomically((folder / GotoFile(i)).string(), lists[i]);
+  }
+}
+
+std::string JoinGotoLists(const std::string& agent,
+                          const std::vector<std::string>& lists) {
+  std::string all;
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    all += "# " + agent + "/" + GotoFile(i) + "\n" + lists[i] + "\n";
+  }
+  return all;
+}
+
 std::string Goto(const PlanTracks& plan, const std::string& path) {
   std::string all;
+  bool has_lists = false;
   for (const PlannedAgent& agent : plan.agents) {
-    const std::string list = ToGotoList(plan, agent);
+    const auto lists = CollectGotoLists(plan, agent);
+    has_lists = has_lists || !lists.empty();
+    if (lists.empty()) {
+      all += "# " + agent.id + ": no stop is left to fly, no list\n";
+    }
     if (path.empty()) {
-      all += "# " + agent.id + "/" + kGotoFile + "\n" + list + "\n";
+      all += JoinGotoLists(agent.id, lists);
       continue;
     }
     const fs::path folder = fs::path(path) / agent.id;
-    std::error_code error;
-    if (folder.is_absolute()) fs::create_directories(folder, error);
-    if (error) {
-      throw InputError(folder.string() +
-                       ": cannot be made: " + error.message());
-    }
-    WriteAtomically((folder / kGotoFile).string(), list);
+    if (!lists.empty()) WriteGotoLists(folder, lists);
+    RemoveGotoLists(folder, lists.size());
+  }
+  if (!has_lists) {
+    throw InputError(plan.run_iri +
+                     " has no stop left to fly: no goto list is written");
   }
   return all;
 }

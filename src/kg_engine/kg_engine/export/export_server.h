@@ -33,7 +33,9 @@ struct ExportAnswer {
 };
 
 // Writes the file, if requested, atomically. "goto" writes
-// <path>/<agent>/goto_l10.ma for every agent.
+// <path>/<agent>/goto_l10.ma, and goto_l11.ma and so on for more stops than a
+// list may have, and removes those of an earlier export; none for an agent with
+// nothing left to fly, which `data` then names. An error if no agent has.
 ExportAnswer Export(const kg_core::GraphView& view,
                     const ExportRequest& request);
 

@@ -1,5 +1,4 @@
-// Exports of a planned mission, and edge cases of each format. For external
-// readers of these files see src/mission/test/export_test.py.
+// Exports of a planned mission, and edge cases of each format.
 
 #include "kg_engine/export/export_server.h"
 
@@ -91,10 +90,51 @@ TEST(PlanFormats, AGotoListHasTheStopsThatAreStillToBeMade) {
   PlannedStop past = plan.agents[0].stops[0];
   past.status = "executed";
   plan.agents[0].stops.push_back(past);
-  const std::string list = ToGotoList(plan, plan.agents[0]);
+  const std::vector<std::string> lists = ToGotoLists(plan, plan.agents[0]);
+  ASSERT_EQ(lists.size(), 1u);
+  const std::string& list = lists[0];
   EXPECT_EQ(list.rfind("behavior_name=goto_list\n", 0), 0u);
   EXPECT_NE(list.find("num_waypoints(nodim) 1\n"), std::string::npos);
   EXPECT_NE(list.find("\n-17930.0000 -1015.0000  #"), std::string::npos);
+  EXPECT_NE(list.find("list_when_wpt_dist(m) 10 "), std::string::npos);
+}
+
+TEST(PlanFormats, GotoListsHaveOneToEightWaypoints) {
+  PlanTracks plan = Crossing();
+  PlannedStop stop = plan.agents[0].stops[0];
+  for (const std::size_t count : {0u, 1u, 7u, 8u, 9u, 16u, 17u}) {
+    plan.agents[0].stops.assign(count, stop);
+    for (std::size_t i = 0; i < count; ++i) {
+      plan.agents[0].stops[i].window = static_cast<int>(i);
+    }
+    const auto lists = ToGotoLists(plan, plan.agents[0]);
+    ASSERT_EQ(lists.size(), (count + 7) / 8) << count;
+    std::size_t next = 0;
+    for (const std::string& list : lists) {
+      const std::size_t here = std::min<std::size_t>(8, count - next);
+      EXPECT_NE(
+          list.find("num_waypoints(nodim) " + std::to_string(here) + "\n"),
+          std::string::npos)
+          << list;
+      for (std::size_t i = 0; i < count; ++i) {
+        EXPECT_EQ(
+            list.find("# w" + std::to_string(i) + " by") != std::string::npos,
+            i >= next && i < next + here)
+            << i << " of " << count;
+      }
+      next += here;
+    }
+  }
+}
+
+TEST(PlanFormats, AGpxRouteHasTheStopsThatAreStillToBeMade) {
+  PlanTracks plan = Crossing();
+  const std::string gpx = ToGpx(plan);
+  EXPECT_NE(gpx.find("<rte>\n    <name>alpha</name>\n    <rtept lat="),
+            std::string::npos);
+  EXPECT_LT(gpx.find("</rte>"), gpx.find("<trk>"));
+  plan.agents[0].stops[0].status = "executed";
+  EXPECT_EQ(ToGpx(plan).find("<rte"), std::string::npos);
 }
 
 TEST(CfTrajectory, RefusesAPlanWithoutATrackAndLeavesNoFile) {
@@ -321,6 +361,38 @@ TEST_F(ExportServerTest, FilesEqualTheAnswer) {
                 .data.find(kg_base::ReadFile(folder_ / "goto/alpha/goto_l10.ma",
                                              kMaxBytes)),
             std::string::npos);
+}
+
+TEST_F(ExportServerTest, LeavesNoGotoListThatIsNotOfThePlan) {
+  MissionServer server(folders_);
+  MissionPlanning(&server).Plan();
+  const std::string list = folder_ / "goto/alpha/goto_l10.ma";
+  const std::string old = folder_ / "goto/alpha/goto_l11.ma";
+  const std::string others = folder_ / "goto/alpha/goto_l12.ma";
+  ASSERT_TRUE(Export(server, "goto", {}, folder_ / "goto").ok);
+  fs::copy_file(list, old);  // As of a longer plan.
+  WriteAtomically(others, "behavior_name=goto_list\n# By hand\n");
+  ASSERT_TRUE(Export(server, "goto", {}, folder_ / "goto").ok);
+  EXPECT_TRUE(fs::exists(list));
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_TRUE(fs::exists(others));
+}
+
+TEST_F(ExportServerTest, WritesNoGotoListIfAllIsFlown) {
+  MissionServer server(folders_);
+  MissionPlanning team(&server);
+  team.Plan();
+  const std::string list = folder_ / "goto/alpha/goto_l10.ma";
+  ASSERT_TRUE(Export(server, "goto", {}, folder_ / "goto").ok);
+  EXPECT_TRUE(fs::exists(list));
+  server.RecordEnd();
+  for (const std::string& path : {std::string(), folder_ / "goto"}) {
+    const auto answer = Export(server, "goto", {}, path);
+    EXPECT_FALSE(answer.ok);
+    EXPECT_NE(answer.error.find("no stop left to fly"), std::string::npos)
+        << answer.error;
+  }
+  EXPECT_FALSE(fs::exists(list));
 }
 
 TEST_F(ExportServerTest, RefusesInOneLineWhatItCannotDo) {

@@ -12,6 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int kGotoReached_m = 10;  // Default of the format.
+
 // Seven decimals, as in the facts: 1 cm.
 double Rounded(double degrees) { return std::round(degrees * 1e7) / 1e7; }
 
@@ -132,6 +134,27 @@ std::string GpxWaypoint(const PlannedAgent& agent, const PlannedStop& stop) {
          "</name><type>" + XmlText(stop.status) + "</type></wpt>\n";
 }
 
+// Executed stops are omitted: what is left to fly.
+std::vector<PlannedStop> RemainingStops(const PlannedAgent& agent) {
+  std::vector<PlannedStop> stops;
+  for (const PlannedStop& stop : agent.stops) {
+    if (stop.status == "planned") stops.push_back(stop);
+  }
+  return stops;
+}
+
+std::string GpxRoute(const PlannedAgent& agent) {
+  const std::vector<PlannedStop> stops = RemainingStops(agent);
+  if (stops.empty()) return "";
+  std::string text = "  <rte>\n    <name>" + XmlText(agent.id) + "</name>\n";
+  for (const PlannedStop& stop : stops) {
+    text += "    <rtept " + Attributes(stop.position) + ">" +
+            TimeTag(stop.time_s) + "<name>" + XmlText(agent.id) + " w" +
+            std::to_string(stop.window) + "</name></rtept>\n";
+  }
+  return text + "  </rte>\n";
+}
+
 std::string GpxTrack(const PlannedAgent& agent) {
   std::string text = "  <trk>\n    <name>" + XmlText(agent.id) + "</name>\n";
   for (const Track& part : agent.parts) {
@@ -143,6 +166,33 @@ std::string GpxTrack(const PlannedAgent& agent) {
     text += "    </trkseg>\n";
   }
   return text + "  </trk>\n";
+}
+
+std::string GotoArguments(std::size_t waypoints) {
+  return "<start:b_arg>\n"
+         "  b_arg: num_legs_to_run(nodim) -2  # once through the list\n"
+         "  b_arg: start_when(enum) 0         # BAW_IMMEDIATELY\n"
+         "  b_arg: list_stop_when(enum) 7     # BAW_WHEN_WPT_DIST\n"
+         "  b_arg: list_when_wpt_dist(m) " +
+         std::to_string(kGotoReached_m) +
+         "   # a waypoint is reached within this\n"
+         "  b_arg: initial_wpt(enum) 0        # the first\n"
+         "  b_arg: num_waypoints(nodim) " +
+         std::to_string(waypoints) + "\n<end:b_arg>\n\n";
+}
+
+std::string GotoWaypoints(const std::vector<PlannedStop>& stops) {
+  std::string lines;
+  for (const PlannedStop& stop : stops) {
+    lines += DegreesAndMinutes(stop.position.lon_deg) + " " +
+             DegreesAndMinutes(stop.position.lat_deg) + "  # w" +
+             std::to_string(stop.window);
+    if (std::isfinite(stop.time_s)) {
+      lines += " by " + kg_base::FormatDateTime(stop.time_s);
+    }
+    lines += "\n";
+  }
+  return lines;
 }
 
 }  // namespace
@@ -177,6 +227,7 @@ std::string ToGpx(const PlanTracks& plan) {
       text += GpxWaypoint(agent, stop);
     }
   }
+  for (const PlannedAgent& agent : plan.agents) text += GpxRoute(agent);
   for (const PlannedAgent& agent : plan.agents) text += GpxTrack(agent);
   return text + "</gpx>\n";
 }
@@ -194,37 +245,28 @@ std::string DegreesAndMinutes(const double degrees) {
   return text;
 }
 
-std::string ToGotoList(const PlanTracks& plan, const PlannedAgent& agent) {
-  std::string waypoints;
-  // Executed stops are omitted: the list is what is left to fly.
-  int count = 0;
-  for (const PlannedStop& stop : agent.stops) {
-    if (stop.status != "planned") continue;
-    ++count;
-    waypoints += DegreesAndMinutes(stop.position.lon_deg) + " " +
-                 DegreesAndMinutes(stop.position.lat_deg) + "  # w" +
-                 std::to_string(stop.window);
-    if (std::isfinite(stop.time_s)) {
-      waypoints += " by " + kg_base::FormatDateTime(stop.time_s);
-    }
-    waypoints += "\n";
+std::vector<std::string> ToGotoLists(const PlanTracks& plan,
+                                     const PlannedAgent& agent) {
+  const std::vector<PlannedStop> stops = RemainingStops(agent);
+  const std::size_t lists =
+      (stops.size() + kMaxGotoWaypoints - 1) / kMaxGotoWaypoints;
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < lists; ++i) {
+    const auto begin =
+        stops.begin() + static_cast<std::ptrdiff_t>(i * kMaxGotoWaypoints);
+    const auto left = static_cast<std::size_t>(stops.end() - begin);
+    const auto end =
+        begin + static_cast<std::ptrdiff_t>(std::min(left, kMaxGotoWaypoints));
+    texts.push_back(std::string("behavior_name=goto_list\n") + kGotoAuthor +
+                    agent.id + ": " + plan.run_iri + ", world version " +
+                    std::to_string(plan.world_version) + ", list " +
+                    std::to_string(i + 1) + " of " + std::to_string(lists) +
+                    "\n\n" + GotoArguments(std::min(left, kMaxGotoWaypoints)) +
+                    "<start:waypoints>\n"
+                    "# LONGITUDE LATITUDE, DDDMM.mmmm\n" +
+                    GotoWaypoints({begin, end}) + "<end:waypoints>\n");
   }
-  return "behavior_name=goto_list\n"
-         "# Written by kg/export for " +
-         agent.id + ": " + plan.run_iri + ", world version " +
-         std::to_string(plan.world_version) +
-         "\n\n"
-         "<start:b_arg>\n"
-         "  b_arg: num_legs_to_run(nodim) -2  # once through the list\n"
-         "  b_arg: start_when(enum) 0         # BAW_IMMEDIATELY\n"
-         "  b_arg: list_stop_when(enum) 7     # BAW_WHEN_WPT_DIST\n"
-         "  b_arg: initial_wpt(enum) 0        # the first\n"
-         "  b_arg: num_waypoints(nodim) " +
-         std::to_string(count) +
-         "\n<end:b_arg>\n\n"
-         "<start:waypoints>\n"
-         "# LONGITUDE LATITUDE, DDDMM.mmmm\n" +
-         waypoints + "<end:waypoints>\n";
+  return texts;
 }
 
 }  // namespace kg_engine
