@@ -7,6 +7,7 @@
 
 #include "absl/strings/charconv.h"
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/text.h"
 
 namespace kg_base {
 namespace {
@@ -83,8 +84,8 @@ class Cursor {
     return ToDouble("0." + std::string(digits));
   }
   [[noreturn]] void Refuse() const {
-    throw InputError("'" + std::string(text_.substr(0, 64)) + "' is not a " +
-                     expected_);
+    throw InputError("'" + std::string(FirstCharacters(text_, 64)) +
+                     "' is not a " + expected_);
   }
 
  private:
@@ -251,7 +252,7 @@ std::optional<DateTimeParts> ReadDateParts(std::string_view text) {
 double ParseDateTime(std::string_view text) {
   const std::optional<DateTimeParts> parts = ReadDateTimeParts(text);
   if (!parts) {
-    throw InputError("'" + std::string(text.substr(0, 64)) +
+    throw InputError("'" + std::string(FirstCharacters(text, 64)) +
                      "' is not an xsd:dateTime like 2026-03-01T12:00:00Z");
   }
   const std::string_view second = parts->second;

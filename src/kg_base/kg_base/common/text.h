@@ -19,6 +19,10 @@ std::optional<std::size_t> FirstBadUtf8(std::string_view bytes);
 void AppendUtf8(std::uint32_t code_point, std::string* text);
 bool IsUnicodeScalar(std::uint32_t code_point);
 
+// The first characters of well-formed `text` that take at most `max_bytes` in
+// all, for messages about long texts.
+std::string_view FirstCharacters(std::string_view text, std::size_t max_bytes);
+
 std::string ToLowerAscii(std::string_view text);
 std::string_view StripAsciiSpace(std::string_view text);
 

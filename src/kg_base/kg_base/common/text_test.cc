@@ -1,5 +1,6 @@
 #include "kg_base/common/text.h"
 
+#include <algorithm>
 #include <fstream>
 
 #include "gtest/gtest.h"
@@ -66,6 +67,19 @@ TEST(Text, StripsAndLowersAsciiOnly) {
   EXPECT_EQ(StripAsciiSpace(" \t\r\n a b \n"), "a b");
   EXPECT_EQ(StripAsciiSpace(" \n"), "");
   EXPECT_EQ(ToLowerAscii("EN-gB\xC3\x89[Z"), "en-gb\xC3\x89[z");
+}
+
+TEST(Text, ShortensBetweenCharacters) {
+  const std::string text = "a\xC3\xA9\xE2\x80\x9C\xF0\x9F\x98\x80z";
+  for (std::size_t bytes = 0; bytes <= text.size() + 1; ++bytes) {
+    const std::string_view first = FirstCharacters(text, bytes);
+    EXPECT_FALSE(FirstBadUtf8(first)) << bytes;
+    EXPECT_EQ(text.rfind(first, 0), 0u);
+    EXPECT_LE(first.size(), bytes);
+    EXPECT_GT(first.size() + 4, std::min(bytes, text.size()));
+  }
+  EXPECT_EQ(FirstCharacters(text, 100), text);
+  EXPECT_EQ(FirstCharacters(text, 5), "a\xC3\xA9");
 }
 
 TEST(Text, ReadsFilesUpToTheLimit) {

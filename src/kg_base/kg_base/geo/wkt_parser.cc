@@ -6,6 +6,7 @@
 #include <string>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/text.h"
 
 namespace kg_base {
 namespace {
@@ -126,7 +127,8 @@ void Parser::SkipCrs() {
     }
   }
   throw InputError("WKT, character " + std::to_string(begin + 1) +
-                   ": reference system <" + std::string(iri.substr(0, 200)) +
+                   ": reference system <" +
+                   std::string(FirstCharacters(iri, 200)) +
                    "> is not understood, expected CRS84 <" +
                    std::string(kCrs84[0]) + ">, longitude before latitude");
 }

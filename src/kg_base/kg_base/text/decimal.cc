@@ -49,6 +49,23 @@ std::string FormatDigits(Wide value) {
   return digits;
 }
 
+// Compares numerator / denominator with `b`, all in [0, 1), by their binary
+// digits, of which a double has finitely many.
+int CompareFractions(Wide numerator, Wide denominator, double b) {
+  while (numerator > 0 && b > 0) {
+    numerator *= 2;
+    b *= 2;
+    const bool a_digit = numerator >= denominator;
+    const bool b_digit = b >= 1;
+    if (a_digit != b_digit) return a_digit ? 1 : -1;
+    if (a_digit) {
+      numerator -= denominator;
+      b -= 1;
+    }
+  }
+  return numerator > 0 ? 1 : b > 0 ? -1 : 0;
+}
+
 }  // namespace
 
 std::optional<Decimal> ParseDecimal(std::string_view text) {
@@ -169,6 +186,18 @@ int Compare(const Decimal& a, const Decimal& b) {
     return left < right ? -1 : left > right ? 1 : 0;
   }
   return x->digits < y->digits ? -1 : x->digits > y->digits ? 1 : 0;
+}
+
+int CompareWithDouble(const Decimal& a, double b) {
+  if (b < 0) return -CompareWithDouble(Decimal{-a.digits, a.scale}, -b);
+  // Digits are less than 2^127.
+  if (a.digits < 0 || b >= 0x1p127) return -1;
+  const double b_whole = std::floor(b);
+  const Wide power = PowerOfTen(a.scale);
+  const Wide whole = a.digits / power;
+  const Wide other = static_cast<Wide>(b_whole);
+  if (whole != other) return whole < other ? -1 : 1;
+  return CompareFractions(a.digits % power, power, b - b_whole);
 }
 
 Decimal Truncate(const Decimal& value) {

@@ -33,6 +33,8 @@ std::optional<Decimal> Multiply(const Decimal& a, const Decimal& b);
 // Quotient with 18 digits after the point; nullopt for division by zero.
 std::optional<Decimal> Divide(const Decimal& a, const Decimal& b);
 int Compare(const Decimal& a, const Decimal& b);  // -1, 0, 1.
+// The same with the exact value of a double, which must not be NaN.
+int CompareWithDouble(const Decimal& a, double b);
 
 // Rounding to integers: down, up, nearest (halves up), and towards zero.
 Decimal Floor(const Decimal& value);

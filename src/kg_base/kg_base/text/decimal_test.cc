@@ -65,5 +65,46 @@ TEST(Decimal, WritesTheShortestForm) {
   EXPECT_EQ(Text(FromDouble(1e-7)), "0.0000001");
 }
 
+TEST(Decimal, ComparesWithTheExactValueOfADouble) {
+  const auto compare = [](const char* a, double b) {
+    return CompareWithDouble(Of(a), b);
+  };
+  EXPECT_EQ(compare("0.5", 0.5), 0);
+  EXPECT_EQ(compare("-0.5", -0.5), 0);
+  EXPECT_EQ(compare("0", -0.0), 0);
+  EXPECT_EQ(compare("0.1", 0.1), -1);  // 0.1000000000000000055...
+  EXPECT_EQ(compare("-0.1", -0.1), 1);
+  EXPECT_EQ(compare("0.3", 0.3), 1);  // 0.2999999999999999888...
+  EXPECT_EQ(compare("9007199254740993", 9007199254740992.0), 1);
+  EXPECT_EQ(compare("9007199254740991.5", 9007199254740992.0), -1);
+  EXPECT_EQ(compare("-9007199254740993", -9007199254740992.0), -1);
+  EXPECT_EQ(compare("0", 5e-324), -1);
+  EXPECT_EQ(compare("0", -5e-324), 1);
+  // The double is 99999999999999997748809823456034029568.
+  EXPECT_EQ(compare("99999999999999999999999999999999999999", 1e38), 1);
+  EXPECT_EQ(compare("99999999999999997748809823456034029568", 1e38), 0);
+  EXPECT_EQ(compare("99999999999999999999999999999999999999", 1e39), -1);
+  EXPECT_EQ(compare("-99999999999999999999999999999999999999", -1e39), 1);
+  EXPECT_EQ(compare("5", HUGE_VAL), -1);
+  EXPECT_EQ(compare("5", -HUGE_VAL), 1);
+}
+
+TEST(Decimal, ComparesWithDoublesAsWithTheirFractions) {
+  std::mt19937_64 random(11);
+  std::uniform_int_distribution<long long> parts(-4000, 4000);
+  for (int i = 0; i < 20000; ++i) {
+    const long long a = parts(random);
+    const long long b = parts(random);
+    // a / 1000 against b / 1024, both exact.
+    const long long left = a * 1024;
+    const long long right = b * 1000;
+    EXPECT_EQ(CompareWithDouble(Decimal{a, 3}, static_cast<double>(b) / 1024),
+              left < right   ? -1
+              : left > right ? 1
+                             : 0)
+        << a << " " << b;
+  }
+}
+
 }  // namespace
 }  // namespace kg_base

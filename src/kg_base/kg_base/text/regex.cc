@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <utility>
 
+#include "absl/strings/ascii.h"
 #include "kg_base/common/limit_error.h"
+#include "kg_base/text/xpath_pattern.h"
 
 namespace kg_base {
 namespace {
@@ -18,7 +20,9 @@ constexpr std::size_t kReplacedLimit_bytes = 1u << 20;
 
 // https://www.w3.org/TR/xpath-functions/#flags
 std::optional<std::uint32_t> ParseOptions(const std::string& flags) {
-  std::uint32_t options = PCRE2_UTF | PCRE2_NEVER_BACKSLASH_C;
+  // A back-reference to a group that took no part matches the empty string.
+  std::uint32_t options =
+      PCRE2_UTF | PCRE2_NEVER_BACKSLASH_C | PCRE2_MATCH_UNSET_BACKREF;
   bool literal = false;
   for (const char flag : flags) {
     switch (flag) {
@@ -67,6 +71,13 @@ bool Has(const std::string& flags, char flag) {
   return flags.find(flag) != std::string::npos;
 }
 
+// The pattern in PCRE2's syntax; nullopt if it is none of XPath's.
+std::optional<std::string> Translate(const std::string& pattern,
+                                     const std::string& flags) {
+  if (Has(flags, 'q')) return pattern;
+  return ToPcrePattern(Has(flags, 'x') ? WithoutSpace(pattern) : pattern);
+}
+
 PCRE2_SPTR Bytes(const std::string& text) {
   return reinterpret_cast<PCRE2_SPTR>(text.data());
 }
@@ -89,6 +100,12 @@ class CompiledRegex {
   }
   bool ok() const { return code_ != nullptr; }
 
+  // The number of groups of the pattern, whether they take part or not.
+  int CountGroups() const {
+    std::uint32_t count = 0;
+    pcre2_pattern_info(code_.get(), PCRE2_INFO_CAPTURECOUNT, &count);
+    return static_cast<int>(count);
+  }
   // The number of groups + 1 of the first match from `start`, 0 for none.
   int Match(const std::string& text, std::size_t start) const {
     const int found = pcre2_match(code_.get(), Bytes(text), text.size(), start,
@@ -123,6 +140,19 @@ class CompiledRegex {
 
 namespace {
 
+// Reads the number of a group from the digits at *at, as many of them as there
+// are groups for, and leaves *at on the last one.
+int ReadGroupNumber(const std::string& text, int groups, std::size_t* at) {
+  int number = text[*at] - '0';
+  while (*at + 1 < text.size() && absl::ascii_isdigit(text[*at + 1])) {
+    const int longer = 10 * number + (text[*at + 1] - '0');
+    if (longer > groups) break;
+    number = longer;
+    ++*at;
+  }
+  return number;
+}
+
 // Appends `replacement` with its groups filled in; false if it is malformed.
 // https://www.w3.org/TR/xpath-functions/#func-replace
 bool AppendReplacement(const CompiledRegex& regex, int groups,
@@ -141,10 +171,11 @@ bool AppendReplacement(const CompiledRegex& regex, int groups,
       out->push_back(next);
       continue;
     }
-    if (next < '0' || next > '9') return false;
-    // $N without such a group in the pattern is empty.
-    if (next - '0' >= groups) continue;
-    const auto [begin, end] = regex.Group(next - '0');
+    if (!absl::ascii_isdigit(next)) return false;
+    const int number = ReadGroupNumber(replacement, regex.CountGroups(), &i);
+    // A group that the pattern does not have, or that took no part, is empty.
+    if (number >= groups) continue;
+    const auto [begin, end] = regex.Group(number);
     if (begin != PCRE2_UNSET) out->append(text, begin, end - begin);
   }
   return true;
@@ -163,10 +194,11 @@ const CompiledRegex* RegexCache::Compile(const std::string& pattern,
   std::unique_ptr<CompiledRegex> regex;
   const std::optional<std::uint32_t> options = ParseOptions(flags);
   if (options && pattern.size() <= kPatternLimit_bytes) {
-    const bool is_spaced = Has(flags, 'x') && !Has(flags, 'q');
-    regex = std::make_unique<CompiledRegex>(
-        is_spaced ? WithoutSpace(pattern) : pattern, *options);
-    if (!regex->ok()) regex.reset();
+    const std::optional<std::string> translated = Translate(pattern, flags);
+    if (translated) {
+      regex = std::make_unique<CompiledRegex>(*translated, *options);
+    }
+    if (regex != nullptr && !regex->ok()) regex.reset();
   }
   if (compiled_.size() >= 1000) compiled_.clear();
   return compiled_.emplace(key, std::move(regex)).first->second.get();

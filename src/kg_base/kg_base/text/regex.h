@@ -22,12 +22,14 @@ class RegexCache {
   RegexCache(const RegexCache&) = delete;
   RegexCache& operator=(const RegexCache&) = delete;
 
-  // Nullopt if the pattern or the flags (of "smixq") are invalid. Both
-  // functions throw InputError if the match limit is exceeded.
+  // Nullopt if the pattern is none of XPath's (xpath_pattern.h) or the flags
+  // are not of "smixq". Both functions throw InputError if the match limit is
+  // exceeded.
   std::optional<bool> Matches(const std::string& text,
                               const std::string& pattern,
                               const std::string& flags);
-  // Replaces all matches; "$1" is a group, "\$" a dollar. Nullopt also if the
+  // Replaces all matches; "$1" is a group, "\$" a dollar. "$10" is the tenth
+  // group if the pattern has ten, else the first and a '0'. Nullopt also if the
   // pattern matches the empty string.
   std::optional<std::string> Replace(const std::string& text,
                                      const std::string& pattern,

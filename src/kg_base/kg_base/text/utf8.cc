@@ -1,5 +1,11 @@
 #include "kg_base/text/utf8.h"
 
+#include <unicode/bytestream.h>
+#include <unicode/casemap.h>
+#include <unicode/utypes.h>
+
+#include <stdexcept>
+
 #include "kg_base/common/text.h"
 
 namespace kg_base {
@@ -17,49 +23,12 @@ std::size_t GetLength(char lead) {
   return 0;
 }
 
-// Runs of letters with a constant distance to the other case, or alternating.
-struct CaseRun {
-  std::uint32_t first_upper;
-  std::uint32_t last_upper;
-  std::uint32_t distance;  // lower - upper; 1: upper, lower, upper, ...
-};
-constexpr CaseRun kCaseRuns[] = {
-    {'A', 'Z', 32},       {0x00C0, 0x00D6, 32}, {0x00D8, 0x00DE, 32},
-    {0x0100, 0x012E, 1},  {0x0132, 0x0136, 1},  {0x0139, 0x0147, 1},
-    {0x014A, 0x0176, 1},  {0x0179, 0x017D, 1},  {0x0391, 0x03A1, 32},
-    {0x03A3, 0x03AB, 32}, {0x0400, 0x040F, 80}, {0x0410, 0x042F, 32},
-    {0x0460, 0x0480, 1},  {0x1E00, 0x1E94, 1},
-};
-
-bool InRun(const CaseRun& run, std::uint32_t upper) {
-  if (upper < run.first_upper || upper > run.last_upper) return false;
-  return run.distance != 1 || (upper - run.first_upper) % 2 == 0;
-}
-
-std::uint32_t ToUpper(std::uint32_t code) {
-  for (const CaseRun& run : kCaseRuns) {
-    if (code >= run.distance && InRun(run, code - run.distance)) {
-      return code - run.distance;
-    }
+// ICU counts bytes in 32 bits.
+std::int32_t CheckedLength(std::string_view text) {
+  if (text.size() > static_cast<std::size_t>(INT32_MAX)) {
+    throw std::length_error("text of more than 2 GiB");
   }
-  return code;
-}
-
-std::uint32_t ToLower(std::uint32_t code) {
-  for (const CaseRun& run : kCaseRuns) {
-    if (InRun(run, code)) return code + run.distance;
-  }
-  return code;
-}
-
-template <typename Map>
-std::string MapCharacters(std::string_view text, Map map) {
-  std::string out;
-  out.reserve(text.size());
-  for (std::size_t at = 0; at < text.size();) {
-    AppendUtf8(map(TakeUtf8(text, &at)), &out);
-  }
-  return out;
+  return static_cast<std::int32_t>(text.size());
 }
 
 }  // namespace
@@ -109,11 +78,23 @@ std::uint32_t TakeUtf8(std::string_view text, std::size_t* at) {
 }
 
 std::string UpperCase(std::string_view text) {
-  return MapCharacters(text, ToUpper);
+  std::string upper;
+  icu::StringByteSink<std::string> sink(&upper);
+  UErrorCode status = U_ZERO_ERROR;
+  icu::CaseMap::utf8ToUpper("", 0, {text.data(), CheckedLength(text)}, sink,
+                            nullptr, status);
+  if (U_FAILURE(status) != 0) throw std::runtime_error(u_errorName(status));
+  return upper;
 }
 
 std::string LowerCase(std::string_view text) {
-  return MapCharacters(text, ToLower);
+  std::string lower;
+  icu::StringByteSink<std::string> sink(&lower);
+  UErrorCode status = U_ZERO_ERROR;
+  icu::CaseMap::utf8ToLower("", 0, {text.data(), CheckedLength(text)}, sink,
+                            nullptr, status);
+  if (U_FAILURE(status) != 0) throw std::runtime_error(u_errorName(status));
+  return lower;
 }
 
 }  // namespace kg_base

@@ -10,7 +10,6 @@
 
 namespace kg_base {
 
-// Is it a Unicode scalar value (no surrogate, not above U+10FFFF)?
 // Offset of the first invalid byte, or npos.
 std::size_t FindInvalidUtf8(std::string_view text);
 
@@ -21,8 +20,8 @@ std::size_t Utf8Offset(std::string_view text, std::size_t index);
 // Reads the character at byte *at and advances *at past it.
 std::uint32_t TakeUtf8(std::string_view text, std::size_t* at);
 
-// Simple case mapping per character, independent of the locale: Latin, Greek
-// and Cyrillic are mapped, other characters are unchanged.
+// Unicode's full default case mapping, independent of the locale: a letter may
+// become two ("ß": "SS"), a final sigma is one.
 std::string UpperCase(std::string_view text);
 std::string LowerCase(std::string_view text);
 

@@ -9,6 +9,7 @@
 
 #include "kg_base/common/input_error.h"
 #include "kg_base/common/join_strings.h"
+#include "kg_base/common/text.h"
 #include "kg_base/geo/geodesy.h"
 
 namespace kg_engine {
@@ -94,7 +95,7 @@ std::vector<Track> ReadPositions(const std::string& wkt) {
   const bool many = wkt.rfind("MULTILINESTRING(", 0) == 0;
   if (!many && wkt.rfind("LINESTRING(", 0) != 0) {
     throw InputError("ex:pathWKT: expected a LINESTRING, not " +
-                     wkt.substr(0, 40));
+                     std::string(kg_base::FirstCharacters(wkt, 40)));
   }
   std::vector<Track> parts(1);
   const char* at = wkt.c_str() + wkt.find('(');
