@@ -5,15 +5,20 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
 #include <utility>
 
 #include "kg_base/common/input_error.h"
 #include "kg_base/common/text.h"
+#include "kg_base/text/iri.h"
+#include "kg_base/text/utf8.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/syntax.h"
+#include "kg_core/rdf/term_check.h"
 #include "kg_core/rdf/turtle_check.h"
 #include "serd/serd.h"
 
@@ -50,19 +55,6 @@ std::string_view GetText(const SerdNode& node) {
   return {reinterpret_cast<const char*>(node.buf), node.n_bytes};
 }
 
-bool HasScheme(std::string_view iri) {
-  const std::size_t colon = iri.find(':');
-  if (colon == std::string_view::npos || colon == 0) return false;
-  const auto fits = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-           (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
-  };
-  const bool starts_with_letter =
-      (iri[0] | 0x20) >= 'a' && fits(iri[0]) && (iri[0] | 0x20) <= 'z';
-  return starts_with_letter &&
-         std::all_of(iri.begin(), iri.begin() + colon, fits);
-}
-
 SerdSyntax ToSerdSyntax(RdfSyntax syntax) {
   switch (syntax) {
     case RdfSyntax::kTurtle:
@@ -81,23 +73,16 @@ SerdSyntax ToSerdSyntax(RdfSyntax syntax) {
 // (it is C), so it is stored and rethrown after serd returns.
 class SerdParse {
  public:
-  // `labels`: byte offsets in `text` where blank node labels begin.
   SerdParse(std::string_view text, const RdfSource& source,
-            std::vector<std::size_t> labels)
+            std::vector<InsertedByte> inserted)
       : text_(text),
         source_(source),
-        labels_(std::move(labels)),
-        env_(serd_env_new(nullptr), serd_env_free),
-        blank_prefix_(FreshBlankPrefix()) {
+        inserted_(std::move(inserted)),
+        blank_prefix_(FreshBlankPrefix()),
+        base_(source.base) {
     for (const NamespacePrefix& prefix : kPrefixes) {
-      serd_env_set_prefix_from_strings(
-          env_.get(), reinterpret_cast<const std::uint8_t*>(prefix.name),
-          reinterpret_cast<const std::uint8_t*>(prefix.iri));
+      prefixes_[prefix.name] = prefix.iri;
     }
-    if (source.base.empty()) return;
-    const SerdNode base = serd_node_from_string(
-        SERD_URI, reinterpret_cast<const std::uint8_t*>(source.base.c_str()));
-    serd_env_set_base_uri(env_.get(), &base);
   }
 
   std::vector<Statement> Run(RdfSyntax syntax) {
@@ -118,17 +103,14 @@ class SerdParse {
   }
 
  private:
-  // serd reads byte by byte, so that `at_` is the position of an error. It
-  // names nodes without a label b1, b2, ..., which would collide with _:b1 in
-  // the text; so each label is passed to serd with the letter 'u' prepended.
+  // serd reads byte by byte, so that `at_` is the position of an error.
   static std::size_t NextByte(void* buffer, std::size_t, std::size_t,
                               void* handle) {
     auto& parse = *static_cast<SerdParse*>(handle);
     auto& byte = *static_cast<char*>(buffer);
-    if (parse.next_label_ < parse.labels_.size() &&
-        parse.labels_[parse.next_label_] == parse.at_) {
-      ++parse.next_label_;
-      byte = 'u';
+    if (parse.next_inserted_ < parse.inserted_.size() &&
+        parse.inserted_[parse.next_inserted_].offset == parse.at_) {
+      byte = parse.inserted_[parse.next_inserted_++].byte;
       return 1;
     }
     if (parse.at_ == parse.text_.size()) return 0;
@@ -144,22 +126,26 @@ class SerdParse {
     std::vsnprintf(what, sizeof(what), error->fmt, *error->args);
     if (!parse.syntax_error_.empty()) return SERD_SUCCESS;
     const std::size_t place = parse.at_ == 0 ? 0 : parse.at_ - 1;
-    parse.syntax_error_ = parse.FormatPosition(place);
-    parse.syntax_error_ += kg_base::StripAsciiSpace(what);
+    parse.syntax_error_ =
+        parse.FormatPosition(place) +
+        parse.CompleteCharacter(std::string(kg_base::StripAsciiSpace(what)),
+                                place);
     std::replace(parse.syntax_error_.begin(), parse.syntax_error_.end(), '\n',
                  ' ');
     return SERD_SUCCESS;
   }
 
   static SerdStatus OnBase(void* handle, const SerdNode* uri) {
-    return serd_env_set_base_uri(static_cast<SerdParse*>(handle)->env_.get(),
-                                 uri);
+    auto& parse = *static_cast<SerdParse*>(handle);
+    return parse.Attempt([&] { parse.base_ = parse.Resolve(*uri); });
   }
 
   static SerdStatus OnPrefix(void* handle, const SerdNode* name,
                              const SerdNode* uri) {
-    return serd_env_set_prefix(static_cast<SerdParse*>(handle)->env_.get(),
-                               name, uri);
+    auto& parse = *static_cast<SerdParse*>(handle);
+    return parse.Attempt([&] {
+      parse.prefixes_[std::string(GetText(*name))] = parse.Resolve(*uri);
+    });
   }
 
   static SerdStatus OnStatement(void* handle, SerdStatementFlags,
@@ -169,14 +155,21 @@ class SerdParse {
                                 const SerdNode* datatype,
                                 const SerdNode* language) {
     auto& parse = *static_cast<SerdParse*>(handle);
-    try {
+    return parse.Attempt([&] {
       parse.statements_.push_back(
           {parse.MakeTerm(*subject), parse.MakeTerm(*predicate),
            parse.MakeObject(*object, datatype, language),
            parse.GetGraph(graph)});
+    });
+  }
+
+  template <typename Action>
+  SerdStatus Attempt(Action action) {
+    try {
+      action();
       return SERD_SUCCESS;
     } catch (...) {
-      parse.failure_ = std::current_exception();
+      failure_ = std::current_exception();
       return SERD_ERR_INTERNAL;
     }
   }
@@ -185,13 +178,14 @@ class SerdParse {
                   const SerdNode* language) {
     if (node.type != SERD_LITERAL) return MakeTerm(node);
     if (language != nullptr && language->buf != nullptr) {
-      return LanguageLiteral(std::string(GetText(node)),
-                             std::string(GetText(*language)));
+      return CheckLiteral(LanguageLiteral(std::string(GetText(node)),
+                                          std::string(GetText(*language))));
     }
     if (datatype == nullptr || datatype->buf == nullptr) {
-      return Literal(std::string(GetText(node)));
+      return CheckLiteral(Literal(std::string(GetText(node))));
     }
-    return Literal(std::string(GetText(node)), MakeTerm(*datatype).text);
+    return CheckLiteral(
+        Literal(std::string(GetText(node)), MakeTerm(*datatype).text));
   }
 
   Term GetGraph(const SerdNode* node) {
@@ -201,8 +195,8 @@ class SerdParse {
 
   Term MakeTerm(const SerdNode& node) {
     if (node.type == SERD_BLANK) return InternBlank(GetText(node));
-    if (node.type == SERD_CURIE) return Iri(ExpandCurie(node));
-    return Iri(ResolveIri(node));
+    if (node.type == SERD_CURIE) return Iri(CheckAbsolute(ExpandCurie(node)));
+    return Iri(CheckAbsolute(Resolve(node)));
   }
 
   Term InternBlank(std::string_view label) {
@@ -214,13 +208,11 @@ class SerdParse {
   }
 
   std::string ExpandCurie(const SerdNode& node) {
-    SerdChunk start, rest;
-    if (serd_env_expand(env_.get(), &node, &start, &rest) != SERD_SUCCESS) {
-      RefusePrefix(GetText(node));
-    }
-    return CheckAbsolute(
-        std::string(reinterpret_cast<const char*>(start.buf), start.len) +
-        std::string(reinterpret_cast<const char*>(rest.buf), rest.len));
+    const std::string_view curie = GetText(node);
+    const std::size_t colon = std::min(curie.find(':'), curie.size());
+    const auto prefix = prefixes_.find(curie.substr(0, colon));
+    if (prefix == prefixes_.end() || colon == curie.size()) RefusePrefix(curie);
+    return prefix->second + std::string(curie.substr(colon + 1));
   }
 
   [[noreturn]] void RefusePrefix(std::string_view curie) const {
@@ -231,20 +223,40 @@ class SerdParse {
                      "'; expected one declared with @prefix, or one of ours");
   }
 
-  // Absolute IRIs are kept as written; relative ones need a base.
-  std::string ResolveIri(const SerdNode& node) {
-    if (HasScheme(GetText(node))) return std::string(GetText(node));
-    SerdNode resolved = serd_env_expand_node(env_.get(), &node);
-    std::string iri(resolved.buf == nullptr ? GetText(node)
-                                            : GetText(resolved));
-    serd_node_free(&resolved);
-    return CheckAbsolute(std::move(iri));
+  // Absolute IRIs are kept as written. serd undoes escapes, which may stand for
+  // what no IRI may hold.
+  std::string Resolve(const SerdNode& node) const {
+    const auto fault = FindIriFault(GetText(node));
+    if (fault) RefuseTerm(*fault);
+    return kg_base::ResolveIri(base_, GetText(node));
   }
 
+  // At the last byte read, which in N-Quads ends the line.
+  [[noreturn]] void RefuseTerm(const std::string& fault) const {
+    throw InputError(FormatPosition(at_ == 0 ? 0 : at_ - 1) + fault);
+  }
+
+  // Relative IRIs need a base.
   std::string CheckAbsolute(std::string iri) const {
-    if (HasScheme(iri)) return iri;
+    if (kg_base::IsAbsoluteIri(iri)) return iri;
     throw InputError(Here() + "relative IRI <" + iri +
                      ">; expected an absolute IRI or an @base before it");
+  }
+
+  Term CheckLiteral(Term term) const {
+    if (const auto fault = FindTermFault(term)) RefuseTerm(*fault);
+    return term;
+  }
+
+  // serd reports the byte at `place`; its whole character replaces it.
+  std::string CompleteCharacter(std::string message, std::size_t place) const {
+    const std::optional<std::size_t> bad = kg_base::FirstBadUtf8(message);
+    if (!bad || text_.empty()) return message;
+    std::size_t begin = place;
+    while (begin > 0 && (text_[begin] & 0xC0) == 0x80) --begin;
+    std::size_t end = begin;
+    kg_base::TakeUtf8(text_, &end);
+    return message.replace(*bad, 1, text_.substr(begin, end - begin));
   }
 
   std::string FormatPosition(std::size_t offset) const {
@@ -254,13 +266,14 @@ class SerdParse {
 
   const std::string_view text_;
   const RdfSource& source_;
-  const std::vector<std::size_t> labels_;
-  const std::unique_ptr<SerdEnv, void (*)(SerdEnv*)> env_;
+  const std::vector<InsertedByte> inserted_;
   const std::string blank_prefix_;
+  std::string base_;
+  std::map<std::string, std::string, std::less<>> prefixes_;
   std::map<std::string, std::size_t> blanks_;
   std::vector<Statement> statements_;
   std::size_t at_ = 0;
-  std::size_t next_label_ = 0;
+  std::size_t next_inserted_ = 0;
   std::string syntax_error_;
   std::exception_ptr failure_;
 };

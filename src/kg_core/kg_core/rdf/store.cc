@@ -15,6 +15,7 @@
 #include "kg_core/rdf/quad_index.h"
 #include "kg_core/rdf/record.h"
 #include "kg_core/rdf/snapshot.h"
+#include "kg_core/rdf/term_check.h"
 
 namespace kg_core {
 namespace {
@@ -30,6 +31,9 @@ void CheckIsRdf(const Statement& s) {
   }
   if (!s.predicate.is_iri()) refuse("expected an IRI as property");
   if (!s.graph.is_iri()) refuse("expected an IRI as graph");
+  for (const Term* term : {&s.subject, &s.predicate, &s.object, &s.graph}) {
+    if (const auto fault = FindTermFault(*term)) refuse(fault->c_str());
+  }
 }
 
 }  // namespace

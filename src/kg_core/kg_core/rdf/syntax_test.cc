@@ -250,6 +250,28 @@ TEST(NTriples, RefusesWhatOnlyTurtleHas) {
       InputError);
 }
 
+TEST(TriG, AnIntegerBeforeThePointIsAnInteger) {
+  for (const char* text :
+       {"ex:a ex:p 5.", "ex:g { ex:a ex:p 5. }", "ex:g { ex:a ex:p 5.}",
+        "GRAPH ex:g { ex:a ex:p 5. ex:b ex:p 5.}", "{ ex:a ex:p 5 , 5.}"}) {
+    const Statements statements = Read(text, RdfSyntax::kTriG);
+    EXPECT_FALSE(statements.empty()) << text;
+    for (const Statement& s : statements) {
+      EXPECT_EQ(s.object, IntegerLiteral(5)) << text;
+    }
+  }
+}
+
+TEST(TriG, RemovesDotSegmentsOfGraphNames) {
+  const Statements statements =
+      Read("@base <http://h/a/b> . <c/../d> { <./e> ex:p <../f/.> . }",
+           RdfSyntax::kTriG);
+  ASSERT_EQ(statements.size(), 1u);
+  EXPECT_EQ(statements[0].graph, Iri("http://h/a/d"));
+  EXPECT_EQ(statements[0].subject, Iri("http://h/a/e"));
+  EXPECT_EQ(statements[0].object, Iri("http://h/f/"));
+}
+
 TEST(TriG, RefusesWhatIsNoTriG) {
   const char* kBad[] = {"ex:g { ex:a ex:p 1",
                         "ex:g { { ex:a ex:p 1 } }",

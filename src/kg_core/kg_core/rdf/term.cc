@@ -26,21 +26,27 @@ std::string_view XsdName(const Term& term) {
   return datatype.substr(prefix.size());
 }
 
-// Integer types by value range, https://www.w3.org/TR/xmlschema11-2/#integer;
-// exact for every bound a double can hold exactly, and for 64 bits by rounding.
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+// Integer types by value range, https://www.w3.org/TR/xmlschema11-2/#integer.
 struct IntegerType {
   std::string_view name;
-  double min, max;
+  std::string_view min, max;  // Empty: unbounded.
 };
-constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr IntegerType kIntegerTypes[] = {
-    {"integer", -kInf, kInf},       {"nonNegativeInteger", 0, kInf},
-    {"positiveInteger", 1, kInf},   {"nonPositiveInteger", -kInf, 0},
-    {"negativeInteger", -kInf, -1}, {"long", -0x1p63, 0x1p63},
-    {"int", -0x1p31, 0x1p31 - 1},   {"short", -0x1p15, 0x1p15 - 1},
-    {"byte", -0x1p7, 0x1p7 - 1},    {"unsignedLong", 0, 0x1p64},
-    {"unsignedInt", 0, 0x1p32 - 1}, {"unsignedShort", 0, 0x1p16 - 1},
-    {"unsignedByte", 0, 0x1p8 - 1},
+    {"integer", "", ""},
+    {"nonNegativeInteger", "0", ""},
+    {"positiveInteger", "1", ""},
+    {"nonPositiveInteger", "", "0"},
+    {"negativeInteger", "", "-1"},
+    {"long", "-9223372036854775808", "9223372036854775807"},
+    {"int", "-2147483648", "2147483647"},
+    {"short", "-32768", "32767"},
+    {"byte", "-128", "127"},
+    {"unsignedLong", "0", "18446744073709551615"},
+    {"unsignedInt", "0", "4294967295"},
+    {"unsignedShort", "0", "65535"},
+    {"unsignedByte", "0", "255"},
 };
 
 const IntegerType* FindIntegerType(std::string_view name) {
@@ -118,13 +124,31 @@ std::optional<double> DecimalValue(std::string_view s) {
   return ToDouble(s);
 }
 
+// -1, 0 or 1; exact for any number of digits. Precondition: both are integers.
+int CompareIntegers(std::string_view a, std::string_view b) {
+  const auto digits = [](std::string_view s) {
+    s.remove_prefix(SkipSign(s, 0));
+    while (!s.empty() && s[0] == '0') s.remove_prefix(1);
+    return s;
+  };
+  const std::string_view x = digits(a);
+  const std::string_view y = digits(b);
+  const int x_sign = x.empty() ? 0 : a[0] == '-' ? -1 : 1;
+  const int y_sign = y.empty() ? 0 : b[0] == '-' ? -1 : 1;
+  if (x_sign != y_sign) return x_sign < y_sign ? -1 : 1;
+  if (x.size() != y.size()) return x.size() < y.size() ? -x_sign : x_sign;
+  const int order = x.compare(y);
+  return order == 0 ? 0 : order < 0 ? -x_sign : x_sign;
+}
+
 std::optional<double> IntegerValue(std::string_view s,
                                    const IntegerType& type) {
   const NumberForm form = FindForm(s);
   if (!form.valid || form.has_point || form.has_exponent) return std::nullopt;
-  const double value = ToDouble(s);
-  if (!(value >= type.min && value <= type.max)) return std::nullopt;
-  return value;
+  const bool is_below = !type.min.empty() && CompareIntegers(s, type.min) < 0;
+  const bool is_above = !type.max.empty() && CompareIntegers(s, type.max) > 0;
+  if (is_below || is_above) return std::nullopt;
+  return ToDouble(s);
 }
 
 void AppendCodeEscape(unsigned char c, std::string* out) {

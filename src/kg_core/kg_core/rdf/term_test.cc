@@ -4,6 +4,7 @@
 #include <cstring>
 #include <limits>
 #include <random>
+#include <tuple>
 
 #include "gtest/gtest.h"
 #include "kg_core/rdf/namespaces.h"
@@ -129,6 +130,31 @@ TEST(Term, WritesNTriples) {
             "\"1\"^^<http://www.w3.org/2001/XMLSchema#integer>");
   EXPECT_EQ(ToNTriples(Literal("x")), "\"x\"");
   EXPECT_EQ(ToNTriples(LanguageLiteral("x", "en")), "\"x\"@en");
+}
+
+TEST(Term, RangesOfIntegersAreExact) {
+  const auto is_number = [](const char* text, const char* type) {
+    return NumericValue(Literal(text, kXsd + std::string(type))).has_value();
+  };
+  const std::tuple<const char*, const char*, const char*> kBounds[] = {
+      {"long", "9223372036854775807", "9223372036854775808"},
+      {"long", "-9223372036854775808", "-9223372036854775809"},
+      {"unsignedLong", "18446744073709551615", "18446744073709551616"},
+      {"int", "2147483647", "2147483648"},
+      {"short", "-32768", "-32769"},
+      {"byte", "+127", "+128"},
+      {"unsignedByte", "0000255", "0000256"},
+      {"nonNegativeInteger", "-0", "-1"},
+      {"positiveInteger", "1", "0"},
+      {"negativeInteger", "-1", "-00"},
+      {"nonPositiveInteger", "0", "1"},
+  };
+  for (const auto& [type, inside, outside] : kBounds) {
+    EXPECT_TRUE(is_number(inside, type)) << type << " " << inside;
+    EXPECT_FALSE(is_number(outside, type)) << type << " " << outside;
+  }
+  EXPECT_TRUE(is_number("-1234567890123456789012345678901234567890",
+                        "negativeInteger"));
 }
 
 }  // namespace

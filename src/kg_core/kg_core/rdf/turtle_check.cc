@@ -37,13 +37,13 @@ class TurtleScanner {
                   syntax == RdfSyntax::kNQuads),
         max_nesting_(max_nesting) {}
 
-  std::vector<std::size_t> Run() {
+  std::vector<InsertedByte> Run() {
     while (at_ < text_.size()) {
       if (is_lines_) FollowLine();
       Step();
     }
     if (is_lines_) EndLine();
-    return std::move(labels_);
+    return std::move(inserted_);
   }
 
  private:
@@ -67,7 +67,7 @@ class TurtleScanner {
       }
     } else if (c == '_' && At(at_ + 1) == ':') {
       at_ += 2;
-      labels_.push_back(at_);
+      inserted_.push_back({at_, 'u'});
       SkipName();
     } else if (absl::ascii_isdigit(c) || c == '+' || c == '-') {
       SkipNumber();
@@ -116,12 +116,25 @@ class TurtleScanner {
     }
   }
 
+  // [19] INTEGER, [20] DECIMAL or [21] DOUBLE up to its exponent. The point of
+  // a double may be followed by the exponent ("1.e3"); other points without a
+  // digit behind them end the statement.
   void SkipNumber() {
-    ++at_;
-    while (absl::ascii_isdigit(At(at_)) ||
-           (At(at_) == '.' && absl::ascii_isdigit(At(at_ + 1)))) {
-      ++at_;
+    bool has_point = false;
+    for (++at_; absl::ascii_isdigit(At(at_)) ||
+                (At(at_) == '.' && absl::ascii_isdigit(At(at_ + 1)));
+         ++at_) {
+      has_point |= At(at_) == '.';
     }
+    const bool is_integer =
+        !has_point && At(at_) == '.' && !IsExponent(at_ + 1);
+    if (is_integer) inserted_.push_back({at_, ' '});
+  }
+
+  bool IsExponent(std::size_t at) const {
+    if (At(at) != 'e' && At(at) != 'E') return false;
+    const bool has_sign = At(at + 1) == '+' || At(at + 1) == '-';
+    return absl::ascii_isdigit(At(at + (has_sign ? 2 : 1)));
   }
 
   // Checks the line syntaxes: one statement per line, ended by '.', without
@@ -169,7 +182,7 @@ class TurtleScanner {
   int nesting_ = 0;
   bool line_has_statement_ = false;
   bool line_is_ended_ = false;
-  std::vector<std::size_t> labels_;
+  std::vector<InsertedByte> inserted_;
 };
 
 }  // namespace
@@ -181,9 +194,9 @@ std::string TurtleErrorPlace(std::string_view text, const std::string& source,
          std::to_string(at.column) + ": ";
 }
 
-std::vector<std::size_t> CheckRdfText(std::string_view text, RdfSyntax syntax,
-                                      const std::string& source,
-                                      const TurtleLimits& limits) {
+std::vector<InsertedByte> CheckRdfText(std::string_view text, RdfSyntax syntax,
+                                       const std::string& source,
+                                       const TurtleLimits& limits) {
   if (text.size() > limits.bytes) {
     throw InputError(source + ":1:1: text of " + std::to_string(text.size()) +
                      " bytes; expected at most " +

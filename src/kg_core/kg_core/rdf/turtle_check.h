@@ -19,11 +19,21 @@ namespace kg_core {
 std::string TurtleErrorPlace(std::string_view text, const std::string& source,
                              std::size_t offset);
 
-// Throws InputError "source:line:column: what was expected". Returns the byte
-// offsets at which blank node labels begin (after each "_:"), in order.
-std::vector<std::size_t> CheckRdfText(std::string_view text, RdfSyntax syntax,
-                                      const std::string& source,
-                                      const TurtleLimits& limits);
+// A byte that serd is to read before the byte of the text at `offset`.
+struct InsertedByte {
+  std::size_t offset;
+  char byte;
+};
+
+// Throws InputError "source:line:column: what was expected". Returns what serd
+// 0.30 needs to read the text as it is meant, in order:
+// - a 'u' before each blank node label, since serd names nodes without a label
+//   b1, b2, ..., which would collide with _:b1 in the text;
+// - a space between an integer and the point that ends its statement, since
+//   serd takes "2." for a decimal and then drops the datatype.
+std::vector<InsertedByte> CheckRdfText(std::string_view text, RdfSyntax syntax,
+                                       const std::string& source,
+                                       const TurtleLimits& limits);
 
 }  // namespace kg_core
 

@@ -37,7 +37,7 @@ bool IsForbiddenInIri(unsigned char c) {
 // The text as one line of at most 80 bytes, for messages.
 std::string Shown(std::string_view text) {
   std::string shown;
-  for (const char c : text.substr(0, 80)) {
+  for (const char c : kg_base::FirstCharacters(text, 80)) {
     shown.push_back(static_cast<unsigned char>(c) < 0x20 ? ' ' : c);
   }
   return "'" + shown + (text.size() > 80 ? "..." : "") + "'";

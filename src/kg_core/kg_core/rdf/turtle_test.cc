@@ -6,6 +6,7 @@
 
 #include "gtest/gtest.h"
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/text.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/store.h"
 
@@ -71,6 +72,88 @@ TEST(Turtle, TakesDeclaredPrefixesAndBases) {
   EXPECT_EQ(statements[0].object, Iri("http://base/x/y/c"));
   EXPECT_EQ(statements[1].predicate, Iri("http://f/d~"));
   EXPECT_EQ(statements[1].object, Iri("http://h/../k"));  // Kept as written.
+}
+
+TEST(Turtle, AnIntegerBeforeThePointIsAnInteger) {
+  const std::pair<const char*, const char*> kCases[] = {
+      {"ex:a ex:p 2.", "2"},
+      {"ex:a ex:p +2.", "+2"},
+      {"ex:a ex:p -12.\n", "-12"},
+      {"ex:a ex:p 2.# note", "2"},
+      {"ex:a ex:p 2.ex:b ex:p 2.", "2"},
+      {"ex:a ex:p 2.<http://h/e1> ex:p 2.", "2"},
+      {"ex:a ex:p 2.[] ex:p 2.", "2"},
+      {"ex:a ex:p 2, 2 . _:e ex:p 2.", "2"},
+      {"[ ex:p 2 ] ex:p 2.", "2"},
+      {"ex:a ex:p 2.@prefix f: <http://f/> .", "2"},
+  };
+  for (const auto& [text, number] : kCases) {
+    const auto statements = Read(text);
+    EXPECT_FALSE(statements.empty()) << text;
+    for (const Statement& s : statements) {
+      if (s.object.is_blank()) continue;
+      EXPECT_EQ(s.object, Literal(number, kXsd + std::string("integer")))
+          << text;
+    }
+  }
+}
+
+TEST(Turtle, PointsInsideOfNumbersBelongToThem) {
+  const std::pair<const char*, const char*> kCases[] = {
+      {"2.5", "decimal"}, {".5", "decimal"},    {"-.5", "decimal"},
+      {"2.e3", "double"}, {"2.5E-3", "double"}, {"2e+3", "double"},
+  };
+  for (const auto& [number, type] : kCases) {
+    for (const char* end : {".", " .", ".\nex:b ex:q 'x'."}) {
+      const auto statements = Read(std::string("ex:a ex:p ") + number + end);
+      ASSERT_FALSE(statements.empty()) << number;
+      EXPECT_EQ(statements[0].object, Literal(number, kXsd + std::string(type)))
+          << number << end;
+    }
+  }
+}
+
+// Examples of https://www.rfc-editor.org/rfc/rfc3986#section-5.4
+TEST(Turtle, RemovesDotSegmentsOfRelativeIris) {
+  const std::pair<const char*, const char*> kCases[] = {
+      {"g", "http://a/b/c/g"},
+      {"./g", "http://a/b/c/g"},
+      {"..", "http://a/b/"},
+      {"../../g", "http://a/g"},
+      {"../../../g", "http://a/g"},
+      {"./../g", "http://a/b/g"},
+      {"g/./h", "http://a/b/c/g/h"},
+      {"g/../h", "http://a/b/c/h"},
+      {"/./g", "http://a/g"},
+      {"g;x=1/../y", "http://a/b/c/y"},
+      {"g?y/../x", "http://a/b/c/g?y/../x"},
+      {"", "http://a/b/c/d;p?q"},
+      {"//g", "http://g"},
+      {"?y", "http://a/b/c/d;p?y"},
+  };
+  for (const auto& [reference, iri] : kCases) {
+    const std::string base = "@base <http://a/b/c/d;p?q> . ";
+    const auto plain = Read(base + "ex:a ex:p <" + reference + "> .");
+    ASSERT_EQ(plain.size(), 1u);
+    EXPECT_EQ(plain[0].object, Iri(iri)) << reference;
+    const auto prefixed =
+        Read(base + "@prefix f: <" + reference + "> . ex:a ex:p f: .");
+    EXPECT_EQ(prefixed.at(0).object, Iri(iri)) << reference;
+  }
+  EXPECT_EQ(Read("@base <http://a/b/c> . @base <../x/./y/> . <z> ex:p 1.")
+                .at(0)
+                .subject,
+            Iri("http://a/x/y/z"));
+}
+
+TEST(Turtle, MessagesKeepCharactersWhole) {
+  for (const char* text : {"ex:a ex:p \xE2\x80\x9C"
+                           "a\xE2\x80\x9D .",
+                           "ex:a \xC2\xA0 ex:p 1 .",
+                           "ex:a ex:p 1 \xE2\x80\x93 .", "\xF0\x9F\x98\x80"}) {
+    EXPECT_FALSE(kg_base::FirstBadUtf8(GetError(text))) << GetError(text);
+    EXPECT_NE(GetError(text), "no error") << text;
+  }
 }
 
 TEST(Turtle, ReadsNoStatementsFromEmptyText) {

@@ -8,8 +8,13 @@ using AggregateKind = AggregateCall::Kind;
 
 void AggregateAccumulator::AddRow(const Row& row) {
   if (aggregate_->distinct) {
-    if (!seen_rows_.insert(row).second) return;
-    budget_->UseWorkingBytes(2 * sizeof(TermId) * (row.size() + 8));
+    Row solution;
+    for (const int variable : aggregate_->counted) {
+      solution.push_back(row[static_cast<std::size_t>(variable)]);
+    }
+    const std::size_t size = solution.size();
+    if (!seen_rows_.insert(std::move(solution)).second) return;
+    budget_->UseWorkingBytes(2 * sizeof(TermId) * (size + 8));
   }
   ++count_;
 }
@@ -64,7 +69,13 @@ void AggregateAccumulator::AddNumber(const Term& term) {
   if (!sum_) error_ = true;
 }
 
+// The text is STR of each value, which a blank node does not have.
+// https://www.w3.org/TR/sparql11-query/#defn_aggGroupConcat
 void AggregateAccumulator::AddText(const Term& term) {
+  if (term.is_blank()) {
+    has_blank_ = true;
+    return;
+  }
   if (count_ > 1) text_ += aggregate_->separator;
   text_ += term.text;
   budget_->UseWorkingBytes(term.text.size() + aggregate_->separator.size());
@@ -95,6 +106,7 @@ std::optional<Term> AggregateAccumulator::Result() const {
       if (best_ == kNoTerm) return std::nullopt;
       return terms_->Get(best_);
     case AggregateKind::kGroupConcat:
+      if (has_blank_) return std::nullopt;
       return Literal(text_);
   }
   return std::nullopt;

@@ -40,6 +40,7 @@ class AggregateAccumulator {
   std::optional<XsdNumber> sum_;
   TermId best_ = kNoTerm;
   std::string text_;
+  bool has_blank_ = false;            // Among the values of GROUP_CONCAT.
   absl::flat_hash_set<TermId> seen_;  // Values seen so far, for DISTINCT.
   absl::flat_hash_set<Row> seen_rows_;
 };

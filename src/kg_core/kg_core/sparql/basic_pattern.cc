@@ -166,21 +166,15 @@ bool PatternEvaluator::Step(const BasicRun& run, std::size_t step) {
   });
 }
 
-// Between two variables, a path of length zero connects nodes of the graph
-// only, regardless of where the variables got their values.
-// https://www.w3.org/TR/sparql11-query/#defn_evalPP_ZeroOrOnePath
 bool PatternEvaluator::PathStep(const BasicRun& run, std::size_t step,
                                 const TriplePattern& triple) {
-  const TermId subject = GetValue(triple.subject, *run.row);
-  const TermId object = GetValue(triple.object, *run.row);
-  // A zero-length path matches any node; if both ends are variables, only nodes
-  // of the graph.
-  const bool check = triple.subject.is_variable && triple.object.is_variable &&
-                     (subject != kNoTerm || object != kNoTerm);
+  const auto get_end = [this, &run](const VarOrTerm& node) {
+    return PathWalker::End{GetValue(node, *run.row), !node.is_variable};
+  };
   const PathWalker walker(&run.graph, &constants_, budget_);
   return walker.Walk(
-      *triple.path, subject, object, [&](TermId from, TermId to) {
-        if (check && from == to && !run.graph.HasNode(from)) return true;
+      *triple.path, get_end(triple.subject), get_end(triple.object),
+      [&](TermId from, TermId to) {
         RowBinding binding(run.row);
         if (!binding.Bind(triple.subject, from) ||
             !binding.Bind(triple.object, to)) {

@@ -3,6 +3,7 @@
 #include <cctype>
 
 #include "kg_base/text/iri.h"
+#include "kg_core/rdf/term_check.h"
 #include "kg_core/sparql/fresh_blank.h"
 #include "kg_core/sparql/values.h"
 
@@ -41,14 +42,17 @@ Answer IsNumericTerm(FunctionContext&, const Arguments& a) {
   return BooleanLiteral(NumericValue(*a[0]).has_value());
 }
 
+// A term that is not RDF is an error.
+Answer IfValid(Term term) {
+  if (FindTermFault(term)) return std::nullopt;
+  return term;
+}
+
 // https://www.w3.org/TR/sparql11-query/#func-iri
 Answer MakeIri(FunctionContext& context, const Arguments& a) {
   if (a[0]->is_iri()) return *a[0];
   if (!IsString(*a[0])) return std::nullopt;
-  if (a[0]->text.find_first_of(" <>\"{}|^`\\\n\t\r") != std::string::npos) {
-    return std::nullopt;
-  }
-  return Iri(kg_base::ResolveIri(context.base, a[0]->text));
+  return IfValid(Iri(kg_base::ResolveIri(context.base, a[0]->text)));
 }
 
 // https://www.w3.org/TR/sparql11-query/#func-bnode
@@ -62,18 +66,12 @@ Answer MakeBlank(FunctionContext& context, const Arguments& a) {
 
 Answer StrDt(FunctionContext&, const Arguments& a) {
   if (!IsString(*a[0]) || !a[1]->is_iri()) return std::nullopt;
-  return Literal(a[0]->text, a[1]->text);
+  return IfValid(Literal(a[0]->text, a[1]->text));
 }
 
 Answer StrLang(FunctionContext&, const Arguments& a) {
-  if (!IsString(*a[0]) || !IsString(*a[1]) || a[1]->text.empty()) {
-    return std::nullopt;
-  }
-  std::string language = a[1]->text;
-  for (char& c : language) {
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  return LanguageLiteral(a[0]->text, language);
+  if (!IsString(*a[0]) || !IsString(*a[1])) return std::nullopt;
+  return IfValid(LanguageLiteral(a[0]->text, a[1]->text));
 }
 
 std::string RandomUuid(FunctionContext& context) {

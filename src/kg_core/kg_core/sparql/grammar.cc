@@ -123,7 +123,10 @@ std::string SparqlGrammar::ReadIri() {
   if (!AtIri()) Expected("an IRI");
   const Token token = Take();
   if (token.kind == Token::Kind::kIri) {
-    return kg_base::ResolveIri(query_.base, token.text);
+    std::string iri = kg_base::ResolveIri(query_.base, token.text);
+    if (kg_base::IsAbsoluteIri(iri)) return iri;
+    Fail(token, "relative IRI <" + iri +
+                    ">; expected an absolute IRI or a BASE before it");
   }
   const auto prefix = prefixes_.find(token.prefix);
   if (prefix == prefixes_.end()) {

@@ -53,8 +53,11 @@ class SparqlGrammar {
   void ReadWhere(SelectQuery* select);
   void ReadModifiers(SelectQuery* select);
   void ReadModifiersOfForm();
+  void AddColumn(int variable, SelectQuery* select);
   void AddColumns(const VariableSet& variables, SelectQuery* select);
+  std::vector<int> NamedMembers(const VariableSet& variables) const;
   void ReadGroupBy(SelectQuery* select);
+  int ReadKeyName(const SelectQuery& select);  // After AS.
   void ReadHaving(SelectQuery* select);
   void ReadOrderBy(SelectQuery* select);
   void ReadLimits(SelectQuery* select);
@@ -100,6 +103,7 @@ class SparqlGrammar {
   GraphPattern ReadOptional(GraphPattern left);
   void ReadBind(Group* group);
   GraphPattern ReadValues();
+  int ReadValuesName(const std::vector<int>& known);
   std::vector<int> ReadValuesRow(std::size_t width);
   int ReadDataValue();
   GraphPattern Join(GraphPattern left, GraphPattern right);

@@ -9,6 +9,7 @@
 #include "kg_base/common/input_error.h"
 #include "kg_base/common/text.h"
 #include "kg_base/text/utf8.h"
+#include "kg_core/rdf/term_check.h"
 
 namespace kg_core::sparql {
 namespace {
@@ -145,6 +146,11 @@ bool QueryLexer::ReadIri(Token* token) {
     }
   }
   Take();
+  // Escapes may not stand for what an IRI may not hold unescaped.
+  if (const auto fault = FindIriFault(token->text)) {
+    position_ = token->position;
+    Fail(*fault);
+  }
   return true;
 }
 
@@ -320,6 +326,10 @@ void QueryLexer::ReadLanguageTag(Token* token) {
     token->text.push_back(
         static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
   }
+  if (!IsLanguageTag(token->text)) {
+    Fail("language tag @" + token->text +
+         "; expected letters, then parts of letters and digits after a '-'");
+  }
 }
 
 void QueryLexer::ReadPunctuation(Token* token) {
@@ -329,7 +339,10 @@ void QueryLexer::ReadPunctuation(Token* token) {
     TakeInto(&token->text, mark.size());
     return;
   }
-  Fail("unexpected character '" + std::string(1, Peek()) + "'");
+  std::size_t end = at_;
+  kg_base::TakeUtf8(text_, &end);
+  Fail("unexpected character '" + std::string(text_.substr(at_, end - at_)) +
+       "'");
 }
 
 }  // namespace

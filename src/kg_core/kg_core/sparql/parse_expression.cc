@@ -35,7 +35,7 @@ struct SpecialForm {
 };
 constexpr SpecialForm kSpecialForms[] = {
     {"IF", Op::kIf, 3, 3},
-    {"COALESCE", Op::kCoalesce, 1, kAnyNumber},
+    {"COALESCE", Op::kCoalesce, 0, kAnyNumber},
     {"SAMETERM", Op::kSameTerm, 2, 2},
 };
 

@@ -1,6 +1,8 @@
 // Group graph patterns, rules [53] to [69]; the algebra is built on the way:
 // https://www.w3.org/TR/sparql11-query/#sparqlTranslateGraphPatterns
 
+#include <algorithm>
+
 #include "kg_core/sparql/grammar.h"
 
 namespace kg_core::sparql {
@@ -208,7 +210,9 @@ GraphPattern SparqlGrammar::ReadValues() {
     pattern.variables.push_back(ReadVariable());
   } else {
     ExpectMark("(");
-    while (!TakeMark(")")) pattern.variables.push_back(ReadVariable());
+    while (!TakeMark(")")) {
+      pattern.variables.push_back(ReadValuesName(pattern.variables));
+    }
   }
   ExpectMark("{");
   while (!TakeMark("}")) {
@@ -216,6 +220,15 @@ GraphPattern SparqlGrammar::ReadValues() {
                                   : ReadValuesRow(pattern.variables.size()));
   }
   return pattern;
+}
+
+int SparqlGrammar::ReadValuesName(const std::vector<int>& known) {
+  const Token name = Peek();
+  const int variable = ReadVariable();
+  if (std::find(known.begin(), known.end(), variable) != known.end()) {
+    Fail(name, "?" + name.text + " is a column of these values already");
+  }
+  return variable;
 }
 
 std::vector<int> SparqlGrammar::ReadValuesRow(std::size_t width) {

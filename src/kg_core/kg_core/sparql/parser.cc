@@ -2,9 +2,9 @@
 
 #include "kg_core/sparql/parser.h"
 
+#include <algorithm>
 #include <cstdlib>
 
-#include "kg_base/text/iri.h"
 #include "kg_core/sparql/grammar.h"
 #include "kg_core/sparql/lexer.h"
 
@@ -42,7 +42,7 @@ void SparqlGrammar::ReadPrologue() {
   while (true) {
     if (TakeWord("BASE")) {
       if (Peek().kind != Token::Kind::kIri) Expected("an IRI in <>");
-      query_.base = kg_base::ResolveIri(query_.base, Take().text);
+      query_.base = ReadIri();
     } else if (TakeWord("PREFIX")) {
       const Token name = Peek();
       if (name.kind != Token::Kind::kPrefixedName || !name.text.empty()) {
@@ -50,7 +50,7 @@ void SparqlGrammar::ReadPrologue() {
       }
       Take();
       if (Peek().kind != Token::Kind::kIri) Expected("an IRI in <>");
-      prefixes_[name.prefix] = kg_base::ResolveIri(query_.base, Take().text);
+      prefixes_[name.prefix] = ReadIri();
     } else {
       return;
     }
@@ -117,12 +117,21 @@ void SparqlGrammar::ReadSelect(SelectQuery* select) {
 // Adds the named variables of `variables` as columns.
 void SparqlGrammar::AddColumns(const VariableSet& variables,
                                SelectQuery* select) {
-  for (const int variable : variables.Members()) {
-    if (IsHidden(query_.variables[static_cast<std::size_t>(variable)])) {
-      continue;
-    }
+  for (const int variable : NamedMembers(variables)) {
     select->columns.push_back({variable, std::nullopt});
   }
+}
+
+// Without the variables of blank nodes and of paths.
+std::vector<int> SparqlGrammar::NamedMembers(
+    const VariableSet& variables) const {
+  std::vector<int> named;
+  for (const int variable : variables.Members()) {
+    const std::string& name =
+        query_.variables[static_cast<std::size_t>(variable)];
+    if (!IsHidden(name)) named.push_back(variable);
+  }
+  return named;
 }
 
 // [9] SelectClause; true for SELECT *.
@@ -134,7 +143,7 @@ bool SparqlGrammar::ReadSelectClause(SelectQuery* select) {
   if (TakeMark("*")) return true;
   while (true) {
     if (Peek().kind == Token::Kind::kVariable) {
-      select->columns.push_back({ReadVariable(), std::nullopt});
+      AddColumn(ReadVariable(), select);
     } else if (TakeMark("(")) {
       select->columns.push_back(ReadAliased());
     } else if (select->columns.empty()) {
@@ -143,6 +152,14 @@ bool SparqlGrammar::ReadSelectClause(SelectQuery* select) {
       return false;
     }
   }
+}
+
+// A variable that is named twice is one column.
+void SparqlGrammar::AddColumn(int variable, SelectQuery* select) {
+  const bool is_known = std::any_of(
+      select->columns.begin(), select->columns.end(),
+      [&](const SelectColumn& known) { return known.variable == variable; });
+  if (!is_known) select->columns.push_back({variable, std::nullopt});
 }
 
 SelectColumn SparqlGrammar::ReadAliased() {
@@ -180,6 +197,12 @@ void SparqlGrammar::ReadModifiers(SelectQuery* select) {
   if (TakeWord("VALUES")) {
     select->where = Join(std::move(select->where), ReadValues());
   }
+  if (select->aggregates.empty()) return;
+  const std::vector<int> counted =
+      NamedMembers(VisibleVariables(select->where));
+  for (AggregateCall& aggregate : select->aggregates) {
+    if (!aggregate.argument) aggregate.counted = counted;
+  }
 }
 
 // [19] GroupClause
@@ -195,7 +218,7 @@ void SparqlGrammar::ReadGroupBy(SelectQuery* select) {
       key.variable = ReadVariable();
     } else if (TakeMark("(")) {
       key.expression = ReadExpression();
-      key.variable = TakeWord("AS") ? ReadVariable() : FreshVariable();
+      key.variable = TakeWord("AS") ? ReadKeyName(*select) : FreshVariable();
       ExpectMark(")");
     } else if (AtIri() || (Peek().kind == Token::Kind::kWord &&
                            FindKeywordFunction(Peek().text) != nullptr)) {
@@ -209,6 +232,19 @@ void SparqlGrammar::ReadGroupBy(SelectQuery* select) {
     select->group_by.push_back(std::move(key));
   }
   aggregates_of_ = outer;
+}
+
+// The name of an expression to group by, which must not have values yet.
+int SparqlGrammar::ReadKeyName(const SelectQuery& select) {
+  const Token name = Peek();
+  const int variable = ReadVariable();
+  const bool is_key = std::any_of(
+      select.group_by.begin(), select.group_by.end(),
+      [&](const SelectColumn& key) { return key.variable == variable; });
+  if (is_key || VisibleVariables(select.where).Contains(variable)) {
+    Fail(name, "?" + name.text + " already has values in this query");
+  }
+  return variable;
 }
 
 // [21] HavingClause
@@ -275,9 +311,12 @@ void SparqlGrammar::ReadLimits(SelectQuery* select) {
 // #aggregateRestrictions
 void SparqlGrammar::CheckColumns(const SelectQuery& select,
                                  QueryPosition position) {
-  const VariableSet visible = VisibleVariables(select.where);
   VariableSet known;  // Variables allowed in columns of a grouped query.
   for (const SelectColumn& key : select.group_by) known.Insert(key.variable);
+  // Grouping ends the scope of all variables of the pattern but its keys.
+  // https://www.w3.org/TR/sparql11-query/#variableScope
+  const VariableSet visible =
+      select.grouped ? known : VisibleVariables(select.where);
   for (const AggregateCall& aggregate : select.aggregates) {
     known.Insert(aggregate.variable);
   }

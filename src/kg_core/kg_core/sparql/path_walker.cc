@@ -6,12 +6,12 @@
 
 namespace kg_core::sparql {
 
-bool PathWalker::Walk(const PropertyPath& path, TermId from, TermId to,
+bool PathWalker::Walk(const PropertyPath& path, End from, End to,
                       Visit visit) const {
   switch (path.kind) {
     case PropertyPath::Kind::kLink:
       return graph_->Match(
-          {from, FindId(path), to, kNoTerm},
+          {from.id, FindId(path), to.id, kNoTerm},
           [&](const Quad& quad) { return visit(quad.subject, quad.object); });
     case PropertyPath::Kind::kInverse:
       return Walk(path.parts[0], to, from,
@@ -37,16 +37,16 @@ bool PathWalker::Walk(const PropertyPath& path, TermId from, TermId to,
 bool PathWalker::WalkSequence(const PropertyPath* parts, std::size_t count,
                               Ends ends, Visit visit) const {
   if (count == 1) return Walk(parts[0], ends.from, ends.to, visit);
-  if (ends.from == kNoTerm && ends.to != kNoTerm) {
-    return Walk(parts[count - 1], kNoTerm, ends.to,
+  if (ends.from.id == kNoTerm && ends.to.id != kNoTerm) {
+    return Walk(parts[count - 1], End(), ends.to,
                 [&](TermId middle, TermId to) {
                   return WalkSequence(
-                      parts, count - 1, {kNoTerm, middle},
+                      parts, count - 1, {End(), End{middle}},
                       [&](TermId from, TermId) { return visit(from, to); });
                 });
   }
-  return Walk(parts[0], ends.from, kNoTerm, [&](TermId from, TermId middle) {
-    return WalkSequence(parts + 1, count - 1, {middle, ends.to},
+  return Walk(parts[0], ends.from, End(), [&](TermId from, TermId middle) {
+    return WalkSequence(parts + 1, count - 1, {End{middle}, ends.to},
                         [&](TermId, TermId to) { return visit(from, to); });
   });
 }
@@ -67,14 +67,14 @@ bool PathWalker::WalkNegated(const PropertyPath& path, Ends ends,
   // !(p | q) matches forward only, !(^p) backward only, a mixture both.
   if (!forward.empty() || backward.empty()) {
     const bool go_on = graph_->Match(
-        {ends.from, kNoTerm, ends.to, kNoTerm}, [&](const Quad& quad) {
+        {ends.from.id, kNoTerm, ends.to.id, kNoTerm}, [&](const Quad& quad) {
           return contains(forward, quad.predicate) ||
                  visit(quad.subject, quad.object);
         });
     if (!go_on) return false;
   }
   if (backward.empty()) return true;
-  return graph_->Match({ends.to, kNoTerm, ends.from, kNoTerm},
+  return graph_->Match({ends.to.id, kNoTerm, ends.from.id, kNoTerm},
                        [&](const Quad& quad) {
                          return contains(backward, quad.predicate) ||
                                 visit(quad.object, quad.subject);
@@ -91,7 +91,8 @@ std::vector<TermId> PathWalker::Reach(const PropertyPath& path, TermId start,
     if (seen.insert(node).second) reached.push_back(node);
   };
   const auto expand = [&](TermId node) {
-    Walk(path.parts[0], forward ? node : kNoTerm, forward ? kNoTerm : node,
+    const End bound{node, true};  // ALP starts each step from a term.
+    Walk(path.parts[0], forward ? bound : End(), forward ? End() : bound,
          [&](TermId from, TermId to) {
            add(forward ? to : from);
            return true;
@@ -114,21 +115,26 @@ std::vector<TermId> PathWalker::Reach(const PropertyPath& path, TermId start,
 
 bool PathWalker::WalkClosure(const PropertyPath& path, Ends ends,
                              Visit visit) const {
-  if (ends.from == kNoTerm && ends.to == kNoTerm) {
+  const TermId from = ends.from.id;
+  const TermId to = ends.to.id;
+  if (from == kNoTerm && to == kNoTerm) {
     for (const TermId node : graph_->Nodes()) {
-      if (!WalkClosure(path, {node, kNoTerm}, visit)) return false;
+      if (!WalkClosure(path, {End{node}, End()}, visit)) return false;
     }
     return true;
   }
-  if (ends.from == kNoTerm) {
-    for (const TermId node : Reach(path, ends.to, false)) {
-      if (!visit(node, ends.to)) return false;
+  const TermId start = from == kNoTerm ? to : from;
+  const bool between_variables = !ends.from.is_term && !ends.to.is_term;
+  if (between_variables && !graph_->HasNode(start)) return true;
+  if (from == kNoTerm) {
+    for (const TermId node : Reach(path, to, false)) {
+      if (!visit(node, to)) return false;
     }
     return true;
   }
-  for (const TermId node : Reach(path, ends.from, true)) {
-    if (ends.to != kNoTerm && ends.to != node) continue;
-    if (!visit(ends.from, node)) return false;
+  for (const TermId node : Reach(path, from, true)) {
+    if (to != kNoTerm && to != node) continue;
+    if (!visit(from, node)) return false;
   }
   return true;
 }

@@ -19,20 +19,29 @@ class PathWalker {
  public:
   using Visit = absl::FunctionRef<bool(TermId from, TermId to)>;
 
+  // One end of a path. The ends of a step within a sequence are variables as
+  // well, even where they are bound by the step before. Between two variables a
+  // path of length zero connects nodes of the graph only, wherever the
+  // variables got their values; a term of the query connects to itself.
+  // https://www.w3.org/TR/sparql11-query/#defn_evalPP_ZeroOrOnePath
+  struct End {
+    TermId id = kNoTerm;   // kNoTerm: open.
+    bool is_term = false;  // A term of the query, no variable.
+  };
+
   // `constants` are the ids of the query's constants, indexed by their number.
   PathWalker(const ActiveGraph* graph, const std::vector<TermId>* constants,
              QueryBudget* budget)
       : graph_(graph), constants_(constants), budget_(budget) {}
 
-  // Visits all pairs of nodes connected by `path`; kNoTerm leaves an end open.
-  // Returns false if `visit` did (stop).
-  bool Walk(const PropertyPath& path, TermId from, TermId to,
-            Visit visit) const;
+  // Visits all pairs of nodes connected by `path`. Returns false if `visit` did
+  // (stop).
+  bool Walk(const PropertyPath& path, End from, End to, Visit visit) const;
 
  private:
   struct Ends {
-    TermId from;
-    TermId to;
+    End from;
+    End to;
   };
 
   TermId FindId(const PropertyPath& link) const {

@@ -72,7 +72,7 @@ std::optional<Way> PathWitness::FindLink(const Quad& wanted) const {
 std::vector<TermId> PathWitness::Targets(const PropertyPath& path,
                                          TermId from) const {
   std::set<TermId> targets;
-  walker_.Walk(path, from, kNoTerm, [&targets](TermId, TermId to) {
+  walker_.Walk(path, {from, true}, {}, [&targets](TermId, TermId to) {
     targets.insert(to);
     return true;
   });

@@ -129,6 +129,9 @@ struct AggregateCall {
   std::optional<Expression> argument;  // nullopt: COUNT(*).
   std::string separator = " ";
   int variable = kNone;  // Variable that receives the value.
+  // COUNT(DISTINCT *): the variables that are part of a solution, which those
+  // of blank nodes and of paths are not.
+  std::vector<int> counted;
 };
 
 struct SelectColumn {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/text.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/turtle.h"
 #include "kg_core/sparql/isomorphism.h"
@@ -478,6 +479,141 @@ TEST(QueryEngine, RefusesTooDeepNestingAndTooLongTexts) {
   for (int i = 0; i < 2000; ++i) optionals += "OPTIONAL{?a ex:p ?b}";
   EXPECT_NE(GetError("ASK {" + optionals + "}").find("more patterns than"),
             std::string::npos);
+}
+
+TEST(QueryEngine, BlankAndPathNodesAreNoPartOfACountedSolution) {
+  // The blank node matches two labels, the two triples of a path one middle.
+  EXPECT_EQ(Rows("SELECT (COUNT(DISTINCT *) AS ?n) { ?s ex:label [] }"),
+            (Lines{"1"}));
+  EXPECT_EQ(Rows("SELECT (COUNT(*) AS ?n) { ?s ex:label [] }"), (Lines{"2"}));
+  EXPECT_EQ(Rows("SELECT (COUNT(DISTINCT *) AS ?n) { ?s ex:label _:x }"),
+            (Lines{"1"}));
+  EXPECT_EQ(Rows("SELECT (COUNT(DISTINCT *) AS ?n) { [] ex:label ?l }"),
+            (Lines{"2"}));
+  EXPECT_EQ(Rows("SELECT (COUNT(DISTINCT *) AS ?n) "
+                 "{ ?t a/^a ex:alpha . ?s a/^a ex:alpha }"),
+            (Lines{"9"}));
+  EXPECT_EQ(Rows("SELECT ?s { ?s ex:label [] } GROUP BY ?s "
+                 "HAVING (COUNT(DISTINCT *) = 1)"),
+            (Lines{"ex:alpha"}));
+  EXPECT_EQ(Rows("SELECT (COUNT(DISTINCT *) AS ?n) { [] ex:label [] } "
+                 "VALUES ?v { 1 2 }"),
+            (Lines{"2"}));
+}
+
+TEST(QueryEngine, PathsOfNoLengthBindInnerVariablesToNodesOfTheGraph) {
+  // ex:nowhere is no node of the graph, ex:alpha is one.
+  const std::pair<const char*, std::size_t> kCases[] = {
+      {"?y (ex:nope|(ex:p*/ex:q?)) ex:nowhere", 0},
+      {"ex:nowhere (ex:nope|(ex:p*/ex:q?)) ?y", 0},
+      {"?y ex:p*/ex:q? ex:nowhere", 0},
+      {"?y (ex:nope|^(ex:p*/ex:q?)) ex:nowhere", 0},
+      {"?y (ex:nope|(ex:p?/ex:q*/ex:r?)) ex:nowhere", 0},
+      {"ex:nowhere (ex:nope|(ex:p?/ex:q*/ex:r?)) ?y", 0},
+      {"ex:nowhere ex:p* ?y", 1},
+      {"ex:nowhere (ex:nope|ex:p*) ?y", 1},
+      {"?y (ex:nope|ex:p?) ex:nowhere", 1},
+      {"ex:nowhere (ex:p?)* ?y", 1},
+      {"ex:nowhere (ex:p?)+ ?y", 1},
+      {"ex:nowhere (ex:nope|(ex:p*/ex:q?)) ex:nowhere", 1},
+      {"ex:alpha (ex:nope|(ex:p*/ex:q?)) ?y", 1},
+      {"?y (ex:nope|(ex:p*/ex:q?)) ex:alpha", 1},
+      {"VALUES ?y { ex:nowhere } ?y ex:p* ?z", 0},
+      {"VALUES ?y { ex:nowhere } ?y ex:p* ex:nowhere", 1},
+      {"VALUES ?y { ex:nowhere } ?y (ex:nope|(ex:p*/ex:q?)) ?z", 0},
+  };
+  for (const auto& [pattern, count] : kCases) {
+    EXPECT_EQ(Rows("SELECT * { " + std::string(pattern) + " }").size(), count)
+        << pattern;
+  }
+}
+
+TEST(QueryEngine, IllTypedNumbersAreErrors) {
+  EXPECT_EQ(Value("'300'^^xsd:unsignedByte + 1"), "-");
+  EXPECT_EQ(Value("1 < '-1'^^xsd:positiveInteger"), "-");
+  EXPECT_EQ(Value("1 = 'x'^^xsd:integer"), "-");
+  EXPECT_EQ(Value("-'128'^^xsd:byte"), "-");
+  EXPECT_EQ(Value("ABS('9223372036854775808'^^xsd:long)"), "-");
+  EXPECT_EQ(Value("isNumeric('9223372036854775808'^^xsd:long)"), "false");
+  EXPECT_EQ(Value("'200'^^xsd:unsignedByte + 1"), "201");
+  EXPECT_EQ(Rows("SELECT (SUM(?x) AS ?s) (AVG(?x) AS ?a) "
+                 "{ VALUES ?x { 1 '300'^^xsd:unsignedByte } }"),
+            (Lines{"- -"}));
+}
+
+TEST(QueryEngine, GroupingFreesTheNamesOfThePattern) {
+  EXPECT_EQ(Rows("SELECT (123 AS ?r) { ?p ex:risk ?r } GROUP BY ?p"),
+            (Lines{"123", "123"}));
+  EXPECT_EQ(Rows("SELECT (COUNT(*) AS ?r) { ?p ex:risk ?r }"), (Lines{"2"}));
+  EXPECT_EQ(Rows("SELECT ?k { ?p ex:risk ?r } GROUP BY (?r > 0 AS ?k)"),
+            (Lines{"true"}));
+  for (const char* query :
+       {"SELECT (123 AS ?z) {} GROUP BY (1 AS ?z)",
+        "SELECT (1 AS ?p) { ?p ex:risk ?r } GROUP BY ?p",
+        "SELECT (1 AS ?r) { ?p ex:risk ?r }", "SELECT (1 AS ?x) (2 AS ?x) {}",
+        "SELECT ?z {} GROUP BY (1 AS ?z) (2 AS ?z)",
+        "SELECT ?r { ?p ex:risk ?r } GROUP BY (1 AS ?r)"}) {
+    EXPECT_NE(GetError(query).find("already has values"), std::string::npos)
+        << query << ": " << GetError(query);
+  }
+  for (const char* query : {"SELECT * { VALUES (?a ?a) { (1 1) } }",
+                            "SELECT * {} VALUES (?a ?b ?a) { (1 1 1) }"}) {
+    EXPECT_NE(GetError(query).find("?a is a column"), std::string::npos)
+        << query;
+  }
+}
+
+TEST(QueryEngine, AColumnThatIsNamedTwiceIsOne) {
+  const QueryResult result =
+      Query("SELECT ?p ?r ?p { ?p ex:risk ?r } ORDER BY ?r");
+  EXPECT_EQ(result.variables, (Lines{"p", "r"}));
+  EXPECT_EQ(result.rows.at(0).size(), 2u);
+  EXPECT_EQ(Query("SELECT (1 AS ?x) ?x {}").variables, (Lines{"x"}));
+}
+
+TEST(QueryEngine, CoalesceOfNothingIsAnError) {
+  EXPECT_EQ(Value("COALESCE()"), "-");
+  EXPECT_EQ(Value("COALESCE(COALESCE(), 2)"), "2");
+}
+
+TEST(QueryEngine, GroupConcatOfABlankNodeIsAnError) {
+  EXPECT_EQ(Rows("SELECT (GROUP_CONCAT(?x) AS ?t) { BIND(BNODE() AS ?x) }"),
+            (Lines{"-"}));
+  EXPECT_EQ(Rows("SELECT (GROUP_CONCAT(DISTINCT ?x) AS ?t) "
+                 "{ { BIND(BNODE() AS ?x) } UNION { BIND('a' AS ?x) } }"),
+            (Lines{"-"}));
+  EXPECT_EQ(Rows("SELECT (GROUP_CONCAT(?x) AS ?t) { VALUES ?x { 'a' ex:b } }"),
+            (Lines{"\"a http://example.org/mission/b\""}));
+}
+
+TEST(QueryEngine, IrisAreAbsoluteOrErrors) {
+  EXPECT_EQ(Value("IRI('x')"), "-");
+  EXPECT_EQ(Value("IRI('')"), "-");
+  EXPECT_EQ(Value("IRI('http://h/a b')"), "-");
+  EXPECT_EQ(Value("IRI('http://h/\\u0001')"), "-");
+  EXPECT_EQ(Value("IRI('urn:x')"), "<urn:x>");
+  EXPECT_EQ(Rows("BASE <http://h/a> SELECT (IRI('../b') AS ?x) {}"),
+            (Lines{"<http://h/b>"}));
+  EXPECT_EQ(Value("STRLANG('x', 'e n')"), "-");
+  EXPECT_EQ(Value("STRLANG('x', 'EN-gb')"), "\"x\"@en-gb");
+  EXPECT_EQ(Value("STRDT('x', IRI('d'))"), "-");
+  for (const char* query :
+       {"SELECT * { <a> ?p ?o }", "SELECT * FROM <g> { ?s ?p ?o }",
+        "PREFIX z: <zz> SELECT * { ?s z:p ?o }", "BASE <b/> ASK {}",
+        "ASK { ?s ?p 'x'^^<dt> }"}) {
+    EXPECT_NE(GetError(query).find("relative IRI"), std::string::npos)
+        << query << ": " << GetError(query);
+  }
+}
+
+TEST(QueryEngine, MessagesKeepCharactersWhole) {
+  for (const char* mark :
+       {"\xE2\x80\x9C", "\xE2\x80\x93", "\xC2\xA0", "\xF0\x9F\x98\x80"}) {
+    const std::string error =
+        GetError("SELECT * { ?s rdfs:label " + std::string(mark) + " }");
+    EXPECT_NE(error.find(mark), std::string::npos) << error;
+    EXPECT_FALSE(kg_base::FirstBadUtf8(error)) << error;
+  }
 }
 
 }  // namespace

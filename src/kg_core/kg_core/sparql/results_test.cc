@@ -110,5 +110,18 @@ TEST(Results, WritesTheAnswerOfAsk) {
   EXPECT_EQ(ToTextTable(result), "yes\n");
 }
 
+TEST(Results, XmlHoldsNoCharactersThatItMayNot) {
+  QueryResult result;
+  result.variables = {"x"};
+  result.rows = {
+      {Literal("a\xEF\xBF\xBE"
+               "b\xEF\xBF\xBF\x01\xEF\xBF\xBD")}};
+  const std::string replaced = "\xEF\xBF\xBD";
+  EXPECT_NE(ToXml(result).find("<literal>a" + replaced + "b" + replaced +
+                               replaced + replaced + "</literal>"),
+            std::string::npos)
+      << ToXml(result);
+}
+
 }  // namespace
 }  // namespace kg_core

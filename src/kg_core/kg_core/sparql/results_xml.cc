@@ -1,5 +1,8 @@
 // Results as XML. https://www.w3.org/TR/rdf-sparql-XMLres/
 
+#include <cstddef>
+#include <string_view>
+
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/sparql/results.h"
 
@@ -8,11 +11,19 @@ namespace {
 
 constexpr char kReplacement[] = "\xEF\xBF\xBD";  // U+FFFD
 
+// Is the text at byte `at` U+FFFE or U+FFFF, which XML may not hold even
+// escaped?
+bool IsNoncharacter(std::string_view text, std::size_t at) {
+  const std::string_view code = text.substr(at, 3);
+  return code == "\xEF\xBF\xBE" || code == "\xEF\xBF\xBF";
+}
+
 // https://www.w3.org/TR/xml/#syntax, #charsets; a literal carriage return would
 // be read back as a line feed (#sec-line-ends).
 std::string XmlText(const std::string& text) {
   std::string out;
-  for (const char c : text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
     switch (c) {
       case '&':
         out += "&amp;";
@@ -37,6 +48,9 @@ std::string XmlText(const std::string& text) {
       default:
         if (static_cast<unsigned char>(c) < 0x20) {
           out += kReplacement;
+        } else if (IsNoncharacter(text, i)) {
+          out += kReplacement;
+          i += 2;
         } else {
           out.push_back(c);
         }

@@ -40,12 +40,12 @@ Answer SubStr(FunctionContext&, const Arguments& a) {
   if (!IsStringLike(*a[0]) || !start) return std::nullopt;
   const auto size = static_cast<double>(kg_base::Utf8Length(a[0]->text));
   // Positions count from 1 and are rounded, as fn:substring does; NaN gives "".
-  const double first = std::floor(start->ToDouble() + 0.5);
+  const double first = RoundHalfUp(start->ToDouble());
   double end = size + 1;
   if (a.size() == 3) {
     const std::optional<XsdNumber> length = ToNumber(*a[2]);
     if (!length) return std::nullopt;
-    end = first + std::floor(length->ToDouble() + 0.5);
+    end = first + RoundHalfUp(length->ToDouble());
   }
   const double from = std::max(first, 1.0);
   const double to = std::min(end, size + 1);

@@ -112,6 +112,44 @@ TEST(UpdateEngine, InsertsAndDeletesData) {
              kFacts + "<http://a/a> <http://a/b> <http://a/c> .", kOther));
 }
 
+// Refused, or without effect where the term is computed.
+TEST(UpdateEngine, InsertsNoTermThatIsNoRdf) {
+  const char* kUpdates[] = {
+      "INSERT DATA { <a> ex:p 1 }",
+      "INSERT DATA { ex:a <p> 1 }",
+      "INSERT DATA { ex:a ex:p <o> }",
+      "INSERT DATA { ex:a ex:p <> }",
+      "INSERT DATA { ex:a ex:p 'x'^^<dt> }",
+      "INSERT DATA { GRAPH <g> { ex:a ex:p 1 } }",
+      "PREFIX z: <zz#> INSERT DATA { z:a ex:p 1 }",
+      "BASE <b> INSERT DATA { <a> ex:p 1 }",
+      "INSERT DATA { ex:a ex:p <http://h/a\\u0020b> }",
+      "INSERT DATA { ex:a ex:p <http://h/\\U0000003E> }",
+      "INSERT DATA { ex:a ex:p 'x'^^<http://h/\\u007C> }",
+      "INSERT DATA { ex:a ex:p '\\uD800' }",
+      "INSERT DATA { ex:a ex:p <http://h/\\uDFFF> }",
+      "INSERT DATA { ex:a ex:p 'x'@en- }",
+      "INSERT { ex:a ex:p ?x } WHERE { BIND(IRI('x') AS ?x) }",
+      "INSERT { ?x ex:p 1 } WHERE { BIND(URI('') AS ?x) }",
+      "INSERT { ex:a ex:p ?x } WHERE { BIND(IRI('http://h/\\u0001') AS ?x) }",
+      "INSERT { ex:a ex:p ?x } WHERE { BIND(STRLANG('x', '') AS ?x) }",
+      "INSERT { ex:a ex:p ?x } WHERE { BIND(STRLANG('x', 'e n') AS ?x) }",
+      "INSERT { ex:a ex:p ?x } WHERE { BIND(STRLANG('x', 'en-') AS ?x) }",
+      "INSERT { ex:a ex:p ?x } WHERE { BIND(STRDT('x', IRI('d')) AS ?x) }",
+      "INSERT { ex:a ex:p ?x } WHERE { BIND(STRDT('x', rdf:langString) AS ?x) "
+      "}",
+  };
+  for (const char* update : kUpdates) {
+    Store store("");
+    Transaction change = store.Begin();
+    try {
+      RunUpdate(update, {}, {}, &change);
+    } catch (const kg_base::InputError&) {
+    }
+    EXPECT_TRUE(change.empty()) << update;
+  }
+}
+
 TEST(UpdateEngine, ModifiesWhatMatchesAndSeesNotItsOwnChanges) {
   EXPECT_TRUE(Leaves(
       "DELETE { ?a ex:speed ?v } INSERT { ?a ex:speed ?w } "

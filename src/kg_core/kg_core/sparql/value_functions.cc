@@ -21,8 +21,6 @@ kg_base::Decimal Absolute(const kg_base::Decimal& value) {
                           value.scale};
 }
 
-double RoundHalfUp(double value) { return std::floor(value + 0.5); }
-
 template <kg_base::Decimal (*kExact)(const kg_base::Decimal&),
           double (*kReal)(double)>
 Answer Apply(FunctionContext&, const Arguments& a) {

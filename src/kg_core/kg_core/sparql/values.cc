@@ -119,6 +119,7 @@ struct ComparableValue {
   DateTime time;
 };
 
+// The operators '=' and '<': exact numbers are promoted to doubles if one is.
 Order CompareNumbers(const XsdNumber& a, const XsdNumber& b) {
   if (a.is_exact() && b.is_exact()) {
     return FromSign(Compare(a.exact, b.exact));
@@ -128,6 +129,19 @@ Order CompareNumbers(const XsdNumber& a, const XsdNumber& b) {
   if (x < y) return Order::kLess;
   if (x > y) return Order::kGreater;
   return x == y ? Order::kEqual : Order::kNone;
+}
+
+// Exact order; a NaN comes before the other numbers.
+int OrderNumbers(const XsdNumber& a, const XsdNumber& b) {
+  const bool a_is_nan = !a.is_exact() && std::isnan(a.real);
+  const bool b_is_nan = !b.is_exact() && std::isnan(b.real);
+  if (a_is_nan || b_is_nan) return int{b_is_nan} - int{a_is_nan};
+  if (a.is_exact() == b.is_exact()) {
+    if (a.is_exact()) return Compare(a.exact, b.exact);
+    return a.real < b.real ? -1 : a.real > b.real ? 1 : 0;
+  }
+  if (b.is_exact()) return -kg_base::CompareWithDouble(b.exact, a.real);
+  return kg_base::CompareWithDouble(a.exact, b.real);
 }
 
 // Order of two values of the same comparable kind.
@@ -151,21 +165,17 @@ Order CompareSameKind(const ComparableValue& a, const ComparableValue& b) {
 }
 
 int OrderSameKind(const ComparableValue& a, const ComparableValue& b) {
+  if (a.kind == ValueKind::kNumber) return OrderNumbers(a.number, b.number);
   switch (CompareSameKind(a, b)) {
     case Order::kLess:
       return -1;
     case Order::kGreater:
       return 1;
-    case Order::kNone: {  // NaN comes before the other numbers.
-      const bool a_is_nan = std::isnan(a.number.ToDouble());
-      const bool b_is_nan = std::isnan(b.number.ToDouble());
-      if (a_is_nan != b_is_nan) return a_is_nan ? -1 : 1;
-      break;
-    }
+    case Order::kNone:
     case Order::kEqual:
       break;
   }
-  if (a.kind == ValueKind::kNumber || a.kind == ValueKind::kDateTime) return 0;
+  if (a.kind == ValueKind::kDateTime) return 0;
   const int by_language = Sign(a.term->language.compare(b.term->language));
   return by_language != 0 ? by_language
                           : Sign(a.term->datatype.compare(b.term->datatype));
@@ -224,6 +234,14 @@ bool IsNumericType(const std::string& datatype) {
   return NumericType(datatype).has_value();
 }
 
+double RoundHalfUp(double value) {
+  // Not floor(value + 0.5), which rounds the sum; the difference below is exact
+  // wherever it decides.
+  const double down = std::floor(value);
+  const double rounded = value - down >= 0.5 ? down + 1 : down;
+  return std::copysign(rounded, value);
+}
+
 std::optional<double> ParseDouble(const std::string& text) {
   if (text == "INF" || text == "+INF") return HUGE_VAL;
   if (text == "-INF") return -HUGE_VAL;
@@ -252,6 +270,9 @@ std::optional<XsdNumber> ToNumber(const Term& term) {
     if (!value || (*type == XsdNumber::Type::kInteger && !whole)) {
       return std::nullopt;
     }
+    const std::string_view name = XsdName(term.datatype);
+    const bool has_range = name != "integer" && name != "decimal";
+    if (has_range && !NumericValue(term)) return std::nullopt;
     number.exact = *value;
     return number;
   }

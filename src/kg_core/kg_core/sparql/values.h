@@ -33,10 +33,14 @@ struct XsdNumber {
 enum class Arithmetic { kAdd, kSubtract, kMultiply, kDivide };
 
 bool IsNumericType(const std::string& datatype);
+// nullopt unless the lexical form is valid and in the range of the datatype.
 std::optional<XsdNumber> ToNumber(const Term& term);
 Term ToTerm(const XsdNumber& number);
 std::optional<XsdNumber> Calculate(Arithmetic operation, const XsdNumber& a,
                                    const XsdNumber& b);
+// Rounds to an integer, halves up; keeps the sign of zero, NaN and infinities.
+// https://www.w3.org/TR/xpath-functions/#func-round
+double RoundHalfUp(double value);
 // Reads the lexical forms of xsd:double and xsd:float ("1e3", "INF", "NaN").
 std::optional<double> ParseDouble(const std::string& text);
 
@@ -56,8 +60,10 @@ enum class Order { kLess, kEqual, kGreater, kNone };
 std::optional<Order> Compare(const Term& a, const Term& b);
 
 // Order of ORDER BY, MIN and MAX: unbound (nullptr), blank nodes, IRIs,
-// literals by value; terms that '<' does not order by type, then text. Returns
-// -1, 0 or 1. https://www.w3.org/TR/sparql11-query/#modOrderBy
+// literals by value; terms that '<' does not order by type, then text. Numbers
+// are compared exactly, so that this is an order where '<' rounds an integer or
+// decimal to a double first. Returns -1, 0 or 1.
+// https://www.w3.org/TR/sparql11-query/#modOrderBy
 int CompareTerms(const Term* a, const Term* b);
 
 // The rank of each of `terms` in the order of CompareTerms, so that sorting

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kg_core/rdf/namespaces.h"
@@ -27,6 +30,17 @@ std::vector<Term> ManyTerms() {
           Typed("9.0", "decimal"),
           Typed("9.5", "decimal"),
           DoubleLiteral(9.25),
+          Typed("9007199254740991", "integer"),
+          Typed("9007199254740992", "long"),
+          Typed("9007199254740993", "integer"),
+          Typed("9007199254740993.5", "decimal"),
+          DoubleLiteral(9007199254740992.0),
+          DoubleLiteral(9007199254740994.0),
+          Typed("0.1", "decimal"),
+          Typed("0.1", "float"),
+          DoubleLiteral(0.1),
+          Typed("1e300", "double"),
+          Typed("300", "unsignedByte"),
           Typed("NaN", "double"),
           Typed("NaN", "float"),
           Typed("-INF", "double"),
@@ -77,6 +91,86 @@ TEST(Values, OrderKindsAsOrderByAsks) {
   EXPECT_EQ(CompareTerms(nullptr, &blank), -1);
   EXPECT_EQ(CompareTerms(&blank, &iri), -1);
   EXPECT_EQ(CompareTerms(&literal, &iri), 1);
+}
+
+// Antisymmetric and transitive, equality included.
+TEST(Values, CompareTermsIsAnOrder) {
+  const std::vector<Term> all = ManyTerms();
+  const auto compare = [&all](std::size_t i, std::size_t j) {
+    return GetSign(CompareTerms(&all[i], &all[j]));
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      EXPECT_EQ(compare(i, j), -compare(j, i)) << all[i] << " " << all[j];
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        if (compare(i, j) > 0 || compare(j, k) > 0) continue;
+        const int least = std::min(compare(i, j), compare(j, k));
+        EXPECT_EQ(compare(i, k), least)
+            << all[i] << " " << all[j] << " " << all[k];
+      }
+    }
+  }
+}
+
+// What '<' says is never contradicted.
+TEST(Values, OrderRefinesTheOperator) {
+  const std::vector<Term> all = ManyTerms();
+  for (const Term& a : all) {
+    for (const Term& b : all) {
+      if (Compare(a, b) != Order::kLess) continue;
+      EXPECT_LT(CompareTerms(&a, &b), 0) << a << " " << b;
+    }
+  }
+}
+
+TEST(Values, RoundsToTheNearestInteger) {
+  const std::pair<double, double> kCases[] = {
+      {0.49999999999999994, 0.0},
+      {-0.49999999999999994, -0.0},
+      {0.5, 1.0},
+      {-0.5, -0.0},
+      {-0.0, -0.0},
+      {-1e-300, -0.0},
+      {-1.5, -1.0},
+      {-0.50000000000000011, -1.0},
+      {2.4999999999999996, 2.0},
+      {4503599627370495.5, 4503599627370496.0},
+      {4503599627370497.0, 4503599627370497.0},
+      {-4503599627370497.0, -4503599627370497.0},
+      {9007199254740991.0, 9007199254740991.0},
+      {1e300, 1e300},
+      {HUGE_VAL, HUGE_VAL},
+      {-HUGE_VAL, -HUGE_VAL},
+  };
+  for (const auto& [value, rounded] : kCases) {
+    EXPECT_EQ(RoundHalfUp(value), rounded) << value;
+    EXPECT_EQ(std::signbit(RoundHalfUp(value)), std::signbit(rounded)) << value;
+  }
+  EXPECT_TRUE(std::isnan(RoundHalfUp(std::nan(""))));
+}
+
+TEST(Values, IllTypedNumbersHaveNoValue) {
+  const std::pair<const char*, const char*> kIllTyped[] = {
+      {"300", "unsignedByte"},
+      {"-1", "nonNegativeInteger"},
+      {"0", "positiveInteger"},
+      {"128", "byte"},
+      {"9223372036854775808", "long"},
+      {"1.0", "int"},
+      {"x", "decimal"},
+      {"1e3", "decimal"},
+      {"", "integer"},
+      {"1f", "float"},
+  };
+  for (const auto& [text, type] : kIllTyped) {
+    const Term term = Typed(text, type);
+    EXPECT_FALSE(ToNumber(term)) << term;
+    EXPECT_FALSE(Compare(term, IntegerLiteral(1))) << term;
+    EXPECT_FALSE(Equal(term, IntegerLiteral(1))) << term;
+    EXPECT_EQ(EffectiveBoolean(term), false) << term;
+  }
+  EXPECT_TRUE(ToNumber(Typed("200", "unsignedByte")));
+  EXPECT_TRUE(ToNumber(Typed("9223372036854775807", "long")));
 }
 
 }  // namespace
