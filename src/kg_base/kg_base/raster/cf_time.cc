@@ -2,30 +2,17 @@
 
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <regex>
 #include <tuple>
 
 #include "kg_base/common/date_time.h"
 #include "kg_base/common/input_error.h"
 #include "kg_base/common/text.h"
+#include "kg_base/raster/unit_conversion.h"
 
 namespace kg_base {
 namespace {
-
-struct TimeUnit {
-  const char* name;
-  double seconds;
-};
-constexpr TimeUnit kUnits[] = {
-    {"days", 86400.0},     {"day", 86400.0}, {"d", 86400.0},
-    {"hours", 3600.0},     {"hour", 3600.0}, {"hrs", 3600.0},
-    {"hr", 3600.0},        {"h", 3600.0},    {"minutes", 60.0},
-    {"minute", 60.0},      {"mins", 60.0},   {"min", 60.0},
-    {"seconds", 1.0},      {"second", 1.0},  {"secs", 1.0},
-    {"sec", 1.0},          {"s", 1.0},       {"milliseconds", 1e-3},
-    {"millisecond", 1e-3}, {"msecs", 1e-3},  {"msec", 1e-3},
-    {"ms", 1e-3},
-};
 
 constexpr std::size_t kMaxUnitsBytes = 200;
 
@@ -66,6 +53,20 @@ CalendarDate ReadDate(const std::smatch& match, bool is_proleptic) {
                    "2000-01-01 00:00:00\" (days, hours, minutes, seconds)");
 }
 
+// Of months and years UDUNITS has the mean length.
+bool HasNoFixedLength(const std::string& unit) {
+  return unit.find("month") != std::string::npos ||
+         unit.find("year") != std::string::npos || unit == "yr" ||
+         unit == "yrs" || unit == "a";
+}
+
+double UnitSeconds(const std::string& unit, const std::string& units) {
+  if (HasNoFixedLength(unit)) Refuse(units);
+  const std::optional<UnitScale> scale = ConvertUnit(unit, "s");
+  if (!scale || !(scale->scale > 0.0) || scale->offset != 0.0) Refuse(units);
+  return scale->scale;
+}
+
 double Field(const std::ssub_match& text) {
   return text.matched && text.length() > 0 ? std::stod(text.str()) : 0.0;
 }
@@ -80,7 +81,8 @@ double ZoneOffset_s(const std::smatch& match) {
 CfTime ParseCfTime(const std::string& units, const std::string& calendar) {
   // Groups: 1 unit; 2-4 date; 5-7 time of day, each part optional; 8-10 zone.
   static const std::regex kPattern(
-      "\\s*([a-z]+)\\s+since\\s+(\\d{1,4})-(\\d{1,2})-(\\d{1,2})"
+      "\\s*([a-z0-9.]+(?: "
+      "[a-z0-9.]+)*)\\s+since\\s+(\\d{1,4})-(\\d{1,2})-(\\d{1,2})"
       "(?:[t\\s]\\s*(\\d{1,2})(?::(\\d{1,2})(?::(\\d{1,2}(?:\\.\\d*)?))?)?)?"
       "\\s*(?:z|utc|gmt|([+-])(\\d{1,2})(?::?(\\d{2}))?)?\\s*");
   const std::string kind = ToLowerAscii(calendar);
@@ -98,14 +100,13 @@ CfTime ParseCfTime(const std::string& units, const std::string& calendar) {
       !std::regex_match(text, match, kPattern)) {
     Refuse(units);
   }
-  CfTime time{0.0, 0.0};
-  for (const TimeUnit& unit : kUnits) {
-    if (match[1] == unit.name) time.unit_s = unit.seconds;
-  }
+  CfTime time;
+  time.unit_s =
+      UnitSeconds(std::string(StripAsciiSpace(match[1].str())), units);
   const CalendarDate date = ReadDate(match, proleptic);
   const bool sensible = date.IsValid() && Field(match[5]) <= 24.0 &&
                         Field(match[6]) < 60.0 && Field(match[7]) < 61.0;
-  if (time.unit_s == 0.0 || !sensible) Refuse(units);
+  if (!sensible) Refuse(units);
   time.epoch_s = date.Days() * 86400.0 + Field(match[5]) * 3600.0 +
                  Field(match[6]) * 60.0 + Field(match[7]) - ZoneOffset_s(match);
   return time;

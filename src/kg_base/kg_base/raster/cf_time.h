@@ -14,8 +14,8 @@ struct CfTime {
   double unit_s = 1.0;
 };
 
-// Units of days, hours, minutes, seconds or milliseconds (months and years have
-// no fixed length); calendars standard, gregorian (Julian before 1582-10-15)
+// Any unit of time that UDUNITS reads, except months and years, which have no
+// fixed length; calendars standard, gregorian (Julian before 1582-10-15)
 // and proleptic_gregorian, "" for standard. Throws InputError without a file
 // name.
 CfTime ParseCfTime(const std::string& units, const std::string& calendar);

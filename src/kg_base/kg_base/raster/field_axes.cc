@@ -2,70 +2,45 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <optional>
+#include <sstream>
+#include <utility>
 
 #include "kg_base/common/input_error.h"
-#include "kg_base/common/text.h"
-#include "kg_base/raster/cf_time.h"
+#include "kg_base/raster/axis_role.h"
+#include "kg_base/raster/coordinate_axis.h"
+#include "kg_base/raster/coordinate_values.h"
+#include "kg_base/raster/field_times.h"
+#include "kg_base/raster/vertical_axis.h"
 
 namespace kg_base {
 namespace {
 
-constexpr std::size_t kMaxCoordinates = 100000;
-// A gap above this multiple of the widest spacing is not the seam of a global
-// grid.
-constexpr double kSeamFactor = 1.5;
+// Two-dimensional coordinates above this size are not examined.
+constexpr std::size_t kMaxPlane = std::size_t{1} << 24;
+// Deviation of regular two-dimensional coordinates, in spacings.
+constexpr double kPlaneTolerance = 0.01;
 
-enum class AxisRole { kUnknown, kTime, kDepth, kLatitude, kLongitude };
+// Values of an axis in the order of the file, and the variable they are from.
+struct AxisValues {
+  const NetcdfVariable* source = nullptr;
+  std::vector<double> values;
+};
 
-bool IsOneOf(const std::string& text, std::initializer_list<const char*> list) {
-  return std::find(list.begin(), list.end(), text) != list.end();
-}
-
-AxisRole RoleByAttributes(const NetcdfVariable& variable) {
-  const std::string standard = variable.Text("standard_name");
-  const std::string units = variable.Text("units");
-  // All spellings that CF allows (4.1, 4.2); plain "degrees" is ambiguous.
-  if (standard == "latitude" ||
-      IsOneOf(units, {"degrees_north", "degree_north", "degrees_N", "degree_N",
-                      "degreesN", "degreeN"})) {
-    return AxisRole::kLatitude;
+// The only values along one dimension of a plane of rows and columns, or empty
+// if they vary along the other one.
+std::vector<double> AlongOne(const std::vector<double>& plane, std::size_t rows,
+                             std::size_t cols, bool along_rows) {
+  const std::size_t size = along_rows ? rows : cols;
+  const std::size_t step = along_rows ? cols : 1;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < size; ++i) values.push_back(plane[i * step]);
+  if (size < 2) return {};
+  const double allowed = kPlaneTolerance * std::abs(values[1] - values[0]);
+  for (std::size_t i = 0; i < plane.size(); ++i) {
+    const double expected = values[along_rows ? i / cols : i % cols];
+    if (!(std::abs(plane[i] - expected) <= allowed)) return {};  // Also NaN.
   }
-  if (standard == "longitude" ||
-      IsOneOf(units, {"degrees_east", "degree_east", "degrees_E", "degree_E",
-                      "degreesE", "degreeE"})) {
-    return AxisRole::kLongitude;
-  }
-  if (standard == "time" || units.find(" since ") != std::string::npos) {
-    return AxisRole::kTime;
-  }
-  const std::string positive = ToLowerAscii(variable.Text("positive"));
-  if (standard == "depth" || variable.Text("axis") == "Z" ||
-      positive == "down" || positive == "up") {
-    return AxisRole::kDepth;
-  }
-  return AxisRole::kUnknown;
-}
-
-AxisRole RoleByName(const std::string& any_case) {
-  const std::string name = ToLowerAscii(any_case);
-  if (IsOneOf(name, {"lat", "latitude", "nav_lat"})) return AxisRole::kLatitude;
-  if (IsOneOf(name, {"lon", "longitude", "nav_lon"}))
-    return AxisRole::kLongitude;
-  if (IsOneOf(name, {"time", "mt", "t", "ocean_time"})) return AxisRole::kTime;
-  if (IsOneOf(name, {"depth", "lev", "level", "deptht", "z", "layer"})) {
-    return AxisRole::kDepth;
-  }
-  return AxisRole::kUnknown;
-}
-
-// Role by attributes; by name only if no attribute identifies the quantity.
-AxisRole RoleOf(const NetcdfVariable& variable) {
-  const AxisRole role = RoleByAttributes(variable);
-  if (role != AxisRole::kUnknown) return role;
-  if (!variable.Text("standard_name").empty()) return AxisRole::kUnknown;
-  return RoleByName(variable.name);
+  return values;
 }
 
 class AxesReader {
@@ -77,18 +52,23 @@ class AxesReader {
   }
 
   FieldAxes Read() {
-    RefuseCurvilinear();
+    ReadPlanes();
     for (std::size_t i = 0; i < variable_.dimensions.size(); ++i) {
-      Assign(static_cast<int>(i));
+      const int position = static_cast<int>(i);
+      if (position != axes_.lat && position != axes_.lon) Assign(position);
     }
-    if (lat_ == nullptr || lon_ == nullptr) {
+    if (lat_.source == nullptr || lon_.source == nullptr) {
       file_.Refuse(
           variable_,
           "expected a latitude and a longitude among its dimensions "
           "(standard_name, units degrees_north/degrees_east, or name)");
     }
-    axes_.grid = Grid(Longitudes(), Latitudes());
-    ReadTimes();
+    ReadGrid();
+    ReadScalarLevel();
+    FieldTimes times = ReadFieldTimes(file_, variable_, time_,
+                                      need_of_time_ == TimeAxis::kRequired);
+    axes_.time_s = std::move(times.time_s);
+    Warn(times.warnings);
     return std::move(axes_);
   }
 
@@ -96,67 +76,104 @@ class AxesReader {
   const NetcdfDimension& Dimension(int position) const {
     return file_.dimensions()[variable_.dimensions[position]];
   }
-  bool HasDimension(int dimension) const {
+  int PositionOf(int dimension) const {
     const std::vector<int>& own = variable_.dimensions;
-    return std::find(own.begin(), own.end(), dimension) != own.end();
+    const auto found = std::find(own.begin(), own.end(), dimension);
+    return found == own.end() ? -1 : static_cast<int>(found - own.begin());
+  }
+  void Warn(const std::vector<std::string>& warnings) {
+    axes_.warnings.insert(axes_.warnings.end(), warnings.begin(),
+                          warnings.end());
   }
 
-  void RefuseCurvilinear() const;
+  void ReadPlanes();
+  void ReadPlane(const NetcdfVariable& plane);
   const NetcdfVariable* CoordinateOf(int position) const;
   void Assign(int position);
-  void AssignDepth(int position, const NetcdfVariable* coordinate);
-  void Once(const NetcdfVariable* already, int position) const;
-
-  std::vector<double> Coordinates(const NetcdfVariable& axis) const;
-  bool Descends(const NetcdfVariable& axis,
-                const std::vector<double>& values) const;
-  std::vector<double> Latitudes();
-  std::vector<double> Longitudes();
-  std::vector<double> Wrapped(const std::vector<double>& ascending) const;
-  const NetcdfVariable* TimeVariable() const;
-  void ReadTimes();
+  void AssignLevel(int position, const NetcdfVariable* coordinate);
+  void AssignHorizontal(int position, const NetcdfVariable& coordinate,
+                        AxisValues* values, int* assigned);
+  void TakeLevel(const SurfaceLevel& level);
+  void ReadScalarLevel();
+  void Once(bool already, int position) const;
+  void ReadGrid();
 
   const NetcdfFile& file_;
   const NetcdfVariable& variable_;
   const TimeAxis need_of_time_;
-  const NetcdfVariable* lat_ = nullptr;
-  const NetcdfVariable* lon_ = nullptr;
+  AxisValues lat_;
+  AxisValues lon_;
   const NetcdfVariable* time_ = nullptr;
   FieldAxes axes_;
 };
 
-void AxesReader::RefuseCurvilinear() const {
+// Latitudes and longitudes with two dimensions are read if they vary along one
+// of them only; all others are those of a curvilinear grid.
+void AxesReader::ReadPlanes() {
   for (const NetcdfVariable& other : file_.variables()) {
+    if (other.dimensions.size() != 2 || !other.IsVisibleTo(variable_)) continue;
     const AxisRole role = RoleOf(other);
-    if (role != AxisRole::kLatitude && role != AxisRole::kLongitude) continue;
-    if (other.dimensions.size() != 2 || !HasDimension(other.dimensions[0]) ||
-        !HasDimension(other.dimensions[1])) {
-      continue;
+    const bool is_horizontal =
+        role == AxisRole::kLatitude || role == AxisRole::kLongitude;
+    if (is_horizontal && PositionOf(other.dimensions[0]) >= 0 &&
+        PositionOf(other.dimensions[1]) >= 0) {
+      ReadPlane(other);
     }
-    file_.Refuse(variable_,
-                 "lies on a curvilinear grid (" + other.name +
-                     " has two dimensions), expected latitude and longitude "
-                     "with one dimension each");
   }
 }
 
-// The coordinate variable of a dimension: of the same name, or the only one
-// along it that is a latitude, longitude, depth or time.
+void AxesReader::ReadPlane(const NetcdfVariable& plane) {
+  const std::size_t rows = file_.dimensions()[plane.dimensions[0]].size;
+  const std::size_t cols = file_.dimensions()[plane.dimensions[1]].size;
+  const bool is_lat = RoleOf(plane) == AxisRole::kLatitude;
+  AxisValues& axis = is_lat ? lat_ : lon_;
+  int& position = is_lat ? axes_.lat : axes_.lon;
+  const bool can_be_read = rows > 1 && cols > 1 && rows * cols <= kMaxPlane;
+  const std::vector<double> values =
+      can_be_read ? UnpackedValues(file_, plane) : std::vector<double>();
+  for (const bool along_rows : {true, false}) {
+    if (!can_be_read) break;
+    std::vector<double> along = AlongOne(values, rows, cols, along_rows);
+    if (along.empty()) continue;
+    axis = {&plane, std::move(along)};
+    position = PositionOf(plane.dimensions[along_rows ? 0 : 1]);
+    return;
+  }
+  file_.Refuse(variable_,
+               "lies on a curvilinear grid (" + plane.name +
+                   " has two dimensions), expected latitude and longitude "
+                   "with one dimension each");
+}
+
+// The coordinate variable of a dimension: the one that says most clearly what
+// it is; of several the one of the dimension's name.
 const NetcdfVariable* AxesReader::CoordinateOf(int position) const {
-  const NetcdfVariable* found = nullptr;
+  const NetcdfVariable* best = nullptr;
+  int most = -1;
   const int dimension = variable_.dimensions[position];
   for (const NetcdfVariable& other : file_.variables()) {
-    if (other.dimensions != std::vector<int>{dimension}) continue;
-    if (other.name == Dimension(position).name) return &other;
-    if (found == nullptr && RoleOf(other) != AxisRole::kUnknown) found = &other;
+    if (other.dimensions != std::vector<int>{dimension} ||
+        !other.IsVisibleTo(variable_)) {
+      continue;
+    }
+    const bool has_its_name = other.base_name == Dimension(position).name;
+    const AxisRole role = RoleOf(other);
+    // Times of the forecast are taken only where nothing else is there.
+    const int strength =
+        role == AxisRole::kOtherTime ? 1 : 2 * RoleStrength(other);
+    if (strength == 0 && !has_its_name) continue;
+    const int score = 2 * strength + (has_its_name ? 1 : 0);
+    if (score <= most) continue;
+    most = score;
+    best = &other;
   }
-  return found;
+  return best;
 }
 
-void AxesReader::Once(const NetcdfVariable* already, int position) const {
-  if (already == nullptr) return;
-  file_.Refuse(variable_, "dimension " + Dimension(position).name + " and " +
-                              already->name + " are of the same kind");
+void AxesReader::Once(bool already, int position) const {
+  if (!already) return;
+  file_.Refuse(variable_, "dimension " + Dimension(position).name +
+                              " and another one are of the same kind");
 }
 
 void AxesReader::Assign(int position) {
@@ -166,186 +183,101 @@ void AxesReader::Assign(int position) {
                             : RoleOf(*coordinate);
   // Levels and dimensions of size 1 are fixed to one index; all others must be
   // identified, or values would be read from the wrong position.
-  if (role == AxisRole::kDepth) return AssignDepth(position, coordinate);
-  if (role == AxisRole::kUnknown && Dimension(position).size == 1) return;
-  if (role == AxisRole::kUnknown || coordinate == nullptr) {
+  if (role == AxisRole::kVertical) return AssignLevel(position, coordinate);
+  if (role == AxisRole::kGridCoordinate) {
+    file_.Refuse(variable_, "lies on a rotated or projected grid (" +
+                                coordinate->name +
+                                " is no longitude or latitude), expected "
+                                "latitude and longitude with one dimension "
+                                "each");
+  }
+  const bool is_single = Dimension(position).size == 1;
+  const bool is_open =
+      role == AxisRole::kUnknown || role == AxisRole::kOtherTime;
+  if (is_open && is_single) return;
+  if (role == AxisRole::kOtherTime) {
+    file_.Refuse(*coordinate,
+                 "is a reference or lead time of a forecast, expected the "
+                 "time when values hold along dimension " +
+                     Dimension(position).name);
+  }
+  if (is_open || coordinate == nullptr) {
     file_.Refuse(variable_, "dimension " + Dimension(position).name +
                                 " is not understood, expected time, depth, "
                                 "latitude and longitude with their values");
   }
   if (role == AxisRole::kTime) {
-    Once(time_, position);
+    Once(time_ != nullptr, position);
     time_ = coordinate;
     axes_.time = position;
   } else if (role == AxisRole::kLatitude) {
-    Once(lat_, position);
-    lat_ = coordinate;
-    axes_.lat = position;
+    AssignHorizontal(position, *coordinate, &lat_, &axes_.lat);
   } else {
-    Once(lon_, position);
-    lon_ = coordinate;
-    axes_.lon = position;
+    AssignHorizontal(position, *coordinate, &lon_, &axes_.lon);
   }
 }
 
-void AxesReader::AssignDepth(int position, const NetcdfVariable* coordinate) {
-  if (coordinate == nullptr) return;
-  const std::vector<double> depths = Coordinates(*coordinate);
-  // Depths may be positive up or down: the shallowest has the least magnitude.
-  const auto shallowest = std::min_element(
-      depths.begin(), depths.end(),
-      [](double a, double b) { return std::abs(a) < std::abs(b); });
-  axes_.start[position] = static_cast<std::size_t>(shallowest - depths.begin());
+void AxesReader::AssignHorizontal(int position,
+                                  const NetcdfVariable& coordinate,
+                                  AxisValues* values, int* assigned) {
+  Once(values->source != nullptr, position);
+  *values = {&coordinate, CoordinateValues(file_, coordinate)};
+  *assigned = position;
+  if (RoleStrength(coordinate) > 1) return;
+  axes_.warnings.push_back(coordinate.name +
+                           " has neither standard_name nor units: taken by "
+                           "its name as degrees");
 }
 
-std::vector<double> AxesReader::Coordinates(const NetcdfVariable& axis) const {
-  const std::size_t size = file_.dimensions()[axis.dimensions[0]].size;
-  if (size == 0 || size > kMaxCoordinates) {
-    file_.Refuse(axis, "expected 1 to " + std::to_string(kMaxCoordinates) +
-                           " values, found " + std::to_string(size));
+void AxesReader::AssignLevel(int position, const NetcdfVariable* coordinate) {
+  if (coordinate == nullptr) {
+    if (Dimension(position).size == 1) return;
+    file_.Refuse(variable_,
+                 "dimension " + Dimension(position).name + " has " +
+                     std::to_string(Dimension(position).size) +
+                     " levels without values, expected a coordinate variable "
+                     "that tells which one is the surface");
   }
-  if (axis.numbers.count("scale_factor") + axis.numbers.count("add_offset")) {
-    file_.Refuse(axis, "expected a coordinate that is not packed");
-  }
-  const std::vector<double> values = file_.Values(axis);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::isfinite(values[i]) && std::abs(values[i]) < 1e20) continue;
-    file_.Refuse(axis, "value " + std::to_string(i) + " is missing");
-  }
-  return values;
+  const SurfaceLevel level = FindSurface(file_, variable_, *coordinate,
+                                         CoordinateValues(file_, *coordinate));
+  axes_.start[position] = level.index;
+  TakeLevel(level);
 }
 
-bool AxesReader::Descends(const NetcdfVariable& axis,
-                          const std::vector<double>& values) const {
-  if (values.size() < 2) {
-    file_.Refuse(axis, "expected at least two values, found one");
-  }
-  const bool descends = values[1] < values[0];
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    const double step = values[i] - values[i - 1];
-    if (descends ? step < 0.0 : step > 0.0) continue;
-    file_.Refuse(axis,
-                 "expected values that only ascend or only descend, "
-                 "value " +
-                     std::to_string(i) + " does not");
-  }
-  return descends;
+void AxesReader::TakeLevel(const SurfaceLevel& level) {
+  axes_.level = level.text;
+  if (!level.warning.empty()) axes_.warnings.push_back(level.warning);
 }
 
-std::vector<double> AxesReader::Latitudes() {
+// A level that is no dimension, but a scalar that "coordinates" names.
+void AxesReader::ReadScalarLevel() {
+  if (!axes_.level.empty()) return;
+  std::istringstream names(variable_.Text("coordinates"));
+  std::string name;
+  while (names >> name) {
+    for (const NetcdfVariable& other : file_.variables()) {
+      if (other.base_name != name || !other.dimensions.empty() ||
+          !other.IsVisibleTo(variable_) ||
+          RoleOf(other) != AxisRole::kVertical) {
+        continue;
+      }
+      TakeLevel(
+          FindSurface(file_, variable_, other, CoordinateValues(file_, other)));
+    }
+  }
+}
+
+void AxesReader::ReadGrid() {
   // The canonical grid runs from south to north, independent of the file.
-  std::vector<double> values = Coordinates(*lat_);
-  axes_.file_row.resize(values.size());
-  std::iota(axes_.file_row.begin(), axes_.file_row.end(), std::size_t{0});
-  if (Descends(*lat_, values)) {
-    std::reverse(values.begin(), values.end());
-    std::reverse(axes_.file_row.begin(), axes_.file_row.end());
-  }
-  if (values.front() < -90.0 || values.back() > 90.0) {
-    file_.Refuse(*lat_, "expected degrees from -90 to 90");
-  }
-  return values;
-}
-
-std::vector<double> AxesReader::Longitudes() {
-  // Step 1: ascending from west to east, remembering the file's columns.
-  std::vector<double> values = Coordinates(*lon_);
-  axes_.file_col.resize(values.size());
-  std::iota(axes_.file_col.begin(), axes_.file_col.end(), std::size_t{0});
-  if (Descends(*lon_, values)) {
-    std::reverse(values.begin(), values.end());
-    std::reverse(axes_.file_col.begin(), axes_.file_col.end());
-  }
-  // Values beyond two turns, or a repeated column: not longitudes.
-  if (values.front() < -360.0 || values.back() > 720.0 ||
-      values.back() - values.front() >= 360.0) {
-    file_.Refuse(*lon_, "expected degrees that span less than a turn, found " +
-                            std::to_string(values.front()) + " to " +
-                            std::to_string(values.back()));
-  }
-  // Step 2: into [-180, 180), beginning with the westernmost column. A global
-  // file from 0 to 360 is split at 180 and its halves are swapped.
-  const std::vector<double> wrapped = Wrapped(values);
-  const auto west = std::min_element(wrapped.begin(), wrapped.end());
-  const auto turn = west - wrapped.begin();
-  std::rotate(axes_.file_col.begin(), axes_.file_col.begin() + turn,
-              axes_.file_col.end());
-  std::vector<double> rotated(west, wrapped.end());
-  rotated.insert(rotated.end(), wrapped.begin(), west);
-  return rotated;
-}
-
-// Wraps each longitude into [-180, 180). A file that crosses 180 degrees must
-// be global, i.e. its ends must meet.
-std::vector<double> AxesReader::Wrapped(
-    const std::vector<double>& ascending) const {
-  std::vector<double> wrapped;
-  double widest = 0.0;
-  std::size_t seams = 0;
-  for (std::size_t i = 0; i < ascending.size(); ++i) {
-    const double lon = ascending[i];
-    wrapped.push_back(lon - 360.0 * std::floor((lon + 180.0) / 360.0));
-    if (i == 0) continue;
-    widest = std::max(widest, lon - ascending[i - 1]);
-    seams += wrapped[i] < wrapped[i - 1];  // Passed 180 degrees.
-  }
-  // From the last column around the globe to the first: a normal spacing in a
-  // global file, the rest of the globe in a regional one.
-  const double gap = ascending.front() + 360.0 - ascending.back();
-  if (seams > 0 && gap > kSeamFactor * widest) {
-    file_.Refuse(*lon_,
-                 "the grid crosses the antimeridian (longitudes " +
-                     std::to_string(ascending.front()) + " to " +
-                     std::to_string(ascending.back()) +
-                     "), which is not understood; expected one that does not");
-  }
-  return wrapped;
-}
-
-// Time variable of the variable's own dimension, or else a scalar one; null if
-// there is none and none is required.
-const NetcdfVariable* AxesReader::TimeVariable() const {
-  if (time_ != nullptr) return time_;
-  for (const NetcdfVariable& other : file_.variables()) {
-    const bool dated = other.Text("units").find(" since ") != std::string::npos;
-    if (other.dimensions.empty() && dated) return &other;
-  }
-  if (need_of_time_ == TimeAxis::kOptional) return nullptr;
-  file_.Refuse(variable_,
-               "expected a time (a dimension of it, or a scalar variable with "
-               "units like \"hours since 2000-01-01 00:00:00\")");
-}
-
-void AxesReader::ReadTimes() {
-  const NetcdfVariable* found = TimeVariable();
-  if (found == nullptr) {
-    axes_.time_s.push_back(std::nan(""));
-    return;
-  }
-  const NetcdfVariable& time = *found;
-  const std::vector<double> values =
-      time.dimensions.empty() ? file_.Values(time) : Coordinates(time);
-  CfTime cf;
-  try {
-    cf = ParseCfTime(time.Text("units"), time.Text("calendar"));
-  } catch (const InputError& error) {
-    file_.Refuse(time, error.what());
-  }
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double time_s = cf.epoch_s + values[i] * cf.unit_s;
-    // Values beyond about 30,000 years are fill values. Negated comparison, to
-    // catch NaN as well.
-    if (!(std::abs(time_s) < 1e12)) {
-      file_.Refuse(time, "time " + std::to_string(i) + " is missing");
-    }
-    if (i > 0 && !(time_s > axes_.time_s.back())) {
-      file_.Refuse(
-          time, "expected times that only ascend, time " + std::to_string(i) +
-                    (time_s == axes_.time_s.back() ? " repeats" : " precedes") +
-                    " the one before it");
-    }
-    axes_.time_s.push_back(time_s);
-  }
+  axes_.rows_in_file = lat_.values.size();
+  axes_.cols_in_file = lon_.values.size();
+  CoordinateAxis lat = LatitudeAxis(file_, *lat_.source, lat_.values);
+  CoordinateAxis lon = LongitudeAxis(file_, *lon_.source, lon_.values);
+  axes_.file_row = std::move(lat.in_file);
+  axes_.file_col = std::move(lon.in_file);
+  Warn(lat.warnings);
+  Warn(lon.warnings);
+  axes_.grid = Grid(std::move(lon.centres_deg), std::move(lat.centres_deg));
 }
 
 }  // namespace

@@ -18,19 +18,28 @@ struct FieldAxes {
   int time = -1;
   int lat = -1;
   int lon = -1;
-  std::vector<std::size_t> start;  // The shallowest level; 0 elsewhere.
+  std::vector<std::size_t> start;  // The level of the surface; 0 elsewhere.
 
   Grid grid;
-  std::vector<std::size_t> file_row;  // Index in the file for each row.
+  // Index in the file for each row and column, or kNotInFile.
+  std::vector<std::size_t> file_row;
   std::vector<std::size_t> file_col;
-  std::vector<double> time_s;
+  std::size_t rows_in_file = 0;
+  std::size_t cols_in_file = 0;
+  std::vector<double> time_s;  // When the values hold.
+
+  std::string level;  // As in VariableReport.
+  std::vector<std::string> warnings;
 };
 
 // May a variable lack a time? Its only time is then NaN.
 enum class TimeAxis { kRequired, kOptional };
 
-// Throws InputError for unsupported files: curvilinear grids, grids across the
-// antimeridian, axes or times that are not monotonic, unknown dimensions.
+// Times of means are the middles of their periods (CF "bounds"), unless
+// cell_methods says that values hold at points. Throws InputError for
+// unsupported files: curvilinear and rotated grids, grids across the
+// antimeridian, axes or times that are not monotonic, unknown dimensions and
+// levels.
 FieldAxes ReadFieldAxes(const NetcdfFile& file, const NetcdfVariable& variable,
                         TimeAxis time = TimeAxis::kRequired);
 

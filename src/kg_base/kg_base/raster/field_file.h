@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "kg_base/raster/data_report.h"
 #include "kg_base/raster/field_quantity.h"
 #include "kg_base/raster/grid.h"
 
@@ -17,6 +18,7 @@ struct QuantitySeries {
   std::string variable;         // Its name in the file.
   std::string standard_name;    // Empty if it has none.
   std::vector<Raster> at_time;  // One raster for each time of the file.
+  VariableReport report;        // How it was read.
 };
 
 struct FieldFile {

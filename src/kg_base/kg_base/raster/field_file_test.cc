@@ -208,8 +208,10 @@ TEST(ReadFieldFile, ConvertsUnitsAndAssumesSiWhereNoneIsNamed) {
   spec.speed_factor = 100.0;
   spec.packed = false;
   ExpectCanonical(Read(spec));
-  spec.speed_units = "furlong/fortnight";
-  ExpectRefused(spec, "unit \"furlong/fortnight\" is not understood");
+  for (const std::string unit : {"nonsense", "m", "s-1", "degC", "m/s/"}) {
+    spec.speed_units = unit;
+    ExpectRefused(spec, "unit \"" + unit + "\" is not understood");
+  }
 }
 
 TEST(ReadFieldFile, UnderstandsTheUsualTimeUnits) {
@@ -280,7 +282,7 @@ TEST(ReadFieldFile, RefusesTheAntimeridianButTurnsGlobalGrids) {
   TestFile spec;
   spec.lon = {179, 180, 181, 182};
   ExpectRefused(spec, "the grid crosses the antimeridian");
-  spec.lon = {0, 90, 180, 270, 360};
+  spec.lon = {0, 90, 180, 270, 400};
   ExpectRefused(spec, "span less than a turn");
   spec.lon = {0, 90, 180, 270};
   const FieldFile file = Read(spec);

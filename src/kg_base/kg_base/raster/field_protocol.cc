@@ -16,6 +16,7 @@ constexpr std::uint32_t kError = 2;
 constexpr std::uint32_t kMaxAxisValues = 100000;
 constexpr std::uint32_t kMaxSeries = 16;
 constexpr std::uint32_t kMaxText = 64 * 1024;
+constexpr std::uint32_t kMaxTexts = 1024;
 
 struct MessageHead {
   std::uint64_t magic = kMagic;
@@ -31,6 +32,23 @@ void PutText(const std::string& text, const PutBytes& put) {
   const std::uint32_t size = static_cast<std::uint32_t>(text.size());
   put(&size, sizeof(size));
   put(text.data(), text.size());
+}
+
+void PutTexts(const std::vector<std::string>& texts, const PutBytes& put) {
+  const std::uint32_t count = static_cast<std::uint32_t>(texts.size());
+  put(&count, sizeof(count));
+  for (const std::string& text : texts) PutText(text, put);
+}
+
+void PutReport(const VariableReport& report, const PutBytes& put) {
+  PutTexts({report.quantity, report.variable, report.level, report.times,
+            report.unit},
+           put);
+  for (const std::uint64_t count : {std::uint64_t{report.cells},
+                                    std::uint64_t{report.cells_without_data}}) {
+    put(&count, sizeof(count));
+  }
+  PutTexts(report.warnings, put);
 }
 
 void PutDoubles(const std::vector<double>& values, const PutBytes& put) {
@@ -84,6 +102,30 @@ class MessageReader {
     get_(&text[0], size);
     return text;
   }
+  std::vector<std::string> Texts() const {
+    std::uint32_t count = 0;
+    get_(&count, sizeof(count));
+    if (count > kMaxTexts) Refuse();
+    std::vector<std::string> texts;
+    for (std::uint32_t i = 0; i < count; ++i) texts.push_back(Text());
+    return texts;
+  }
+  VariableReport Report() const {
+    const std::vector<std::string> texts = Texts();
+    if (texts.size() != 5) Refuse();
+    std::uint64_t counts[2] = {};
+    get_(counts, sizeof(counts));
+    VariableReport report;
+    report.quantity = texts[0];
+    report.variable = texts[1];
+    report.level = texts[2];
+    report.times = texts[3];
+    report.unit = texts[4];
+    report.cells = counts[0];
+    report.cells_without_data = counts[1];
+    report.warnings = Texts();
+    return report;
+  }
   std::vector<double> Doubles(std::size_t count) const {
     std::vector<double> values(count);
     get_(values.data(), count * sizeof(double));
@@ -105,6 +147,7 @@ class MessageReader {
     series.quantity = static_cast<FieldQuantity>(quantity);
     series.variable = Text();
     series.standard_name = Text();
+    series.report = Report();
     for (std::uint32_t time = 0; time < head.times; ++time) {
       Raster raster(std::size_t{head.rows} * head.cols);
       get_(raster.data(), raster.size() * sizeof(float));
@@ -139,6 +182,7 @@ void WriteFieldFile(const FieldFile& file, const PutBytes& put) {
     put(&quantity, sizeof(quantity));
     PutText(series.variable, put);
     PutText(series.standard_name.substr(0, kMaxText), put);
+    PutReport(series.report, put);
     for (const Raster& raster : series.at_time) {
       put(raster.data(), raster.size() * sizeof(float));
     }

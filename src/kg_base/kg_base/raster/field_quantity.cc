@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kg_base/common/text.h"
+
 namespace kg_base {
 namespace {
 
@@ -19,47 +21,31 @@ constexpr MediumLimits kOtherMedia[] = {
     {"air_temperature", -100.0, 100.0},
     {"surface_temperature", -100.0, 2000.0}};
 
-const std::vector<UnitScale>& SpeedUnits() {
-  static const std::vector<UnitScale> kUnits = {
-      {"m/s", 1, 0},           {"m s-1", 1, 0},
-      {"m s**-1", 1, 0},       {"m s^-1", 1, 0},
-      {"m.s-1", 1, 0},         {"ms-1", 1, 0},
-      {"meter/sec", 1, 0},     {"meter/second", 1, 0},
-      {"meters/second", 1, 0}, {"meter second-1", 1, 0},
-      {"meters/sec", 1, 0},    {"cm/s", 0.01, 0},
-      {"cm s-1", 0.01, 0},
-  };
-  return kUnits;
+// Statistics of a quantity are not the quantity.
+constexpr const char* kStatistics[] = {"error",       "anomaly",  "deviation",
+                                       "uncertainty", "variance", "quality",
+                                       "flag",        "bias",     "trend"};
+// A bare u or v is taken as a component of the current, not of these.
+constexpr const char* kOtherVelocities[] = {
+    "wind", "stokes", "stress", "ice", "transport", "flux", "tidal", "wave"};
+
+// Does the text have the word, or its plural with s?
+bool HasWord(const std::string& text, const std::string& word) {
+  std::string letters;
+  for (const char c : text + " ") {
+    if (c >= 'a' && c <= 'z') {
+      letters += c;
+      continue;
+    }
+    if (letters == word || letters == word + "s") return true;
+    letters.clear();
+  }
+  return false;
 }
 
-const std::vector<UnitScale>& TemperatureUnits() {
-  static const std::vector<UnitScale> kUnits = {
-      {"degC", 1, 0},
-      {"degree_C", 1, 0},
-      {"degrees_C", 1, 0},
-      {"degree_Celsius", 1, 0},
-      {"degrees_Celsius", 1, 0},
-      {"degree Celsius", 1, 0},
-      {"degrees Celsius", 1, 0},
-      {"Celsius", 1, 0},
-      {"celsius", 1, 0},
-      {"degrees C", 1, 0},
-      {"deg C", 1, 0},
-      {"C", 1, 0},
-      {"K", 1, -273.15},
-      {"kelvin", 1, -273.15},
-      {"Kelvin", 1, -273.15},
-      {"degrees_K", 1, -273.15},
-      {"degK", 1, -273.15},
-  };
-  return kUnits;
-}
-
-const std::vector<UnitScale>& LengthUnits() {
-  static const std::vector<UnitScale> kUnits = {
-      {"m", 1, 0},      {"meter", 1, 0}, {"meters", 1, 0},   {"metre", 1, 0},
-      {"metres", 1, 0}, {"cm", 0.01, 0}, {"feet", 0.3048, 0}};
-  return kUnits;
+bool IsVelocity(FieldQuantity quantity) {
+  return quantity == FieldQuantity::kEastwardVelocity ||
+         quantity == FieldQuantity::kNorthwardVelocity;
 }
 
 // `direction`: "eastward" or "northward".
@@ -70,7 +56,7 @@ QuantityWords VelocityWords(const char* name, const std::string& direction,
           {water, "surface_" + water, water + "_assuming_no_tide",
            direction + "_wind"},
           std::move(variable_names),
-          SpeedUnits(),
+          "m/s",
           -10.0,
           10.0};
 }
@@ -90,7 +76,7 @@ const QuantityWords& WordsFor(FieldQuantity quantity) {
        "sea_surface_subskin_temperature", "surface_temperature",
        "air_temperature"},
       {"water_temp", "temperature", "temp", "sst", "thetao", "analysed_sst"},
-      TemperatureUnits(),
+      "degC",
       -5.0,
       60.0};
   static const QuantityWords kWaveHeight = {
@@ -98,14 +84,14 @@ const QuantityWords& WordsFor(FieldQuantity quantity) {
       {"sea_surface_wave_significant_height",
        "significant_height_of_wind_and_swell_waves"},
       {"wave_height", "swh", "hs", "vhm0"},
-      LengthUnits(),
+      "m",
       0.0,
       40.0};
   // Selected by variable name only; any finite value is valid.
   static const QuantityWords kAny = {"values",
                                      {},
                                      {},
-                                     {},
+                                     "",
                                      -std::numeric_limits<float>::max(),
                                      std::numeric_limits<float>::max()};
   switch (quantity) {
@@ -136,6 +122,30 @@ QuantityWords WordsFor(FieldQuantity quantity,
 }
 
 const char* Name(FieldQuantity quantity) { return WordsFor(quantity).name; }
+
+std::string ContradictingWord(FieldQuantity quantity,
+                              const std::string& long_name) {
+  const std::string text = ToLowerAscii(long_name);
+  for (const char* word : kStatistics) {
+    if (HasWord(text, word)) return word;
+  }
+  if (!IsVelocity(quantity)) return "";
+  for (const char* word : kOtherVelocities) {
+    if (HasWord(text, word)) return word;
+  }
+  return "";
+}
+
+bool IsRelatedName(FieldQuantity quantity, const std::string& standard_name) {
+  if (!IsVelocity(quantity)) return false;
+  const bool is_east = quantity == FieldQuantity::kEastwardVelocity;
+  const auto contains = [&](const char* part) {
+    return standard_name.find(part) != std::string::npos;
+  };
+  return contains("sea_water") && contains("velocity") &&
+         (contains(is_east ? "eastward" : "northward") ||
+          contains(is_east ? "_x_velocity" : "_y_velocity"));
+}
 
 bool IsWindName(const std::string& standard_name) {
   return standard_name == "eastward_wind" || standard_name == "northward_wind";

@@ -24,20 +24,13 @@ enum class FieldQuantity {
   kAny,  // A variable requested by name, in its own unit.
 };
 
-// SI (degree Celsius for temperatures) = value * scale + offset.
-struct UnitScale {
-  const char* name;
-  double scale;
-  double offset;
-};
-
 struct QuantityWords {
   const char* name;                         // "eastward velocity", ...
   std::vector<std::string> standard_names;  // Tried first, in this order.
   std::vector<std::string> variable_names;  // Tried next; lower case.
-  // The first is the default if the file has no units. Empty: values keep their
-  // own unit.
-  std::vector<UnitScale> units;
+  // Of the values read, and assumed if the file names none. Empty: values keep
+  // their own unit.
+  std::string unit;
   double min_value;  // In SI; values outside are no data.
   double max_value;
 };
@@ -48,6 +41,15 @@ QuantityWords WordsFor(FieldQuantity quantity,
                        const std::string& standard_name);
 
 const char* Name(FieldQuantity quantity);  // "eastward velocity", ...
+
+// Words of a long_name that say that a variable with a usual name is another
+// quantity, such as "wind" for one named u; "" if there are none.
+std::string ContradictingWord(FieldQuantity quantity,
+                              const std::string& long_name);
+
+// Is a variable of this standard name, or of this name if it has none, about
+// the same quantity in some way, as the tide alone is about the current?
+bool IsRelatedName(FieldQuantity quantity, const std::string& standard_name);
 
 bool IsWindName(const std::string& standard_name);
 

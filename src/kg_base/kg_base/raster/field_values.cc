@@ -2,255 +2,299 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <map>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 
-#include "kg_base/common/join_strings.h"
-#include "kg_base/common/text.h"
+#include "kg_base/common/date_time.h"
+#include "kg_base/raster/coordinate_axis.h"
+#include "kg_base/raster/coordinate_values.h"
 #include "kg_base/raster/field_quantity.h"
+#include "kg_base/raster/fill_values.h"
+#include "kg_base/raster/unit_conversion.h"
 
 namespace kg_base {
 namespace {
 
 constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
 
-// The variable with a standard name; of several the one with a usual name.
-const NetcdfVariable* ByStandardName(const NetcdfFile& file,
-                                     const QuantityWords& words,
-                                     const std::string& standard_name) {
-  std::vector<const NetcdfVariable*> found;
-  for (const NetcdfVariable& variable : file.variables()) {
-    if (variable.Text("standard_name") == standard_name) {
-      found.push_back(&variable);
-    }
-  }
-  if (found.size() < 2) return found.empty() ? nullptr : found.front();
-  for (const std::string& name : words.variable_names) {
-    for (const NetcdfVariable* variable : found) {
-      if (ToLowerAscii(variable->name) == name) return variable;
-    }
-  }
-  file.Refuse("variables " + found[0]->name + " and " + found[1]->name +
-              " both have standard_name " + standard_name +
-              ", expected one, or one named " +
-              JoinStrings(words.variable_names));
-}
-
-const NetcdfVariable* FindVariable(const NetcdfFile& file,
-                                   const QuantityWords& words) {
-  for (const std::string& standard_name : words.standard_names) {
-    const NetcdfVariable* found = ByStandardName(file, words, standard_name);
-    if (found != nullptr) return found;
-  }
-  for (const std::string& name : words.variable_names) {
-    for (const NetcdfVariable& variable : file.variables()) {
-      const bool silent = variable.Text("standard_name").empty();
-      if (silent && ToLowerAscii(variable.name) == name) return &variable;
-    }
-  }
-  return nullptr;
-}
-
 UnitScale ScaleOf(const NetcdfFile& file, const NetcdfVariable& variable,
-                  const QuantityWords& words) {
-  if (words.units.empty()) return {"", 1.0, 0.0};
+                  const QuantityWords& words, VariableReport* report) {
+  if (words.unit.empty()) return {};
   const std::string units = variable.Text("units");
-  if (units.empty()) return words.units.front();
-  for (const UnitScale& unit : words.units) {
-    if (units == unit.name) return unit;
+  if (units.empty()) {
+    report->unit = words.unit;
+    report->warnings.push_back("has no unit: taken as " + words.unit);
+    return {};
   }
-  file.Refuse(variable, "unit \"" + units.substr(0, 100) +
-                            "\" is not understood, expected for example \"" +
-                            words.units.front().name + "\"");
+  const std::optional<UnitScale> scale = ConvertUnit(units, words.unit);
+  if (!scale) {
+    file.Refuse(variable, "unit \"" + units.substr(0, 100) +
+                              "\" is not understood, expected for example \"" +
+                              words.unit + "\"");
+  }
+  const bool is_same = scale->scale == 1.0 && scale->offset == 0.0;
+  report->unit = is_same ? units : units + ", converted to " + words.unit;
+  return *scale;
 }
 
-double Single(const NetcdfFile& file, const NetcdfVariable& variable,
-              const std::string& attribute, double absent) {
-  if (variable.texts.count(attribute) > 0) {
-    file.Refuse(variable, "attribute " + attribute + ": expected a number");
+// Counts of raw values that are no plausible ones, for messages.
+class OddValues {
+ public:
+  void Add(double raw) {
+    ++count_;
+    const auto found = counts_.find(raw);
+    if (found != counts_.end()) {
+      ++found->second;
+    } else if (counts_.size() < kMaxDistinct) {
+      counts_[raw] = 1;
+    }
   }
-  const auto found = variable.numbers.find(attribute);
-  if (found == variable.numbers.end()) return absent;
-  if (found->second.size() != 1 || !std::isfinite(found->second[0])) {
-    file.Refuse(variable, "attribute " + attribute + ": expected one number");
+  std::size_t count() const { return count_; }
+  std::string Commonest() const {
+    const auto most = std::max_element(
+        counts_.begin(), counts_.end(),
+        [](const auto& a, const auto& b) { return a.second < b.second; });
+    std::ostringstream text;
+    text << std::setprecision(9) << most->first << " in " << most->second
+         << " of them";
+    return text.str();
   }
-  return found->second[0];
-}
 
-// The library's default fill for unwritten values. Bytes have none because
-// every value is valid.
-std::vector<double> DefaultFill(int type) {
-  switch (type) {
-    case netCDF::NcType::nc_SHORT:
-      return {NC_FILL_SHORT};
-    case netCDF::NcType::nc_USHORT:
-      return {NC_FILL_USHORT};
-    case netCDF::NcType::nc_INT:
-      return {NC_FILL_INT};
-    case netCDF::NcType::nc_UINT:
-      return {NC_FILL_UINT};
-    case netCDF::NcType::nc_FLOAT:
-    case netCDF::NcType::nc_DOUBLE:
-      return {NC_FILL_DOUBLE};
-    default:
-      return {};
-  }
-}
+ private:
+  static constexpr std::size_t kMaxDistinct = 1000;
+  std::map<double, std::size_t> counts_;
+  std::size_t count_ = 0;
+};
 
 class ValueUnpacker {
  public:
   ValueUnpacker(const NetcdfFile& file, const NetcdfVariable& variable,
-                const QuantityWords& words)
-      : is_float_(variable.type == netCDF::NcType::nc_FLOAT),
-        min_(words.min_value),
-        max_(words.max_value) {
-    if (ToLowerAscii(variable.Text("_Unsigned")) == "true") {
-      file.Refuse(variable, "attribute _Unsigned is not understood");
-    }
-    const UnitScale unit = ScaleOf(file, variable, words);
-    const double scale = Single(file, variable, "scale_factor", 1.0);
-    const double offset = Single(file, variable, "add_offset", 0.0);
+                const QuantityWords& words, VariableReport* report)
+      : fills_(file, variable), min_(words.min_value), max_(words.max_value) {
+    const UnitScale unit = ScaleOf(file, variable, words, report);
+    const double scale = SingleNumber(file, variable, "scale_factor", 1.0);
+    const double offset = SingleNumber(file, variable, "add_offset", 0.0);
     if (scale == 0.0) {
       file.Refuse(variable, "attribute scale_factor: expected other than 0");
     }
     scale_ = scale * unit.scale;
     offset_ = offset * unit.scale + unit.offset;
-    AddFill(DefaultFill(variable.type));
-    for (const char* attribute : {"_FillValue", "missing_value"}) {
-      const auto found = variable.numbers.find(attribute);
-      if (found != variable.numbers.end()) AddFill(found->second);
-    }
   }
 
   // Converts a raw value to SI or NaN, and updates the counters.
   float operator()(double raw) {
-    if (!std::isfinite(raw) || IsFill(raw)) return kNoData;
+    if (!std::isfinite(raw) || fills_.Contains(raw)) return kNoData;
     const double value = raw * scale_ + offset_;
     if (value >= min_ && value <= max_) {
       ++plausible_;
       return static_cast<float>(value);
     }
-    ++absurd_;
+    odd_.Add(raw);
     return kNoData;
   }
   std::size_t plausible() const { return plausible_; }
-  std::size_t absurd() const { return absurd_; }
+  const OddValues& odd() const { return odd_; }
 
  private:
-  // The fill of a float variable may be written as a double: compare both in
-  // the variable's type.
-  double InOwnType(double value) const {
-    const bool narrow =
-        is_float_ && std::abs(value) <= std::numeric_limits<float>::max();
-    return narrow ? static_cast<float>(value) : value;
-  }
-  void AddFill(const std::vector<double>& values) {
-    for (const double value : values) fill_.push_back(InOwnType(value));
-  }
-  bool IsFill(double raw) const {
-    return std::find(fill_.begin(), fill_.end(), raw) != fill_.end();
-  }
-
-  bool is_float_;
+  FillValues fills_;
   double min_;
   double max_;
   double scale_ = 1.0;
   double offset_ = 0.0;
-  std::vector<double> fill_;
   std::size_t plausible_ = 0;
-  std::size_t absurd_ = 0;
+  OddValues odd_;
 };
 
-std::vector<double> RawSlice(const NetcdfFile& file, const FieldAxes& axes,
-                             const NetcdfVariable& variable, std::size_t time) {
-  std::vector<std::size_t> start = axes.start;
-  std::vector<std::size_t> count(start.size(), 1);
-  if (axes.time >= 0) start[axes.time] = time;
-  count[axes.lat] = axes.file_row.size();
-  count[axes.lon] = axes.file_col.size();
-  return file.Values(variable, start, count);
+// A block of consecutive times as the file has it.
+struct RawBlock {
+  std::size_t first_time = 0;
+  std::size_t times = 0;
+  std::vector<std::size_t> count;  // Along each dimension.
+  std::vector<double> values;
+};
+
+// Values per block: 128 MiB of doubles.
+constexpr std::size_t kMaxBlockValues = std::size_t{1} << 24;
+
+// A chunk that holds many times is unpacked once for all of them.
+std::size_t TimesPerBlock(const NetcdfFile& file, const FieldAxes& axes,
+                          const NetcdfVariable& variable) {
+  if (axes.time < 0) return 1;
+  const std::size_t chunk =
+      file.ChunkLength(variable, static_cast<std::size_t>(axes.time));
+  const std::size_t plane = axes.rows_in_file * axes.cols_in_file;
+  const std::size_t most = std::max<std::size_t>(
+      kMaxBlockValues / std::max<std::size_t>(plane, 1), 1);
+  return std::min({chunk, most, axes.time_s.size()});
 }
 
-Raster Canonical(const FieldAxes& axes, const std::vector<double>& raw,
+RawBlock ReadBlock(const NetcdfFile& file, const FieldAxes& axes,
+                   const NetcdfVariable& variable, std::size_t first_time,
+                   std::size_t times) {
+  RawBlock block;
+  block.first_time = first_time;
+  block.times = std::min(times, axes.time_s.size() - first_time);
+  std::vector<std::size_t> start = axes.start;
+  block.count.assign(start.size(), 1);
+  if (axes.time >= 0) {
+    start[axes.time] = first_time;
+    block.count[axes.time] = block.times;
+  }
+  block.count[axes.lat] = axes.rows_in_file;
+  block.count[axes.lon] = axes.cols_in_file;
+  block.values = file.Values(variable, start, block.count);
+  return block;
+}
+
+// Distance in the block between neighbours along a dimension.
+std::size_t StepAlong(const RawBlock& block, int dimension) {
+  std::size_t step = 1;
+  for (std::size_t i = block.count.size(); i-- > 0;) {
+    if (static_cast<int>(i) == dimension) return step;
+    step *= block.count[i];
+  }
+  return 0;  // The variable has no such dimension.
+}
+
+Raster Canonical(const FieldAxes& axes, const RawBlock& block, std::size_t time,
                  ValueUnpacker* unpack) {
-  const bool rows_first = axes.lat < axes.lon;
-  const std::size_t row_step = rows_first ? axes.file_col.size() : 1;
-  const std::size_t col_step = rows_first ? 1 : axes.file_row.size();
+  const std::size_t row_step = StepAlong(block, axes.lat);
+  const std::size_t col_step = StepAlong(block, axes.lon);
+  const std::size_t begin = time * StepAlong(block, axes.time);
   Raster raster;
-  raster.reserve(raw.size());
+  raster.reserve(axes.grid.size());
   for (const std::size_t row : axes.file_row) {
     for (const std::size_t col : axes.file_col) {
-      raster.push_back((*unpack)(raw[row * row_step + col * col_step]));
+      const bool is_hole = row == kNotInFile || col == kNotInFile;
+      raster.push_back(
+          is_hole ? kNoData
+                  : (*unpack)(
+                        block.values[begin + row * row_step + col * col_step]));
     }
   }
   return raster;
 }
 
-void RefuseAbsurd(const NetcdfFile& file, const NetcdfVariable& variable,
-                  const QuantityWords& words, const ValueUnpacker& unpack) {
-  if (unpack.absurd() <= unpack.plausible()) return;
-  file.Refuse(variable, "most values are impossible for " +
-                            std::string(words.name) + ", expected " +
-                            std::to_string(words.min_value) + " to " +
-                            std::to_string(words.max_value) + " " +
-                            words.units.front().name);
+// Rejects a variable that is mostly no such quantity; reports a minority, whose
+// cells are without data.
+void CheckOddValues(const NetcdfFile& file, const NetcdfVariable& variable,
+                    const QuantityWords& words, const ValueUnpacker& unpack,
+                    VariableReport* report) {
+  const OddValues& odd = unpack.odd();
+  if (odd.count() == 0) return;
+  std::ostringstream range;
+  range << words.min_value << " to " << words.max_value << " " << words.unit;
+  const std::string found = std::to_string(odd.count()) +
+                            " values are impossible for " + words.name + " (" +
+                            range.str() + "), " + odd.Commonest();
+  if (odd.count() > unpack.plausible()) {
+    file.Refuse(variable,
+                "most values are impossible for " + std::string(words.name) +
+                    ", expected " + range.str() + ", found " + odd.Commonest() +
+                    "; a fill must be declared by _FillValue or missing_value, "
+                    "a unit by units");
+  }
+  report->warnings.push_back(found + ": taken as no data");
 }
 
-// Rejects one component of water velocity combined with one of wind velocity.
-void RefuseTwoMedia(const NetcdfFile& file,
-                    const std::vector<const NetcdfVariable*>& variables) {
-  if (variables.size() < 2) return;
-  const std::string first = variables[0]->Text("standard_name");
-  const std::string second = variables[1]->Text("standard_name");
-  if (IsWindName(first) == IsWindName(second)) return;
-  file.Refuse("variables " + variables[0]->name + " (" + first + ") and " +
-              variables[1]->name + " (" + second +
-              "): expected both of sea water or both of wind");
+// Of a variable of any quantity, such as a mask, a fill is no value.
+void RefuseUndeclaredFill(const NetcdfFile& file,
+                          const NetcdfVariable& variable,
+                          const QuantitySeries& series) {
+  const std::optional<UndeclaredFill> fill = FindUndeclaredFill(series.at_time);
+  if (!fill) return;
+  std::ostringstream text;
+  text << "value " << fill->value << " is far beyond all others (at most "
+       << fill->others
+       << "): expected it to be declared by _FillValue or missing_value if it "
+          "means no data";
+  file.Refuse(variable, text.str());
+}
+
+std::size_t CellsWithoutData(const QuantitySeries& series) {
+  if (series.at_time.empty()) return 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < series.at_time.front().size(); ++i) {
+    count += std::all_of(
+        series.at_time.begin(), series.at_time.end(),
+        [i](const Raster& raster) { return std::isnan(raster[i]); });
+  }
+  return count;
+}
+
+std::string TimesText(const std::vector<double>& time_s) {
+  if (std::isnan(time_s.front())) return "";
+  std::string text =
+      std::to_string(time_s.size()) + (time_s.size() == 1 ? " time" : " times");
+  try {
+    text += ", " + FormatDateTime(time_s.front());
+    if (time_s.size() > 1) text += " to " + FormatDateTime(time_s.back());
+  } catch (const std::invalid_argument&) {
+    // A year beyond 9999 has no such text.
+  }
+  return text;
+}
+
+bool IsEmpty(const Raster& raster) {
+  return std::all_of(raster.begin(), raster.end(),
+                     [](float value) { return std::isnan(value); });
+}
+
+// A variable of a quantity must have data; a time without any is reported,
+// because no window may need it.
+void CheckEmptyTimes(const NetcdfFile& file, const NetcdfVariable& variable,
+                     const FieldAxes& axes, QuantitySeries* series) {
+  std::vector<std::size_t> empty;
+  for (std::size_t time = 0; time < series->at_time.size(); ++time) {
+    if (IsEmpty(series->at_time[time])) empty.push_back(time);
+  }
+  if (empty.empty()) return;
+  if (empty.size() == series->at_time.size()) {
+    file.Refuse(variable, "no value in any cell at any time, expected some");
+  }
+  series->report.warnings.push_back(
+      "no value in any cell at " + std::to_string(empty.size()) + " of " +
+      std::to_string(axes.time_s.size()) + " times, the first is time " +
+      std::to_string(empty.front()));
 }
 
 }  // namespace
-
-std::vector<const NetcdfVariable*> FindVariables(
-    const NetcdfFile& file, const std::vector<FieldQuantity>& quantities) {
-  std::vector<const NetcdfVariable*> variables;
-  std::vector<std::string> missing;
-  for (const FieldQuantity quantity : quantities) {
-    const QuantityWords& words = WordsFor(quantity);
-    variables.push_back(FindVariable(file, words));
-    if (variables.back() != nullptr) continue;
-    missing.push_back("no variable for " + std::string(words.name) +
-                      ", tried standard_name " +
-                      JoinStrings(words.standard_names) + " and name " +
-                      JoinStrings(words.variable_names));
-  }
-  if (!missing.empty()) file.Refuse(JoinStrings(missing, "; "));
-  RefuseTwoMedia(file, variables);
-  return variables;
-}
 
 QuantitySeries ReadSeries(const NetcdfFile& file, const FieldAxes& axes,
                           const NetcdfVariable& variable,
                           FieldQuantity quantity) {
   const QuantityWords words =
       WordsFor(quantity, variable.Text("standard_name"));
-  ValueUnpacker unpack(file, variable, words);
-  QuantitySeries series{
-      quantity, variable.name, variable.Text("standard_name"), {}};
-  std::vector<std::size_t> empty_times;
-  for (std::size_t time = 0; time < axes.time_s.size(); ++time) {
-    const std::size_t before = unpack.plausible();
-    const std::vector<double> raw = RawSlice(file, axes, variable, time);
-    series.at_time.push_back(Canonical(axes, raw, &unpack));
-    // A time is empty if it added no plausible value.
-    if (unpack.plausible() == before) empty_times.push_back(time);
+  QuantitySeries series;
+  series.quantity = quantity;
+  series.variable = variable.name;
+  series.standard_name = variable.Text("standard_name");
+  VariableReport& report = series.report;
+  report.quantity = words.name;
+  report.variable = variable.name;
+  report.level = axes.level;
+  report.times = TimesText(axes.time_s);
+  report.warnings = axes.warnings;
+  ValueUnpacker unpack(file, variable, words, &report);
+  const std::size_t block_times = TimesPerBlock(file, axes, variable);
+  for (std::size_t time = 0; time < axes.time_s.size(); time += block_times) {
+    const RawBlock block = ReadBlock(file, axes, variable, time, block_times);
+    for (std::size_t i = 0; i < block.times; ++i) {
+      series.at_time.push_back(Canonical(axes, block, i, &unpack));
+    }
   }
-  if (quantity == FieldQuantity::kAny) return series;
-  RefuseAbsurd(file, variable, words, unpack);
-  if (!empty_times.empty()) {
-    file.Refuse(variable, "no value in any cell at time " +
-                              std::to_string(empty_times.front()) +
-                              ", expected some");
+  report.cells = axes.grid.size();
+  report.cells_without_data = CellsWithoutData(series);
+  if (quantity == FieldQuantity::kAny) {
+    RefuseUndeclaredFill(file, variable, series);
+    return series;
   }
+  CheckOddValues(file, variable, words, unpack, &report);
+  CheckEmptyTimes(file, variable, axes, &series);
   return series;
 }
 

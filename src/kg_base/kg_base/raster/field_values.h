@@ -1,5 +1,5 @@
-// Finds a quantity in a gridded file and converts its values to SI: unpacking,
-// fill values and units. Source: CF-1.8, sections 2.5.1, 3.1, 3.3 and 8.1.
+// The values of a gridded file's variable in SI: unpacking, fill values and
+// units. Source: CF-1.8, sections 2.5.1, 3.1 and 8.1.
 
 #ifndef KG_BASE_RASTER_FIELD_VALUES_H_
 #define KG_BASE_RASTER_FIELD_VALUES_H_
@@ -13,17 +13,13 @@
 
 namespace kg_base {
 
-// The variable of each quantity: by standard_name, then, among variables that
-// have none, by name. Throws InputError that lists the missing ones and the
-// names tried.
-std::vector<const NetcdfVariable*> FindVariables(
-    const NetcdfFile& file, const std::vector<FieldQuantity>& quantities);
-
-// One raster for each time. Missing: _FillValue and missing_value (compared
-// before unpacking, in the variable's own type), the type's default fill, NaN.
-// Values outside the valid range (field_quantity.h) are treated as missing; a
-// variable where most are outside, or a time without any value, is rejected.
-// For FieldQuantity::kAny any finite value is valid, and a time may be empty.
+// One raster for each time, with a report. Missing: _FillValue and
+// missing_value as number or text, in the variable's type or another precision,
+// the type's default fill, NaN. Values outside the valid range
+// (field_quantity.h) are treated as missing; a variable where most are outside,
+// or without any value, is rejected; a time without any value is reported. For
+// FieldQuantity::kAny any finite value is valid except an undeclared fill,
+// which is rejected.
 QuantitySeries ReadSeries(const NetcdfFile& file, const FieldAxes& axes,
                           const NetcdfVariable& variable,
                           FieldQuantity quantity);

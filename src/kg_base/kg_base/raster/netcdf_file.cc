@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "kg_base/common/input_error.h"
@@ -11,6 +12,7 @@
 namespace kg_base {
 namespace {
 
+constexpr std::size_t kMaxGroups = 1000;
 constexpr std::size_t kMaxAttributeLength = 64 * 1024;
 // Limit of values per read: a slice of the largest supported grid.
 constexpr std::size_t kMaxValues = std::size_t{1} << 26;
@@ -38,6 +40,23 @@ std::string Stripped(const std::string& text) {
 bool IsNumber(int type) {
   return type >= netCDF::NcType::nc_BYTE && type <= netCDF::NcType::nc_UINT64 &&
          type != netCDF::NcType::nc_CHAR;
+}
+
+// How many values an integer type of 8 to 32 bits has; 0 for other types.
+double IntegerValues(int type) {
+  switch (type) {
+    case netCDF::NcType::nc_BYTE:
+    case netCDF::NcType::nc_UBYTE:
+      return 256.0;
+    case netCDF::NcType::nc_SHORT:
+    case netCDF::NcType::nc_USHORT:
+      return 65536.0;
+    case netCDF::NcType::nc_INT:
+    case netCDF::NcType::nc_UINT:
+      return 4294967296.0;
+    default:
+      return 0.0;
+  }
 }
 
 // The text of an attribute of type string, which holds exactly one.
@@ -78,13 +97,27 @@ std::string NetcdfVariable::Text(const std::string& attribute) const {
   return found == texts.end() ? "" : found->second;
 }
 
+double NetcdfVariable::WithDeclaredSign(double raw) const {
+  const auto declared = texts.find("_Unsigned");
+  if (declared == texts.end()) return raw;
+  const bool is_unsigned = ToLowerAscii(declared->second) == "true";
+  const double values = IntegerValues(type);
+  if (values == 0.0) return raw;
+  if (is_unsigned && raw < 0.0) return raw + values;
+  if (!is_unsigned && raw >= values / 2) return raw - values;
+  return raw;
+}
+
+bool NetcdfVariable::IsVisibleTo(const NetcdfVariable& other) const {
+  return other.group_path.compare(0, group_path.size(), group_path) == 0;
+}
+
 NetcdfFile::NetcdfFile(const std::string& path) : path_(path) {
   CheckKind(path);
   CheckClassicLength(path);
   try {
     file_.open(path, netCDF::NcFile::read);
-    ReadDimensions();
-    ReadVariables();
+    ReadGroup(file_, "");
   } catch (const netCDF::exceptions::NcException& error) {
     Refuse(error);
   }
@@ -112,40 +145,70 @@ void NetcdfFile::Refuse(const netCDF::exceptions::NcException& error) const {
          text.substr(0, text.find('\n')));
 }
 
-void NetcdfFile::ReadDimensions() {
-  const int count = file_.getDimCount();
-  // The root group's dimensions have the identifiers 0, 1, ...; by identifier,
-  // because getDims() sorts them by name.
+void NetcdfFile::ReadGroup(const netCDF::NcGroup& group,
+                           const std::string& path) {
+  groups_.push_back(group);
+  ReadDimensions(group);
+  const int count = group.getVarCount();
   for (int i = 0; i < count; ++i) {
-    const netCDF::NcDim dimension(file_, i);
+    variables_.push_back(ReadVariable(netCDF::NcVar(group, i), path));
+  }
+  for (const auto& child : group.getGroups()) {
+    if (groups_.size() >= kMaxGroups) Refuse("expected fewer groups");
+    ReadGroup(child.second, path + child.first + "/");
+  }
+}
+
+// Identifiers of dimensions are unique in the file, and in order of definition.
+void NetcdfFile::ReadDimensions(const netCDF::NcGroup& group) {
+  std::map<int, netCDF::NcDim> by_id;
+  for (const auto& named : group.getDims()) {
+    by_id.emplace(named.second.getId(), named.second);
+  }
+  for (const auto& [id, dimension] : by_id) {
+    dimension_index_[id] = static_cast<int>(dimensions_.size());
     dimensions_.push_back({dimension.getName(), dimension.getSize()});
   }
 }
 
-void NetcdfFile::ReadVariables() {
-  const int count = file_.getVarCount();
-  for (int i = 0; i < count; ++i) {
-    variables_.push_back(ReadVariable(netCDF::NcVar(file_, i)));
-  }
-}
-
-NetcdfVariable NetcdfFile::ReadVariable(const netCDF::NcVar& source) const {
+NetcdfVariable NetcdfFile::ReadVariable(const netCDF::NcVar& source,
+                                        const std::string& path) const {
   NetcdfVariable variable;
   variable.id = source.getId();
-  variable.name = source.getName();
+  variable.group = groups_.size() - 1;
+  variable.group_path = path;
+  variable.base_name = source.getName();
+  variable.name = path + variable.base_name;
   variable.type = source.getType().getId();
   for (const netCDF::NcDim& dimension : source.getDims()) {
-    const int id = dimension.getId();
-    if (id < 0 || id >= static_cast<int>(dimensions_.size())) {
+    const auto found = dimension_index_.find(dimension.getId());
+    if (found == dimension_index_.end()) {
       Refuse(variable, "damaged, it has a dimension that the file has not");
     }
-    variable.dimensions.push_back(id);
+    variable.dimensions.push_back(found->second);
   }
   const int attributes = source.getAttCount();
   for (int i = 0; i < attributes; ++i) {
-    ReadAttribute(netCDF::NcVarAtt(file_, source, i), &variable);
+    ReadAttribute(netCDF::NcVarAtt(groups_.back(), source, i), &variable);
   }
   return variable;
+}
+
+netCDF::NcVar NetcdfFile::Source(const NetcdfVariable& variable) const {
+  return netCDF::NcVar(groups_.at(variable.group), variable.id);
+}
+
+std::size_t NetcdfFile::ChunkLength(const NetcdfVariable& variable,
+                                    std::size_t position) const {
+  netCDF::NcVar::ChunkMode mode = netCDF::NcVar::nc_CONTIGUOUS;
+  std::vector<std::size_t> lengths;
+  try {
+    Source(variable).getChunkingParameters(mode, lengths);
+  } catch (const netCDF::exceptions::NcException& error) {
+    return 1;  // Formats without chunks.
+  }
+  if (mode != netCDF::NcVar::nc_CHUNKED || position >= lengths.size()) return 1;
+  return std::max<std::size_t>(lengths[position], 1);
 }
 
 std::vector<double> NetcdfFile::Values(const NetcdfVariable& variable) const {
@@ -171,7 +234,7 @@ std::vector<double> NetcdfFile::Values(
   std::vector<double> values(size);
   if (size == 0) return values;
   try {
-    const netCDF::NcVar source(file_, variable.id);
+    const netCDF::NcVar source = Source(variable);
     if (count.empty()) {  // A scalar, which has no first index to point to.
       source.getVar(values.data());
     } else {
@@ -180,6 +243,7 @@ std::vector<double> NetcdfFile::Values(
   } catch (const netCDF::exceptions::NcException& error) {
     Refuse(error);
   }
+  for (double& value : values) value = variable.WithDeclaredSign(value);
   return values;
 }
 

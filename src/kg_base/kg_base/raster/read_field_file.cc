@@ -1,5 +1,6 @@
 #include "kg_base/raster/read_field_file.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "kg_base/common/join_strings.h"
@@ -7,10 +8,14 @@
 #include "kg_base/raster/field_axes.h"
 #include "kg_base/raster/field_protocol.h"
 #include "kg_base/raster/field_values.h"
+#include "kg_base/raster/find_variables.h"
 #include "kg_base/raster/netcdf_file.h"
 
 namespace kg_base {
 namespace {
+
+constexpr double kTimeTolerance = 0.01;  // In time steps.
+constexpr double kSingleStep_s = 3600.0;
 
 void CheckSize(const NetcdfFile& file, const FieldFile& read,
                std::size_t quantities) {
@@ -23,9 +28,23 @@ void CheckSize(const NetcdfFile& file, const FieldFile& read,
   }
 }
 
+// Times of two precisions differ by rounding.
+bool AlmostSameTimes(const std::vector<double>& a,
+                     const std::vector<double>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double step = i > 0 ? a[i] - a[i - 1] : kSingleStep_s;
+    if (!(std::abs(a[i] - b[i]) <= kTimeTolerance * step)) return false;
+  }
+  return true;
+}
+
 void CheckSameAxes(const NetcdfFile& file, const FieldAxes& axes,
                    const FieldFile& read, const NetcdfVariable& variable) {
-  if (axes.grid == read.grid && axes.time_s == read.time_s) return;
+  if (axes.grid.AlmostEquals(read.grid) &&
+      AlmostSameTimes(read.time_s, axes.time_s)) {
+    return;
+  }
   file.Refuse(variable, "expected the grid and the times of variable " +
                             read.series.front().variable);
 }
@@ -47,21 +66,24 @@ FieldFile ReadFieldFile(const std::string& path,
                         const std::vector<FieldQuantity>& quantities) {
   if (quantities.empty()) throw std::logic_error("no quantity is asked for");
   const NetcdfFile file(path);
-  const std::vector<const NetcdfVariable*> variables =
-      FindVariables(file, quantities);
+  const std::vector<FoundVariable> found = FindVariables(file, quantities);
   FieldFile read;
   read.path = path;
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    const FieldAxes axes = ReadFieldAxes(file, *variables[i]);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const NetcdfVariable& variable = *found[i].variable;
+    const FieldAxes axes = ReadFieldAxes(file, variable);
     // The first variable sets grid and times; the others must agree.
     if (i == 0) {
       read.grid = axes.grid;
       read.time_s = axes.time_s;
-      CheckSize(file, read, variables.size());
+      CheckSize(file, read, found.size());
     } else {
-      CheckSameAxes(file, axes, read, *variables[i]);
+      CheckSameAxes(file, axes, read, variable);
     }
-    read.series.push_back(ReadSeries(file, axes, *variables[i], quantities[i]));
+    read.series.push_back(ReadSeries(file, axes, variable, quantities[i]));
+    std::vector<std::string>& warnings = read.series.back().report.warnings;
+    warnings.insert(warnings.begin(), found[i].warnings.begin(),
+                    found[i].warnings.end());
   }
   read.sha256 = Sha256HexOfFile(path);
   return read;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kg_base/common/clock.h"
+#include "kg_base/common/date_time.h"
 #include "kg_base/common/input_error.h"
 #include "kg_base/geo/geodesy.h"
 #include "kg_core/facts/class_tree.h"
@@ -164,6 +165,19 @@ class SourceIngest {
     transaction_.Add({subject, property, object, kg_core::Facts()});
   }
 
+  // A file may have steps without data that no window needs.
+  static void RequireStep(const FieldFile& file, int step,
+                          const TimeWindow& window) {
+    for (const kg_base::QuantitySeries& series : file.series) {
+      if (HasData(series.at_time.at(step))) continue;
+      throw InputError("variable " + series.variable +
+                       ": no value in any cell at " +
+                       kg_base::FormatDateTime(file.time_s.at(step)) +
+                       ", expected some, because window " +
+                       std::to_string(window.index) + " needs this time");
+    }
+  }
+
   // Throws InputError if the file has no such step or the step has no data.
   static const Raster& StepOf(const FieldFile& file, const GridRef& ref) {
     const std::vector<Raster>& steps = file.series[0].at_time;
@@ -235,6 +249,9 @@ class SourceIngest {
                   const TimeWindow& window,
                   const std::vector<const char*>& refs, const Term& grid) {
     const StepRange steps = StepsOfField(file.time_s, window);
+    for (int step = steps.first; step <= steps.last; ++step) {
+      RequireStep(file, step, window);
+    }
     const Term field = Part("w" + std::to_string(window.index));
     const std::string at =
         "@" + std::to_string(steps.first) + ".." + std::to_string(steps.last);
@@ -266,6 +283,8 @@ class SourceIngest {
   void StateLayer(const FieldFile& file, const TimeWindow& window,
                   const Term& layer) {
     const StepPair steps = StepsOfLayer(file, window);
+    RequireStep(file, steps.step, window);
+    RequireStep(file, steps.previous, window);
     Generate(layer, "ValueLayer");
     Say(layer, Ex("forWindow"), Iri(window.iri));
     Say(layer, Ex("kind"), Literal(Kind()));

@@ -50,6 +50,7 @@ struct Ocean {
   bool has_north = true;
   bool is_wind = false;
   bool is_land = false;
+  int empty_day = -1;  // A day without data; -1 = none.
 };
 
 class OceanWriter {
@@ -105,7 +106,8 @@ class OceanWriter {
     std::vector<float> values;
     for (int day = 0; day < spec_.days; ++day) {
       for (int cell = 0; cell < kRows * kCols; ++cell) {
-        const bool is_land = spec_.is_land || cell % kCols == 0;
+        const bool is_land =
+            spec_.is_land || day == spec_.empty_day || cell % kCols == 0;
         values.push_back(is_land ? kFill : static_cast<float>(value(day)));
       }
     }
@@ -410,6 +412,29 @@ TEST_F(IngestTest, RefusesAllLandMissingVariablesAndMissingFiles) {
   fs::remove(Path("ocean.nc"));
   EXPECT_NE(Refusal().find("looked for " + Path("ocean.nc")), std::string::npos)
       << Refusal();
+}
+
+TEST_F(IngestTest, RefusesOnlyTheEmptyTimesThatAWindowNeeds) {
+  Ocean ocean;
+  ocean.days = 6;
+  for (const char* name : {"ocean.nc", "sst.nc"}) {
+    for (const int needed : {0, 1, 2, 3}) {
+      if (name[0] == 's' && needed == 3) continue;  // Window 1 needs days 1, 2.
+      ocean.empty_day = needed;
+      Write(name, ocean);
+      const std::string said = Refusal();
+      EXPECT_NE(said.find("no value in any cell at 2026-06-0" +
+                          std::to_string(1 + needed) + "T12:00:00Z"),
+                std::string::npos)
+          << name << needed << said;
+    }
+    ocean.empty_day = -1;
+    Write(name, ocean);
+  }
+  ocean.empty_day = 5;
+  Write("ocean.nc", ocean);
+  Write("sst.nc", ocean);
+  EXPECT_EQ(Refusal(), "");
 }
 
 TEST_F(IngestTest, ARefusedIngestLeavesNothingBehind) {
