@@ -138,8 +138,12 @@ class AMissionFolder(KgTestCase):
 
     def test_that_ships_is_valid(self):
         for mission in ("gulf", "tampico"):
-            self.assertEqual("0 violations\n",
-                             self.kg("validate", MISSIONS / mission))
+            done = kg("validate", MISSIONS / mission)
+            self.assertEqual(0, done.returncode, done.stdout)
+            self.assertTrue(done.stdout.endswith("0 violations\n"))
+            # Their files need not be there; then only that is told.
+            for line in done.stderr.splitlines():
+                self.assertRegex(line, "is left out: .* not found")
             self.assertIn("sh:conforms true", self.kg(
                 "validate", MISSIONS / mission / "mission.ttl", "--report"))
 
@@ -161,6 +165,46 @@ class AMissionWithItsFiles(KgTestCase):
         self.mission = self.folder / "small"
         self.mission.mkdir()
         small_mission.write_mission(self.mission)
+
+    def with_facts(self, turtle):
+        with open(self.mission / "mission.ttl", "a") as file:
+            file.write(turtle)
+
+    def test_is_validated_with_its_files(self):
+        self.assertEqual("0 violations\n", self.kg("validate", self.mission))
+        ocean = self.mission / "ocean.nc"
+        small_mission.write_ocean(ocean, days=2)  # Too short for the windows.
+        for _ in range(2):
+            done = kg("validate", self.mission)
+            self.assertEqual(1, done.returncode)
+            self.assertIn("ocean.nc", done.stdout)
+            ocean.write_text("<html>404 Not Found</html>")
+        ocean.unlink()
+        done = kg("validate", self.mission)
+        self.assertIn("ocean.nc", done.stderr)
+        self.assertEqual("0 violations\n", done.stdout)
+
+    def test_is_validated_with_a_word_on_facts_without_effect(self):
+        self.with_facts("""
+            ex:faraway a ex:Constraint ; ex:kind "no_go" ; ex:name "faraway" ;
+                geo:asWKT "POLYGON((-80 26, -79 26, -79 26.5, -80 26.5, -80 26))"^^geo:wktLiteral .
+            ex:ashore a ex:Event ; ex:forWindow ex:w0 ; ex:value 1 ;
+                ex:radiusKm 2 ; geo:asWKT "SRID=4326;POINT Z (-91.95 26 10)"^^geo:wktLiteral .
+            """)
+        lines = self.kg("validate", self.mission).splitlines()
+        self.assertEqual(3, len(lines), lines)
+        self.assertRegex(lines[0], "^warning: ex:faraway has no effect.*off "
+                                   "the grid")
+        self.assertRegex(lines[1], "^warning: ex:ashore has no effect.*on land")
+
+    def test_says_what_forbids_a_start(self):
+        self.with_facts("""
+            ex:harbour a ex:Constraint ; ex:kind "no_go" ; ex:name "harbour" ;
+                geo:asWKT "POLYGON((-91 25.6, -90.8 25.6, -90.8 25.8, -91 25.8, -91 25.6))"^^geo:wktLiteral .
+            """)
+        self.assert_refused(["why", self.mission, "--agent", "bravo"],
+                            "agent alpha (ex:alpha) starts at POINT(-90.9 "
+                            "25.7), which is in ex:harbour")
 
     def test_says_what_its_files_say(self):
         self.assertEqual("yes", self.ask(self.mission, (
@@ -186,6 +230,26 @@ class AMissionWithItsFiles(KgTestCase):
                             "agent 'nobody' is not known")
         self.assert_refused(["why", self.mission, "--cell", "1"],
                             "--cell: expected two numbers", 2)
+
+    def test_is_not_imported_nor_changed_to_what_is_no_mission(self):
+        state = self.folder / "state"
+        state.mkdir()
+        facts = self.mission / "mission.ttl"
+        whole = facts.read_text()
+        facts.write_text(whole.replace("ex:forAgent ex:bravo",
+                                       "ex:forAgent ex:alpha"))
+        words = ["import", state / "store.db", facts, "--data", self.mission]
+        refused = kg(*words)
+        self.assertEqual(1, refused.returncode, refused.stdout)
+        self.assertEqual("no", self.ask(state, "ASK { ?m a ex:Mission }"))
+        facts.write_text(whole)
+        self.kg(*words)
+        before = self.kg("export", state, "--format", "nquads")
+        refused = kg("update", state, "remove", "ex:bravo_start",
+                     "--data", self.mission)
+        self.assertEqual(1, refused.returncode, refused.stdout)
+        self.assertEqual(before, self.kg("export", state, "--format",
+                                         "nquads"))
 
     def test_becomes_a_state_folder_with_the_same_facts(self):
         state = self.folder / "state"

@@ -35,8 +35,8 @@ def difference(row, field):
 
 
 def _component(file, variable, field, values):
-    lat, lat_order = _axis(file, variable, ('degrees_north', 'degree_north'))
-    lon, lon_order = _axis(file, variable, ('degrees_east', 'degree_east'))
+    lat, lat_order = read_axis(file, variable, ('degrees_north', 'degree_north'))
+    lon, lon_order = read_axis(file, variable, ('degrees_east', 'degree_east'))
     for ours, theirs in ((field.lat_deg, lat), (field.lon_deg, lon)):
         if len(ours) != len(theirs):
             return 'the grid size differs'
@@ -47,7 +47,7 @@ def _component(file, variable, field, values):
         index = int(np.abs(times - time_s).argmin())
         if abs(times[index] - time_s) > TIME_TOLERANCE_S:
             return 'no such time in the file: %.0f' % time_s
-        theirs = _slice(variable, index)[np.ix_(lat_order, lon_order)]
+        theirs = read_slice(variable, index)[np.ix_(lat_order, lon_order)]
         if not np.all(np.abs(np.nan_to_num(theirs) - ours) <=
                       VALUE_TOLERANCE_MPS):
             return 'values differ at time step %d' % index
@@ -56,7 +56,7 @@ def _component(file, variable, field, values):
     return None
 
 
-def _axis(file, variable, units):
+def read_axis(file, variable, units):
     """Ascending coordinates in [-180, 180) and the sort order."""
     for name in variable.dimensions:
         axis = file.variables.get(name)
@@ -79,7 +79,7 @@ def _times(file, variable):
     return start_s + seconds * np.asarray(axis[:], float)
 
 
-def _slice(variable, time_index):
+def read_slice(variable, time_index):
     """lat x lon at one time and the first depth; NaN = no data."""
     index = []
     for name in variable.dimensions:

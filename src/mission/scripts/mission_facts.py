@@ -10,6 +10,8 @@ import re
 
 from shapely import wkt
 
+from mask_area import mask_area
+
 MPS_PER_KNOT = 1852.0 / 3600.0
 
 
@@ -38,7 +40,7 @@ class Agent:
 
 @dataclasses.dataclass
 class Constraint:
-    """A no_go area; `area` is None for the land of the work field."""
+    """A no_go area or mask; `area` is None for the land of the work field."""
     iri: str
     area: object
     buffer_cells: float
@@ -72,8 +74,10 @@ class Facts:
 
 
 def geometry(text):
-    """Well-known text in CRS84, with or without GeoSPARQL's <crs> prefix."""
-    shape = wkt.loads(re.sub(r'^\s*<[^>]*>\s*', '', text))
+    """Well-known text in CRS84, with or without GeoSPARQL's <crs> prefix or
+    EWKT's SRID."""
+    shape = wkt.loads(re.sub(r'^\s*(<[^>]*>|SRID\s*=\s*\d+\s*;)\s*', '', text,
+                             flags=re.IGNORECASE))
     return shape if shape.is_valid else shape.buffer(0)
 
 
@@ -176,10 +180,13 @@ class FactsReader:
               OPTIONAL { ?c geo:asWKT ?wkt }
               OPTIONAL { ?c ex:gridRef ?ref }
               OPTIONAL { ?c ex:bufferCells ?buffer } }""")
+        files = {row['c']: row['path'] for row in self._rows("""
+            SELECT ?c ?path WHERE {
+              ?file a ex:SourceFile ; ex:ingestedFrom ?c ; ex:path ?path }""")}
         in_windows = self._scopes('a ex:Constraint', 'ex:appliesIn')
         to_agents = self._scopes('a ex:Constraint', 'ex:appliesTo')
         return [Constraint(
-            row['c'], geometry(row['wkt']) if 'wkt' in row else None,
+            row['c'], _area(row, files),
             float(row.get('buffer', 0.0)),
             {windows[w][0] for w in in_windows[row['c']]},
             to_agents[row['c']]) for row in rows]
@@ -202,6 +209,15 @@ class FactsReader:
                 1000.0 * float(row.get('km', 0.0)),
                 {w.index for w in _active(named, every, row.get('expires'))})
         return events
+
+
+def _area(row, files):
+    """None for land, which has neither an area nor a file."""
+    if 'wkt' in row:
+        return geometry(row['wkt'])
+    if row['c'] in files:
+        return mask_area(files[row['c']], row['ref'])
+    return None
 
 
 def _end_s(row, begin_s, begins):

@@ -17,6 +17,7 @@ import rosunit
 from shapely.geometry import box
 
 import field_check
+import mask_area
 import mission_facts
 import small_mission
 from geodesic import distance_m
@@ -107,6 +108,38 @@ class PlanCheckTest(unittest.TestCase):
             found = judged(EASTWARD, facts(
                 constraints=[no_go(shape, windows, agents)]))
             self.assertEqual(expected, found['no_go'], (windows, agents))
+
+    def test_finds_a_mask_of_cells_finer_than_the_step(self):
+        # One row of masked cells of 100 m, from 0.7 to 0.702 E, and a hole.
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, 'mask.nc')
+            with netCDF4.Dataset(path, 'w') as file:
+                for name, units, first in (('lat', 'degrees_north', 0.9),
+                                           ('lon', 'degrees_east', 0.6)):
+                    file.createDimension(name, 200)
+                    axis = file.createVariable(name, 'f8', (name,))
+                    axis.units = units
+                    axis[:] = first + 0.001 * (np.arange(200) + 0.5)
+                mask = file.createVariable('wall', 'f4', ('lat', 'lon'),
+                                           fill_value=-1.0)
+                values = np.zeros((200, 200))
+                values[:, 100:102] = 1.0
+                values[:50] = -1.0
+                mask[:] = values
+            area = mask_area.mask_area(path, 'mask.nc#wall@0')
+        self.assertAlmostEqual(0.002 * 0.15, area.area, delta=1e-5)
+        through = judged(EASTWARD, facts(constraints=[no_go(area)]))
+        self.assertEqual(1, through['no_go'])
+        south = Track.of([(0.0, 0.5, 0.94), (30 * HOUR_S, 0.9, 0.94)])
+        self.assertEqual(0, judged(south, facts(
+            constraints=[no_go(area)]))['no_go'])
+
+    def test_a_path_along_the_edge_of_a_masked_cell_is_not_in_it(self):
+        area = mask_area.cells_area(np.ones((4, 4), bool),
+                                    0.6 + 0.05 * np.arange(5),
+                                    1.0 + 0.05 * np.arange(5))
+        self.assertEqual(0, judged(EASTWARD, facts(
+            constraints=[no_go(area)]))['no_go'])
 
     def test_finds_land_and_its_buffer(self):
         coast = field(land_cols=8)  # Land up to 0.375 E.

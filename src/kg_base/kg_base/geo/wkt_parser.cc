@@ -27,6 +27,9 @@ constexpr TypeKeyword kKeywords[] = {
     {"GEOMETRYCOLLECTION", WktKind::kCollection},
 };
 
+constexpr double kWgs84Srid = 4326.0;
+constexpr double kMaxHeight = 1e9;  // Of any unit.
+
 constexpr std::string_view kCrs84[] = {
     "http://www.opengis.net/def/crs/OGC/1.3/CRS84",
     "https://www.opengis.net/def/crs/OGC/1.3/CRS84",
@@ -46,7 +49,7 @@ class Parser {
   explicit Parser(std::string_view text) : text_(text) {}
 
   WktNode Document() {
-    SkipCrs();
+    if (!SkipSrid()) SkipCrs();
     WktNode node = Geometry(0);
     SkipSpace();
     if (at_ < text_.size()) Fail("the end of the text");
@@ -76,8 +79,10 @@ class Parser {
     if (!TryToken(token)) Fail(std::string("'") + token + "'");
   }
   std::string Word();
+  bool SkipSrid();
   void SkipCrs();
-  void RefuseEmptyAndThreeDimensions(const std::string& keyword);
+  // Reads what may stand between a keyword and its positions.
+  void ReadDimension(const std::string& keyword);
 
   WktNode Geometry(int depth);
   WktNode Body(WktKind kind, int depth);
@@ -93,6 +98,9 @@ class Parser {
   std::string_view text_;
   std::size_t at_ = 0;
   std::size_t vertices_ = 0;
+  // Heights are read and left out. EWKT has them without a Z, too.
+  bool has_height_ = false;
+  bool may_have_height_ = false;
 };
 
 std::string Parser::Quoted(std::size_t at) const {
@@ -133,13 +141,36 @@ void Parser::SkipCrs() {
                    std::string(kCrs84[0]) + ">, longitude before latitude");
 }
 
-void Parser::RefuseEmptyAndThreeDimensions(const std::string& keyword) {
+// PostGIS writes the reference system as "SRID=4326;", longitude first.
+bool Parser::SkipSrid() {
   SkipSpace();
   const std::size_t begin = at_;
-  const std::string word = Word();
+  if (Word() != "SRID") {
+    at_ = begin;
+    return false;
+  }
+  Token('=');
+  const double code = Number(1e9, "the number of a reference system");
+  if (code != kWgs84Srid) {
+    FailAt(begin, "SRID=4326, WGS84 with longitude before latitude");
+  }
+  Token(';');
+  may_have_height_ = true;
+  return true;
+}
+
+void Parser::ReadDimension(const std::string& keyword) {
+  SkipSpace();
+  const std::size_t begin = at_;
+  std::string word = Word();
+  if (word == "Z") {
+    has_height_ = true;
+    SkipSpace();
+    word = Word();
+  }
   if (word.empty()) return;
   if (word == "EMPTY") FailAt(begin, "a " + keyword + " that is not empty");
-  FailAt(begin, "'(' and two coordinates for each position");
+  FailAt(begin, "'(' and two coordinates for each position, or Z and three");
 }
 
 WktNode Parser::Geometry(int depth) {
@@ -150,9 +181,14 @@ WktNode Parser::Geometry(int depth) {
   }
   const std::string word = Word();
   for (const TypeKeyword& keyword : kKeywords) {
-    if (word != keyword.word) continue;
-    RefuseEmptyAndThreeDimensions(word);
-    return Body(keyword.kind, depth);
+    const bool is_z = word == std::string(keyword.word) + "Z";
+    if (word != keyword.word && !is_z) continue;
+    const bool had_height = has_height_;  // Of the collection that it is in.
+    has_height_ = has_height_ || is_z;
+    ReadDimension(word);
+    WktNode node = Body(keyword.kind, depth);
+    has_height_ = had_height;
+    return node;
   }
   FailAt(begin,
          "a geometry (POINT, LINESTRING, POLYGON, MULTI..., "
@@ -262,9 +298,14 @@ LonLat Parser::Vertex() {
   LonLat vertex;
   vertex.lon_deg = Number(360.0, "a longitude in [-360, 360]");
   vertex.lat_deg = Number(90.0, "a latitude in [-90, 90]");
-  SkipSpace();
-  const char next = at_ < text_.size() ? text_[at_] : '\0';
-  if (next != ',' && next != ')') {
+  const auto is_over = [&] {
+    SkipSpace();
+    return at_ < text_.size() && (text_[at_] == ',' || text_[at_] == ')');
+  };
+  if (has_height_ || (may_have_height_ && !is_over())) {
+    Number(kMaxHeight, "a height");
+  }
+  if (!is_over()) {
     Fail("',' or ')' after longitude and latitude");
   }
   return vertex;

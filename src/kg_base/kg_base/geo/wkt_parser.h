@@ -34,7 +34,8 @@ struct WktNode {
   std::vector<WktNode> members;  // Members of all other kinds.
 };
 
-// Guarantees finite coordinates, |latitude| <= 90, |longitude| <= 360, no empty
+// Reads WKT, and PostGIS's EWKT with SRID=4326. Heights (Z) are left out;
+// measures (M) are refused. Guarantees finite coordinates, |latitude| <= 90, |longitude| <= 360, no empty
 // parts, and closed rings of at least four vertices. Throws InputError.
 WktNode ParseWkt(std::string_view text);
 

@@ -34,7 +34,10 @@ TEST(ParseWkt, SaysWhereAndWhatWasExpected) {
   const Case cases[] = {
       {"", "character 1: expected a geometry"},
       {"CIRCLE(0 0, 1)", "character 1: expected a geometry"},
-      {"SRID=4326;POINT(1 2)", "character 1: expected a geometry"},
+      {"SRID=32614;POINT(1 2)", "character 1: expected SRID=4326"},
+      {"SRID=;POINT(1 2)", "character 6: expected the number"},
+      {"SRID=4326 POINT(1 2)", "character 11: expected ';'"},
+      {"SRID=4326;POINT(1 2 3 4)", "character 23: expected ',' or ')'"},
       {"POINT(nan 2)",
        "character 7: expected a longitude in [-360, 360], "
        "found \"nan 2)\""},
@@ -46,7 +49,12 @@ TEST(ParseWkt, SaysWhereAndWhatWasExpected) {
       {"POINT(-361 2)", "character 7: expected a longitude in [-360, 360]"},
       {"POINT(1)", "character 8: expected a latitude"},
       {"POINT(1 2 3)", "character 11: expected ',' or ')' after"},
-      {"POINT Z (1 2 3)", "character 7: expected '(' and two coordinates"},
+      {"POINT Z (1 2)", "character 13: expected a height"},
+      {"POINT M (1 2 3)", "character 7: expected '(' and two coordinates"},
+      {"POINT ZM (1 2 3 4)", "character 7: expected '(' and two coordinates"},
+      {"POINT Z EMPTY", "character 7: expected a POINT that is not empty"},
+      {"GEOMETRYCOLLECTION(POINT Z (1 2 3), POINT(1 2 3))",
+       "character 47: expected ',' or ')' after"},
       {"POINT EMPTY", "character 7: expected a POINT that is not empty"},
       {"POLYGON EMPTY", "expected a POLYGON that is not empty"},
       {"POLYGON(EMPTY)", "character 9: expected '('"},
@@ -66,6 +74,25 @@ TEST(ParseWkt, SaysWhereAndWhatWasExpected) {
     EXPECT_NE(ErrorOf(c.text).find(c.error), std::string::npos)
         << c.text << " -> " << ErrorOf(c.text);
   }
+}
+
+TEST(ParseWkt, ReadsEwktAndLeavesHeightsOut) {
+  for (const char* text :
+       {"SRID=4326;POINT(-97 22)", " srid = 4326 ; POINT (-97 22)",
+        "SRID=4326;POINT(-97 22 -30.5)", "SRID=4326;POINT Z (-97 22 0)",
+        "POINT Z (-97 22 -30)", "POINTZ(-97 22 1e3)", "point z(-97 22 5)"}) {
+    const WktNode node = ParseWkt(text);
+    EXPECT_EQ(node.kind, WktKind::kPoint) << text;
+    EXPECT_EQ(node.chains[0][0], (LonLat{-97, 22})) << text;
+  }
+  const WktNode area = ParseWkt(
+      "MULTIPOLYGON Z (((0 0 9, 2 0 8, 2 1 7, 0 0 6)), "
+      "((5 5 0, 6 5 0, 6 6 0, 5 5 0)))");
+  ASSERT_EQ(area.members.size(), 2u);
+  EXPECT_EQ(area.members[0].chains[0][2], (LonLat{2, 1}));
+  const WktNode mixed =
+      ParseWkt("GEOMETRYCOLLECTION(POINT Z (1 2 3), POINT(4 5))");
+  EXPECT_EQ(mixed.members[1].chains[0][0], (LonLat{4, 5}));
 }
 
 TEST(ParseWkt, TakesCrs84OffAndRefusesOtherReferenceSystemsByName) {

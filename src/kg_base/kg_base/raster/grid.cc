@@ -13,6 +13,15 @@ namespace {
 // The cell whose centre is nearest in cell units, on an axis of `size` cells.
 int NearestCell(double at, int size) { return HeldFloor(at + 0.5, size - 1); }
 
+std::vector<double> ExtendedCentres(const Axis& axis, int cells) {
+  const int size = static_cast<int>(axis.centres().size());
+  std::vector<double> centres;
+  for (int i = -cells; i < 0; ++i) centres.push_back(axis.At(i));
+  centres.insert(centres.end(), axis.centres().begin(), axis.centres().end());
+  for (int i = size; i < size + cells; ++i) centres.push_back(axis.At(i));
+  return centres;
+}
+
 bool AlmostEqualAxes(const Axis& a, const Axis& b, double tolerance) {
   if (a.centres().size() != b.centres().size()) return false;
   for (std::size_t i = 0; i < a.centres().size(); ++i) {
@@ -59,6 +68,11 @@ double Grid::MetresPerRow(double row) const {
 
 double Grid::MetresPerCol(double row, double col) const {
   return lon_->Spacing(col) / LocalScale(lat_->At(row)).lon_deg;
+}
+
+Grid Grid::Extended(int cells) const {
+  if (cells == 0) return *this;
+  return {ExtendedCentres(*lon_, cells), ExtendedCentres(*lat_, cells)};
 }
 
 std::string Grid::Hash() const {

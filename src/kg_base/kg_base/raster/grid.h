@@ -88,6 +88,10 @@ class Grid {
   double MetresPerRow(double row) const;
   double MetresPerCol(double row, double col) const;
 
+  // The grid with `cells` more rows and columns on every side, at the outer
+  // spacing; they may lie beyond the poles and 180 degrees.
+  Grid Extended(int cells) const;
+
   std::string Hash() const;  // Hash of both axes, hex.
   // Readable text: "51 x 51 cells, -98 to -96 E, 21 to 23 N" (rows first).
   std::string Text() const;

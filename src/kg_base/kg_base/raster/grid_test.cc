@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 #include "kg_base/geo/geodesy.h"
 
@@ -118,6 +119,16 @@ TEST(Grid, AlmostEqualsForgivesFloatNoiseOnly) {
   EXPECT_FALSE(grid.AlmostEquals(Grid(lon_float, lat), 1e-9));
   EXPECT_FALSE(grid.AlmostEquals(Grid(lon, {21, 21.05})));
   EXPECT_FALSE(grid.AlmostEquals(Grid(lon, {21, 21.04, 21.08})));
+}
+
+TEST(Grid, ExtendedKeepsItsCellsAndGoesOnAtTheOuterSpacing) {
+  const Grid grid({1.0, 2.0, 4.0}, {10.0, 10.5});
+  const Grid more = grid.Extended(2);
+  EXPECT_EQ(more.lon_deg(),
+            (std::vector<double>{-1.0, 0.0, 1.0, 2.0, 4.0, 6.0, 8.0}));
+  EXPECT_EQ(more.lat_deg(),
+            (std::vector<double>{9.0, 9.5, 10.0, 10.5, 11.0, 11.5}));
+  EXPECT_EQ(grid.Extended(0), grid);
 }
 
 }  // namespace

@@ -12,6 +12,9 @@ namespace {
 
 constexpr float kOffGrid = std::numeric_limits<float>::quiet_NaN();
 
+// Smallest overlap of two cells that counts, of the smaller one's size.
+constexpr double kMinOverlap = 0.01;
+
 // Position of a target centre on a source axis: the pair of cells around it,
 // the weight of the upper one, and the nearer of the two.
 struct AxisSample {
@@ -87,6 +90,43 @@ Raster SampleAll(const Grid& from, const Raster& values, const Grid& to,
   return result;
 }
 
+// Cells [first, end) of one axis.
+struct CellSpan {
+  int first = 0;
+  int end = 0;
+};
+
+// For each cell of `from` the cells of `to` that overlap it.
+std::vector<CellSpan> OverlappedCells(const Axis& from, const Axis& to) {
+  const int to_size = static_cast<int>(to.centres().size());
+  const auto overlaps = [&](double low, double high, int cell) {
+    const double overlap =
+        std::min(high, to.Edge(cell + 1)) - std::max(low, to.Edge(cell));
+    return overlap > kMinOverlap * std::min(high - low,
+                                            to.Edge(cell + 1) - to.Edge(cell));
+  };
+  std::vector<CellSpan> spans;
+  int lowest = 0;  // Both axes ascend: no cell below it overlaps a later one.
+  for (int i = 0; i < static_cast<int>(from.centres().size()); ++i) {
+    const double low = from.Edge(i);
+    const double high = from.Edge(i + 1);
+    while (lowest < to_size && to.Edge(lowest + 1) <= low) ++lowest;
+    CellSpan span{lowest, lowest};
+    // The first and the last of them may overlap by too little.
+    if (lowest < to_size && !overlaps(low, high, lowest)) ++span.first;
+    span.end = span.first;
+    while (span.end < to_size && overlaps(low, high, span.end)) ++span.end;
+    spans.push_back(span);
+  }
+  return spans;
+}
+
+// The larger magnitude; any value replaces NaN.
+float StrongerValue(float a, float b) {
+  if (std::isnan(a)) return b;
+  return std::abs(b) > std::abs(a) ? b : a;
+}
+
 }  // namespace
 
 Raster ResampleBilinear(const Grid& from, const Raster& values,
@@ -98,6 +138,25 @@ Raster ResampleNearest(const Grid& from, const Raster& values, const Grid& to) {
   return SampleAll(from, values, to, Nearest);
 }
 
+Raster ResampleTouched(const Grid& from, const Raster& values, const Grid& to) {
+  const auto rows = OverlappedCells(from.lat_axis(), to.lat_axis());
+  const auto cols = OverlappedCells(from.lon_axis(), to.lon_axis());
+  Raster result(to.size(), kOffGrid);
+  for (int r = 0; r < from.rows(); ++r) {
+    for (int c = 0; c < from.cols(); ++c) {
+      const float value = values[from.Index({r, c})];
+      if (std::isnan(value)) continue;
+      for (int row = rows[r].first; row < rows[r].end; ++row) {
+        for (int col = cols[c].first; col < cols[c].end; ++col) {
+          float& cell = result[to.Index({row, col})];
+          cell = StrongerValue(cell, value);
+        }
+      }
+    }
+  }
+  return result;
+}
+
 Raster Resample(const Grid& from, const Raster& values, const Grid& to,
                 Resampling how) {
   switch (how) {
@@ -105,6 +164,8 @@ Raster Resample(const Grid& from, const Raster& values, const Grid& to,
       return ResampleBilinear(from, values, to);
     case Resampling::kNearest:
       return ResampleNearest(from, values, to);
+    case Resampling::kTouched:
+      return ResampleTouched(from, values, to);
     case Resampling::kNone:
       break;
   }

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 namespace kg_base {
 namespace {
@@ -105,6 +107,92 @@ TEST(Resample, IsDoneByItsNameOnly) {
   EXPECT_EQ(Resample(from, values, to, Resampling::kBilinear)[0], 0.25f);
   EXPECT_EQ(Resample(from, values, to, Resampling::kNearest)[0], 0.0f);
   EXPECT_THROW(Resample(from, values, to, Resampling::kNone), std::logic_error);
+}
+
+// Reference: all pairs of cells.
+Raster TouchedByPairs(const Grid& from, const Raster& values, const Grid& to) {
+  Raster result(to.size(), kNan);
+  const auto overlap = [](const Axis& a, int i, const Axis& b, int j) {
+    return std::min(a.Edge(i + 1), b.Edge(j + 1)) -
+               std::max(a.Edge(i), b.Edge(j)) >
+           0.01 *
+               std::min(a.Edge(i + 1) - a.Edge(i), b.Edge(j + 1) - b.Edge(j));
+  };
+  for (int r = 0; r < from.rows(); ++r) {
+    for (int c = 0; c < from.cols(); ++c) {
+      for (int row = 0; row < to.rows(); ++row) {
+        for (int col = 0; col < to.cols(); ++col) {
+          if (!overlap(from.lat_axis(), r, to.lat_axis(), row)) continue;
+          if (!overlap(from.lon_axis(), c, to.lon_axis(), col)) continue;
+          const float value = values[from.Index({r, c})];
+          float& cell = result[to.Index({row, col})];
+          if (std::isnan(cell) || std::abs(value) > std::abs(cell)) {
+            cell = std::isnan(value) ? cell : value;
+          }
+        }
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<double> RandomAxis(std::mt19937& random, double first, int size) {
+  std::uniform_real_distribution<double> step(0.01, 0.3);
+  std::vector<double> axis(1, first);
+  while (static_cast<int>(axis.size()) < size) {
+    axis.push_back(axis.back() + step(random));
+  }
+  return axis;
+}
+
+TEST(ResampleTouched, LosesNoCellOfAnyGridAndAddsNone) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-2, 2);
+  std::uniform_int_distribution<int> size(2, 40);
+  for (int trial = 0; trial < 200; ++trial) {
+    const auto grid = [&] {
+      return Grid(RandomAxis(random, place(random), size(random)),
+                  RandomAxis(random, place(random), size(random)));
+    };
+    const Grid from = grid();
+    const Grid to = grid();
+    Raster values(from.size(), 0.0f);
+    for (float& value : values) {
+      const double kind = place(random);
+      value = kind > 1.8 ? 1.0f : kind < -1.5 ? kNan : 0.0f;
+    }
+    const Raster got = ResampleTouched(from, values, to);
+    const Raster expected = TouchedByPairs(from, values, to);
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      if (std::isnan(expected[i])) {
+        EXPECT_TRUE(std::isnan(got[i])) << trial << " " << i;
+      } else {
+        EXPECT_EQ(got[i], expected[i]) << trial << " " << i;
+      }
+    }
+  }
+}
+
+// Cells of a fifth of the size: a wall of one cell closes the column that it
+// lies in, and no neighbour, though its edge may be theirs.
+TEST(ResampleTouched, AFineWallClosesTheCellsThatItIsIn) {
+  std::vector<double> fine, coarse;
+  for (int i = 0; i < 50; ++i) fine.push_back(0.1 * i + 0.05);
+  for (int i = 0; i < 10; ++i) coarse.push_back(0.5 * i + 0.25);
+  const Grid from(fine, fine);
+  const Grid to(coarse, coarse);
+  for (int wall = 0; wall < 50; ++wall) {
+    Raster values(from.size(), 0.0f);
+    for (int row = 10; row < 40; ++row) values[from.Index({row, wall})] = 1.0f;
+    const Raster got = ResampleTouched(from, values, to);
+    for (int row = 0; row < 10; ++row) {
+      for (int col = 0; col < 10; ++col) {
+        const bool inside = col == wall / 5 && row >= 2 && row < 8;
+        EXPECT_EQ(got[to.Index({row, col})], inside ? 1.0f : 0.0f)
+            << wall << ": " << row << " " << col;
+      }
+    }
+  }
 }
 
 }  // namespace

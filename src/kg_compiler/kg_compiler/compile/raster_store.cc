@@ -8,6 +8,7 @@
 #include "kg_base/common/sha256.h"
 #include "kg_compiler/compile/as_sent.h"
 #include "kg_compiler/data_plane/frontness.h"
+#include "kg_compiler/data_plane/masks.h"
 #include "kg_core/rdf/term.h"
 #include "kg_mission/mission/layer_files.h"
 #include "kg_mission/mission/scope.h"
@@ -141,6 +142,14 @@ bool IsWeighed(const kg_mission::Policy& policy,
   return beta != policy.beta.end() && beta->second != 0.0;
 }
 
+bool MustBeAvoided(const kg_mission::Mission& mission,
+                   const kg_mission::Constraint& constraint) {
+  return std::any_of(mission.agents.begin(), mission.agents.end(),
+                     [&](const kg_mission::Agent& agent) {
+                       return agent.must_avoid.count(constraint.iri) > 0;
+                     });
+}
+
 std::string KeyOf(const kg_mission::Mission& mission, const std::string& iri,
                   const kg_mission::RasterRef& ref,
                   const std::string& grid_hash) {
@@ -231,45 +240,80 @@ void RasterStore::CheckGrid(const kg_mission::Mission& mission,
   }
 }
 
+template <typename T, typename Make>
+std::shared_ptr<const T> RasterStore::Keep(const FileRequest& request,
+                                           std::map<std::string, Kept<T>>* kept,
+                                           const Make& make,
+                                           std::string* read) {
+  if (request.grid->hash.empty()) {
+    request.grid->hash = request.grid->grid.Hash();
+  }
+  const std::string key =
+      KeyOf(*request.mission, request.iri, request.ref, request.grid->hash);
+  Kept<T>& place = (*kept)[key];
+  place.used = true;
+  if (!place.value) {
+    place.value = make(readers_.raster(*request.mission, request.iri,
+                                       request.ref, request.grid->grid));
+  }
+  *read += request.iri + " " + key + "\n";
+  return place.value;
+}
+
 RasterStore::FromFiles RasterStore::ReadFiles(
     const kg_mission::Mission& mission, const kg_mission::Policy& policy,
     const WorkField& field) {
   FromFiles read;
-  std::string grid_hash;  // Computed only if there is a file to read.
-  const kg_base::Grid& grid = field.field.grid;
-  // Returns the entry in `kept`, computed by `make` if it is new.
-  const auto keep = [&](const std::string& iri,
-                        const kg_mission::RasterRef& ref, auto* kept,
-                        const auto& make) {
-    if (grid_hash.empty()) grid_hash = grid.Hash();
-    const std::string key = KeyOf(mission, iri, ref, grid_hash);
-    auto& place = (*kept)[key];
-    place.used = true;
-    if (!place.value)
-      place.value = make(readers_.raster(mission, iri, ref, grid));
-    read.key += iri + " " + key + "\n";
-    return place.value;
-  };
+  HashedGrid grid{field.field.grid, ""};
   for (const kg_mission::PriorLayer& prior : mission.priors) {
     if (!prior.raster || !IsWeighed(policy, prior)) continue;
     if (!kg_mission::InScope(prior.windows, field.window)) continue;
-    read.priors[prior.iri] =
-        keep(prior.iri, *prior.raster, &priors_, [](kg_base::Raster values) {
+    read.priors[prior.iri] = Keep(
+        {&mission, prior.iri, *prior.raster, &grid}, &priors_,
+        [](kg_base::Raster values) {
           return std::make_shared<const kg_base::Raster>(std::move(values));
-        });
+        },
+        &read.key);
   }
   for (const kg_mission::Constraint& constraint : mission.constraints) {
-    if (!constraint.mask ||
-        !kg_mission::InScope(constraint.windows, field.window))
-      continue;
-    read.masks[constraint.iri] =
-        keep(constraint.iri, *constraint.mask, &masks_,
-             [](const kg_base::Raster& values) {
-               return std::make_shared<const kg_base::Mask>(
-                   kg_mission::MakeMask(values));
-             });
+    if (!constraint.mask) continue;
+    if (!kg_mission::InScope(constraint.windows, field.window)) continue;
+    ReadMask(mission, constraint, &grid, &read);
   }
   return read;
+}
+
+void RasterStore::ReadMask(const kg_mission::Mission& mission,
+                           const kg_mission::Constraint& constraint,
+                           HashedGrid* grid, FromFiles* read) {
+  const int margin = BufferMargin(constraint, grid->grid);
+  HashedGrid extended{grid->grid.Extended(margin), ""};
+  FileRequest request{&mission, constraint.iri, *constraint.mask,
+                      margin == 0 ? grid : &extended};
+  const auto keep = [&] {
+    return Keep(
+        request, &masks_,
+        [](const kg_base::Raster& values) {
+          return std::make_shared<const kg_base::Mask>(
+              kg_mission::MakeMask(values));
+        },
+        &read->key);
+  };
+  const kg_mission::ConstraintEffect& effect =
+      kg_mission::EffectOf(constraint.kind);
+  const bool is_resampled =
+      request.ref.resampling != kg_base::Resampling::kNone;
+  if (!is_resampled || effect.cover == kg_base::CellCover::kCentres) {
+    read->masks[constraint.iri] = keep();
+  }
+  if (!is_resampled) return;
+  // What is forbidden must not be lost between the centres of the cells.
+  request.ref.resampling = kg_base::Resampling::kTouched;
+  if (effect.cover == kg_base::CellCover::kTouched) {
+    read->masks[constraint.iri] = keep();
+  } else if (MustBeAvoided(mission, constraint)) {
+    read->avoided_masks[constraint.iri] = keep();
+  }
 }
 
 std::shared_ptr<const WindowRasters> RasterStore::Rasters(
@@ -312,6 +356,7 @@ std::shared_ptr<const WindowRasters> RasterStore::Rasters(
   }
   rasters->prior_rasters = std::move(files.priors);
   rasters->constraint_masks = std::move(files.masks);
+  rasters->avoided_masks = std::move(files.avoided_masks);
   rasters->land_hash = LandHash(*rasters);
   rasters->content_hash = ContentHash(*rasters);
   kept.value = std::move(rasters);

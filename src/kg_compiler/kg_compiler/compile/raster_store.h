@@ -37,8 +37,8 @@ struct RasterReaders {
                                 const kg_mission::ValueLayer&,
                                 const kg_base::Grid&)>
       value;
-  // Reads the raster of the prior or constraint `iri`. May be empty if a
-  // mission has none from files.
+  // Reads the raster of the prior or constraint `iri`, resampled as the
+  // reference says. May be empty if a mission has none from files.
   std::function<kg_base::Raster(
       const kg_mission::Mission&, const std::string& iri,
       const kg_mission::RasterRef&, const kg_base::Grid&)>
@@ -79,10 +79,32 @@ class RasterStore {
   struct FromFiles {
     std::map<std::string, std::shared_ptr<const kg_base::Raster>> priors;
     std::map<std::string, std::shared_ptr<const kg_base::Mask>> masks;
+    std::map<std::string, std::shared_ptr<const kg_base::Mask>> avoided_masks;
     std::string key;
   };
+  struct HashedGrid {
+    kg_base::Grid grid;
+    std::string hash;  // Empty until it is needed.
+  };
+  struct FileRequest {
+    const kg_mission::Mission* mission;
+    std::string iri;  // Of the prior or constraint.
+    kg_mission::RasterRef ref;
+    HashedGrid* grid;
+  };
+  // The entry in `kept`, computed by `make` from the raster read if it is new;
+  // its key is appended to `read`.
+  template <typename T, typename Make>
+  std::shared_ptr<const T> Keep(const FileRequest& request,
+                                std::map<std::string, Kept<T>>* kept,
+                                const Make& make, std::string* read);
   FromFiles ReadFiles(const kg_mission::Mission& mission,
                       const kg_mission::Policy& policy, const WorkField& field);
+  // Masks of forbidden places cover every cell that they touch, also those of
+  // soft zones for agents that must avoid them.
+  void ReadMask(const kg_mission::Mission& mission,
+                const kg_mission::Constraint& constraint, HashedGrid* grid,
+                FromFiles* read);
   void CheckGrid(const kg_mission::Mission& mission,
                  const WorkField& field) const;
 

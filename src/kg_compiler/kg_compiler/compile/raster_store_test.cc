@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "kg_base/common/input_error.h"
 #include "kg_compiler/testing/test_world.h"
@@ -134,6 +138,50 @@ TEST(RasterStore, PriorsAreAsTheyAreAndMasksInsideOrNot) {
   EXPECT_EQ(farm[0], 1);
   EXPECT_EQ(farm[1], 0);
   EXPECT_EQ(farm[2], 0);
+}
+
+// The reader gets the way of resampling and a grid that holds the buffer.
+TEST(RasterStore, MasksOfForbiddenPlacesAreTouchedAndReadAsFarAsTheirBuffer) {
+  std::map<std::string, std::vector<std::pair<kg_base::Resampling, int>>> read;
+  RasterReaders readers;
+  readers.field = [](const Mission&, const kg_mission::WorkFieldRef&) {
+    return UniformFlow(kGrid, 0.1, 0.2);
+  };
+  readers.raster = [&](const Mission&, const std::string& iri,
+                       const kg_mission::RasterRef& ref,
+                       const kg_base::Grid& grid) {
+    read[iri].emplace_back(ref.resampling, grid.rows());
+    return Raster(grid.size(), 1.0f);
+  };
+  Policy policy = Weighing({});
+  policy.alpha_base = 0.0;
+  Mission mission = TestMission();
+  mission.agents = {TestAgent("alpha")};
+  kg_mission::Constraint hard = mission.constraints[0];
+  hard.windows = {};
+  hard.mask->resampling = kg_base::Resampling::kNearest;
+  hard.buffer_cells = 2.5;
+  kg_mission::Constraint soft = hard;
+  soft.iri = "ex:soft";
+  soft.kind = kg_mission::ConstraintKind::kSoft;
+  soft.buffer_cells = 0.0;
+  mission.constraints = {hard, soft};
+  using kg_base::Resampling;
+  const auto calm = RasterStore(readers).Rasters(
+      mission, policy, *RasterStore(readers).Field(mission, 0));
+  const std::vector<std::pair<Resampling, int>> touched = {
+      {Resampling::kTouched, 6 + 2 * 3}};
+  EXPECT_EQ(read["ex:farm"], touched);
+  EXPECT_EQ(read["ex:soft"].size(), 1u);
+  EXPECT_TRUE(calm->avoided_masks.empty());
+  read.clear();
+  mission.agents[0].must_avoid["ex:soft"] = {"ex:alpha"};
+  const auto avoided = RasterStore(readers).Rasters(
+      mission, policy, *RasterStore(readers).Field(mission, 0));
+  const std::vector<std::pair<Resampling, int>> both = {
+      {Resampling::kNearest, 6}, {Resampling::kTouched, 6}};
+  EXPECT_EQ(read["ex:soft"], both);
+  EXPECT_EQ(avoided->avoided_masks.count("ex:soft"), 1u);
 }
 
 TEST(RasterStore, APriorThatIsNotWeighedIsNotRead) {

@@ -1,5 +1,7 @@
 #include "kg_compiler/control_plane/nav_graph.h"
 
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -27,6 +29,15 @@ void CheckWorlds(const SeamRules& rules,
 std::string Where(const SeamRules& rules, const WindowRules& window) {
   return "agent " + rules.agent_id + " (" + rules.agent_iri + "), window " +
          std::to_string(window.window) + " (" + window.iri + "): ";
+}
+
+// Why an agent may not start at a position of the first window.
+std::string WhyClosed(const MissionTensor& tensor, kg_base::LonLat position) {
+  const std::optional<kg_base::Cell> cell = tensor.grid.CellAt(position);
+  if (!cell) return "off the grid (" + tensor.grid.Text() + ")";
+  const float open = tensor.At(Layer::kFeasibility, tensor.grid.Index(*cell));
+  return std::isnan(open) ? "on land: the work field has no data there"
+                          : "in a no_go area or its buffer";
 }
 
 // Builds the graphs and the next cache from the last one.
@@ -91,10 +102,9 @@ NavGraphs CompileNavGraphs(const SeamRules& rules,
   CheckWorlds(rules, worlds);
   std::vector<kg_base::LonLat> sources = {rules.start};
   if (!worlds.empty() && !IsOpenAt(*worlds[0].tensor, rules.start)) {
-    throw kg_base::InputError(
-        Where(rules, rules.windows[0]) + "starts at " +
-        kg_base::PointWkt(rules.start) +
-        ", which is on land, in a no_go area or off the grid");
+    throw kg_base::InputError(Where(rules, rules.windows[0]) + "starts at " +
+                              kg_base::PointWkt(rules.start) + ", which is " +
+                              WhyClosed(*worlds[0].tensor, rules.start));
   }
   // The waypoints of a window are the departure places of the next one.
   const SeamCache none;

@@ -448,9 +448,20 @@ TEST(NavGraph, RefusesAStartInAForbiddenPlaceByName) {
       "ex:no", kg_mission::ConstraintKind::kNoGo, Box(-90, 25, -89.8, 25.2))};
   EXPECT_NE(std::string::npos, ErrorOf(&sea).find("agent alpha (ex:alpha), "
                                                   "window 0"));
+  EXPECT_NE(std::string::npos, ErrorOf(&sea).find("in a no_go area"));
+  EXPECT_EQ(std::string::npos, ErrorOf(&sea).find("land"));
   sea.mission.constraints.clear();
+  const kg_base::LonLat start = sea.mission.agents[0].start;
   sea.mission.agents[0].start = {-20, 25};
   EXPECT_NE(std::string::npos, ErrorOf(&sea).find("POINT"));
+  EXPECT_NE(std::string::npos, ErrorOf(&sea).find("off the grid"));
+  sea.mission.agents[0].start = start;
+  const std::size_t cell = sea.grid.Index(*sea.grid.CellAt(start));
+  for (kg_base::FieldSlice& slice : sea.fields[0].slices) {
+    slice.east_mps[cell] = kGap;
+  }
+  EXPECT_NE(std::string::npos, ErrorOf(&sea).find("on land"));
+  EXPECT_EQ(std::string::npos, ErrorOf(&sea).find("no_go"));
 }
 
 TEST(NavGraph, RefusesAWindowWithoutReachableEnd) {

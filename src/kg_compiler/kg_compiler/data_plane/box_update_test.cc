@@ -398,6 +398,50 @@ TEST(Patches, AreTheWholeGridsMasks) {
   }
 }
 
+// The buffer of an area beyond one edge: the cells within reach of the cells
+// that the area would cover if the grid went on.
+TEST(Patches, ABufferGrowsFromBeyondEveryEdge) {
+  World world(1, 20, 30);
+  world.rasters.grid = EvenGrid(-92, 23, 0.05, 20, 30);
+  world.rasters.land.assign(world.rasters.grid.size(), 0);
+  const kg_base::Grid& grid = world.rasters.grid;
+  struct Side {
+    kg_base::Geometry area;  // Its nearest cells are the second beyond.
+    std::function<int(kg_base::Cell)> cells_to_edge;
+  };
+  const double w = grid.west_deg(), e = grid.east_deg();
+  const double s = grid.south_deg(), n = grid.north_deg();
+  const std::vector<Side> sides = {
+      {Box(w - 0.5, s, w - 0.07, n), [](kg_base::Cell c) { return c.col; }},
+      {Box(e + 0.07, s, e + 0.5, n),
+       [](kg_base::Cell c) { return 29 - c.col; }},
+      {Box(w, s - 0.5, e, s - 0.07), [](kg_base::Cell c) { return c.row; }},
+      {Box(w, n + 0.07, e, n + 0.5),
+       [](kg_base::Cell c) { return 19 - c.row; }}};
+  for (const Side& side : sides) {
+    for (const double buffer : {0.0, 1.0, 2.0, 3.0, 7.0}) {
+      kg_mission::Constraint zone =
+          AreaConstraint("ex:z", ConstraintKind::kNoGo, side.area);
+      zone.buffer_cells = buffer;
+      const ActiveConstraint active{
+          &zone, &kg_mission::EffectOf(zone.kind), 1.0, {}, ""};
+      const kg_base::Mask whole = ConstraintExtent(world.rasters, active);
+      const MaskPatch patch = ConstraintPatch(world.rasters, active, "");
+      std::size_t closed = 0;
+      for (int row = 0; row < 20; ++row) {
+        for (int col = 0; col < 30; ++col) {
+          const bool is_near = side.cells_to_edge({row, col}) + 2 <= buffer;
+          EXPECT_EQ(whole[grid.Index({row, col})] != 0, is_near)
+              << buffer << ": " << row << " " << col;
+          closed += is_near;
+        }
+      }
+      EXPECT_EQ(std::count(patch.inside.begin(), patch.inside.end(), 1),
+                static_cast<std::ptrdiff_t>(closed));
+    }
+  }
+}
+
 TEST(Patches, OfASmallAreaAreSmall) {
   World world(1, 200, 300);
   const kg_base::LonLat at = world.rasters.grid.Centre({100, 150});

@@ -35,6 +35,11 @@ inline CellBox Common(const CellBox& a, const CellBox& b) {
           std::max(a.col, b.col), std::min(a.col_end, b.col_end)};
 }
 
+inline CellBox Moved(const CellBox& box, int cells) {
+  return {box.row + cells, box.row_end + cells, box.col + cells,
+          box.col_end + cells};
+}
+
 // The smallest box that contains both; empty boxes are ignored.
 inline CellBox Join(const CellBox& a, const CellBox& b) {
   if (a.empty()) return b;

@@ -28,8 +28,10 @@ class Reference {
       : mission_(mission), agent_(agent), window_(window), in_(rasters) {
     for (const Constraint& c : mission_.constraints) {
       const bool hard = Factor(c) < 0;
-      for (int j = 0; j < Size(); ++j) {
-        inside_[c.iri].push_back(Inside(c, j, hard));
+      for (int row = -kBeyond; row < in_.grid.rows() + kBeyond; ++row) {
+        for (int col = -kBeyond; col < Cols() + kBeyond; ++col) {
+          inside_[c.iri].push_back(Inside(c, row, col, hard));
+        }
       }
     }
     for (const kg_mission::PriorLayer& prior : mission_.priors) {
@@ -47,9 +49,7 @@ class Reference {
     if (in_.land[i]) return false;
     for (const Constraint& c : mission_.constraints) {
       if (Factor(c) >= 0 || !c.AppliesTo(agent_.iri, window_)) continue;
-      for (int j = 0; j < Size(); ++j) {
-        if (inside_.at(c.iri)[j] && Cells(i, j) <= c.buffer_cells) return false;
-      }
+      if (Extends(c, i)) return false;
     }
     return true;
   }
@@ -57,11 +57,7 @@ class Reference {
     double product = 1.0;
     for (const Constraint& c : mission_.constraints) {
       if (Factor(c) < 0 || !c.AppliesTo(agent_.iri, window_)) continue;
-      bool inside = false;
-      for (int j = 0; j < Size(); ++j) {
-        inside |= inside_.at(c.iri)[j] && Cells(i, j) <= c.buffer_cells;
-      }
-      if (inside) product *= Factor(c);
+      if (Extends(c, i)) product *= Factor(c);
     }
     return product;
   }
@@ -94,13 +90,23 @@ class Reference {
   }
 
  private:
+  static constexpr int kBeyond = 3;  // At least every buffer of the tests.
   int Size() const { return static_cast<int>(in_.grid.size()); }
   int Cols() const { return in_.grid.cols(); }
   kg_base::LonLat Centre(int i) const {
     return in_.grid.Centre({i / Cols(), i % Cols()});
   }
-  double Cells(int i, int j) const {
-    return std::hypot(i / Cols() - j / Cols(), i % Cols() - j % Cols());
+  // Is the cell inside, or within the buffer of a cell that is? Cells up to
+  // kBeyond beyond the grid count as well.
+  bool Extends(const Constraint& c, int i) const {
+    const int wide = Cols() + 2 * kBeyond;
+    const std::vector<bool>& inside = inside_.at(c.iri);
+    for (int j = 0; j < static_cast<int>(inside.size()); ++j) {
+      const double cells = std::hypot(j / wide - kBeyond - i / Cols(),
+                                      j % wide - kBeyond - i % Cols());
+      if (inside[j] && cells <= c.buffer_cells) return true;
+    }
+    return false;
   }
   static double Positive(double x) { return x > 0 ? x : 0.0; }
   // Factor of a constraint; negative = hard.
@@ -111,10 +117,15 @@ class Reference {
         overrides.count(c.iri) ? overrides.at(c.iri) : c.attenuation;
     return agent_.must_avoid.count(c.iri) ? -1.0 : f;
   }
-  bool Inside(const Constraint& c, int i, bool touched) const {
-    if (c.is_land) return in_.land[i];
-    if (!touched) return c.area->Contains(Centre(i));
-    const double row = i / Cols(), col = i % Cols();
+  bool Inside(const Constraint& c, int row, int col, bool touched) const {
+    if (c.is_land) {
+      return in_.grid.Contains({row, col}) &&
+             in_.land[in_.grid.Index({row, col})];
+    }
+    if (!touched) {
+      return c.area->Contains(in_.grid.Position(
+          {static_cast<double>(row), static_cast<double>(col)}));
+    }
     const kg_base::LonLat sw = in_.grid.Position({row - 0.5, col - 0.5});
     const kg_base::LonLat ne = in_.grid.Position({row + 0.5, col + 0.5});
     return c.area->Intersects(

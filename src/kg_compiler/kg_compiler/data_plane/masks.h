@@ -14,8 +14,21 @@
 
 namespace kg_compiler {
 
-// M_hard: 1 = open. 0 on land, in every cell that a hard area touches
-// (supercover, A15) or a hard mask contains, and within its buffer or the
+// Cells by which the grid is extended on every side to find the extent of a
+// constraint, so that its buffer also grows from what lies beyond the edges. 0
+// without a buffer, and where nothing is known beyond: of land and of masks on
+// the mission's grid.
+int BufferMargin(const kg_mission::Constraint& constraint,
+                 const kg_base::Grid& grid);
+
+// The mask that was read for a constraint, on `extended`, the grid extended by
+// BufferMargin. Throws std::logic_error if there is none of that size.
+const kg_base::Mask& FindMask(const WindowRasters& rasters,
+                              const ActiveConstraint& constraint,
+                              const kg_base::Grid& extended);
+
+// M_hard: 1 = open. 0 on land, in every cell that a hard area or a masked cell
+// of a hard mask touches (supercover, A15), and within its buffer or the
 // land's.
 kg_base::Mask OpenCells(const WindowRasters& rasters,
                         const std::vector<ActiveConstraint>& constraints);
@@ -28,7 +41,7 @@ std::vector<double> Attenuations(
     kg_mission::SoftOverlap overlap);
 
 // 1 in the cells where one constraint applies, including its buffer (Euclidean
-// or Chebyshev, in cells). Throws std::logic_error if the constraint's mask is
+// or Chebyshev, in cells), which also grows from beyond the grid. Throws std::logic_error if the constraint's mask is
 // not among the rasters.
 kg_base::Mask ConstraintExtent(const WindowRasters& rasters,
                                const ActiveConstraint& constraint);

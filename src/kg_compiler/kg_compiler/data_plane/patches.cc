@@ -10,6 +10,7 @@
 #include "kg_base/raster/wkt_raster.h"
 #include "kg_compiler/data_plane/bump.h"
 #include "kg_compiler/data_plane/distance_transform.h"
+#include "kg_compiler/data_plane/masks.h"
 
 namespace kg_compiler {
 namespace {
@@ -102,23 +103,17 @@ Mask Cut(const CellBox& from, const Mask& inside, const CellBox& to) {
   return part;
 }
 
-// Extent of a constraint before buffering.
+// Extent of a constraint before buffering, on the grid extended by its
+// BufferMargin.
 MaskPatch BarePatch(const WindowRasters& rasters,
-                    const ActiveConstraint& constraint) {
+                    const ActiveConstraint& constraint, const Grid& extended) {
   const kg_mission::Constraint& fact = *constraint.fact;
-  const CellBox whole = WholeGrid(rasters.grid);
+  const CellBox whole = WholeGrid(extended);
   if (fact.is_land) return {"", whole, rasters.land};
-  if (fact.mask) {
-    const auto mask = rasters.constraint_masks.find(fact.iri);
-    if (mask == rasters.constraint_masks.end() ||
-        mask->second->size() != rasters.grid.size()) {
-      throw std::logic_error("no mask of the grid's size for " + fact.iri);
-    }
-    return {"", whole, *mask->second};
-  }
+  if (fact.mask) return {"", whole, FindMask(rasters, constraint, extended)};
   if (!fact.area) return {};
-  const CellBox box = BoxAround(rasters.grid, *fact.area);
-  const Grid part = Within(rasters.grid, box);
+  const CellBox box = BoxAround(extended, *fact.area);
+  const Grid part = Within(extended, box);
   return {"", box,
           kg_base::Rasterise(*fact.area, part, constraint.effect->cover)};
 }
@@ -134,28 +129,35 @@ std::string ConstraintKey(const kg_mission::Mission& mission,
   std::string key = chebyshev ? "square " : "round ";
   key += Digits(fact.buffer_cells) + " ";
   if (fact.is_land) return key + "land";
-  if (fact.mask) return key + FileKey(mission, *fact.mask);
-  if (!fact.area) return key + "nothing";
-  return key + kg_base::Name(constraint.effect->cover) + " " + fact.area->Wkt();
+  key += kg_base::Name(constraint.effect->cover);
+  if (fact.mask) return key + " " + FileKey(mission, *fact.mask);
+  if (!fact.area) return key + " nothing";
+  return key + " " + fact.area->Wkt();
 }
 
 MaskPatch ConstraintPatch(const WindowRasters& rasters,
                           const ActiveConstraint& constraint, std::string key) {
   const kg_mission::Constraint& fact = *constraint.fact;
-  MaskPatch bare = BarePatch(rasters, constraint);
+  const int margin = BufferMargin(fact, rasters.grid);
+  const Grid extended = rasters.grid.Extended(margin);
+  MaskPatch bare = BarePatch(rasters, constraint, extended);
   const CellBox tight = Tight(bare.box, bare.inside);
   if (tight.empty()) return {std::move(key), {}, {}};
   if (!(fact.buffer_cells > 0.0)) {
     return {std::move(key), tight, Cut(bare.box, bare.inside, tight)};
   }
-  const double reach = std::min<double>(
-      fact.buffer_cells, rasters.grid.rows() + rasters.grid.cols());
+  const double reach =
+      std::min<double>(fact.buffer_cells, extended.rows() + extended.cols());
   const CellBox grown =
-      Grown(tight, static_cast<int>(std::ceil(reach)), rasters.grid);
-  Mask inside =
+      Grown(tight, static_cast<int>(std::ceil(reach)), extended);
+  const Mask inside =
       GrowByCells(grown.rows(), grown.cols(), Cut(bare.box, bare.inside, grown),
                   reach, fact.buffer_metric);
-  return {std::move(key), grown, std::move(inside)};
+  // Back to the cells of the mission's grid.
+  const CellBox from = Moved(grown, -margin);
+  const CellBox own = Common(from, WholeGrid(rasters.grid));
+  if (own.empty()) return {std::move(key), {}, {}};
+  return {std::move(key), own, Cut(from, inside, own)};
 }
 
 std::string PriorKey(const kg_mission::Mission& mission,

@@ -27,9 +27,13 @@ struct WindowRasters {
   std::optional<double> front_full_scale;
   // Rasters read from files, on this grid: values of priors (NaN = no data) and
   // masks of constraints (1 = inside), by IRI. The files' sha256 identify them,
-  // so they need no hash here.
+  // so they need no hash here. A mask from another grid is on this one extended
+  // by BufferMargin (masks.h).
   std::map<std::string, std::shared_ptr<const kg_base::Raster>> prior_rasters;
   std::map<std::string, std::shared_ptr<const kg_base::Mask>> constraint_masks;
+  // The masks of soft zones from another grid, for agents that must avoid them:
+  // every cell that a masked cell touches.
+  std::map<std::string, std::shared_ptr<const kg_base::Mask>> avoided_masks;
 };
 
 }  // namespace kg_compiler

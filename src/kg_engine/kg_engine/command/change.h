@@ -12,6 +12,9 @@
 
 namespace kg_engine::command {
 
+// Is there an ex:Mission among the facts? A store may hold others.
+bool HoldsMission(const kg_core::GraphView& view);
+
 // Stages `update` as a running node would: with pending ingest of files and its
 // log entry. Marks an existing plan stale. Returns the reasons for rejection.
 std::vector<std::string> Stage(const kg_core::FactUpdate& update,

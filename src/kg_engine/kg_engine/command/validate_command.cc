@@ -2,10 +2,16 @@
 
 #include <iostream>
 
+#include "kg_base/common/input_error.h"
+#include "kg_compiler/compile/mission_compiler.h"
+#include "kg_compiler/explain/fact_warnings.h"
 #include "kg_core/rdf/namespaces.h"
 #include "kg_core/rdf/syntax.h"
+#include "kg_engine/command/change.h"
 #include "kg_engine/command/command.h"
 #include "kg_engine/command/target.h"
+#include "kg_mission/mission/ingest.h"
+#include "kg_mission/mission/mission_reader.h"
 #include "kg_mission/mission/stage_update.h"
 #include "kg_mission/mission/stage_vocabulary.h"
 #include "kg_mission/mission/validator.h"
@@ -46,31 +52,102 @@ int ValidateFile(const std::string& file, bool as_report) {
   return reasons.empty() ? kDone : kRefused;
 }
 
+void TellWarnings(const std::vector<std::string>& warnings) {
+  for (const std::string& line : warnings) {
+    std::cout << "warning: " << line << "\n";
+  }
+}
+
+// Compiles the mission; returns why that fails.
+std::vector<std::string> CompileForWarnings(
+    const kg_core::GraphView& view, kg_mission::FileCache* files,
+    std::vector<std::string>* warnings) {
+  try {
+    const kg_mission::Mission mission = kg_mission::ReadMission(view);
+    kg_compiler::MissionCompiler compiler(files);
+    *warnings = kg_compiler::FindWarnings(
+        *compiler.Compile(mission, view.world_version(), 0));
+  } catch (const kg_base::InputError& error) {
+    return {error.what()};
+  }
+  return {};
+}
+
+// Everything of a mission folder that would have a node refuse it: its facts,
+// what its files say, and the mission that they are together. Warnings about
+// facts without effect follow.
+int ValidateMission(const std::string& folder, const std::string& data_folder) {
+  kg_core::Store store("");
+  kg_core::Transaction transaction = store.Begin();
+  kg_mission::StageVocabulary(OntologyFolder(), transaction);
+  std::vector<std::string> reasons =
+      kg_mission::StageFactsFile(folder + "/mission.ttl", transaction);
+  std::vector<std::string> warnings;
+  if (reasons.empty()) {
+    kg_mission::FileCache files(folder, data_folder);
+    const std::vector<std::string> missing =
+        kg_mission::FindMissingFiles(files, transaction.view());
+    for (const std::string& file : missing) {
+      std::cerr << "kg: what the mission's files say is left out: " << file
+                << "\n";
+    }
+    if (missing.empty()) {
+      reasons = kg_mission::StageIngest(files, transaction);
+      if (reasons.empty()) {
+        reasons = CompileForWarnings(transaction.view(), &files, &warnings);
+      }
+    }
+  }
+  for (const std::string& reason : reasons) std::cout << reason << "\n";
+  TellWarnings(warnings);
+  std::cout << reasons.size() << " violations\n";
+  return reasons.empty() ? kDone : kRefused;
+}
+
+// The shapes of a store's facts; warnings, if they are a mission that compiles.
+int ValidateStore(const std::string& path, const std::string& data_folder,
+                  bool as_report) {
+  const Target target = OpenTarget(path, data_folder);
+  const auto view = target.store->Read();
+  if (!as_report && HoldsMission(*view)) {
+    kg_mission::FileCache files(target.mission_folder, data_folder);
+    std::vector<std::string> warnings;
+    for (const std::string& reason :
+         CompileForWarnings(*view, &files, &warnings)) {
+      warnings.push_back("not compiled: " + reason);
+    }
+    TellWarnings(warnings);
+  }
+  return Show(kg_mission::Validate(*view), as_report);
+}
+
 int RunValidate(const Arguments& arguments) {
   arguments.ExpectWords(1, 1, "one TARGET or file");
   const std::string& path = arguments.words[0];
   const bool as_report = arguments.Has("--report");
-  if (IsMissionFolder(path)) {
-    return ValidateFile(path + "/mission.ttl", as_report);
+  if (IsMissionFolder(path) && !as_report) {
+    return ValidateMission(path, arguments.One("--data").value_or(""));
   }
+  if (IsMissionFolder(path)) return ValidateFile(path + "/mission.ttl", true);
   if (kg_core::SyntaxOfPath(path) != nullptr) {
     return ValidateFile(path, as_report);
   }
-  const Target target = OpenTarget(path, "");
-  return Show(kg_mission::Validate(*target.store->Read()), as_report);
+  return ValidateStore(path, arguments.One("--data").value_or(""), as_report);
 }
 
 }  // namespace
 
 const Subcommand kValidate = {
     "validate",
-    "TARGET|FILE [--report]",
+    "TARGET|FILE [--report] [--data FOLDER]",
     "check facts against the shapes; status 1 if there is a violation",
     "FILE is Turtle, as mission.ttl is. All violations of a file or a mission\n"
     "are listed: of the shapes, of the ontology, and facts that are not a\n"
-    "mission.\n\n"
-    "  --report  a W3C SHACL validation report in Turtle\n",
-    {{"--report"}},
+    "mission. Of a mission folder, its files are read, too; facts without\n"
+    "effect are warnings.\n\n"
+    "  --report       a W3C SHACL validation report in Turtle\n"
+    "  --data FOLDER  where a mission's files are looked up first\n",
+    {{"--report"}, {"--data", true}},
     RunValidate};
 
 }  // namespace kg_engine::command

@@ -5,7 +5,9 @@
 #include <iostream>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/join_strings.h"
 #include "kg_base/common/units.h"
+#include "kg_compiler/explain/fact_warnings.h"
 #include "kg_engine/command/command.h"
 #include "kg_engine/command/target.h"
 #include "kg_engine/state/start_state.h"
@@ -112,6 +114,11 @@ PlannedWorld Plan(const Target& target, const std::string& data_folder) {
   world.compilation =
       StartFrom(start, *compiler.Compile(mission, world.view->world_version(),
                                          FirstWindowToPlan(start, mission)));
+  const std::vector<std::string> closed =
+      kg_compiler::FindClosedStarts(*world.compilation);
+  if (!closed.empty()) {
+    throw kg_base::InputError(kg_base::JoinStrings(closed, "; "));
+  }
   // Plan from scratch: the command line has no earlier plan to reuse.
   kg_selector::PlannedMission planned =
       kg_selector::PlanMission(*world.compilation, nullptr);

@@ -36,13 +36,20 @@ void CheckColumns(const FactEntity& grid, const Geometry& box) {
                           kKmPerDegreeOfLatitude * std::cos(middle_rad);
   const double cell_km = width_km / grid.Integer(Ex("cols"));
   const double pixel_km = grid.Number(Ex("pixelSizeKm"));
-  if (cell_km >= pixel_km / kMaxAspect && cell_km <= pixel_km * kMaxAspect) {
-    return;
-  }
+  // Towards the poles, cells of equal degrees get narrow.
+  const double row_deg =
+      (box.north_deg() - box.south_deg()) / grid.Integer(Ex("rows"));
+  const double col_deg =
+      (box.east_deg() - box.west_deg()) / grid.Integer(Ex("cols"));
+  const bool is_wide_enough =
+      cell_km >= pixel_km / kMaxAspect || col_deg >= row_deg / kMaxAspect;
+  if (is_wide_enough && cell_km <= pixel_km * kMaxAspect) return;
   grid.Refuse(Ex("cols"),
               "cells of 1/4 to 4 times ex:pixelSizeKm across the width of "
-              "geo:asWKT, not of " +
-                  std::to_string(cell_km) + " km");
+              "geo:asWKT, or steps of 1/4 of those of rows in degrees and "
+              "more, not cells of " +
+                  std::to_string(cell_km) +
+                  " km; interpolate the file to another grid");
 }
 
 }  // namespace

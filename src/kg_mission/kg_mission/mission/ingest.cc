@@ -55,20 +55,52 @@ bool HasData(const kg_base::QuantitySeries& series) {
                      [](const Raster& raster) { return HasData(raster); });
 }
 
+// The box of a grid on the globe. The outer edges of cells, half a cell beyond
+// their centres, may lie beyond 180 degrees or a pole.
+struct GlobeBox {
+  double west_deg;
+  double east_deg;
+  double south_deg;
+  double north_deg;
+};
+
+GlobeBox BoxOf(const Grid& grid) {
+  // Of rounding in the coordinates of a file.
+  constexpr double kTurn_deg = 360.0 - 1e-6;
+  GlobeBox box{
+      std::max(grid.west_deg(), -180.0), std::min(grid.east_deg(), 180.0),
+      std::max(grid.south_deg(), -90.0), std::min(grid.north_deg(), 90.0)};
+  if (grid.east_deg() - grid.west_deg() >= kTurn_deg) {
+    box.west_deg = -180.0;
+    box.east_deg = 180.0;
+  }
+  return box;
+}
+
 std::string BoxWkt(const Grid& grid) {
-  const std::string west = DoubleLiteral(grid.west_deg()).text;
-  const std::string east = DoubleLiteral(grid.east_deg()).text;
-  const std::string south = DoubleLiteral(grid.south_deg()).text;
-  const std::string north = DoubleLiteral(grid.north_deg()).text;
-  return "POLYGON((" + west + " " + south + ", " + east + " " + south + ", " +
-         east + " " + north + ", " + west + " " + north + ", " + west + " " +
-         south + "))";
+  const GlobeBox box = BoxOf(grid);
+  std::vector<double> lon_deg = {box.west_deg, box.east_deg};
+  // An edge of more than half a turn, but not of a whole one, would be one that
+  // crosses the antimeridian.
+  const double width_deg = box.east_deg - box.west_deg;
+  if (width_deg > 180.0 && width_deg < 360.0) {
+    lon_deg.insert(lon_deg.begin() + 1, box.west_deg + width_deg / 2.0);
+  }
+  const auto vertex = [](double lon, double lat) {
+    return DoubleLiteral(lon).text + " " + DoubleLiteral(lat).text;
+  };
+  std::string ring;
+  for (const double lon : lon_deg) ring += vertex(lon, box.south_deg) + ", ";
+  std::reverse(lon_deg.begin(), lon_deg.end());
+  for (const double lon : lon_deg) ring += vertex(lon, box.north_deg) + ", ";
+  return "POLYGON((" + ring + vertex(box.west_deg, box.south_deg) + "))";
 }
 
 double MeanRowKm(const Grid& grid) {
   const double lon_deg = grid.Middle().lon_deg;
-  return kg_base::Distance_m({lon_deg, grid.south_deg()},
-                             {lon_deg, grid.north_deg()}) /
+  const GlobeBox box = BoxOf(grid);
+  return kg_base::Distance_m({lon_deg, box.south_deg},
+                             {lon_deg, box.north_deg}) /
          grid.rows() / 1000.0;
 }
 
@@ -453,6 +485,33 @@ std::vector<std::string> StageIngest(FileCache& cache,
   } catch (const InputError& error) {
     return {error.what()};
   }
+}
+
+std::vector<std::string> FindMissingFiles(const FileCache& cache,
+                                          const kg_core::GraphView& view) {
+  std::vector<std::string> missing;
+  const auto look_for = [&](const FactEntity& entity, const std::string& file) {
+    try {
+      cache.Resolve(file);
+    } catch (const InputError& error) {
+      missing.push_back(kg_core::ToTurtle(entity.subject()) + ": " +
+                        error.what());
+    }
+  };
+  for (const Term& term :
+       kg_core::FindInstances(view, kg_core::kFactsGraph, Ex("DataSource"))) {
+    const FactEntity source(view, term);
+    look_for(source, source.Text(Ex("file")));
+  }
+  for (const char* type : {"PriorLayer", "Constraint", "SampledField"}) {
+    for (const Term& term :
+         kg_core::FindInstances(view, kg_core::kFactsGraph, Ex(type))) {
+      const FactEntity layer(view, term);
+      const std::optional<GridRef> ref = ReadGridRef(layer);
+      if (ref) look_for(layer, ref->file);
+    }
+  }
+  return missing;
 }
 
 StagedUpdate StageUpdateWithFiles(const kg_core::FactUpdate& update,

@@ -53,6 +53,11 @@ namespace kg_mission {
 std::vector<std::string> StageIngest(FileCache& cache,
                                      kg_core::Transaction& transaction);
 
+// The files named by facts that are not there, as one line each; files that are
+// there may still be unreadable.
+std::vector<std::string> FindMissingFiles(const FileCache& cache,
+                                          const kg_core::GraphView& view);
+
 // StageUpdate (stage_update.h), followed by StageIngest if due: all checks of
 // an update except that the mission can be read.
 struct StagedUpdate {

@@ -47,6 +47,9 @@ constexpr float kFill = 1e30f;
 struct Ocean {
   int days = kDays;
   double first_lon_deg = -94.0;
+  double lon_step_deg = 0.1;
+  double first_lat_deg = 26.0;
+  double lat_step_deg = 0.1;
   bool has_north = true;
   bool is_wind = false;
   bool is_land = false;
@@ -69,8 +72,10 @@ class OceanWriter {
         Variable("water_temp", "sea_surface_temperature", "degC");
     nc_.enddef();
     Fill(time, spec.days, [](int i) { return 24.0 * i; });
-    Fill(lat, kRows, [](int i) { return 26.0 + 0.1 * i; });
-    Fill(lon, kCols, [&](int i) { return spec_.first_lon_deg + 0.1 * i; });
+    Fill(lat, kRows,
+         [&](int i) { return spec_.first_lat_deg + spec_.lat_step_deg * i; });
+    Fill(lon, kCols,
+         [&](int i) { return spec_.first_lon_deg + spec_.lon_step_deg * i; });
     FillField(u, [](int day) { return 0.1 + day; });
     if (!v.isNull()) FillField(v, [](int) { return -0.2; });
     FillField(t, [](int day) { return 20.0 + day * day; });
@@ -195,6 +200,35 @@ TEST_F(IngestTest, StatesLayersThatConformAndCanBeRead) {
   EXPECT_EQ(mission.value_layers[1].time_index, 2);
   EXPECT_EQ(mission.value_layers[1].previous_time_index, 1);
   EXPECT_EQ(mission.value_layers[1].time_s, 1780488000.0);  // 06-03, noon.
+}
+
+// Outer cells that reach beyond 180 degrees or a pole, and boxes of more than
+// half a turn.
+TEST_F(IngestTest, GridsUpToTheEdgesOfTheGlobeAreAMission) {
+  struct Case {
+    const char* name;
+    double first_lon_deg, lon_step_deg, first_lat_deg, lat_step_deg;
+  };
+  for (const Case& c :
+       {Case{"from 180 W", -180.0, 0.1, 26.0, 0.1},
+        Case{"up to 180 E", 179.09, 0.1, 26.0, 0.1},
+        Case{"globe", -180.0, 36.0, -82.5, 15.0},
+        Case{"with both poles", -162.0, 36.0, -90.0, 180.0 / 11},
+        Case{"wide", -135.0, 30.0, -55.0, 10.0},
+        Case{"far north", 20.0, 0.1, 88.0, 0.1}}) {
+    Ocean spec;
+    spec.first_lon_deg = c.first_lon_deg;
+    spec.lon_step_deg = c.lon_step_deg;
+    spec.first_lat_deg = c.first_lat_deg;
+    spec.lat_step_deg = c.lat_step_deg;
+    Write("ocean.nc", spec);
+    Write("sst.nc", spec);
+    MissionWorld world;
+    EXPECT_EQ(Joined(IngestInto(&world, kSources)), "") << c.name;
+    const auto view = world.store.Read();
+    EXPECT_TRUE(Validate(*view).empty()) << c.name;
+    EXPECT_EQ(ReadMission(*view).work_fields.size(), 2u) << c.name;
+  }
 }
 
 TEST_F(IngestTest, LeavesProvenanceFromLayerToFileToActivity) {

@@ -377,6 +377,24 @@ TEST(MissionReaderTest, AGridMayHaveCellsOfAnotherShapeButNotOfAny) {
   }
 }
 
+// Rows of 0.1 degree, 11.13 km, far north: columns of equal degrees are narrow.
+TEST(MissionReaderTest, CellsMayBeNarrowBecauseOfTheLatitude) {
+  const auto said = [](const std::string& cols, const std::string& box) {
+    return GetRefusal(std::string(kTestFacts) +
+                      "ex:polar a ex:GridSpec ; ex:rows 20 ; ex:pixelSizeKm "
+                      "11.13 ; ex:cols " +
+                      cols + " ; geo:asWKT \"POLYGON((" + box + "))\" .");
+  };
+  for (const char* box : {"10 80, 13 80, 13 82, 10 82, 10 80",
+                          "10 87.9, 13 87.9, 13 89.9, 10 89.9, 10 87.9",
+                          "10 -82, 13 -82, 13 -80, 10 -80, 10 -82"}) {
+    EXPECT_EQ(said("30", box), "") << box;
+    EXPECT_NE(said("300", box).find("ex:polar ex:cols: expected"),
+              std::string::npos)
+        << box;
+  }
+}
+
 TEST(MissionReaderTest, GapsBetweenWindowsAreSaid) {
   EXPECT_TRUE(WindowGaps(ReadWith()).empty());
   const Mission mission = ReadWith("ex:w0 ex:durationHours 23 .");

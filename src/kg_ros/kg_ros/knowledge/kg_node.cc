@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "kg_base/common/input_error.h"
+#include "kg_base/common/join_strings.h"
+#include "kg_compiler/explain/fact_warnings.h"
 #include "kg_mission/mission/mission_reader.h"
 #include "kg_mission/mission/validator.h"
 #include "kg_ros/base/names.h"
@@ -234,6 +236,16 @@ void KgNode::TellGaps(UpdateReport* report) {
   }
 }
 
+void KgNode::TellWarnings() {
+  std::vector<std::string> warnings = kg_compiler::FindWarnings(*compilation_);
+  if (warnings == warnings_) return;
+  warnings_ = std::move(warnings);
+  for (const std::string& line : warnings_) {
+    ROS_WARN_STREAM("[facts] " << line);
+  }
+  pending_.Warn(warnings_);
+}
+
 bool KgNode::HandleValidate(kg_msgs::Validate::Request& request,
                             kg_msgs::Validate::Response& response) {
   response.world_version = server_.world_version();
@@ -270,6 +282,7 @@ void KgNode::StartCycle() {
     return;
   }
   const double compiled_s = Now_s();
+  TellWarnings();
   progress_.Begin(server_.cycle());
   why_.archive().Begin(server_.cycle(), compilation_, server_.Read());
   artifacts_.Publish(*compilation_, server_.cycle());
@@ -505,6 +518,7 @@ void KgNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
   status.add("cycle", server_.cycle());
   status.add("plan_run", server_.plan_run());
   status.add("plan_note", plan_note_);
+  status.add("warnings", kg_base::JoinStrings(warnings_, "; "));
   status.add("missing", MissingNodes());
   status.add("answers_dropped", progress_.dropped());
 }

@@ -77,6 +77,8 @@ class KgNode {
   void ExpireFacts();
   // Reports times that no window covers, when they have changed.
   void TellGaps(kg_msgs::UpdateReport* report);
+  // Reports facts without effect, when they have changed.
+  void TellWarnings();
   void StartCycle();
   bool FleetIsReady() const;
   void FailCycle(const std::string& why);
@@ -117,7 +119,8 @@ class KgNode {
   std::shared_ptr<const kg_compiler::Compilation> compilation_;
   std::optional<kg_selector::CommittedPlan> plan_;  // Last committed plan.
   PendingReports pending_;
-  std::vector<std::string> gaps_;  // Gaps last reported.
+  std::vector<std::string> gaps_;      // Gaps last reported.
+  std::vector<std::string> warnings_;  // FindWarnings, last reported.
   bool cycle_is_due_ = true;
   // End of the wait for poses at a new window [Unix s].
   double patience_ends_s_ = 0.0;

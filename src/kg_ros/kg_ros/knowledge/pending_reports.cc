@@ -22,6 +22,13 @@ void PendingReports::Compiled(const kg_compiler::Compilation& compilation,
   }
 }
 
+void PendingReports::Warn(const std::vector<std::string>& warnings) {
+  for (UpdateReport& report : reports_) {
+    report.warnings.insert(report.warnings.end(), warnings.begin(),
+                           warnings.end());
+  }
+}
+
 std::vector<UpdateReport> PendingReports::Answer(
     const kg_selector::CommittedPlan& plan, const double commit_s) {
   for (UpdateReport& report : reports_) {

@@ -24,6 +24,9 @@ class PendingReports {
   void Compiled(const kg_compiler::Compilation& compilation, double compile_s,
                 double publish_s);
 
+  // Adds warnings to all pending reports.
+  void Warn(const std::vector<std::string>& warnings);
+
   // Returns all pending reports with their result; none is pending afterwards.
   std::vector<kg_msgs::UpdateReport> Answer(
       const kg_selector::CommittedPlan& plan, double commit_s);
