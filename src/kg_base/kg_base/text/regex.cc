@@ -48,7 +48,7 @@ std::optional<std::uint32_t> ParseOptions(const std::string& flags) {
   return PCRE2_LITERAL | PCRE2_UTF | (options & PCRE2_CASELESS);
 }
 
-bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool IsPatternSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 // The pattern for flag x: removes white space except within character classes.
 // PCRE2's own flag would also recognise comments and keep spaces after a
@@ -58,7 +58,7 @@ std::string WithoutSpace(const std::string& pattern) {
   int classes = 0;
   bool is_escaped = false;
   for (const char c : pattern) {
-    if (classes == 0 && IsSpace(c)) continue;
+    if (classes == 0 && IsPatternSpace(c)) continue;
     if (!is_escaped && c == '[') ++classes;
     if (!is_escaped && c == ']' && classes > 0) --classes;
     is_escaped = !is_escaped && c == '\\';

@@ -12,7 +12,6 @@
 namespace kg_compiler {
 namespace {
 
-constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
 constexpr double kTopPercentile = 0.98;
 
 template <typename Visit>
@@ -134,7 +133,8 @@ void CompiledTensor::GetRow(Layer layer, kg_base::Cell first, int n,
       return;
     case Layer::kFeasibility:
       for (int c = 0; c < n; ++c) {
-        values[c] = state[c] == kLand ? kNoData : state[c] == kOpen;
+        values[c] = state[c] == kLand ? std::numeric_limits<float>::quiet_NaN()
+                                      : state[c] == kOpen;
       }
       return;
     case Layer::kFused:

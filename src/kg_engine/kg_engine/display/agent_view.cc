@@ -28,7 +28,7 @@ const WindowRules* WindowOf(const SeamRules& rules, int window) {
 }
 
 // Planned position of the agent at the end of a window.
-std::optional<LonLat> PlannedStop(const kg_selector::CommittedPlan& plan,
+std::optional<LonLat> EndOfWindow(const kg_selector::CommittedPlan& plan,
                                   const std::string& agent_id, int window) {
   for (const kg_selector::PathAssignment& assignment : plan.assignments) {
     if (assignment.pathlet.agent != agent_id) continue;
@@ -77,7 +77,7 @@ std::optional<AgentView> AgentView::Of(const Scene& scene,
   if (window == &rules->windows.front()) {
     view.window_ = Rest(*window, scene.time_s);
   } else {
-    from = PlannedStop(scene.plan, agent_id, scene.window - 1).value_or(from);
+    from = EndOfWindow(scene.plan, agent_id, scene.window - 1).value_or(from);
   }
   view.places_ = {from};
   return view;

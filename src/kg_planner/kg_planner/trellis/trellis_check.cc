@@ -143,7 +143,7 @@ void CheckMoreResources(std::size_t s, const Stage& stage, std::size_t limits) {
   }
 }
 
-std::uint64_t Bits(double x) {
+std::uint64_t BitPattern(double x) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &x, sizeof bits);
   return bits;
@@ -166,8 +166,8 @@ SeamMaxima Maxima(const std::vector<Seam>& seams) {
   for (const Seam& seam : seams) {
     maxima.from = std::max(maxima.from, static_cast<std::uint32_t>(seam.from));
     maxima.to = std::max(maxima.to, static_cast<std::uint32_t>(seam.to));
-    maxima.cost = std::max(maxima.cost, Bits(seam.cost));
-    maxima.resource = std::max(maxima.resource, Bits(seam.resource));
+    maxima.cost = std::max(maxima.cost, BitPattern(seam.cost));
+    maxima.resource = std::max(maxima.resource, BitPattern(seam.resource));
     const std::int64_t ends = (std::int64_t{seam.from} << 32) + seam.to;
     maxima.sorted &= ends > last;
     last = ends;
@@ -187,8 +187,8 @@ SeamSummary SummarizeSeams(const Trellis& trellis, std::size_t s) {
   const SeamMaxima maxima = Maxima(seams);
   const bool sound = maxima.from < static_cast<std::uint32_t>(before) &&
                      maxima.to < static_cast<std::uint32_t>(nodes) &&
-                     maxima.cost <= Bits(kLargest) &&
-                     maxima.resource <= Bits(kLargest);
+                     maxima.cost <= BitPattern(kLargest) &&
+                     maxima.resource <= BitPattern(kLargest);
   SeamSummary summary{maxima.sorted, 0.0};
   std::memcpy(&summary.largest_cost, &maxima.cost, sizeof maxima.cost);
   if (!sound) summary.largest_cost = 0.0;

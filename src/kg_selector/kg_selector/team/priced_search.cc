@@ -15,7 +15,7 @@ constexpr int kKeptColumns = 15;
 constexpr int kManyColumns = 100;
 // Initial slack of group exchanges: a share of the best score, divided by the
 // square of the number of agents; large teams have more improving moves.
-constexpr double kSlack = 0.3;
+constexpr double kExchangeSlack = 0.3;
 
 }  // namespace
 
@@ -81,7 +81,7 @@ ColumnRequests PricedSearch::AfterGroups(const TeamColumns& pool,
   ColumnRequests requests = groups_.Next(answers);
   if (!requests.empty() && rounds_ + 1 < options_.max_rounds) return requests;
   const double left = 1.0 - 1.0 * rounds_ / options_.max_rounds;
-  const double slack = kSlack * left * std::abs(pool.Score(best_)) /
+  const double slack = kExchangeSlack * left * std::abs(pool.Score(best_)) /
                        (static_cast<double>(pool.agents()) * pool.agents());
   current_ = groups_.End(pool, pool.Worth(best_), slack);
   if (IsMore(pool.Worth(current_), pool.Worth(best_))) best_ = current_;
