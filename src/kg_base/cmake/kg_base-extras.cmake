@@ -35,7 +35,7 @@ add_compile_options(-Wall -Wextra -Werror -fno-math-errno)
 #catkin_lint: ignore_once global_var_collision
 option(KG_UNITY "Compile libraries in batches of sources" ON)
 set(KG_BATCH 48)  # Headers are read once a batch, which takes up to 1.2 GB.
-if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+if(KG_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # The compiler collects garbage only above 1 GB: a tenth of its time.
   add_compile_options("SHELL:--param ggc-min-heapsize=1000000")
 endif()
