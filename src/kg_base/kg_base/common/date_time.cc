@@ -192,11 +192,11 @@ double TakePart(Cursor* cursor, std::string_view* units) {
   cursor->Take(unit);
   units->remove_prefix(place + 1);
   const double count = ToDouble(std::string(digits)) + fraction;
-  const double unit_s = unit == 'D'   ? kSecondsPerDay
-                        : unit == 'H' ? 3600
-                        : unit == 'M' ? 60
-                                      : 1;
-  return count * unit_s;
+  const std::int64_t unit_s = unit == 'D'   ? kSecondsPerDay
+                              : unit == 'H' ? 3600
+                              : unit == 'M' ? 60
+                                            : 1;
+  return count * static_cast<double>(unit_s);
 }
 
 }  // namespace
@@ -259,10 +259,11 @@ double ParseDateTime(std::string_view text) {
   const int whole_second = (second[0] - '0') * 10 + (second[1] - '0');
   const double fraction_s =
       second.size() > 2 ? ToDouble("0" + std::string(second.substr(2))) : 0.0;
+  const std::int64_t minutes = std::int64_t{60} * parts->hour + parts->minute -
+                               parts->zone_min.value_or(0);
   const std::int64_t whole_s =
       DaysFromCivil(parts->year, parts->month, parts->day) * kSecondsPerDay +
-      parts->hour * 3600 + parts->minute * 60 + whole_second -
-      parts->zone_min.value_or(0) * 60;
+      std::int64_t{60} * minutes + whole_second;
   return static_cast<double>(whole_s) + fraction_s;
 }
 

@@ -77,6 +77,15 @@ ex:c0 a ex:AgentState ; ex:forAgent ex:charlie ; ex:forWindow ex:w0 ;
 double Slant(kg_base::LonLat p) {
   return 0.5 * (p.lon_deg + 97.0) + 0.25 * (p.lat_deg - 22.0);
 }
+// By more than 1 % of the smaller of the two cells.
+bool Overlap(const kg_base::Axis& one, int i, const kg_base::Axis& other,
+             int k) {
+  const double width = std::min(one.Edge(i + 1), other.Edge(k + 1)) -
+                       std::max(one.Edge(i), other.Edge(k));
+  return width > 0.01 * std::min(one.Edge(i + 1) - one.Edge(i),
+                                 other.Edge(k + 1) - other.Edge(k));
+}
+
 // Farms are blocks of two by two cells of the habitat, in open water in both
 // test oceans.
 bool IsFarm(const Grid& habitat, kg_base::Cell cell) {
@@ -231,10 +240,25 @@ class CompileFromFiles : public testing::Test {
     const auto own = habitat_.CellAt(grid.Centre(cell));
     return own && IsFarm(habitat_, *own);
   }
+  // Does any habitat cell that overlaps `cell` belong to a farm?
+  bool TouchesFarm(const Grid& grid, kg_base::Cell cell) const {
+    if (!grid.Contains(cell)) return false;
+    for (int row = 0; row < habitat_.rows(); ++row) {
+      if (!Overlap(habitat_.lat_axis(), row, grid.lat_axis(), cell.row))
+        continue;
+      for (int col = 0; col < habitat_.cols(); ++col) {
+        if (IsFarm(habitat_, {row, col}) &&
+            Overlap(habitat_.lon_axis(), col, grid.lon_axis(), cell.col)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
   bool NearFarm(const Grid& grid, kg_base::Cell cell) const {
     for (int row = -1; row <= 1; ++row) {
       for (int col = -1; col <= 1; ++col) {
-        if (InFarm(grid, {cell.row + row, cell.col + col})) return true;
+        if (TouchesFarm(grid, {cell.row + row, cell.col + col})) return true;
       }
     }
     return false;
