@@ -54,7 +54,7 @@ def named_paths(text):
     """Paths and file names in code spans, except patterns such as a/<b>."""
     lines = "\n".join(line for _, line in outside_fences(text))
     for span in re.findall(r"`([^`\n]+)`", lines):
-        if re.fullmatch(r"[\w./-]+", span) and not span.startswith("/"):
+        if re.fullmatch(r"[\w./-]*\w[\w./-]*", span) and not span.startswith("/"):
             yield span.removeprefix("./")
 
 

@@ -1,8 +1,9 @@
 // Geometries of facts: well-known text in CRS84 (longitude latitude, degrees),
 // read with limits on length, vertices and nesting. GeoSPARQL's leading <crs>
-// IRI or EWKT's SRID=4326 and heights (Z) are removed, non-finite or out-of-range coordinates are rejected, and
-// invalid polygons are repaired by GEOS (never made smaller than their valid
-// part) or rejected. Predicates are GEOS's, planar in degrees.
+// IRI or EWKT's SRID=4326 and heights (Z) are removed, non-finite or
+// out-of-range coordinates are rejected, and invalid polygons are repaired by
+// GEOS (never made smaller than their valid part) or rejected. Predicates are
+// GEOS's, planar in degrees.
 //
 // Longitudes of -360..360 are accepted; a geometry is shifted by a whole turn
 // into [-180, 180] (a point into [-180, 180)). A geometry that crosses the

@@ -35,8 +35,9 @@ struct WktNode {
 };
 
 // Reads WKT, and PostGIS's EWKT with SRID=4326. Heights (Z) are left out;
-// measures (M) are refused. Guarantees finite coordinates, |latitude| <= 90, |longitude| <= 360, no empty
-// parts, and closed rings of at least four vertices. Throws InputError.
+// measures (M) are refused. Guarantees finite coordinates, |latitude| <= 90,
+// |longitude| <= 360, no empty parts, and closed rings of at least four
+// vertices. Throws InputError.
 WktNode ParseWkt(std::string_view text);
 
 }  // namespace kg_base

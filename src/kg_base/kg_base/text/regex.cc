@@ -48,7 +48,9 @@ std::optional<std::uint32_t> ParseOptions(const std::string& flags) {
   return PCRE2_LITERAL | PCRE2_UTF | (options & PCRE2_CASELESS);
 }
 
-bool IsPatternSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool IsPatternSpace(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
 
 // The pattern for flag x: removes white space except within character classes.
 // PCRE2's own flag would also recognise comments and keep spaces after a

@@ -41,8 +41,8 @@ std::vector<double> Attenuations(
     kg_mission::SoftOverlap overlap);
 
 // 1 in the cells where one constraint applies, including its buffer (Euclidean
-// or Chebyshev, in cells), which also grows from beyond the grid. Throws std::logic_error if the constraint's mask is
-// not among the rasters.
+// or Chebyshev, in cells), which also grows from beyond the grid. Throws
+// std::logic_error if the constraint's mask is not among the rasters.
 kg_base::Mask ConstraintExtent(const WindowRasters& rasters,
                                const ActiveConstraint& constraint);
 
