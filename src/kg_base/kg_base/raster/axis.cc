@@ -51,7 +51,8 @@ void Axis::BuildBuckets() {
   interval_guess_.resize(static_cast<std::size_t>(buckets));
   int interval = 0;
   for (std::size_t b = 0; b < interval_guess_.size(); ++b) {
-    const double middle = centres_.front() + (b + 0.5) / buckets_per_unit_;
+    const double middle =
+        centres_.front() + (static_cast<double>(b) + 0.5) / buckets_per_unit_;
     while (interval < last && middle >= centres_[interval + 1]) ++interval;
     interval_guess_[b] = interval;
   }

@@ -44,7 +44,7 @@ struct HeaderVariable {
 class HeaderParser {
  public:
   explicit HeaderParser(std::string_view bytes) : bytes_(bytes) {
-    version_ = bytes_[3];
+    version_ = static_cast<unsigned char>(bytes_[3]);
     at_ = 4;
   }
 

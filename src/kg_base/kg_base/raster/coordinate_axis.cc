@@ -56,7 +56,8 @@ std::vector<double> Gaps(const std::vector<double>& ascending) {
 }
 
 double Median(std::vector<double> values) {
-  const auto middle = values.begin() + (values.size() - 1) / 2;
+  const auto middle =
+      values.begin() + (static_cast<int>(values.size()) - 1) / 2;
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
@@ -84,7 +85,8 @@ void FillHoles(const NetcdfFile& file, const NetcdfVariable& variable,
     const double spacing = SpacingAt(gaps, i, usual);
     if (!(gaps[i] > kHoleFactor * spacing)) continue;
     const double parts = std::round(gaps[i] / spacing);
-    if (!(parts + filled.centres_deg.size() < kMaxEntries)) {
+    if (!(parts + static_cast<double>(filled.centres_deg.size()) <
+          kMaxEntries)) {
       file.Refuse(variable, "expected values that are evenly spaced, value " +
                                 std::to_string(i + 1) + " is far off");
     }

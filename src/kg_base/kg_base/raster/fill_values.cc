@@ -118,8 +118,9 @@ std::optional<UndeclaredFill> FindUndeclaredFill(
     const float value = static_cast<float>(fill);
     if (!HasValue(rasters, value)) continue;
     const double others = GreatestBeside(rasters, value);
-    if (others * kFillFactor <= std::abs(fill))
+    if (others * kFillFactor <= std::abs(fill)) {
       return UndeclaredFill{fill, others};
+    }
   }
   return std::nullopt;
 }

@@ -13,7 +13,7 @@ namespace kg_base {
 namespace {
 
 constexpr std::size_t kMaxGroups = 1000;
-constexpr std::size_t kMaxAttributeLength = 64 * 1024;
+constexpr std::size_t kMaxAttributeLength = std::size_t{64} * 1024;
 // Limit of values per read: a slice of the largest supported grid.
 constexpr std::size_t kMaxValues = std::size_t{1} << 26;
 
