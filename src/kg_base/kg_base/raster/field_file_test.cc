@@ -185,9 +185,11 @@ TEST(ReadFieldFile, ReadsTheTemperatureOfAirAndOfBurningGround) {
   };
   EXPECT_EQ(read("surface_temperature", 900.0), "read");
   EXPECT_EQ(read("air_temperature", 230.0), "read");
-  for (const char* not_so_hot : {"air_temperature", "sea_surface_temperature"})
+  for (const char* not_so_hot :
+       {"air_temperature", "sea_surface_temperature"}) {
     EXPECT_NE(read(not_so_hot, 900.0).find("most values are impossible"),
               std::string::npos);
+  }
 }
 
 TEST(ReadFieldFile, SaysWhatIsMissingAndWhatItTried) {

@@ -37,7 +37,7 @@ class SharedRaster {
   float* end() { return Own() + size(); }
 
  private:
-  explicit SharedRaster(std::shared_ptr<Raster> own)
+  explicit SharedRaster(const std::shared_ptr<Raster>& own)
       : values_(own), own_(own.get()), data_(own->data()) {}
 
   float* Own() {

@@ -123,7 +123,8 @@ class CompiledRegex {
   // Begin and end of group i of the last match.
   std::pair<std::size_t, std::size_t> Group(int i) const {
     const PCRE2_SIZE* bounds = pcre2_get_ovector_pointer(data_.get());
-    return {bounds[2 * i], bounds[2 * i + 1]};
+    const std::size_t begin = 2 * static_cast<std::size_t>(i);
+    return {bounds[begin], bounds[begin + 1]};
   }
 
  private:

@@ -310,7 +310,12 @@ class PatternTranslator {
         Take();
         const std::string subtracted = TakeClass(nesting + 1);
         if (!TakeMark("]")) throw InvalidPattern();
-        return "(?:(?!" + subtracted + ")" + begin + members + "])";
+        return std::string("(?:(?!")
+            .append(subtracted)
+            .append(")")
+            .append(begin)
+            .append(members)
+            .append("])");
       }
       members += TakeClassPart();
     }

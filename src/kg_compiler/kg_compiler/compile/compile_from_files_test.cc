@@ -244,8 +244,9 @@ class CompileFromFiles : public testing::Test {
   bool TouchesFarm(const Grid& grid, kg_base::Cell cell) const {
     if (!grid.Contains(cell)) return false;
     for (int row = 0; row < habitat_.rows(); ++row) {
-      if (!Overlap(habitat_.lat_axis(), row, grid.lat_axis(), cell.row))
+      if (!Overlap(habitat_.lat_axis(), row, grid.lat_axis(), cell.row)) {
         continue;
+      }
       for (int col = 0; col < habitat_.cols(); ++col) {
         if (IsFarm(habitat_, {row, col}) &&
             Overlap(habitat_.lon_axis(), col, grid.lon_axis(), cell.col)) {

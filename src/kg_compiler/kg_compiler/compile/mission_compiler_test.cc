@@ -133,8 +133,9 @@ TEST(MissionCompiler, RemakesOneAgentsTensorsAndRulesForItsPolicy) {
   mission.agents[1].policy.alpha_base = 0.9;
   mission.agents[1].policy.lambda_risk = 2.0;
   Dirty wanted;
-  for (int t = 0; t < kWindows; ++t)
+  for (int t = 0; t < kWindows; ++t) {
     wanted.push_back({"tensor", "ex:bravo", t});
+  }
   wanted.push_back({"seam_rules", "ex:bravo", -1});
   ExpectDirty(wanted, *compiler.Compile(mission, 2, 0));
 }

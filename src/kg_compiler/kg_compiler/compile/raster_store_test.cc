@@ -110,8 +110,9 @@ TEST(RasterStore, WindowsAndPoliciesShareWhatTheyReadFromFiles) {
              {"ex:reefs"}, {"ex:reefs", "ex:kelp"}, {}}) {
       const auto rasters = RastersOf(&store, mission, Weighing(priors), window);
       EXPECT_EQ(rasters->prior_rasters.size(), priors.size());
-      if (!priors.empty())
+      if (!priors.empty()) {
         reefs.insert(rasters->prior_rasters.at("ex:reefs").get());
+      }
       EXPECT_EQ(rasters->constraint_masks.count("ex:farm"),
                 window == 1 || window == 2 ? 1u : 0u);
       for (const auto& mask : rasters->constraint_masks) {

@@ -66,7 +66,8 @@ class Recurrence {
     // range of columns that contains them.
     for (int row = box.rows.first; row < box.rows.last; ++row) {
       const auto from = allowed.begin() + grid.Index({row, box.cols.first});
-      allowed_.insert(allowed_.end(), from, from + box.cols.size());
+      allowed_.insert(allowed_.end(), from,
+                      from + static_cast<int>(box.cols.size()));
       for (int strip = 0; strip < strips_; ++strip) {
         Extent(row, strip) = AllowedIn(allowed, grid, row, StripCols(strip));
       }

@@ -191,8 +191,9 @@ TEST(ProximalRecurrence, BreaksTiesByRowThenColumn) {
   const auto picks =
       ProximalRecurrence(grid, flat, kg_base::Mask(grid.size(), 1), {0, 0, 3});
   ASSERT_EQ(3u, picks.size());
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i) {
     EXPECT_TRUE((kg_base::Cell{0, i}) == picks[i].cell);
+  }
 }
 
 TEST(ProximalRecurrence, PicksNothingWithoutValueOrLeave) {

@@ -188,8 +188,9 @@ class BlendCompiler {
     // loses small values.
     double max_value = 0.0;
     for (std::size_t i = 0; i < blend.masked.size(); ++i) {
-      if (blend.counted[i])
+      if (blend.counted[i]) {
         max_value = std::max(max_value, std::abs(blend.masked[i]));
+      }
     }
     field_->unit = max_value > 0.0 ? max_value : 1.0;
     field_->extremes.assign(field_->tiling.size(), {});

@@ -134,7 +134,8 @@ void CompiledTensor::GetRow(Layer layer, kg_base::Cell first, int n,
     case Layer::kFeasibility:
       for (int c = 0; c < n; ++c) {
         values[c] = state[c] == kLand ? std::numeric_limits<float>::quiet_NaN()
-                                      : state[c] == kOpen;
+                    : state[c] == kOpen ? 1.0f
+                                        : 0.0f;
       }
       return;
     case Layer::kFused:

@@ -165,8 +165,9 @@ std::vector<std::string> SourcesOf(const TensorInputs& in,
     sources.insert({prior.fact->iri, prior.weight_iri});
     if (prior.fact->raster) sources.insert(prior.fact->raster->file_iri);
   }
-  for (const kg_mission::Event* event : active.events)
+  for (const kg_mission::Event* event : active.events) {
     sources.insert(event->iri);
+  }
   sources.erase("");  // Entries of absent rasters and overrides.
   return {sources.begin(), sources.end()};
 }

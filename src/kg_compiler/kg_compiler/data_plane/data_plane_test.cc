@@ -509,8 +509,9 @@ TEST(DataPlane, HashCoversExactlyTheInputsRead) {
       [](Mission* m) { m->events[0].value = 9; },
       [](Mission* m) { m->events[0].position.lon_deg += 0.01; },
       [](Mission* m) { m->events[0].windows = {2}; }};
-  for (std::size_t i = 0; i < read.size(); ++i)
+  for (std::size_t i = 0; i < read.size(); ++i) {
     EXPECT_NE(same, hash(read[i])) << i;
+  }
   const std::vector<std::function<void(Mission*)>> unread = {
       [](Mission* m) { m->constraints[2].attenuation = 0.1; },  // Window 1.
       [](Mission* m) { m->constraints[1].attenuation = 0.1; },  // Overridden.

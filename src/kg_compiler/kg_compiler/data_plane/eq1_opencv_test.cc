@@ -416,8 +416,9 @@ cv::Mat Normalised(const cv::Mat& y, const cv::Mat& mask,
   double low = 0.0, top = 0.0;
   cv::minMaxLoc(y, &low, &top, nullptr, nullptr, mask);
   if (kind != kg_mission::Normalisation::kMinMax) low = 0.0;
-  if (kind == kg_mission::Normalisation::kPercentile)
+  if (kind == kg_mission::Normalisation::kPercentile) {
     top = NearestRank(y, mask);
+  }
   const cv::Mat x = (y - low) / (top - low);
   return cv::min(cv::max(x, 0.0), 1.0);
 }

@@ -37,10 +37,12 @@ inline kg_base::Grid EvenGrid(double west, double south, double step, int rows,
 // Grid with random spacing within +- 1/3 of the mean.
 inline kg_base::Grid UnevenGrid(std::mt19937& rng, int rows, int cols) {
   std::vector<double> lon(1, -92.0), lat(1, 23.0);
-  for (int c = 1; c < cols; ++c)
+  for (int c = 1; c < cols; ++c) {
     lon.push_back(lon.back() + Uniform(rng, .03, .06));
-  for (int r = 1; r < rows; ++r)
+  }
+  for (int r = 1; r < rows; ++r) {
     lat.push_back(lat.back() + Uniform(rng, .03, .06));
+  }
   return {lon, lat};
 }
 

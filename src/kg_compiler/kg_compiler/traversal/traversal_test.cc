@@ -492,8 +492,9 @@ TEST(HoldableFrom, IsTheLastMomentTheCurrentIsTooStrong) {
     double wanted = 0.0;
     for (double t = 0; t <= kDay_s; t += 30) {
       const auto c = sea.field.Sample(*sea.field.grid.Locate(place), t);
-      if (std::hypot(c->east_mps, c->north_mps) > motion.max_mps)
+      if (std::hypot(c->east_mps, c->north_mps) > motion.max_mps) {
         wanted = t + 30;
+      }
     }
     const double got =
         HoldableFrom_s(sea.From(motion, {place, 0, kDay_s}), place);

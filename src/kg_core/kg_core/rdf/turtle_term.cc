@@ -49,8 +49,9 @@ class TermParser {
       : text_(text), rest_(kg_base::StripAsciiSpace(text)) {}
 
   Term Parse() {
-    if (const auto bad = kg_base::FirstBadUtf8(text_))
+    if (const auto bad = kg_base::FirstBadUtf8(text_)) {
       Refuse("it is not UTF-8");
+    }
     if (rest_.empty()) Refuse("it is empty");
     Term term = ParseTerm();
     if (!rest_.empty()) Refuse("there is more after it: " + Shown(rest_));
@@ -244,8 +245,9 @@ class TermParser {
       if (HexValue(c) < 0) Refuse("it has a malformed escape");
       code = code * 16 + HexValue(c);
     }
-    if (!kg_base::IsUnicodeScalar(code))
+    if (!kg_base::IsUnicodeScalar(code)) {
       Refuse("it escapes a code that is not a character");
+    }
     kg_base::AppendUtf8(code, text);
     rest_.remove_prefix(2 + digits);
   }

@@ -48,8 +48,9 @@ std::string Describe(const Token& token) {
 
 SparqlGrammar::SparqlGrammar(std::vector<Token> tokens, int nesting)
     : tokens_(std::move(tokens)), nesting_(nesting) {
-  for (const NamespacePrefix& prefix : kPrefixes)
+  for (const NamespacePrefix& prefix : kPrefixes) {
     prefixes_[prefix.name] = prefix.iri;
+  }
 }
 
 SparqlGrammar::Nested::Nested(SparqlGrammar* grammar) : grammar_(grammar) {

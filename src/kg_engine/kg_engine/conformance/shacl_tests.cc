@@ -140,8 +140,9 @@ void RefuseOtherThanCore(const GraphView& view, const std::string& shapes) {
     pattern.graph = view.Find(Iri(shapes));
     pattern.predicate = view.Find(Sh(property));
     if (pattern.predicate == kg_core::kNoTerm ||
-        pattern.graph == kg_core::kNoTerm)
+        pattern.graph == kg_core::kNoTerm) {
       continue;
+    }
     if (view.Estimate(pattern) > 0) {
       throw NotRun(std::string("needs sh:") + property +
                    ", which is not in SHACL Core");

@@ -35,8 +35,9 @@ bool EqualInConstantTime(std::string_view a, std::string_view b) {
 bool CarriesToken(const HttpRequest& request, const std::string& token) {
   constexpr std::string_view kScheme = "bearer ";
   const std::string header = Header(request, "authorization");
-  if (kg_base::ToLowerAscii(header.substr(0, kScheme.size())) != kScheme)
+  if (kg_base::ToLowerAscii(header.substr(0, kScheme.size())) != kScheme) {
     return false;
+  }
   const std::string_view given =
       StripAsciiSpace(std::string_view(header).substr(kScheme.size()));
   // Compare digests: they have equal length for any input.

@@ -82,9 +82,11 @@ class ChurnTest : public testing::Test {
 };
 
 bool AnyCommitted(const kg_compiler::Compilation& compilation) {
-  for (const kg_compiler::SeamRules& rules : compilation.rules)
-    for (const kg_compiler::WindowRules& window : rules.windows)
+  for (const kg_compiler::SeamRules& rules : compilation.rules) {
+    for (const kg_compiler::WindowRules& window : rules.windows) {
       if (window.committed) return true;
+    }
+  }
   return false;
 }
 

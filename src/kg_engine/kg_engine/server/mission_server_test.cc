@@ -424,8 +424,9 @@ TEST_F(MissionServerTest, StopsAreFactsThatConformAndSurviveARestart) {
     PlannerAnswer answer;
     const kg_selector::CommittedPlan plan =
         PlanOf(*compilation, server, &answer);
-    for (const kg_selector::Visit& visit : plan.assignments[0].pathlet.visits)
+    for (const kg_selector::Visit& visit : plan.assignments[0].pathlet.visits) {
       if (!visit.via.empty()) made = visit;
+    }
     ASSERT_FALSE(made.via.empty());
     Record(plan, answer, &server);
     RecordGraphs(answer, &server);

@@ -32,8 +32,9 @@ std::map<Term, double> Lives(const GraphView& view) {
     pattern.predicate = view.Find(kg_core::Ex(name));
     pattern.graph = view.Find(Facts());
     if (pattern.predicate == kg_core::kNoTerm ||
-        pattern.graph == kg_core::kNoTerm)
+        pattern.graph == kg_core::kNoTerm) {
       continue;
+    }
     view.Match(pattern, [&](const Quad& quad) {
       const std::optional<double> end_s =
           kg_core::UnixSeconds(view.Get(quad.object));

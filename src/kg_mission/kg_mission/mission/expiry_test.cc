@@ -34,8 +34,9 @@ const Constraint* Find(const Mission& mission, const char* name) {
 
 std::vector<std::string> Removed(const ExpiredFacts& expiry) {
   std::vector<std::string> names;
-  for (const kg_core::Fact& fact : expiry.update.remove)
+  for (const kg_core::Fact& fact : expiry.update.remove) {
     names.push_back(fact.subject);
+  }
   return names;
 }
 

@@ -18,8 +18,9 @@ namespace fs = std::filesystem;
 std::string ComputeVersion(const std::string& path) {
   std::error_code error;
   const auto size = fs::file_size(path, error);
-  if (error)
+  if (error) {
     throw kg_base::InputError(path + ": cannot be read: " + error.message());
+  }
   const auto time = fs::last_write_time(path, error);
   return std::to_string(size) + "|" +
          std::to_string(time.time_since_epoch().count());

@@ -137,8 +137,9 @@ std::vector<Term> SubjectsWith(const kg_core::GraphView& view,
   pattern.predicate = view.Find(property);
   pattern.graph = view.Find(kg_core::Iri(graph));
   if (pattern.predicate == kg_core::kNoTerm ||
-      pattern.graph == kg_core::kNoTerm)
+      pattern.graph == kg_core::kNoTerm) {
     return {};
+  }
   view.Match(pattern, [&](const kg_core::Quad& quad) {
     subjects.insert(view.Get(quad.subject));
     return true;

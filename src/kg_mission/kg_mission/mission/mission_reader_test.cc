@@ -30,8 +30,9 @@ std::string GetRefusal(const std::string& turtle) {
       transaction.Add(s);
     }
   }
-  for (const auto& s : kg_core::ParseTurtle(turtle, "t", kg_core::Facts()))
+  for (const auto& s : kg_core::ParseTurtle(turtle, "t", kg_core::Facts())) {
     transaction.Add(s);
+  }
   try {
     ReadMission(transaction.view());
   } catch (const kg_base::InputError& error) {

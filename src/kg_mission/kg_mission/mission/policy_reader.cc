@@ -125,8 +125,9 @@ Policy ReadPolicy(const kg_core::GraphView& view, const FactEntity& entity) {
       entity.Number(Ex("lambda_turn"), policy.lambda_turn_per_rad);
   for (const SourceQuantity& quantity : CostQuantities()) {
     const auto lambda = entity.MaybeNumber(Ex(quantity.weight_property));
-    if (lambda)
+    if (lambda) {
       policy.lambda_fields[quantity.name] = *lambda / kg_base::kSecondsPerHour;
+    }
   }
   policy.value_kind = entity.Text(Ex("valueKind"), policy.value_kind);
   if (const auto km = entity.MaybeNumber(Ex("hazardRangeKm"))) {

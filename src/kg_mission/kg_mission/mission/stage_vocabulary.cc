@@ -55,8 +55,9 @@ std::vector<SourceFile> StageVocabulary(const std::string& folder,
   }
   transaction.Add(version);
   const std::vector<std::string> reasons = StageMissionRules(transaction);
-  if (!reasons.empty())
+  if (!reasons.empty()) {
     throw kg_base::InputError(folder + ": " + reasons.front());
+  }
   return files;
 }
 

@@ -51,8 +51,10 @@ std::vector<Statement> CollectStatements(const GraphView& view,
   kg_core::Quad pattern;
   pattern.subject = view.Find(subject);
   pattern.graph = view.Find(kg_core::Facts());
-  if (pattern.subject == kg_core::kNoTerm || pattern.graph == kg_core::kNoTerm)
+  if (pattern.subject == kg_core::kNoTerm ||
+      pattern.graph == kg_core::kNoTerm) {
     return {};
+  }
   view.Match(pattern, [&](const kg_core::Quad& quad) {
     statements.push_back({subject, view.Get(quad.predicate),
                           view.Get(quad.object), kg_core::Facts()});
@@ -149,8 +151,10 @@ class SubjectCheck {
   }
 
   void CheckWkt(const Statement& statement) {
-    if (statement.object.datatype != std::string(kg_core::kGeo) + "wktLiteral")
+    if (statement.object.datatype !=
+        std::string(kg_core::kGeo) + "wktLiteral") {
       return;
+    }
     try {
       kg_base::Geometry::FromWkt(statement.object.text);
     } catch (const kg_base::InputError& error) {

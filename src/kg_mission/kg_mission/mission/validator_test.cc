@@ -27,8 +27,9 @@ std::vector<kg_core::Violation> ValidateTexts(const std::string& shapes,
        ParseTurtle(shapes, "shapes", kg_core::Iri(kg_core::kVocabGraph))) {
     transaction.Add(s);
   }
-  for (const auto& s : ParseTurtle(facts, "facts", kg_core::Facts()))
+  for (const auto& s : ParseTurtle(facts, "facts", kg_core::Facts())) {
     transaction.Add(s);
+  }
   return Validate(transaction.view());
 }
 

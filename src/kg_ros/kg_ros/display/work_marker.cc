@@ -62,8 +62,10 @@ class Painter {
     int begin = 0;
     for (int col = 1; col <= grid_.cols(); ++col) {
       const int shade = ShadeOf(work, grid_.Index({row, begin}));
-      if (col < grid_.cols() && ShadeOf(work, grid_.Index({row, col})) == shade)
+      if (col < grid_.cols() &&
+          ShadeOf(work, grid_.Index({row, col})) == shade) {
         continue;
+      }
       if (shade != kNothing) {
         Rectangle({x_m_[begin], y_m_[row], x_m_[col], y_m_[row + 1]}, kHeight_m,
                   ColourOf(shade));

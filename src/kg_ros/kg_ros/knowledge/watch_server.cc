@@ -100,8 +100,9 @@ void WatchServer::Run() {
   while (RestFor(rest_s)) {
     rest_s = kRest_s;
     if (watched_.getNumSubscribers() == 0) continue;
-    if (seen != nullptr && kg_core::IsSameState(*seen, *server_->Read()))
+    if (seen != nullptr && kg_core::IsSameState(*seen, *server_->Read())) {
       continue;
+    }
     seen = server_->Read();
     const kg_base::Stopwatch watch;
     LookAtAll();
