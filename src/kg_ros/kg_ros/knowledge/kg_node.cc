@@ -133,7 +133,7 @@ void KgNode::Spin() {
     queue->callAvailable(ros::WallDuration(kIdle_s));
     if (cycle_is_due_ && FleetIsReady()) {
       StartCycle();
-    } else if (plan_status_ == World::PLAN_OK && queue->isEmpty()) {
+    } else if (plan_status_.is_ok() && queue->isEmpty()) {
       RecordNextGraph();
     }
   }
@@ -197,16 +197,14 @@ UpdateReport KgNode::Report(const kg_core::FactUpdate& update,
   }
   if (decision.world_version != before) {
     cycle_is_due_ = true;
-    plan_note_.clear();
-    if (plan_status_ != World::PLAN_NONE) plan_status_ = World::PLAN_STALE;
+    plan_status_.Expire();
     TellGaps(&report);
     pending_.Add(report);
     PublishWorld();
   } else if (decision.accepted) {
     report.warnings.push_back("no change: all facts were already present");
-    report.plan_status = plan_status_ == World::PLAN_OK
-                             ? UpdateReport::PLAN_OK
-                             : UpdateReport::PLAN_PENDING;
+    report.plan_status = plan_status_.is_ok() ? UpdateReport::PLAN_OK
+                                              : UpdateReport::PLAN_PENDING;
   }
   updates_.publish(report);
   return report;
@@ -286,7 +284,7 @@ void KgNode::StartCycle() {
   progress_.Begin(server_.cycle());
   why_.archive().Begin(server_.cycle(), compilation_, server_.Read());
   artifacts_.Publish(*compilation_, server_.cycle());
-  if (plan_status_ == World::PLAN_FAILED) plan_status_ = World::PLAN_STALE;
+  if (!plan_status_.is_ok()) plan_status_.Expire();
   rviz_.Show(compilation_, ViewWindow());
   const double published_s = Now_s();
   pending_.Compiled(*compilation_, compiled_s - cycle_began_s_,
@@ -308,8 +306,7 @@ bool KgNode::FleetIsReady() const {
 
 void KgNode::FailCycle(const std::string& why) {
   ROS_ERROR_STREAM("[compile] " << why << "; the last plan remains in force");
-  plan_status_ = World::PLAN_FAILED;
-  plan_note_ = why;
+  plan_status_.Fail(why);
   for (const UpdateReport& report : pending_.Fail(why)) {
     updates_.publish(report);
   }
@@ -385,10 +382,9 @@ void KgNode::CommitFinishedPlan() {
     return;
   }
   plan_ = *plan;
-  plan_status_ = plan->unassigned.empty() ? World::PLAN_OK : World::PLAN_FAILED;
-  plan_note_ = plan->unassigned.empty()
-                   ? ""
-                   : kg_selector::UnassignedLines(*plan).front();
+  plan_status_.Commit(plan->unassigned.empty()
+                          ? ""
+                          : kg_selector::UnassignedLines(*plan).front());
   rviz_.ShowPlan(*plan);
   graphs_are_new_ = true;
   ReportPlan(*plan, Now_s() - begin_s);
@@ -446,7 +442,7 @@ void KgNode::PassWindows(const int from, const int to) {
     server_.RecordEnd();
   } else {
     ROS_INFO("[mission] window %d begins", to);
-    plan_status_ = World::PLAN_STALE;
+    plan_status_.Expire();
     cycle_is_due_ = true;
     patience_ends_s_ = Now_s() + kPosePatience_s;
   }
@@ -469,18 +465,7 @@ void KgNode::Watch() {
     rviz_.Refresh();
   }
   graphs_are_new_ = false;
-  const std::string missing = MissingNodes();
-  if (plan_status_ == World::PLAN_OK && !missing.empty()) {
-    plan_status_ = World::PLAN_STALE;
-    plan_note_ = missing;
-    PublishWorld();
-  } else if (plan_status_ == World::PLAN_STALE && missing.empty() &&
-             !plan_note_.empty() && !cycle_is_due_) {
-    // Nodes are back and the plan is still valid.
-    plan_status_ = World::PLAN_OK;
-    plan_note_.clear();
-    PublishWorld();
-  }
+  if (plan_status_.SetMissing(MissingNodes())) PublishWorld();
 }
 
 std::string KgNode::MissingNodes() const {
@@ -504,20 +489,20 @@ void KgNode::PublishWorld() {
   World world = DescribeWorld(server_, compilation_.get());
   world.header.stamp = ros::Time::now();
   world.plan_version = plan_ ? plan_->world_version : 0;
-  world.plan_status = plan_status_;
-  world.plan_note = plan_note_;
+  world.plan_status = plan_status_.status();
+  world.plan_note = plan_status_.note();
   world_.publish(world);
 }
 
 void KgNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
-  const bool ok = plan_status_ == World::PLAN_OK;
+  const bool ok = plan_status_.is_ok();
   status.summary(ok ? diagnostic_msgs::DiagnosticStatus::OK
                     : diagnostic_msgs::DiagnosticStatus::WARN,
                  ok ? "the plan is up to date" : "the plan is not up to date");
   status.add("world_version", server_.world_version());
   status.add("cycle", server_.cycle());
   status.add("plan_run", server_.plan_run());
-  status.add("plan_note", plan_note_);
+  status.add("plan_note", plan_status_.note());
   status.add("warnings", kg_base::JoinStrings(warnings_, "; "));
   status.add("missing", MissingNodes());
   status.add("answers_dropped", progress_.dropped());

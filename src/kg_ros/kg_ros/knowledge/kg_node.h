@@ -30,6 +30,7 @@
 #include "kg_ros/knowledge/artifact_publisher.h"
 #include "kg_ros/knowledge/check_server.h"
 #include "kg_ros/knowledge/pending_reports.h"
+#include "kg_ros/knowledge/plan_status.h"
 #include "kg_ros/knowledge/query_server.h"
 #include "kg_ros/knowledge/watch_server.h"
 #include "kg_ros/knowledge/what_if_server.h"
@@ -129,8 +130,7 @@ class KgNode {
   int moves_ = 0;  // Watch() calls that found the fleet moved.
   int shown_window_ = -1;
   double cycle_began_s_ = 0.0;  // Unix seconds.
-  std::uint8_t plan_status_ = kg_msgs::World::PLAN_NONE;
-  std::string plan_note_;
+  PlanStatus plan_status_;
 
   MainThread main_thread_;
   std::optional<kg_engine::SparqlHttpServer>
