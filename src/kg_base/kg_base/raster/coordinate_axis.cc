@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 
 namespace kg_base {
 namespace {
@@ -15,8 +16,8 @@ constexpr double kSeamFactor = 1.5;
 // change from one cell to the next by less.
 constexpr double kHoleFactor = 1.7;
 constexpr double kSameColumn = 0.01;  // In spacings.
-// Rounding beyond a pole of a latitude in single precision.
-constexpr double kPoleTolerance_deg = 1e-4;
+// Rounding of degrees in single precision, beyond a pole or 180 degrees.
+constexpr double kSinglePrecision_deg = 1e-4;
 
 void CheckMonotonic(const NetcdfFile& file, const NetcdfVariable& axis,
                     const std::vector<double>& values) {
@@ -137,6 +138,26 @@ void DropRepeatedColumns(const NetcdfVariable& variable, CoordinateAxis* axis) {
                            " repeated columns at its end are left out");
 }
 
+// The longitudes of a region that touches 180 degrees, from its western end in
+// [-180, 180) on. Throws InputError if it lies on both sides.
+std::vector<double> UpToSeam(const NetcdfFile& file, const NetcdfVariable& axis,
+                             const std::vector<double>& ascending,
+                             double western) {
+  std::vector<double> shifted = ascending;
+  for (double& lon : shifted) lon += western - ascending.front();
+  if (shifted.back() <= 180.0 + kSinglePrecision_deg) {
+    shifted.back() = std::min(shifted.back(), 180.0);
+    return shifted;
+  }
+  std::ostringstream text;
+  text << "the grid crosses the antimeridian (longitudes " << ascending.front()
+       << " to " << ascending.back()
+       << "), expected one on one side of 180 degrees; cut it there, for "
+          "example with cdo sellonlatbox,"
+       << shifted.front() << ",180,-90,90";
+  file.Refuse(axis, text.str());
+}
+
 // Wraps each longitude into [-180, 180). A file that crosses 180 degrees must
 // be global, i.e. its ends must meet.
 std::vector<double> Wrapped(const NetcdfFile& file, const NetcdfVariable& axis,
@@ -154,14 +175,8 @@ std::vector<double> Wrapped(const NetcdfFile& file, const NetcdfVariable& axis,
   // From the last column around the globe to the first: a normal spacing in a
   // global file, the rest of the globe in a regional one.
   const double gap = ascending.front() + 360.0 - ascending.back();
-  if (seams > 0 && gap > kSeamFactor * widest) {
-    file.Refuse(axis,
-                "the grid crosses the antimeridian (longitudes " +
-                    std::to_string(ascending.front()) + " to " +
-                    std::to_string(ascending.back()) +
-                    "), which is not understood; expected one that does not");
-  }
-  return wrapped;
+  if (seams == 0 || gap <= kSeamFactor * widest) return wrapped;
+  return UpToSeam(file, axis, ascending, wrapped.front());
 }
 
 void CheckSpan(const NetcdfFile& file, const NetcdfVariable& axis,
@@ -180,8 +195,8 @@ CoordinateAxis LatitudeAxis(const NetcdfFile& file, const NetcdfVariable& axis,
                             std::vector<double> values) {
   CoordinateAxis latitudes = Ascending(file, axis, std::move(values));
   std::vector<double>& lat = latitudes.centres_deg;
-  if (lat.front() < -90.0 - kPoleTolerance_deg ||
-      lat.back() > 90.0 + kPoleTolerance_deg) {
+  if (lat.front() < -90.0 - kSinglePrecision_deg ||
+      lat.back() > 90.0 + kSinglePrecision_deg) {
     file.Refuse(axis, "expected degrees from -90 to 90");
   }
   lat.front() = std::max(lat.front(), -90.0);

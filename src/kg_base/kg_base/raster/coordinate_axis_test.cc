@@ -67,6 +67,40 @@ TEST(LongitudeAxis, FillsTheHoleBetweenTilesWithCellsWithoutData) {
   }
 }
 
+TEST(LongitudeAxis, ReadsARegionWhoseLastColumnIsAt180) {
+  for (const double turn : {0.0, -360.0}) {
+    // In single precision 180 may lie beyond itself.
+    for (const double rounding : {0.0, 2e-5}) {
+      std::vector<double> lon = Range(175 + turn, 0.5, 10);
+      lon.push_back(180 + turn + rounding);
+      const FieldFile file = ReadColumns(lon);
+      EXPECT_EQ(file.grid.lon_deg().front(), 175);
+      EXPECT_EQ(file.grid.lon_deg().back(), 180);
+      EXPECT_EQ(ColumnAt(file, 180), 10);
+      EXPECT_EQ(ColumnAt(file, 175), 0);
+    }
+  }
+}
+
+TEST(LongitudeAxis, ReadsARegionThatBeginsAt180) {
+  const FieldFile file = ReadColumns(Range(180, 0.5, 10));
+  EXPECT_EQ(file.grid.lon_deg().front(), -180);
+  EXPECT_EQ(ColumnAt(file, -175.5), 9);
+}
+
+TEST(LongitudeAxis, RefusesARegionOnBothSidesOf180WithTheRemedy) {
+  for (const std::vector<double>& lon :
+       {Range(175, 0.5, 21), Joined(Range(175, 0.5, 10), Range(-180, 0.5, 10)),
+        Range(-185, 0.5, 21)}) {
+    MadeFile file;
+    Write(file, lon);
+    EXPECT_THAT(file.Refusal(), HasSubstr("crosses the antimeridian"));
+    MadeFile again;
+    Write(again, lon);
+    EXPECT_THAT(again.Refusal(), HasSubstr("cdo sellonlatbox,175,180,-90,90"));
+  }
+}
+
 TEST(LongitudeAxis, FillsARegionAcrossThePacificThatWasSorted) {
   const FieldFile file =
       ReadColumns(Joined(Range(-179.5, 1, 50), Range(130.5, 1, 50)));

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include "kg_base/raster/fill_values.h"
+
 namespace kg_base {
 namespace {
 
@@ -40,12 +42,16 @@ std::vector<double> CoordinateValues(const NetcdfFile& file,
     file.Refuse(axis, "expected 1 to " + std::to_string(kMaxCoordinates) +
                           " values, found " + std::to_string(size));
   }
-  const std::vector<double> values = UnpackedValues(file, axis);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::isfinite(values[i]) && std::abs(values[i]) < 1e20) continue;
+  const FillValues fills(file, axis, DefaultFills::kDoNotCount);
+  const std::vector<double> raw = file.Values(axis);
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    if (std::isfinite(raw[i]) && std::abs(raw[i]) < 1e20 &&
+        !fills.Contains(raw[i])) {
+      continue;
+    }
     file.Refuse(axis, "value " + std::to_string(i) + " is missing");
   }
-  return values;
+  return UnpackedValues(file, axis);
 }
 
 }  // namespace kg_base

@@ -65,10 +65,7 @@ class AxesReader {
     }
     ReadGrid();
     ReadScalarLevel();
-    FieldTimes times = ReadFieldTimes(file_, variable_, time_,
-                                      need_of_time_ == TimeAxis::kRequired);
-    axes_.time_s = std::move(times.time_s);
-    Warn(times.warnings);
+    ReadTimes();
     return std::move(axes_);
   }
 
@@ -97,6 +94,7 @@ class AxesReader {
   void ReadScalarLevel();
   void Once(bool already, int position) const;
   void ReadGrid();
+  void ReadTimes();
 
   const NetcdfFile& file_;
   const NetcdfVariable& variable_;
@@ -202,9 +200,13 @@ void AxesReader::Assign(int position) {
                      Dimension(position).name);
   }
   if (is_open || coordinate == nullptr) {
-    file_.Refuse(variable_, "dimension " + Dimension(position).name +
-                                " is not understood, expected time, depth, "
-                                "latitude and longitude with their values");
+    const std::string units =
+        coordinate == nullptr ? "" : coordinate->Text("units");
+    file_.Refuse(variable_,
+                 "dimension " + Dimension(position).name +
+                     (units.empty() ? "" : " in \"" + units + "\"") +
+                     " is not understood, expected time, depth, latitude and "
+                     "longitude with their values");
   }
   if (role == AxisRole::kTime) {
     Once(time_ != nullptr, position);
@@ -278,6 +280,18 @@ void AxesReader::ReadGrid() {
   Warn(lat.warnings);
   Warn(lon.warnings);
   axes_.grid = Grid(std::move(lon.centres_deg), std::move(lat.centres_deg));
+}
+
+void AxesReader::ReadTimes() {
+  const bool is_required = need_of_time_ == TimeAxis::kRequired;
+  FieldTimes times = ReadFieldTimes(
+      file_, variable_, time_, is_required,
+      is_required ? TimeOrder::kAscending : TimeOrder::kAsInFile);
+  axes_.time_s = std::move(times.time_s);
+  axes_.file_time = std::move(times.in_file);
+  axes_.issue_time_s = times.issue_time_s;
+  if (axes_.time >= 0) axes_.times_in_file = Dimension(axes_.time).size;
+  Warn(times.warnings);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #define KG_BASE_RASTER_FIELD_AXES_H_
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "kg_base/raster/grid.h"
@@ -26,19 +27,23 @@ struct FieldAxes {
   std::vector<std::size_t> file_col;
   std::size_t rows_in_file = 0;
   std::size_t cols_in_file = 0;
-  std::vector<double> time_s;  // When the values hold.
+  std::vector<double> time_s;          // When the values hold.
+  std::vector<std::size_t> file_time;  // Index in the file of each time.
+  std::size_t times_in_file = 1;
+  double issue_time_s = std::numeric_limits<double>::quiet_NaN();
 
   std::string level;  // As in VariableReport.
   std::vector<std::string> warnings;
 };
 
-// May a variable lack a time? Its only time is then NaN.
+// May a variable lack a time? Its only time is then NaN. Optional times stay in
+// the order of the file, because users refer to them by their index there.
 enum class TimeAxis { kRequired, kOptional };
 
 // Times of means are the middles of their periods (CF "bounds"), unless
 // cell_methods says that values hold at points. Throws InputError for
 // unsupported files: curvilinear and rotated grids, grids across the
-// antimeridian, axes or times that are not monotonic, unknown dimensions and
+// antimeridian, axes that are not monotonic, unknown dimensions and
 // levels.
 FieldAxes ReadFieldAxes(const NetcdfFile& file, const NetcdfVariable& variable,
                         TimeAxis time = TimeAxis::kRequired);

@@ -235,16 +235,8 @@ TEST(ReadFieldFile, KeepsTheNoiseOfRealTimes) {
   EXPECT_NEAR(file.time_s[2], kEpoch2000_s + 19.9991 * 3600, 1e-6);
 }
 
-TEST(ReadFieldFile, RefusesTimesThatDoNotAscend) {
+TEST(ReadFieldFile, RefusesTimesThatAreMissing) {
   TestFile spec;
-  spec.time = {10, 20, 20};
-  ExpectRefused(spec,
-                "variable time: expected times that only ascend, time 2 "
-                "repeats");
-  spec.time = {20, 15, 10};
-  ExpectRefused(spec,
-                "variable time: expected times that only ascend, time 1 "
-                "precedes");
   spec.time = {10, NAN, 30};
   ExpectRefused(spec, "variable time: value 1 is missing");
 }

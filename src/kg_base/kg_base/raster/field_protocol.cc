@@ -17,6 +17,7 @@ constexpr std::uint32_t kMaxAxisValues = 100000;
 constexpr std::uint32_t kMaxSeries = 16;
 constexpr std::uint32_t kMaxText = 64 * 1024;
 constexpr std::uint32_t kMaxTexts = 1024;
+constexpr std::size_t kReportCounts = 4;
 
 struct MessageHead {
   std::uint64_t magic = kMagic;
@@ -44,10 +45,11 @@ void PutReport(const VariableReport& report, const PutBytes& put) {
   PutTexts({report.quantity, report.variable, report.level, report.times,
             report.unit},
            put);
-  for (const std::uint64_t count : {std::uint64_t{report.cells},
-                                    std::uint64_t{report.cells_without_data}}) {
-    put(&count, sizeof(count));
-  }
+  const std::uint64_t counts[kReportCounts] = {
+      report.cells, report.cells_without_data, report.impossible_values,
+      report.outliers};
+  put(counts, sizeof(counts));
+  put(&report.issue_time_s, sizeof(report.issue_time_s));
   PutTexts(report.warnings, put);
 }
 
@@ -113,7 +115,7 @@ class MessageReader {
   VariableReport Report() const {
     const std::vector<std::string> texts = Texts();
     if (texts.size() != 5) Refuse();
-    std::uint64_t counts[2] = {};
+    std::uint64_t counts[kReportCounts] = {};
     get_(counts, sizeof(counts));
     VariableReport report;
     report.quantity = texts[0];
@@ -123,6 +125,9 @@ class MessageReader {
     report.unit = texts[4];
     report.cells = counts[0];
     report.cells_without_data = counts[1];
+    report.impossible_values = counts[2];
+    report.outliers = counts[3];
+    get_(&report.issue_time_s, sizeof(report.issue_time_s));
     report.warnings = Texts();
     return report;
   }

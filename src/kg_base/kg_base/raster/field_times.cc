@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 #include "kg_base/common/input_error.h"
@@ -9,9 +10,13 @@
 #include "kg_base/raster/axis_role.h"
 #include "kg_base/raster/cf_time.h"
 #include "kg_base/raster/coordinate_values.h"
+#include "kg_base/raster/time_steps.h"
 
 namespace kg_base {
 namespace {
+
+// Times that are nearer to each other differ by rounding.
+constexpr double kSameTime_s = 0.5;
 
 bool HasOneValue(const NetcdfFile& file, const NetcdfVariable& variable) {
   return std::all_of(
@@ -63,10 +68,13 @@ class TimesReader {
       : file_(file), variable_(variable) {}
 
   const NetcdfVariable* FindSingle(bool is_required) const;
-  FieldTimes Read(const NetcdfVariable& time) {
+  FieldTimes Read(const NetcdfVariable& time, TimeOrder order) {
     times_.time_s = SecondsOf(file_, time, time, CoordinateValues(file_, time));
+    times_.in_file.resize(times_.time_s.size());
+    std::iota(times_.in_file.begin(), times_.in_file.end(), std::size_t{0});
     MoveToMiddles(time);
-    CheckAscending(time);
+    if (order == TimeOrder::kAscending) Sort();
+    times_.issue_time_s = IssueTime_s();
     return std::move(times_);
   }
 
@@ -74,7 +82,9 @@ class TimesReader {
   std::string MethodAlong(const NetcdfVariable& time) const;
   const NetcdfVariable* BoundsOf(const NetcdfVariable& time) const;
   void MoveToMiddles(const NetcdfVariable& time);
-  void CheckAscending(const NetcdfVariable& time) const;
+  void Sort();
+  void DropRepeatedTimes();
+  double IssueTime_s() const;
 
   const NetcdfFile& file_;
   const NetcdfVariable& variable_;
@@ -152,6 +162,12 @@ const NetcdfVariable* TimesReader::BoundsOf(const NetcdfVariable& time) const {
 // The stamp of a period may be its begin, middle or end; its value is taken to
 // hold in the middle, as a point in time for interpolation.
 void TimesReader::MoveToMiddles(const NetcdfVariable& time) {
+  if (!time.Text("climatology").empty()) {
+    times_.warnings.push_back(
+        "values are a climatology, means over several years: taken for those "
+        "at their stamps");
+    return;
+  }
   const std::string method = MethodAlong(time);
   if (method == "point") return;
   const NetcdfVariable* bounds = BoundsOf(time);
@@ -181,27 +197,76 @@ void TimesReader::MoveToMiddles(const NetcdfVariable& time) {
   times_.warnings.push_back(warning.str());
 }
 
-void TimesReader::CheckAscending(const NetcdfVariable& time) const {
-  const std::vector<double>& time_s = times_.time_s;
-  for (std::size_t i = 1; i < time_s.size(); ++i) {
-    if (time_s[i] > time_s[i - 1]) continue;
-    file_.Refuse(time,
-                 "expected times that only ascend, time " + std::to_string(i) +
-                     (time_s[i] == time_s[i - 1] ? " repeats" : " precedes") +
-                     " the one before it");
+void TimesReader::Sort() {
+  const std::vector<double> time_s = times_.time_s;
+  const bool is_one_way = std::is_sorted(time_s.begin(), time_s.end()) ||
+                          std::is_sorted(time_s.rbegin(), time_s.rend());
+  if (!is_one_way) {
+    times_.warnings.push_back("times neither ascend nor descend: sorted");
   }
+  std::stable_sort(
+      times_.in_file.begin(), times_.in_file.end(),
+      [&](std::size_t a, std::size_t b) { return time_s[a] < time_s[b]; });
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    times_.time_s[i] = time_s[times_.in_file[i]];
+  }
+  DropRepeatedTimes();
+}
+
+// Of equal times the last one is that with the highest index in the file,
+// because sorting left their order.
+void TimesReader::DropRepeatedTimes() {
+  std::vector<double> time_s;
+  std::vector<std::size_t> in_file;
+  std::string first;
+  for (std::size_t i = 0; i < times_.time_s.size(); ++i) {
+    const bool is_same =
+        !time_s.empty() && times_.time_s[i] - time_s.back() < kSameTime_s;
+    if (!is_same) {
+      time_s.push_back(times_.time_s[i]);
+      in_file.push_back(times_.in_file[i]);
+      continue;
+    }
+    in_file.back() = std::max(in_file.back(), times_.in_file[i]);
+    if (first.empty()) first = TimeText(time_s.back());
+  }
+  const std::size_t repeated = times_.time_s.size() - time_s.size();
+  if (repeated == 0) return;
+  times_.warnings.push_back(
+      std::to_string(repeated) + " times are there more than once, the first " +
+      "is " + first + ": of equal times the one written last is used");
+  times_.time_s = std::move(time_s);
+  times_.in_file = std::move(in_file);
+}
+
+// The reference time, if the file has one for all its values.
+double TimesReader::IssueTime_s() const {
+  for (const NetcdfVariable& other : file_.variables()) {
+    if (other.Text("standard_name") != "forecast_reference_time" ||
+        !HasOneValue(file_, other) || !other.IsVisibleTo(variable_) ||
+        !IsTimeUnit(other.Text("units"))) {
+      continue;
+    }
+    return SecondsOf(file_, other, other, CoordinateValues(file_, other))
+        .front();
+  }
+  return std::nan("");
 }
 
 }  // namespace
 
 FieldTimes ReadFieldTimes(const NetcdfFile& file,
                           const NetcdfVariable& variable,
-                          const NetcdfVariable* along, bool is_required) {
+                          const NetcdfVariable* along, bool is_required,
+                          TimeOrder order) {
   TimesReader reader(file, variable);
   const NetcdfVariable* time =
       along != nullptr ? along : reader.FindSingle(is_required);
-  if (time == nullptr) return {{std::nan("")}, {}};
-  return reader.Read(*time);
+  if (time != nullptr) return reader.Read(*time, order);
+  FieldTimes none;
+  none.time_s = {std::nan("")};
+  none.in_file = {0};
+  return none;
 }
 
 }  // namespace kg_base

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "kg_base/raster/testing/made_file.h"
 
 namespace kg_base {
@@ -152,6 +154,19 @@ TEST(ReadFieldTimes, SaysThatThePeriodOfAMeanIsUnknown) {
   EXPECT_THAT(WarningsOf(read), HasSubstr("taken to hold at their stamps"));
 }
 
+TEST(ReadFieldTimes, SaysThatValuesAreAClimatology) {
+  MadeFile file;
+  file.Times({0, 6}, {{"climatology", "climatology_bounds"}});
+  file.Box();
+  file.Currents({"time", "lat", "lon"}, MadeFile::Repeated({0.1, 0.2}),
+                {{"cell_methods",
+                  "time: mean within days time: mean over "
+                  "years"}});
+  const FieldFile read = file.Read();
+  EXPECT_EQ(read.time_s.front(), kBegin_s);
+  EXPECT_THAT(WarningsOf(read), HasSubstr("values are a climatology"));
+}
+
 TEST(ReadFieldTimes, ReadsMicrosecondsAndRefusesDatesThatAreNone) {
   MadeFile file;
   file.Axis("time", {0, 6 * 3600e6},
@@ -165,6 +180,92 @@ TEST(ReadFieldTimes, ReadsMicrosecondsAndRefusesDatesThatAreNone) {
   wrong.Box();
   wrong.Currents({"time", "lat", "lon"}, MadeFile::Repeated({0.1, 0.2}));
   EXPECT_THAT(wrong.Refusal(), HasSubstr("2020-02-30"));
+}
+
+// Currents of these hours, whose value is a tenth of the index in the file;
+// with or without chunks that hold several times.
+FieldFile ReadOrder(const std::vector<double>& hours, std::size_t chunk) {
+  MadeFile file;
+  file.Times(hours);
+  file.Box();
+  std::vector<double> at_index;
+  for (std::size_t i = 0; i < hours.size(); ++i) at_index.push_back(0.1 * i);
+  const std::vector<double> values = MadeFile::Repeated(at_index);
+  if (chunk > 0) {
+    file.ChunkedCurrents({"time", "lat", "lon"}, values, {chunk, 3, 5});
+  } else {
+    file.Currents({"time", "lat", "lon"}, values);
+  }
+  return file.Read();
+}
+
+// The index in the file of each time that was read.
+std::vector<int> Order(const FieldFile& file) {
+  std::vector<int> order;
+  for (const Raster& raster : file.series[0].at_time) {
+    order.push_back(static_cast<int>(std::lround(10 * raster[7])));
+  }
+  return order;
+}
+
+TEST(ReadFieldTimes, ReadsTimesInAnyOrderAndOfEqualOnesTheLast) {
+  struct Case {
+    std::vector<double> hours;
+    std::vector<int> order;
+    std::vector<double> read;
+    const char* warning;
+  };
+  const std::vector<Case> cases = {
+      {{18, 12, 6, 0}, {3, 2, 1, 0}, {0, 6, 12, 18}, ""},
+      {{0, 6, 6, 12}, {0, 2, 3}, {0, 6, 12}, "2020-11-01T06:00:00Z"},
+      {{12, 6, 6, 6, 0}, {4, 3, 0}, {0, 6, 12}, "2 times are there more"},
+      // A run of a model that was appended to an earlier one.
+      {{0, 6, 12, 18, 12, 18, 24},
+       {0, 1, 4, 5, 6},
+       {0, 6, 12, 18, 24},
+       "neither ascend nor descend: sorted"},
+  };
+  for (const Case& c : cases) {
+    for (const std::size_t chunk : {0u, 1u, 2u, 3u}) {
+      const FieldFile file = ReadOrder(c.hours, chunk);
+      EXPECT_EQ(Order(file), c.order);
+      ASSERT_EQ(file.time_s.size(), c.read.size());
+      for (std::size_t i = 0; i < c.read.size(); ++i) {
+        EXPECT_EQ(file.time_s[i], kBegin_s + c.read[i] * kHour_s);
+      }
+      EXPECT_THAT(WarningsOf(file), HasSubstr(c.warning));
+      EXPECT_EQ(WarningsOf(file).empty(), std::string(c.warning).empty());
+    }
+  }
+}
+
+TEST(ReadFieldTimes, LeavesAVariableInTheOrderThatItsIndicesMean) {
+  MadeFile file;
+  file.Times({12, 6, 6, 0});
+  file.Box();
+  file.Put("mask", {"time", "lat", "lon"},
+           MadeFile::Repeated({0, 0.1, 0.2, 0.3}));
+  EXPECT_EQ(Order(file.ReadNamed("mask")), (std::vector<int>{0, 1, 2, 3}));
+}
+
+TEST(ReadFieldTimes, ReportsWhenAForecastWasMade) {
+  MadeFile file;
+  WriteScalars(file,
+               {{"time", 120, {{"standard_name", "time"}}},
+                {"run", 96, {{"standard_name", "forecast_reference_time"}}}});
+  const FieldFile read = file.Read();
+  EXPECT_EQ(read.series[0].report.issue_time_s, kBegin_s + 96 * kHour_s);
+  MadeFile without;
+  WriteScalars(without, {{"time", 120, {}}});
+  EXPECT_TRUE(std::isnan(without.Read().series[0].report.issue_time_s));
+}
+
+TEST(ReadFieldTimes, RefusesATimeThatIsAFill) {
+  MadeFile file;
+  file.Times({0, -9999, 12}, {{"missing_value", "-9999"}});
+  file.Box();
+  file.Currents({"time", "lat", "lon"}, MadeFile::Repeated({0.1, 0.2, 0.3}));
+  EXPECT_THAT(file.Refusal(), HasSubstr("time: value 1 is missing"));
 }
 
 }  // namespace

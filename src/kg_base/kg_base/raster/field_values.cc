@@ -7,17 +7,20 @@
 #include <map>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 
-#include "kg_base/common/date_time.h"
 #include "kg_base/raster/coordinate_axis.h"
 #include "kg_base/raster/coordinate_values.h"
 #include "kg_base/raster/field_quantity.h"
 #include "kg_base/raster/fill_values.h"
+#include "kg_base/raster/outliers.h"
+#include "kg_base/raster/time_steps.h"
 #include "kg_base/raster/unit_conversion.h"
 
 namespace kg_base {
 namespace {
+
+constexpr char kRemedy[] =
+    "; a fill must be declared by _FillValue or missing_value, a unit by units";
 
 constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
 
@@ -44,8 +47,12 @@ UnitScale ScaleOf(const NetcdfFile& file, const NetcdfVariable& variable,
 // Counts of raw values that are no plausible ones, for messages.
 class OddValues {
  public:
-  void Add(double raw) {
-    ++count_;
+  // `at`: index in the raster of the `time`-th time.
+  void Add(double raw, std::size_t time, std::size_t at) {
+    if (count_++ == 0) {
+      first_time_ = time;
+      first_at_ = at;
+    }
     const auto found = counts_.find(raw);
     if (found != counts_.end()) {
       ++found->second;
@@ -54,6 +61,8 @@ class OddValues {
     }
   }
   std::size_t count() const { return count_; }
+  std::size_t first_time() const { return first_time_; }
+  std::size_t first_at() const { return first_at_; }
   std::string Commonest() const {
     const auto most = std::max_element(
         counts_.begin(), counts_.end(),
@@ -68,6 +77,8 @@ class OddValues {
   static constexpr std::size_t kMaxDistinct = 1000;
   std::map<double, std::size_t> counts_;
   std::size_t count_ = 0;
+  std::size_t first_time_ = 0;
+  std::size_t first_at_ = 0;
 };
 
 class ValueUnpacker {
@@ -85,15 +96,15 @@ class ValueUnpacker {
     offset_ = offset * unit.scale + unit.offset;
   }
 
-  // Converts a raw value to SI or NaN, and updates the counters.
-  float operator()(double raw) {
+  // Converts the raw value of a cell to SI or NaN, and updates the counters.
+  float operator()(double raw, std::size_t time, std::size_t at) {
     if (!std::isfinite(raw) || fills_.Contains(raw)) return kNoData;
     const double value = raw * scale_ + offset_;
     if (value >= min_ && value <= max_) {
       ++plausible_;
       return static_cast<float>(value);
     }
-    odd_.Add(raw);
+    odd_.Add(raw, time, at);
     return kNoData;
   }
   std::size_t plausible() const { return plausible_; }
@@ -129,7 +140,7 @@ std::size_t TimesPerBlock(const NetcdfFile& file, const FieldAxes& axes,
   const std::size_t plane = axes.rows_in_file * axes.cols_in_file;
   const std::size_t most = std::max<std::size_t>(
       kMaxBlockValues / std::max<std::size_t>(plane, 1), 1);
-  return std::min({chunk, most, axes.time_s.size()});
+  return std::min({chunk, most, axes.times_in_file});
 }
 
 RawBlock ReadBlock(const NetcdfFile& file, const FieldAxes& axes,
@@ -137,7 +148,7 @@ RawBlock ReadBlock(const NetcdfFile& file, const FieldAxes& axes,
                    std::size_t times) {
   RawBlock block;
   block.first_time = first_time;
-  block.times = std::min(times, axes.time_s.size() - first_time);
+  block.times = std::min(times, axes.times_in_file - first_time);
   std::vector<std::size_t> start = axes.start;
   block.count.assign(start.size(), 1);
   if (axes.time >= 0) {
@@ -160,8 +171,9 @@ std::size_t StepAlong(const RawBlock& block, int dimension) {
   return 0;  // The variable has no such dimension.
 }
 
+// `time`: which one of the block; `canonical_time`: which one of the axes.
 Raster Canonical(const FieldAxes& axes, const RawBlock& block, std::size_t time,
-                 ValueUnpacker* unpack) {
+                 std::size_t canonical_time, ValueUnpacker* unpack) {
   const std::size_t row_step = StepAlong(block, axes.lat);
   const std::size_t col_step = StepAlong(block, axes.lon);
   const std::size_t begin = time * StepAlong(block, axes.time);
@@ -171,34 +183,52 @@ Raster Canonical(const FieldAxes& axes, const RawBlock& block, std::size_t time,
     for (const std::size_t col : axes.file_col) {
       const bool is_hole = row == kNotInFile || col == kNotInFile;
       raster.push_back(
-          is_hole ? kNoData
-                  : (*unpack)(
-                        block.values[begin + row * row_step + col * col_step]));
+          is_hole
+              ? kNoData
+              : (*unpack)(block.values[begin + row * row_step + col * col_step],
+                          canonical_time, raster.size()));
     }
   }
   return raster;
 }
 
+// "19.5 E, 24 N at 2020-11-01T00:00:00Z"
+std::string PlaceText(const FieldAxes& axes, std::size_t time, Cell cell) {
+  const LonLat centre = axes.grid.Centre(cell);
+  std::ostringstream text;
+  text << centre.lon_deg << " E, " << centre.lat_deg << " N";
+  if (!std::isnan(axes.time_s[time])) {
+    text << " at " << TimeText(axes.time_s[time]);
+  }
+  return text.str();
+}
+
+Cell CellAtIndex(const Grid& grid, std::size_t index) {
+  const int at = static_cast<int>(index);
+  return {at / grid.cols(), at % grid.cols()};
+}
+
 // Rejects a variable that is mostly no such quantity; reports a minority, whose
 // cells are without data.
 void CheckOddValues(const NetcdfFile& file, const NetcdfVariable& variable,
-                    const QuantityWords& words, const ValueUnpacker& unpack,
-                    VariableReport* report) {
+                    const FieldAxes& axes, const QuantityWords& words,
+                    const ValueUnpacker& unpack, VariableReport* report) {
   const OddValues& odd = unpack.odd();
+  report->impossible_values = odd.count();
   if (odd.count() == 0) return;
   std::ostringstream range;
   range << words.min_value << " to " << words.max_value << " " << words.unit;
-  const std::string found = std::to_string(odd.count()) +
-                            " values are impossible for " + words.name + " (" +
-                            range.str() + "), " + odd.Commonest();
+  const std::string found =
+      std::to_string(odd.count()) + " values are impossible for " + words.name +
+      " (" + range.str() + "), " + odd.Commonest() + ", the first at " +
+      PlaceText(axes, odd.first_time(), CellAtIndex(axes.grid, odd.first_at()));
   if (odd.count() > unpack.plausible()) {
-    file.Refuse(variable,
-                "most values are impossible for " + std::string(words.name) +
-                    ", expected " + range.str() + ", found " + odd.Commonest() +
-                    "; a fill must be declared by _FillValue or missing_value, "
-                    "a unit by units");
+    file.Refuse(variable, "most values are impossible for " +
+                              std::string(words.name) + ", expected " +
+                              range.str() + ", found " + odd.Commonest() +
+                              kRemedy);
   }
-  report->warnings.push_back(found + ": taken as no data");
+  report->warnings.push_back(found + ": taken as no data" + kRemedy);
 }
 
 // Of a variable of any quantity, such as a mask, a fill is no value.
@@ -213,6 +243,20 @@ void RefuseUndeclaredFill(const NetcdfFile& file,
        << "): expected it to be declared by _FillValue or missing_value if it "
           "means no data";
   file.Refuse(variable, text.str());
+}
+
+// Reports spikes of a quantity that has none by nature.
+void CountOutliers(const FieldAxes& axes, QuantitySeries* series) {
+  if (HasSpikes(series->standard_name)) return;
+  const OutlierValues found = FindOutliers(axes.grid, series->at_time);
+  series->report.outliers = found.count;
+  if (found.count == 0) return;
+  std::ostringstream text;
+  text << found.count << " values are outliers, far from all others and from "
+       << "their neighbours, the first " << found.value << " at "
+       << PlaceText(axes, found.raster, found.cell)
+       << ": they are kept; check the file";
+  series->report.warnings.push_back(text.str());
 }
 
 std::size_t CellsWithoutData(const QuantitySeries& series) {
@@ -230,13 +274,12 @@ std::string TimesText(const std::vector<double>& time_s) {
   if (std::isnan(time_s.front())) return "";
   std::string text =
       std::to_string(time_s.size()) + (time_s.size() == 1 ? " time" : " times");
-  try {
-    text += ", " + FormatDateTime(time_s.front());
-    if (time_s.size() > 1) text += " to " + FormatDateTime(time_s.back());
-  } catch (const std::invalid_argument&) {
-    // A year beyond 9999 has no such text.
-  }
-  return text;
+  text += ", " + TimeText(time_s.front());
+  if (time_s.size() == 1) return text;
+  std::ostringstream step;
+  step << FindTimeSteps(time_s).usual_s / 3600.0;
+  return text + " to " + TimeText(time_s.back()) + ", every " + step.str() +
+         " h";
 }
 
 bool IsEmpty(const Raster& raster) {
@@ -258,8 +301,39 @@ void CheckEmptyTimes(const NetcdfFile& file, const NetcdfVariable& variable,
   }
   series->report.warnings.push_back(
       "no value in any cell at " + std::to_string(empty.size()) + " of " +
-      std::to_string(axes.time_s.size()) + " times, the first is time " +
-      std::to_string(empty.front()));
+      std::to_string(axes.time_s.size()) + " times, the first is " +
+      TimeText(axes.time_s[empty.front()]));
+}
+
+void CheckGaps(const FieldAxes& axes, VariableReport* report) {
+  const TimeSteps steps = FindTimeSteps(axes.time_s);
+  if (steps.missing == 0) return;
+  report->warnings.push_back(
+      std::to_string(steps.missing) + " times are missing, the first between " +
+      TimeText(steps.gap_begin_s) + " and " + TimeText(steps.gap_end_s));
+}
+
+// Reads in the order of the file, so that each chunk is unpacked once, and
+// leaves out times that the axes do not have.
+std::vector<Raster> ReadRasters(const NetcdfFile& file, const FieldAxes& axes,
+                                const NetcdfVariable& variable,
+                                ValueUnpacker* unpack) {
+  constexpr std::size_t kLeftOut = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> canonical(axes.times_in_file, kLeftOut);
+  for (std::size_t i = 0; i < axes.file_time.size(); ++i) {
+    canonical[axes.file_time[i]] = i;
+  }
+  std::vector<Raster> rasters(axes.time_s.size());
+  const std::size_t block_times = TimesPerBlock(file, axes, variable);
+  for (std::size_t time = 0; time < axes.times_in_file; time += block_times) {
+    const RawBlock block = ReadBlock(file, axes, variable, time, block_times);
+    for (std::size_t i = 0; i < block.times; ++i) {
+      const std::size_t to = canonical[time + i];
+      if (to == kLeftOut) continue;
+      rasters[to] = Canonical(axes, block, i, to, unpack);
+    }
+  }
+  return rasters;
 }
 
 }  // namespace
@@ -278,23 +352,20 @@ QuantitySeries ReadSeries(const NetcdfFile& file, const FieldAxes& axes,
   report.variable = variable.name;
   report.level = axes.level;
   report.times = TimesText(axes.time_s);
+  report.issue_time_s = axes.issue_time_s;
   report.warnings = axes.warnings;
   ValueUnpacker unpack(file, variable, words, &report);
-  const std::size_t block_times = TimesPerBlock(file, axes, variable);
-  for (std::size_t time = 0; time < axes.time_s.size(); time += block_times) {
-    const RawBlock block = ReadBlock(file, axes, variable, time, block_times);
-    for (std::size_t i = 0; i < block.times; ++i) {
-      series.at_time.push_back(Canonical(axes, block, i, &unpack));
-    }
-  }
+  series.at_time = ReadRasters(file, axes, variable, &unpack);
   report.cells = axes.grid.size();
   report.cells_without_data = CellsWithoutData(series);
   if (quantity == FieldQuantity::kAny) {
     RefuseUndeclaredFill(file, variable, series);
     return series;
   }
-  CheckOddValues(file, variable, words, unpack, &report);
+  CheckOddValues(file, variable, axes, words, unpack, &report);
   CheckEmptyTimes(file, variable, axes, &series);
+  CheckGaps(axes, &report);
+  CountOutliers(axes, &series);
   return series;
 }
 

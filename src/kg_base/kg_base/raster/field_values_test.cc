@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "kg_base/raster/testing/made_file.h"
+#include "kg_base/raster/time_steps.h"
 
 namespace kg_base {
 namespace {
@@ -94,6 +95,61 @@ TEST(ReadSeries, TellsOfValuesThatAreTakenAsNoData) {
   const FieldFile read = file.Read();
   EXPECT_THAT(WarningsOf(read), HasSubstr("1 values are impossible"));
   EXPECT_THAT(WarningsOf(read), HasSubstr("11 in 1 of them"));
+  EXPECT_EQ(read.series[0].report.impossible_values, 1u);
+  EXPECT_THAT(WarningsOf(read), HasSubstr("a fill must be declared"));
+}
+
+TEST(ReadSeries, SaysWhereTheFirstImpossibleValueIs) {
+  MadeFile file;
+  file.Times({0, 6});
+  file.Box();
+  std::vector<double> values(30, 0.1);
+  values[15 + 5 + 3] = -9999;
+  file.Currents({"time", "lat", "lon"}, values);
+  EXPECT_THAT(
+      WarningsOf(file.Read()),
+      HasSubstr("the first at -97.7 E, 21.1 N at 2020-11-01T06:00:00Z"));
+}
+
+// A spike of a current is reported; a cell of ground that burns is none.
+TEST(ReadSeries, ReportsOutliersOfQuantitiesThatHaveNoSpikes) {
+  const auto read = [](const char* standard_name, FieldQuantity quantity) {
+    MadeFile file;
+    file.Times({0});
+    file.Lat({21, 21.1, 21.2, 21.3, 21.4});
+    file.Lon();
+    std::vector<double> values;
+    for (int i = 0; i < 25; ++i) values.push_back(0.01 * (i % 7));
+    values[12] = 4.0;
+    file.Put(
+        "x", {"time", "lat", "lon"}, values,
+        {{"standard_name", standard_name},
+         {"units", quantity == FieldQuantity::kTemperature ? "degC" : "m/s"}});
+    return file.Read({quantity});
+  };
+  const FieldFile current =
+      read("eastward_sea_water_velocity", FieldQuantity::kEastwardVelocity);
+  EXPECT_EQ(current.series[0].report.outliers, 1u);
+  EXPECT_THAT(WarningsOf(current), HasSubstr("4 at -97.8 E, 21.2 N"));
+  EXPECT_EQ(current.series[0].at_time[0][12], 4.0f);
+  const FieldFile fire =
+      read("surface_temperature", FieldQuantity::kTemperature);
+  EXPECT_EQ(fire.series[0].report.outliers, 0u);
+  EXPECT_EQ(WarningsOf(fire), "");
+}
+
+TEST(ReadSeries, ReportsMissingTimesAndTheStep) {
+  MadeFile file;
+  file.Times({0, 6, 12, 30, 36});
+  file.Box();
+  file.Currents({"time", "lat", "lon"},
+                MadeFile::Repeated({0.1, 0.2, 0.3, 0.4, 0.5}));
+  const FieldFile read = file.Read();
+  EXPECT_EQ(read.series[0].report.times,
+            "5 times, 2020-11-01T00:00:00Z to 2020-11-02T12:00:00Z, every 6 h");
+  EXPECT_THAT(WarningsOf(read),
+              HasSubstr("2 times are missing, the first between "
+                        "2020-11-01T12:00:00Z and 2020-11-02T06:00:00Z"));
 }
 
 TEST(ReadSeries, ReadsUnsignedShortsOfAClassicFile) {
@@ -117,6 +173,21 @@ TEST(ReadSeries, ReadsUnsignedShortsOfAClassicFile) {
   const Raster raster = file.Read().series[0].at_time[0];
   EXPECT_NEAR(raster[0], 0.05, 1e-6);
   EXPECT_TRUE(std::isnan(raster[2]));
+}
+
+TEST(ReadSeries, ReadsUnitsInLatin1) {
+  MadeFile file;
+  file.Times({0});
+  file.Box();
+  file.Put("sst", {"time", "lat", "lon"}, MadeFile::Repeated({20}),
+           {{"units",
+             "\xb0"
+             "C"},
+            {"standard_name", "sea_surface_temperature"}});
+  const FieldFile read = file.Read({FieldQuantity::kTemperature});
+  EXPECT_EQ(read.series[0].at_time[0][0], 20.0f);
+  EXPECT_THAT(read.series[0].report.unit, HasSubstr("\xc2\xb0"
+                                                    "C"));
 }
 
 TEST(ReadSeries, ConvertsUnitsAndTellsWhatItAssumed) {
@@ -148,10 +219,10 @@ TEST(ReadSeries, KeepsTimesWithoutDataAndTellsOfThem) {
     file.Currents({"time", "lat", "lon"}, MadeFile::Repeated(speeds));
     const FieldFile read = file.Read();
     EXPECT_EQ(CountMissing(read.series[0].at_time[empty]), 15u);
-    EXPECT_THAT(WarningsOf(read),
-                HasSubstr("no value in any cell at 1 of 3 times, the first is "
-                          "time " +
-                          std::to_string(empty)));
+    EXPECT_THAT(
+        WarningsOf(read),
+        HasSubstr("no value in any cell at 1 of 3 times, the first is " +
+                  TimeText(read.time_s[empty])));
   }
 }
 

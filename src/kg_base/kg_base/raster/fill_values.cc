@@ -86,10 +86,13 @@ bool HasValue(const std::vector<Raster>& rasters, float wanted) {
 
 }  // namespace
 
-FillValues::FillValues(const NetcdfFile& file, const NetcdfVariable& variable)
+FillValues::FillValues(const NetcdfFile& file, const NetcdfVariable& variable,
+                       DefaultFills defaults)
     : is_real_(variable.type == netCDF::NcType::nc_FLOAT ||
                variable.type == netCDF::NcType::nc_DOUBLE) {
-  Add(variable, DefaultFill(variable.type));
+  if (defaults == DefaultFills::kCount) {
+    Add(variable, DefaultFill(variable.type));
+  }
   for (const char* attribute : {"_FillValue", "missing_value"}) {
     const auto number = variable.numbers.find(attribute);
     if (number != variable.numbers.end()) Add(variable, number->second);

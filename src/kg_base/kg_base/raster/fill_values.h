@@ -14,11 +14,15 @@
 
 namespace kg_base {
 
+// Does the type's default fill count? A coordinate may have that value.
+enum class DefaultFills { kCount, kDoNotCount };
+
 // _FillValue and missing_value, as number or text, and the type's default.
 class FillValues {
  public:
   // Throws InputError for a text that is no number.
-  FillValues(const NetcdfFile& file, const NetcdfVariable& variable);
+  FillValues(const NetcdfFile& file, const NetcdfVariable& variable,
+             DefaultFills defaults = DefaultFills::kCount);
 
   // For raw values, before unpacking. Reals may differ by their precision.
   bool Contains(double raw) const {

@@ -33,8 +33,17 @@ void CheckKind(const std::string& path) {
   }
 }
 
+// Text that is not UTF-8 is taken for Latin-1, in which older programs wrote
+// degree signs and names.
+std::string AsUtf8(const std::string& text) {
+  if (!FirstBadUtf8(text)) return text;
+  std::string utf8;
+  for (const char c : text) AppendUtf8(static_cast<unsigned char>(c), &utf8);
+  return utf8;
+}
+
 std::string Stripped(const std::string& text) {
-  return std::string(StripAsciiSpace(text.substr(0, text.find('\0'))));
+  return AsUtf8(std::string(StripAsciiSpace(text.substr(0, text.find('\0')))));
 }
 
 bool IsNumber(int type) {

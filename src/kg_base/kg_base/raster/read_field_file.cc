@@ -46,7 +46,9 @@ void CheckSameAxes(const NetcdfFile& file, const FieldAxes& axes,
     return;
   }
   file.Refuse(variable, "expected the grid and the times of variable " +
-                            read.series.front().variable);
+                            read.series.front().variable +
+                            "; components of staggered grids must be "
+                            "interpolated to one grid");
 }
 
 const NetcdfVariable& VariableNamed(const NetcdfFile& file,
