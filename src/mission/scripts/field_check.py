@@ -5,6 +5,8 @@ with netCDF4 instead of the project's own reader.
 import netCDF4
 import numpy as np
 
+from gridded_file import GriddedVariable
+
 VALUE_TOLERANCE_MPS = 1e-3
 TIME_TOLERANCE_S = 60.0
 CELL_TOLERANCE = 0.02  # Of the spacing: file coordinates have rounding noise.
@@ -23,31 +25,31 @@ def difference(row, field):
     `row` is a solution of FIELDS.
     """
     with netCDF4.Dataset(row['path']) as file:
-        file.set_auto_maskandscale(False)
         for name, values in zip('uv', field.components()):
-            variable = file.variables[
-                row[name].rsplit('#', 1)[1].split('@')[0]]
-            problem = _component(file, variable, field, values)
+            path = row[name].rsplit('#', 1)[1].rpartition('@')[0]
+            problem = _component(GriddedVariable(file, path), field, values)
             if problem:
-                return 'window %s, %s: %s' % (row['window'], variable.name,
-                                              problem)
+                return 'window %s, %s: %s' % (row['window'], path, problem)
     return None
 
 
-def _component(file, variable, field, values):
-    lat, lat_order = read_axis(file, variable, ('degrees_north', 'degree_north'))
-    lon, lon_order = read_axis(file, variable, ('degrees_east', 'degree_east'))
-    for ours, theirs in ((field.lat_deg, lat), (field.lon_deg, lon)):
-        if len(ours) != len(theirs):
-            return 'the grid size differs'
-        if np.abs(ours - theirs).max() > CELL_TOLERANCE * np.diff(theirs).min():
+def _component(variable, field, values):
+    rows = matches(field.lat_deg, variable.lat_deg)
+    cols = matches(field.lon_deg, variable.lon_deg)
+    for found, theirs in ((rows, variable.lat_deg), (cols, variable.lon_deg)):
+        # A column that is there again a turn later counts once.
+        if len(np.unique(np.round(theirs, 5))) > np.count_nonzero(found >= 0):
             return 'the grid coordinates differ'
-    times = _times(file, variable)
+    times_s = variable.times_s()
     for time_s, ours in zip(field.time_s, values):
-        index = int(np.abs(times - time_s).argmin())
-        if abs(times[index] - time_s) > TIME_TOLERANCE_S:
+        # Of equal times the one written last.
+        away_s = np.abs(times_s - time_s)[::-1]
+        index = len(times_s) - 1 - int(away_s.argmin())
+        if away_s.min() > TIME_TOLERANCE_S:
             return 'no such time in the file: %.0f' % time_s
-        theirs = read_slice(variable, index)[np.ix_(lat_order, lon_order)]
+        theirs = variable.speeds_mps(index)[np.ix_(rows, cols)]
+        theirs[rows < 0] = np.nan
+        theirs[:, cols < 0] = np.nan
         if not np.all(np.abs(np.nan_to_num(theirs) - ours) <=
                       VALUE_TOLERANCE_MPS):
             return 'values differ at time step %d' % index
@@ -56,46 +58,14 @@ def _component(file, variable, field, values):
     return None
 
 
-def read_axis(file, variable, units):
-    """Ascending coordinates in [-180, 180) and the sort order."""
-    for name in variable.dimensions:
-        axis = file.variables.get(name)
-        if axis is not None and getattr(axis, 'units', '') in units:
-            values = np.asarray(axis[:], float)
-            if units[0] == 'degrees_east':
-                values = (values + 180.0) % 360.0 - 180.0
-            order = np.argsort(values)
-            return values[order], order
-    raise ValueError('%s: no axis in %s' % (variable.name, units[0]))
-
-
-def _times(file, variable):
-    axis = next(file.variables[name] for name in variable.dimensions
-                if ' since ' in getattr(file.variables.get(name), 'units', ''))
-    unit, origin = axis.units.split(' since ')
-    seconds = {'h': 3600.0, 'd': 86400.0, 'm': 60.0, 's': 1.0}[unit.strip()[0]]
-    epoch = netCDF4.num2date(0.0, 'seconds since ' + origin)
-    start_s = netCDF4.date2num(epoch, 'seconds since 1970-01-01 00:00:00')
-    return start_s + seconds * np.asarray(axis[:], float)
-
-
-def read_slice(variable, time_index):
-    """lat x lon at one time and the first depth; NaN = no data."""
-    index = []
-    for name in variable.dimensions:
-        units = getattr(variable.group().variables.get(name), 'units', '')
-        if ' since ' in units:
-            index.append(time_index)
-        else:
-            index.append(slice(None) if 'degree' in units else 0)
-    raw = np.asarray(variable[tuple(index)])
-    missing = np.zeros(raw.shape, bool)
-    for attribute in ('_FillValue', 'missing_value'):
-        if hasattr(variable, attribute):
-            missing |= raw == getattr(variable, attribute)
-    values = (raw * float(getattr(variable, 'scale_factor', 1.0)) +
-              float(getattr(variable, 'add_offset', 0.0)))
-    return np.where(missing, np.nan, values)
+def matches(ours_deg, theirs_deg):
+    """For each of our coordinates the index in the file; -1 where the file has
+    none, as in a hole between tiles."""
+    spacing_deg = np.median(np.diff(np.sort(theirs_deg)))
+    away_deg = np.abs((ours_deg[:, None] - theirs_deg[None, :] + 180.0) % 360.0
+                      - 180.0)  # 180 E is 180 W.
+    is_there = away_deg.min(axis=1) <= CELL_TOLERANCE * spacing_deg
+    return np.where(is_there, away_deg.argmin(axis=1), -1)
 
 
 class FieldCheck:

@@ -10,7 +10,7 @@ import numpy as np
 from shapely.geometry import box
 from shapely.ops import unary_union
 
-from field_check import read_axis, read_slice
+from gridded_file import GriddedVariable
 
 # Of a cell: the coordinates of files are rounded, and a path may follow the
 # edge of a mission's cell that is also the edge of a masked one.
@@ -22,13 +22,11 @@ def mask_area(path, reference):
     """
     name, _, step = reference.rsplit('#', 1)[1].partition('@')
     with netCDF4.Dataset(path) as file:
-        file.set_auto_maskandscale(False)
-        variable = file.variables[name]
-        lat, lat_order = read_axis(file, variable,
-                                   ('degrees_north', 'degree_north'))
-        lon, lon_order = read_axis(file, variable,
-                                   ('degrees_east', 'degree_east'))
-        values = read_slice(variable, int(step or 0))
+        variable = GriddedVariable(file, name)
+        values = variable.values(int(step or 0))
+    lat_order, lon_order = (np.argsort(axis) for axis in (variable.lat_deg,
+                                                          variable.lon_deg))
+    lat, lon = variable.lat_deg[lat_order], variable.lon_deg[lon_order]
     inside = np.nan_to_num(values)[np.ix_(lat_order, lon_order)] != 0.0
     return cells_area(inside, edges(lon), edges(lat))
 

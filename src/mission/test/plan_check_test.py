@@ -433,6 +433,146 @@ class FieldCheckTest(unittest.TestCase):
         self.assertIn('no such time', self._difference(late_s=HOUR_S))
 
 
+LON = 10.0 + 0.1 * np.arange(6)
+LAT = 50.0 + 0.1 * np.arange(4)
+HOURS = 6.0 * np.arange(3)
+
+
+class GriddedFileTest(unittest.TestCase):
+    """Files of many forms that all have 0.1 m/s, and in their second step 0.1
+    m/s more for each column."""
+
+    SPEED = np.stack([np.full((4, 6), 0.1), 0.1 + 0.1 * np.tile(
+        np.arange(6), (4, 1)), np.full((4, 6), 0.1)])
+
+    def _check(self, write, lon=LON, speed=SPEED, hours=HOURS):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, 'ocean.nc')
+            with netCDF4.Dataset(path, 'w') as file:
+                name = write(file)
+            ours = Field(lon, LAT, FieldCheckTest.BEGIN_S + HOUR_S * hours,
+                         speed, speed)
+            return field_check.difference(
+                {'window': '0', 'u': '%s#%s@0..2' % (path, name),
+                 'v': '%s#%s@0..2' % (path, name), 'path': path}, ours)
+
+    @staticmethod
+    def _axes(file, lon=LON, lat=LAT, hours=HOURS, **of_time):
+        for name, values, unit in (
+                ('time', hours, 'hours since 2026-06-01 12:00:00'),
+                ('lat', lat, 'degrees_north'), ('lon', lon, 'degreesE')):
+            file.createDimension(name, len(values))
+            axis = file.createVariable(name, 'f8', (name,))
+            axis[:], axis.units = values, unit
+        file['time'].setncatts(of_time)
+
+    @staticmethod
+    def _put(file, values, dimensions=('time', 'lat', 'lon'), kind='f4',
+             name='u', **attributes):
+        variable = file.createVariable(name, kind, dimensions)
+        variable.set_auto_maskandscale(False)
+        variable.setncatts(attributes)
+        variable[:] = values
+        return name
+
+    def _write(self, file, values=SPEED, of_axes=None, **more):
+        self._axes(file, **(of_axes or {}))
+        return self._put(file, values, **more)
+
+    def test_reads_plain_files_and_sees_what_differs(self):
+        self.assertIsNone(self._check(self._write))
+        for speed in (self.SPEED + 0.01, self.SPEED[[1, 0, 2]],
+                      self.SPEED[:, :, ::-1]):
+            self.assertIn('values differ',
+                          self._check(self._write, speed=speed))
+
+    def test_reads_times_in_any_order_and_the_last_of_equal_ones(self):
+        for hours, order in (((12, 6, 0), (2, 1, 0)),
+                             ((0, 6, 6, 12), (0, 0, 1, 2)),
+                             ((0, 12, 6, 12), (0, 0, 1, 2))):
+            self.assertIsNone(self._check(lambda file: self._write(
+                file, self.SPEED[list(order)], {'hours': hours})), hours)
+
+    def test_reads_units_and_packed_values(self):
+        for unit, factor in (('cm s-1', 100.0), ('cm/s', 100.0), ('m.s-1', 1),
+                             ('km/h', 3.6), ('meters per second', 1),
+                             ('knots', 3600 / 1852.0), ('m s**-1', 1)):
+            self.assertIsNone(self._check(lambda file: self._write(
+                file, factor * self.SPEED, units=unit)), unit)
+        packed = np.round(self.SPEED * 1000 + 40000).astype('u2').view('i2')
+        packed[:, 3, 5] = -1
+        speed = self.SPEED.copy()
+        speed[:, 3, 5] = np.nan
+        self.assertIsNone(self._check(lambda file: self._write(
+            file, packed, kind='i2', _Unsigned='true', scale_factor=0.001,
+            add_offset=-40.0, missing_value=np.int16(-1)), speed=speed))
+
+    def test_reads_fills_as_text_and_impossible_values_as_no_data(self):
+        values, speed = self.SPEED.copy(), self.SPEED.copy()
+        values[:, 1, 1], values[:, 2, 2] = -9999.0, 11.0
+        speed[:, 1, 1] = speed[:, 2, 2] = np.nan
+        self.assertIsNone(self._check(lambda file: self._write(
+            file, values, missing_value='-9999'), speed=speed))
+
+    def test_finds_the_middles_of_periods(self):
+        def write(file, method):
+            self._axes(file, hours=HOURS + 3.0, bounds='b')
+            file.createDimension('two', 2)
+            self._put(file, np.stack([HOURS - 3.0, HOURS + 3.0], 1),
+                      ('time', 'two'), 'f8', 'b')
+            return self._put(file, self.SPEED, cell_methods=method)
+        self.assertIsNone(self._check(lambda file: write(file, 'time: mean')))
+        self.assertIn('no such time', self._check(
+            lambda file: write(file, 'time: point')))
+
+    def test_reads_the_level_at_the_surface(self):
+        for levels, surface, attributes in (
+                ((40.0, 0.5), 1, {'standard_name': 'depth'}),
+                ((-0.5, -40.0), 0, {'positive': 'up'}),
+                ((-1.0, 0.0), 1, {'standard_name': 'ocean_sigma_coordinate'}),
+                ((1.0, 20.0), 1,
+                 {'standard_name': 'height_above_sea_floor'})):
+            def write(file):
+                self._axes(file)
+                file.createDimension('z', 2)
+                self._put(file, levels, ('z',), 'f8', 'z', units='m',
+                          **attributes)
+                values = np.stack([0 * self.SPEED] * 2, 1)
+                values[:, surface] = self.SPEED
+                return self._put(file, values, ('time', 'z', 'lat', 'lon'))
+            self.assertIsNone(self._check(write), attributes)
+
+    def test_reads_holes_groups_and_longitudes_of_any_range(self):
+        hole = np.concatenate([LON[:3], LON[3:] + 0.5])
+        ours = 10.0 + 0.1 * np.arange(11)
+        speed = np.full((3, 4, 11), np.nan)
+        speed[:, :, [0, 1, 2, 8, 9, 10]] = self.SPEED
+        self.assertIsNone(self._check(
+            lambda file: self._write(file, of_axes={'lon': hole}), ours, speed))
+        self.assertIn('values where the file has no data', self._check(
+            lambda file: self._write(file, of_axes={'lon': hole}), ours,
+            np.nan_to_num(speed)))
+        self.assertIn('coordinates differ', self._check(
+            lambda file: self._write(file, of_axes={'lon': LON + 0.05})))
+        self.assertIsNone(self._check(
+            lambda file: self._write(file, of_axes={'lon': LON + 350.0}),
+            LON - 10.0))
+        self.assertIsNone(self._check(lambda file: 'deep/' + self._write(
+            file.createGroup('deep'))))
+
+    def test_reads_two_dimensional_coordinates_of_a_regular_grid(self):
+        def write(file):
+            for name, size in (('time', 3), ('y', 4), ('x', 6)):
+                file.createDimension(name, size)
+            self._put(file, HOURS, ('time',), 'f8', 'time',
+                      units='hours since 2026-06-01 12:00:00')
+            for name, values in zip(('nav_lon', 'nav_lat'),
+                                    np.meshgrid(LON, LAT)):
+                self._put(file, values, ('y', 'x'), 'f8', name)
+            return self._put(file, self.SPEED, ('time', 'y', 'x'))
+        self.assertIsNone(self._check(write))
+
+
 class FactsTest(unittest.TestCase):
     def test_reads_durations_and_geometries_with_a_prefix(self):
         self.assertEqual(2 * DAY_S + 90.0,
