@@ -38,6 +38,12 @@ Bounds BoundsOf(LonLat position) {
           position.lat_deg};
 }
 
+std::optional<LonLat> MiddleOf(const std::optional<kg_base::Geometry>& area) {
+  if (!area) return std::nullopt;
+  return LonLat{0.5 * (area->west_deg() + area->east_deg()),
+                0.5 * (area->south_deg() + area->north_deg())};
+}
+
 bool Overlaps(const Grid& grid, const Bounds& bounds) {
   return bounds.west <= grid.east_deg() && bounds.east >= grid.west_deg() &&
          bounds.south <= grid.north_deg() && bounds.north >= grid.south_deg();
@@ -91,18 +97,18 @@ class WarningFinder {
   explicit WarningFinder(const Compilation& compilation)
       : in_(compilation), windows_(compilation.fields.size()) {}
 
-  std::vector<std::string> All() {
+  std::vector<FactWarning> All() {
     if (in_.rasters.empty()) return {};
     for (const auto& constraint : in_.mission.constraints) Check(constraint);
     for (const auto& prior : in_.mission.priors) Check(prior);
     for (const auto& event : in_.mission.events) Check(event);
     CheckStarts();
-    return std::move(lines_);
+    return std::move(found_);
   }
 
-  std::vector<std::string> Starts() {
+  std::vector<FactWarning> Starts() {
     if (!in_.rasters.empty()) CheckStarts();
-    return std::move(lines_);
+    return std::move(found_);
   }
 
  private:
@@ -113,8 +119,10 @@ class WarningFinder {
     return agent * windows_ + i;
   }
 
-  void Say(const std::string& iri, const std::string& cause) {
-    lines_.push_back(AbbreviateIri(iri) + " has no effect: " + cause);
+  void Warn(const std::string& iri, const std::optional<LonLat>& place,
+            const std::string& cause) {
+    const std::string label = AbbreviateIri(iri) + " has no effect";
+    found_.push_back({label, label + ": " + cause, place});
   }
 
   // Constraints and priors ---------------------------------------------------
@@ -131,10 +139,13 @@ class WarningFinder {
       found.Add(rasters, patch.box, [&](int row) { return patch.Row(row); });
     }
     if (!found.is_in_scope || found.meets_open) return;
-    if (constraint.is_land) return Say(constraint.iri, NoLand());
+    if (constraint.is_land) {
+      return Warn(constraint.iri, std::nullopt, NoLand());
+    }
     const bool by_centres =
         active.effect->cover == kg_base::CellCover::kCentres;
-    Say(constraint.iri, Cause(constraint.area, found.meets_land, by_centres));
+    Warn(constraint.iri, MiddleOf(constraint.area),
+         Cause(constraint.area, found.meets_land, by_centres));
   }
 
   void Check(const kg_mission::PriorLayer& prior) {
@@ -148,7 +159,8 @@ class WarningFinder {
       found.Add(*rasters, patch.box, [&](int row) { return patch.Row(row); });
     }
     if (!found.is_in_scope || found.meets_open) return;
-    Say(prior.iri, Cause(prior.area, found.meets_land, true));
+    Warn(prior.iri, MiddleOf(prior.area),
+         Cause(prior.area, found.meets_land, true));
   }
 
   // A prior's raster is read only for agents whose policy weighs it.
@@ -184,8 +196,7 @@ class WarningFinder {
            "file has 0 on land, write no data there (NaN or _FillValue)";
   }
 
-  // Events
-  // ---------------------------------------------------------------------
+  // Events --------------------------------------------------------------------
 
   void Check(const kg_mission::Event& event) {
     std::optional<std::size_t> first;  // Place in scope.
@@ -200,8 +211,9 @@ class WarningFinder {
     }
     if (!first) return;
     const std::string why = WhyClosed(*first, event.position);
-    Say(event.iri, "no agent can come within its ex:radiusKm, because it is " +
-                       (why.empty() ? "too far from open cells" : why));
+    Warn(event.iri, event.position,
+         "no agent can come within its ex:radiusKm, because it is " +
+             (why.empty() ? "too far from open cells" : why));
   }
 
   // Does the event's radius meet an open cell?
@@ -242,8 +254,7 @@ class WarningFinder {
     return kg_base::Distance_m(event.position, nearest) <= event.radius_m;
   }
 
-  // Positions
-  // ------------------------------------------------------------------
+  // Positions -----------------------------------------------------------------
 
   void CheckStarts() {
     if (windows_ == 0) return;
@@ -251,9 +262,12 @@ class WarningFinder {
       const SeamRules& rules = in_.rules[a];
       const std::string why = WhyClosed(Place(a, 0), rules.start);
       if (why.empty()) continue;
-      lines_.push_back("agent " + rules.agent_id + " (" +
-                       AbbreviateIri(rules.agent_iri) + ") starts at " +
-                       kg_base::PointWkt(rules.start) + ", which is " + why);
+      found_.push_back({rules.agent_id + " cannot start here",
+                        "agent " + rules.agent_id + " (" +
+                            AbbreviateIri(rules.agent_iri) + ") starts at " +
+                            kg_base::PointWkt(rules.start) + ", which is " +
+                            why,
+                        rules.start});
     }
   }
 
@@ -292,17 +306,23 @@ class WarningFinder {
 
   const Compilation& in_;
   const std::size_t windows_;  // Number of compiled windows.
-  std::vector<std::string> lines_;
+  std::vector<FactWarning> found_;
 };
 
 }  // namespace
 
-std::vector<std::string> FindWarnings(const Compilation& compilation) {
+std::vector<FactWarning> FindWarnings(const Compilation& compilation) {
   return WarningFinder(compilation).All();
 }
 
+std::vector<std::string> Lines(const std::vector<FactWarning>& warnings) {
+  std::vector<std::string> lines;
+  for (const FactWarning& warning : warnings) lines.push_back(warning.line);
+  return lines;
+}
+
 std::vector<std::string> FindClosedStarts(const Compilation& compilation) {
-  return WarningFinder(compilation).Starts();
+  return Lines(WarningFinder(compilation).Starts());
 }
 
 }  // namespace kg_compiler

@@ -32,7 +32,9 @@ struct WarningWorld {
     mission.coordination.waypoint_spacing_m = 5000.0;
   }
 
-  std::vector<std::string> Warnings() const { return FindWarnings(*Compile()); }
+  std::vector<std::string> Warnings() const {
+    return Lines(FindWarnings(*Compile()));
+  }
   std::shared_ptr<const Compilation> Compile() const {
     RasterReaders readers;
     const int columns = land_columns;
@@ -170,6 +172,17 @@ TEST(FactWarnings, AClosedStartIsNamedWithItsConstraint) {
   ExpectOne(FindClosedStarts(*world.Compile()), {"alpha", "in <ex:zone>"});
   zone.windows = {1};
   EXPECT_TRUE(FindClosedStarts(*world.Compile()).empty());
+}
+
+TEST(FactWarnings, SayWhereTheyLieForAMap) {
+  WarningWorld world;
+  world.AddArea(ConstraintKind::kNoGo, Box(54.4, 9.6, 55.0, 10.0));
+  const std::vector<FactWarning> found = FindWarnings(*world.Compile());
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].label.find("zone> has no effect"), std::string::npos);
+  ASSERT_TRUE(found[0].place);
+  EXPECT_NEAR(found[0].place->lon_deg, 54.7, 1e-9);
+  EXPECT_NEAR(found[0].place->lat_deg, 9.8, 1e-9);
 }
 
 }  // namespace

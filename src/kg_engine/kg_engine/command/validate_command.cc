@@ -10,6 +10,7 @@
 #include "kg_engine/command/change.h"
 #include "kg_engine/command/command.h"
 #include "kg_engine/command/target.h"
+#include "kg_mission/mission/data_quality.h"
 #include "kg_mission/mission/ingest.h"
 #include "kg_mission/mission/mission_reader.h"
 #include "kg_mission/mission/stage_update.h"
@@ -58,6 +59,14 @@ void TellWarnings(const std::vector<std::string>& warnings) {
   }
 }
 
+// What was read of the files, and what is doubtful about it.
+void TellData(const kg_core::GraphView& view) {
+  for (const kg_mission::DataSummary& data : kg_mission::SummarizeData(view)) {
+    std::cout << "data: " << data.what << ": " << data.text << "\n";
+  }
+  TellWarnings(kg_mission::DataWarnings(view));
+}
+
 // Compiles the mission; returns why that fails.
 std::vector<std::string> CompileForWarnings(
     const kg_core::GraphView& view, kg_mission::FileCache* files,
@@ -65,8 +74,8 @@ std::vector<std::string> CompileForWarnings(
   try {
     const kg_mission::Mission mission = kg_mission::ReadMission(view);
     kg_compiler::MissionCompiler compiler(files);
-    *warnings = kg_compiler::FindWarnings(
-        *compiler.Compile(mission, view.world_version(), 0));
+    *warnings = kg_compiler::Lines(kg_compiler::FindWarnings(
+        *compiler.Compile(mission, view.world_version(), 0)));
   } catch (const kg_base::InputError& error) {
     return {error.what()};
   }
@@ -98,6 +107,7 @@ int ValidateMission(const std::string& folder, const std::string& data_folder) {
       }
     }
   }
+  TellData(transaction.view());
   for (const std::string& reason : reasons) std::cout << reason << "\n";
   TellWarnings(warnings);
   std::cout << reasons.size() << " violations\n";
@@ -116,6 +126,7 @@ int ValidateStore(const std::string& path, const std::string& data_folder,
          CompileForWarnings(*view, &files, &warnings)) {
       warnings.push_back("not compiled: " + reason);
     }
+    TellData(*view);
     TellWarnings(warnings);
   }
   return Show(kg_mission::Validate(*view), as_report);
@@ -143,8 +154,8 @@ const Subcommand kValidate = {
     "check facts against the shapes; status 1 if there is a violation",
     "FILE is Turtle, as mission.ttl is. All violations of a file or a mission\n"
     "are listed: of the shapes, of the ontology, and facts that are not a\n"
-    "mission. Of a mission folder, its files are read, too; facts without\n"
-    "effect are warnings.\n\n"
+    "mission. Of a mission folder, its files are read, too: what was read of\n"
+    "each is a line; doubts about it and facts without effect are warnings.\n\n"
     "  --report       a W3C SHACL validation report in Turtle\n"
     "  --data FOLDER  where a mission's files are looked up first\n",
     {{"--report"}, {"--data", true}},

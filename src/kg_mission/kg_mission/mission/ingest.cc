@@ -15,6 +15,7 @@
 #include "kg_core/facts/terms.h"
 #include "kg_core/facts/vocabulary.h"
 #include "kg_mission/mission/conclusions.h"
+#include "kg_mission/mission/data_quality.h"
 #include "kg_mission/mission/entity.h"
 #include "kg_mission/mission/ingest_times.h"
 #include "kg_mission/mission/ingested_facts.h"
@@ -264,6 +265,17 @@ class SourceIngest {
     Say(Part("file"), Ex("ingestedFrom"), name_);
     Say(Part("file"), Ex("path"), Literal(file.path));
     Say(Part("file"), Ex("sha256"), Literal(file.sha256));
+    StateQuality(file);
+  }
+
+  void StateQuality(const FieldFile& file) {
+    for (std::size_t i = 0; i < file.series.size(); ++i) {
+      const Term report = Part("quality/" + std::to_string(i));
+      Generate(report, "DataQualityReport");
+      Say(report, Prov("wasDerivedFrom"), Part("file"));
+      StateDataQuality(report, file, file.series[i],
+                       mission_.windows.front().begin_s, transaction_);
+    }
   }
 
   void StateGrid(const Term& subject, const Grid& grid) {

@@ -21,6 +21,8 @@
 //   ex:sst\/w3          a ex:ValueLayer ; ex:forWindow ; ex:kind "delta_sst" ;
 //       ex:gridRef ; ex:timeIndex, ex:previousTimeIndex ; prov:wasDerivedFrom ;
 //       resampling and scales of its source .
+//   ex:currents\/quality\/0  a ex:DataQualityReport (data_quality.h), of each
+//       variable that was read.
 //   ex:reefs\/file      a ex:SourceFile ; ex:path, ex:sha256 .
 //   ex:hotspots\/cell/4_2  a ex:CellSample ; geo:asWKT ; ex:cellValue .
 //   ex:grid a ex:GridSpec ; ex:rows, ex:cols, geo:asWKT, ex:pixelSizeKm .

@@ -16,6 +16,7 @@
 #include "kg_base/common/input_error.h"
 #include "kg_base/common/sha256.h"
 #include "kg_core/facts/terms.h"
+#include "kg_mission/mission/data_quality.h"
 #include "kg_mission/mission/ingested_facts.h"
 #include "kg_mission/mission/layer_files.h"
 #include "kg_mission/mission/mission_reader.h"
@@ -230,6 +231,63 @@ TEST_F(IngestTest, GridsUpToTheEdgesOfTheGlobeAreAMission) {
     EXPECT_TRUE(Validate(*view).empty()) << c.name;
     EXPECT_EQ(ReadMission(*view).work_fields.size(), 2u) << c.name;
   }
+}
+
+TEST_F(IngestTest, StatesTheQualityOfEachVariableItReads) {
+  Ocean spec;
+  spec.empty_day = 3;  // Needed by no window.
+  Write("sst.nc", spec);
+  ASSERT_EQ(Refusal(), "");
+  const auto view = world_.store.Read();
+  const auto value = [&](const char* report, const char* property) {
+    const auto found =
+        FirstObject(*view, kg_core::kFactsGraph, Ex(report), Ex(property));
+    return found ? found->text : "none";
+  };
+  EXPECT_TRUE(Has(*view, kg_core::kFactsGraph, Ex("sst/quality/0"),
+                  Prov("wasDerivedFrom"), Ex("sst/file")));
+  EXPECT_EQ(value("currents/quality/1", "quantity"), "northward velocity");
+  EXPECT_EQ(value("sst/quality/0", "variable"), "water_temp");
+  EXPECT_EQ(value("sst/quality/0", "timeCount"), "4");
+  EXPECT_EQ(value("sst/quality/0", "firstTime"), "2026-06-01T12:00:00Z");
+  EXPECT_EQ(value("sst/quality/0", "lastTime"), "2026-06-04T12:00:00Z");
+  EXPECT_EQ(std::stod(value("sst/quality/0", "usualStepHours")), 24.0);
+  EXPECT_EQ(value("sst/quality/0", "missingTimes"), "0");
+  EXPECT_EQ(value("sst/quality/0", "cellCount"), "120");
+  EXPECT_EQ(value("sst/quality/0", "cellsWithoutData"), "12");
+  EXPECT_EQ(value("sst/quality/0", "outliers"), "0");
+  EXPECT_EQ(value("sst/quality/0", "impossibleValues"), "0");
+  // The data reach 60 h beyond the mission's begin, 2026-06-02T00:00Z.
+  EXPECT_EQ(std::stod(value("sst/quality/0", "stalenessHours")), -60.0);
+  EXPECT_NE(value("sst/quality/0", "warning")
+                .find("no value in any cell at 1 of 4 times"),
+            std::string::npos);
+  EXPECT_EQ(value("currents/quality/0", "warning"), "none");
+
+  const std::vector<DataSummary> data = SummarizeData(*view);
+  ASSERT_EQ(data.size(), 3u);
+  EXPECT_EQ(data[2].what, "ex:sst: temperature");
+  EXPECT_EQ(data[2].text,
+            "water_temp of " + Path("sst.nc") +
+                "; unit degC; 4 times, 2026-06-01T12:00:00Z to "
+                "2026-06-04T12:00:00Z, every 24 h, 0 missing; 120 cells, 10 % "
+                "without data");
+  const std::vector<std::string> warnings = DataWarnings(*view);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].rfind("ex:sst: water_temp: no value in any cell", 0),
+            0u);
+}
+
+// A new ingest replaces the reports of the one before.
+TEST_F(IngestTest, DropsReportsOfSourcesThatAreGone) {
+  ASSERT_EQ(Refusal(), "");
+  Transaction transaction = world_.store.Begin();
+  FactUpdate update;
+  update.remove = {{"ex:sst", "", ""}};
+  FileCache cache(folder_, "");
+  const StagedUpdate staged = StageUpdateWithFiles(update, cache, transaction);
+  ASSERT_EQ(Joined(staged.judgement.reasons), "");
+  EXPECT_EQ(SummarizeData(transaction.view()).size(), 2u);
 }
 
 TEST_F(IngestTest, LeavesProvenanceFromLayerToFileToActivity) {

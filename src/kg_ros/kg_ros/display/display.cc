@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "geometry_msgs/Point.h"
 #include "kg_base/common/units.h"
@@ -269,6 +270,25 @@ void MarkerPainter::PaintAgents(
     name.pose.position.x -= 1.8 * size_m;
     name.scale.z = size_m;
     name.color = Colour(1.0, 1.0, 1.0, 1.0);
+  }
+}
+
+void MarkerPainter::PaintWarnings(
+    const std::vector<kg_compiler::FactWarning>& warnings, const Grid& grid) {
+  const double size_m = WidthOf(grid, map_) / kAgentsAcross;
+  std::map<std::pair<double, double>, int> texts_at;
+  for (const kg_compiler::FactWarning& warning : warnings) {
+    kg_base::LonLat place = warning.place.value_or(grid.Middle());
+    place.lon_deg = std::clamp(place.lon_deg, grid.west_deg(), grid.east_deg());
+    place.lat_deg =
+        std::clamp(place.lat_deg, grid.south_deg(), grid.north_deg());
+    Marker& text = Add("warnings", Marker::TEXT_VIEW_FACING);
+    text.text = warning.label;
+    text.pose.position = ToPoint(map_, place, 490.0);
+    // Texts of the same place stand below each other.
+    text.pose.position.y -= size_m * texts_at[{place.lon_deg, place.lat_deg}]++;
+    text.scale.z = 0.7 * size_m;
+    text.color = Colour(1.0, 0.3, 0.0, 1.0);
   }
 }
 

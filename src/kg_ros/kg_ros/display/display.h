@@ -10,6 +10,7 @@
 
 #include "kg_base/geo/map_projection.h"
 #include "kg_compiler/compile/mission_compiler.h"
+#include "kg_compiler/explain/fact_warnings.h"
 #include "kg_engine/planning/agent_graph.h"
 #include "kg_engine/state/fleet_state.h"
 #include "kg_mission/mission/mission.h"
@@ -27,7 +28,8 @@ nav_msgs::Path ToPath(const kg_selector::Pathlet& pathlet,
 double WidthOf(const kg_base::Grid& grid, const kg_base::MapProjection& map);
 
 // Namespaces: "constraints", "land", "events", "currents", "agents",
-// "nav_graph/<id>", "candidates/<id>", "staging/<id>", "assigned/<id>".
+// "nav_graph/<id>", "candidates/<id>", "staging/<id>", "assigned/<id>",
+// "warnings".
 class MarkerPainter {
  public:
   // Reference map width for sizes of lines and points; they shrink with smaller
@@ -55,6 +57,11 @@ class MarkerPainter {
   // An arrow and a name per agent, sized for a view of the whole `grid`.
   void PaintAgents(const std::map<std::string, kg_engine::AgentPose>& poses,
                    const kg_base::Grid& grid);
+
+  // A text for each fact without effect, where it lies; of one off the grid at
+  // the nearest place of the grid, without a place at its middle.
+  void PaintWarnings(const std::vector<kg_compiler::FactWarning>& warnings,
+                     const kg_base::Grid& grid);
 
   // All markers, preceded by one that deletes the previous ones.
   visualization_msgs::MarkerArray Take();

@@ -97,6 +97,29 @@ TEST(DisplayTest, EmptyLinesAreLeftOut) {
   EXPECT_EQ(markers.markers[0].action, visualization_msgs::Marker::DELETEALL);
 }
 
+// Texts of facts off the grid or without a place stay in view, none over
+// another.
+TEST(DisplayTest, WarningsAreTextsOnTheGrid) {
+  const kg_base::Grid grid = RegularGrid(8, 10);
+  const kg_base::MapProjection map(grid.Middle());
+  MarkerPainter paint{map};
+  const kg_base::LonLat off{grid.east_deg() + 30.0, grid.Middle().lat_deg};
+  paint.PaintWarnings({{"ex:a has no effect", "", off},
+                       {"ex:b has no effect", "", off},
+                       {"ex:land has no effect", "", std::nullopt}},
+                      grid);
+  const visualization_msgs::MarkerArray markers = paint.Take();
+  ASSERT_EQ(markers.markers.size(), 4u);
+  const kg_base::MapPoint edge =
+      map.Forward({grid.east_deg(), grid.Middle().lat_deg});
+  EXPECT_EQ(markers.markers[1].ns, "warnings");
+  EXPECT_EQ(markers.markers[1].text, "ex:a has no effect");
+  EXPECT_NEAR(markers.markers[1].pose.position.x, edge.x_m, 1.0);
+  EXPECT_LT(markers.markers[2].pose.position.y,
+            markers.markers[1].pose.position.y);
+  EXPECT_NEAR(markers.markers[3].pose.position.x, 0.0, 1.0);
+}
+
 TEST(DisplayTest, ArrowsFollowTheFieldAndAreFinite) {
   kg_compiler::WorkField field;
   field.field.grid = RegularGrid(8, 10);

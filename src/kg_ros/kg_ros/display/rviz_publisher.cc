@@ -139,6 +139,11 @@ void RvizPublisher::Keep(const kg_selector::AgentCandidates& candidates) {
   candidates_[candidates.agent] = candidates;
 }
 
+void RvizPublisher::Keep(
+    const std::vector<kg_compiler::FactWarning>& warnings) {
+  warnings_ = warnings;
+}
+
 void RvizPublisher::ShowMarkers() {
   const Compilation& compilation = *scene_.compilation;
   const int shown = scene_.window;
@@ -152,6 +157,7 @@ void RvizPublisher::ShowMarkers() {
     paint.PaintLand(field->field);
     paint.PaintField(*field, 0.5 * (at.begin_s + at.end_s));
     paint.PaintAgents(scene_.poses, field->field.grid);
+    paint.PaintWarnings(warnings_, field->field.grid);
   }
   for (const auto& [key, graph] : graphs_) {
     if (key.second == shown) paint.PaintNavGraph(graph);

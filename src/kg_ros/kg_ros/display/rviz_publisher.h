@@ -7,9 +7,11 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "kg_base/geo/map_projection.h"
 #include "kg_compiler/compile/mission_compiler.h"
+#include "kg_compiler/explain/fact_warnings.h"
 #include "kg_engine/display/agent_view.h"
 #include "kg_engine/planning/agent_graph.h"
 #include "kg_engine/state/fleet_state.h"
@@ -36,6 +38,7 @@ class RvizPublisher {
   // Stored until the next Refresh().
   void Keep(const kg_engine::AgentGraph& graph);
   void Keep(const kg_selector::AgentCandidates& candidates);
+  void Keep(const std::vector<kg_compiler::FactWarning>& warnings);
   // Shows data received and agent positions changed since Show().
   void Refresh();
 
@@ -54,6 +57,7 @@ class RvizPublisher {
   std::map<std::string, ros::Publisher> publishers_;  // By topic.
   std::map<std::pair<std::string, int>, kg_engine::AgentGraph> graphs_;
   std::map<std::string, kg_selector::AgentCandidates> candidates_;
+  std::vector<kg_compiler::FactWarning> warnings_;
   kg_engine::Scene scene_;
 };
 

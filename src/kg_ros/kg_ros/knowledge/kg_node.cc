@@ -62,6 +62,7 @@ KgNode::KgNode(const MissionFolders& folders, const SparqlHttpOptions& http,
   Subscribe();
   diagnostics_.setHardwareID("none");
   diagnostics_.add("mission", this, &KgNode::Diagnose);
+  diagnostics_.add("data", this, &KgNode::DiagnoseData);
   watch_ =
       node_.createWallTimer(ros::WallDuration(kWatchPeriod_s),
                             [this](const ros::WallTimerEvent&) { Watch(); });
@@ -235,7 +236,14 @@ void KgNode::TellGaps(UpdateReport* report) {
 }
 
 void KgNode::TellWarnings() {
-  std::vector<std::string> warnings = kg_compiler::FindWarnings(*compilation_);
+  const std::vector<kg_compiler::FactWarning> of_facts =
+      kg_compiler::FindWarnings(*compilation_);
+  rviz_.Keep(of_facts);
+  std::vector<std::string> warnings = kg_compiler::Lines(of_facts);
+  const auto view = server_.Read();
+  data_ = kg_mission::SummarizeData(*view);
+  const std::vector<std::string> of_data = kg_mission::DataWarnings(*view);
+  warnings.insert(warnings.end(), of_data.begin(), of_data.end());
   if (warnings == warnings_) return;
   warnings_ = std::move(warnings);
   for (const std::string& line : warnings_) {
@@ -280,10 +288,10 @@ void KgNode::StartCycle() {
     return;
   }
   const double compiled_s = Now_s();
-  TellWarnings();
   progress_.Begin(server_.cycle());
   why_.archive().Begin(server_.cycle(), compilation_, server_.Read());
   artifacts_.Publish(*compilation_, server_.cycle());
+  TellWarnings();  // While the planners work.
   if (!plan_status_.is_ok()) plan_status_.Expire();
   rviz_.Show(compilation_, ViewWindow());
   const double published_s = Now_s();
@@ -506,6 +514,14 @@ void KgNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
   status.add("warnings", kg_base::JoinStrings(warnings_, "; "));
   status.add("missing", MissingNodes());
   status.add("answers_dropped", progress_.dropped());
+}
+
+void KgNode::DiagnoseData(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  status.summary(diagnostic_msgs::DiagnosticStatus::OK,
+                 std::to_string(data_.size()) + " variables read");
+  for (const kg_mission::DataSummary& data : data_) {
+    status.add(data.what, data.text);
+  }
 }
 
 }  // namespace kg_ros

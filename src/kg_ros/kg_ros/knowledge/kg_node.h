@@ -14,6 +14,7 @@
 #include "kg_engine/http/sparql_http_server.h"
 #include "kg_engine/server/mission_server.h"
 #include "kg_engine/server/plan_progress.h"
+#include "kg_mission/mission/data_quality.h"
 #include "kg_msgs/AgentState.h"
 #include "kg_msgs/Assignments.h"
 #include "kg_msgs/Candidates.h"
@@ -96,6 +97,7 @@ class KgNode {
   int ViewWindow() const;
   void PublishWorld();
   void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void DiagnoseData(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   ros::NodeHandle node_;
   ros::NodeHandle own_;
@@ -120,8 +122,10 @@ class KgNode {
   std::shared_ptr<const kg_compiler::Compilation> compilation_;
   std::optional<kg_selector::CommittedPlan> plan_;  // Last committed plan.
   PendingReports pending_;
-  std::vector<std::string> gaps_;      // Gaps last reported.
-  std::vector<std::string> warnings_;  // FindWarnings, last reported.
+  std::vector<std::string> gaps_;  // Gaps last reported.
+  std::vector<std::string>
+      warnings_;  // FindWarnings and DataWarnings, reported.
+  std::vector<kg_mission::DataSummary> data_;  // Of this cycle.
   bool cycle_is_due_ = true;
   // End of the wait for poses at a new window [Unix s].
   double patience_ends_s_ = 0.0;
