@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kg_core/facts/source_file.h"
+#include "kg_core/rdf/store.h"
 #include "kg_core/sparql/query_dataset.h"
 
 namespace kg_core {
@@ -38,6 +39,9 @@ struct FactUpdate {
   bool replaces_facts = false;
   // The files from which the facts were read, for the log: path and sha256.
   std::vector<SourceFile> files{};
+  // Facts to add that were parsed already: their blank nodes stay those of the
+  // other graphs of a file.
+  std::vector<Statement> statements{};
 };
 
 }  // namespace kg_core

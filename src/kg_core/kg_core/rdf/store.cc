@@ -30,7 +30,7 @@ void CheckIsRdf(const Statement& s) {
     refuse("expected an IRI or blank node as subject");
   }
   if (!s.predicate.is_iri()) refuse("expected an IRI as property");
-  if (!s.graph.is_iri()) refuse("expected an IRI as graph");
+  if (s.graph.is_literal()) refuse("expected an IRI or blank node as graph");
   for (const Term* term : {&s.subject, &s.predicate, &s.object, &s.graph}) {
     if (const auto fault = FindTermFault(*term)) refuse(fault->c_str());
   }

@@ -78,8 +78,8 @@ class Transaction {
   Transaction& operator=(Transaction&&) noexcept;
   ~Transaction();
 
-  // Throws InputError if the statement is not RDF: a literal as subject, a
-  // predicate or graph that is not an IRI, a term with a fault (term_check.h).
+  // Throws InputError if the statement is not RDF: a literal as subject or
+  // graph, a predicate that is not an IRI, a term with a fault (term_check.h).
   void Add(const Statement& statement);
   void Remove(const Statement& statement);
   // Removes all matching statements; a null pointer matches any term.

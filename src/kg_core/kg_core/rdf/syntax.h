@@ -45,8 +45,8 @@ struct RdfSource {
 
 // Parses a whole text. In Turtle and TriG the prefixes of namespaces.h need no
 // declaration. Blank nodes are renamed so that two texts never share one by
-// accident; within one text a label is one node in all graphs. TriG and N-Quads
-// allow blank nodes as graphs, which a store rejects. Throws InputError
+// accident; within one text a label is one node in all graphs. A graph may be
+// a blank node in TriG and N-Quads. Throws InputError
 // "name:line:column: what was expected".
 std::vector<Statement> ParseRdf(std::string_view text, RdfSyntax syntax,
                                 const RdfSource& source,
@@ -60,7 +60,7 @@ std::vector<Statement> ParseRdfFile(const std::string& path,
 
 // The graphs of a view to write.
 struct RdfSelection {
-  // Graph IRIs. An empty graph writes nothing.
+  // Names of graphs (ToGraphName). An empty graph writes nothing.
   std::vector<std::string> graphs;
   std::string default_graph{};  // If selected, written without its name.
 };
@@ -70,7 +70,7 @@ struct RdfSelection {
 std::string WriteRdf(const GraphView& view, const RdfSelection& selection,
                      RdfSyntax syntax);
 
-// The graphs of `view` that hold statements, sorted.
+// Names of the graphs of `view` that hold statements (ToGraphName), sorted.
 std::vector<std::string> ListGraphs(const GraphView& view);
 
 }  // namespace kg_core

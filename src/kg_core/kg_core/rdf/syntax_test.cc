@@ -106,14 +106,15 @@ Term RandomNode(std::mt19937& random) {
 
 Statements RandomStatements(std::mt19937& random) {
   Statements statements;
-  const std::vector<std::string> graphs = {kDefault, kFactsGraph,
-                                           "http://h/g(1)"};
+  const std::vector<Term> graphs = {Iri(kDefault), Iri(kFactsGraph),
+                                    Iri("http://h/g(1)"), Blank("a"),
+                                    Blank("graph")};
   for (int i = random() % 12; i > 0; --i) {
     const bool is_literal = random() % 2 == 0;
     statements.push_back(
         {RandomNode(random), RandomIri(random),
          is_literal ? RandomLiteral(random) : RandomNode(random),
-         Iri(PickOne(graphs, random))});
+         PickOne(graphs, random)});
   }
   return statements;
 }

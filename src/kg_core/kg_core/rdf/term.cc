@@ -26,6 +26,7 @@ std::string_view XsdName(const Term& term) {
   return datatype.substr(prefix.size());
 }
 
+constexpr char kBlankStart[] = "_:";
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
 // Integer types by value range, https://www.w3.org/TR/xmlschema11-2/#integer.
@@ -244,6 +245,16 @@ Term Iri(std::string iri) { return {Term::Kind::kIri, std::move(iri), {}, {}}; }
 
 Term Blank(std::string label) {
   return {Term::Kind::kBlank, std::move(label), {}, {}};
+}
+
+std::string ToGraphName(const Term& graph) {
+  return graph.is_blank() ? kBlankStart + graph.text : graph.text;
+}
+
+Term GraphFromName(std::string_view name) {
+  const std::string_view start = kBlankStart;
+  if (name.substr(0, start.size()) != start) return Iri(std::string(name));
+  return Blank(std::string(name.substr(start.size())));
 }
 
 Term Literal(std::string lexical) {

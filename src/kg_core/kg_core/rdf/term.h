@@ -38,6 +38,12 @@ Term DoubleLiteral(double value);  // Shortest form that reads back the same.
 Term IntegerLiteral(long long value);
 Term BooleanLiteral(bool value);
 
+// The name of a graph as text: its IRI, or "_:" and the label of a blank node,
+// which no IRI begins with. A dataset may have both kinds:
+// https://www.w3.org/TR/rdf11-concepts/#section-dataset
+std::string ToGraphName(const Term& graph);
+Term GraphFromName(std::string_view name);
+
 // The value of a numeric literal (xsd:integer and derived types, decimal,
 // float, double), else nullopt. NaN and infinities are values.
 std::optional<double> NumericValue(const Term& term);

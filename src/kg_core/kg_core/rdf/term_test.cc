@@ -157,5 +157,12 @@ TEST(Term, RangesOfIntegersAreExact) {
                         "negativeInteger"));
 }
 
+TEST(GraphNames, TellIrisFromBlankNodes) {
+  for (const Term& graph : {Iri("http://h/g"), Blank("b1"), Iri("urn:_:b1")}) {
+    EXPECT_EQ(GraphFromName(ToGraphName(graph)), graph);
+  }
+  EXPECT_EQ(ToGraphName(Blank("b1")), "_:b1");
+}
+
 }  // namespace
 }  // namespace kg_core

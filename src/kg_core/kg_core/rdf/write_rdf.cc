@@ -19,7 +19,7 @@ using SubjectTexts = std::map<std::string, PropertyTexts>;
 void Collect(const GraphView& view, const std::string& graph,
              SubjectTexts* subjects) {
   static const std::string kType = std::string(kRdf) + "type";
-  const TermId graph_id = view.Find(Iri(graph));
+  const TermId graph_id = view.Find(GraphFromName(graph));
   if (graph_id == kNoTerm) return;
   view.Match({0, 0, 0, graph_id}, [&](const Quad& quad) {
     const Term& predicate = view.Get(quad.predicate);
@@ -75,7 +75,7 @@ std::string ToTriG(const GraphView& view, const RdfSelection& selection) {
     Collect(view, graph, &subjects);
     if (subjects.empty()) continue;
     const bool is_default = graph == selection.default_graph;
-    if (!is_default) out += "\n" + ToTurtle(Iri(graph)) + " {";
+    if (!is_default) out += "\n" + ToTurtle(GraphFromName(graph)) + " {";
     Append(subjects, &out);
     if (!is_default) out += "}\n";
   }
@@ -86,10 +86,11 @@ std::string ToLines(const GraphView& view, const RdfSelection& selection,
                     bool has_graphs) {
   std::set<std::string> lines;
   for (const std::string& graph : selection.graphs) {
-    const TermId graph_id = view.Find(Iri(graph));
+    const TermId graph_id = view.Find(GraphFromName(graph));
     if (graph_id == kNoTerm) continue;
     const bool is_named = has_graphs && graph != selection.default_graph;
-    const std::string end = is_named ? " " + ToNTriples(Iri(graph)) : "";
+    const std::string end =
+        is_named ? " " + ToNTriples(GraphFromName(graph)) : "";
     view.Match({0, 0, 0, graph_id}, [&](const Quad& quad) {
       lines.insert(ToNTriples(view.Get(quad.subject)) + " " +
                    ToNTriples(view.Get(quad.predicate)) + " " +
@@ -130,7 +131,7 @@ std::vector<std::string> ListGraphs(const GraphView& view) {
     return true;
   });
   std::vector<std::string> graphs;
-  for (const TermId id : ids) graphs.push_back(view.Get(id).text);
+  for (const TermId id : ids) graphs.push_back(ToGraphName(view.Get(id)));
   std::sort(graphs.begin(), graphs.end());
   return graphs;
 }

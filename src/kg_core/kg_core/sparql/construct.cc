@@ -103,8 +103,8 @@ void TemplateInstantiator::Run(const std::vector<QuadTemplate>& templates,
     const Quad quad{GetValue(triple.subject), GetValue(triple.predicate),
                     GetValue(triple.object), GetValue(made.graph)};
     const bool named = made.graph.index != kNone;
-    const bool has_graph =
-        !named || (quad.graph != kNoTerm && terms_->Get(quad.graph).is_iri());
+    const bool has_graph = !named || (quad.graph != kNoTerm &&
+                                      !terms_->Get(quad.graph).is_literal());
     if (has_graph && IsRdf(quad)) give(quad);
   }
 }

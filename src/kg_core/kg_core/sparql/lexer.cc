@@ -56,6 +56,11 @@ class QueryLexer {
   void ReadLanguageTag(Token* token);
   void ReadStringEscape(std::string* out);
   void ReadCodePoint(std::string* out);
+  bool AtCodePoint(std::size_t ahead = 0) const {
+    return Peek(ahead) == '\\' &&
+           (Peek(ahead + 1) == 'u' || Peek(ahead + 1) == 'U');
+  }
+  void ReadNameCodePoint(std::string* out);
   std::size_t DottedNameLength(std::size_t start) const;
 
   char Peek(std::size_t ahead = 0) const {
@@ -170,13 +175,33 @@ void QueryLexer::ReadCodePoint(std::string* out) {
   kg_base::AppendUtf8(code, out);
 }
 
+// An escape in a name, from the backslash: it stands for its character.
+void QueryLexer::ReadNameCodePoint(std::string* out) {
+  std::string character;
+  Take();
+  ReadCodePoint(&character);
+  if (!IsNameChar(character[0])) {
+    Fail("expected the code of a character that a name may have");
+  }
+  *out += character;
+}
+
 // [143] VAR1, [144] VAR2
 bool QueryLexer::ReadVariable(Token* token) {
-  if (!IsNameStart(Peek(1)) && !IsDigit(Peek(1))) return false;
+  if (!IsNameStart(Peek(1)) && !IsDigit(Peek(1)) && !AtCodePoint(1)) {
+    return false;
+  }
   token->kind = Token::Kind::kVariable;
   Take();
-  while (IsNameStart(Peek()) || IsDigit(Peek())) token->text.push_back(Take());
-  return true;
+  while (true) {
+    if (IsNameStart(Peek()) || IsDigit(Peek())) {
+      token->text.push_back(Take());
+    } else if (AtCodePoint()) {
+      ReadNameCodePoint(&token->text);
+    } else {
+      return true;
+    }
+  }
 }
 
 // Number of bytes from `start` that form a name; dots only inside.
@@ -239,6 +264,10 @@ void QueryLexer::ReadLocalName(Token* token) {
     if (percent) TakeInto(local, 3);
     if (plain) TakeInto(local, 1);
     if (c != '\\') continue;
+    if (AtCodePoint()) {
+      ReadNameCodePoint(local);
+      continue;
+    }
     Take();
     if (std::string_view("_~.-!$&'()*+,;=/?#@%").find(Peek()) ==
             std::string_view::npos ||

@@ -606,6 +606,19 @@ TEST(QueryEngine, IrisAreAbsoluteOrErrors) {
   }
 }
 
+// https://www.w3.org/TR/sparql11-query/#codepointEscape
+TEST(QueryEngine, EscapesInNamesAreTheirCharacters) {
+  EXPECT_EQ(Rows("SELECT ?\\u0078 { BIND(1 AS ?x) }"), (Lines{"1"}));
+  EXPECT_EQ(Rows("SELECT ?x\\U00000079z { BIND(1 AS ?xyz) }"), (Lines{"1"}));
+  EXPECT_EQ(Value("ex:\\u0061b\\u00E9"),
+            "<http://example.org/mission/ab\xC3\xA9>");
+  for (const char* query :
+       {"ASK { ?x\\u0020y ?p ?o }", "ASK { ex:a\\u003E ?p ?o }",
+        "ASK { ex:a\\u00 ?p ?o }", "ASK { ?\\uD800 ?p ?o }"}) {
+    EXPECT_NE(GetError(query).find("expected"), std::string::npos) << query;
+  }
+}
+
 TEST(QueryEngine, MessagesKeepCharactersWhole) {
   for (const char* mark :
        {"\xE2\x80\x9C", "\xE2\x80\x93", "\xC2\xA0", "\xF0\x9F\x98\x80"}) {

@@ -135,8 +135,8 @@ void UpdateRunner::CheckWritable(const UpdateOperation& operation,
   if (std::find(writable.begin(), writable.end(), graph) != writable.end()) {
     return;
   }
-  Refuse(operation,
-         "graph " + AbbreviateIri(graph) + " may not be changed by an update");
+  Refuse(operation, "graph " + ToTurtle(GraphFromName(graph)) +
+                        " may not be changed by an update");
 }
 
 void UpdateRunner::Count(std::size_t quads) const {
@@ -154,7 +154,7 @@ void UpdateRunner::Modify(const UpdateOperation& operation) {
       operation.with ? *operation.with : graphs_.default_graph;
   const auto statement = [&](const Quad& quad) {
     const Term graph = quad.graph == kNoTerm ? Iri(own) : terms.Get(quad.graph);
-    CheckWritable(operation, graph.text);
+    CheckWritable(operation, ToGraphName(graph));
     budget_.Step();
     return Statement{terms.Get(quad.subject), terms.Get(quad.predicate),
                      terms.Get(quad.object), graph};
@@ -188,7 +188,7 @@ UpdateRunner::Quads UpdateRunner::Solve(const UpdateOperation& operation,
   return quads;
 }
 
-// The IRIs of the graphs referred to that have quads.
+// The names of the graphs referred to that have quads.
 std::set<std::string> UpdateRunner::ListGraphs(const GraphRef& graph) {
   const bool many = graph.kind == GraphRef::Kind::kNamed ||
                     graph.kind == GraphRef::Kind::kAll;
@@ -201,7 +201,7 @@ std::set<std::string> UpdateRunner::ListGraphs(const GraphRef& graph) {
     return true;
   });
   std::set<std::string> names;
-  for (const TermId id : ids) names.insert(view.Get(id).text);
+  for (const TermId id : ids) names.insert(ToGraphName(view.Get(id)));
   if (graph.kind == GraphRef::Kind::kNamed) names.erase(graphs_.default_graph);
   return names;
 }
@@ -224,13 +224,13 @@ void UpdateRunner::Create(const UpdateOperation& operation) {
 Statements UpdateRunner::GetContent(const std::string& graph) {
   const GraphView& view = change_->view();
   Statements statements;
-  const TermId id = view.Find(Iri(graph));
+  const TermId id = view.Find(GraphFromName(graph));
   if (id == kNoTerm) return statements;
   view.Match({kNoTerm, kNoTerm, kNoTerm, id}, [&](const Quad& quad) {
     budget_.Step();
     budget_.UseWorkingBytes(sizeof(Statement));
     statements.push_back({view.Get(quad.subject), view.Get(quad.predicate),
-                          view.Get(quad.object), Iri(graph)});
+                          view.Get(quad.object), GraphFromName(graph)});
     Count(statements.size());
     return true;
   });
@@ -238,7 +238,7 @@ Statements UpdateRunner::GetContent(const std::string& graph) {
 }
 
 void UpdateRunner::Replace(const std::string& target, const Statements& with) {
-  change_->RemoveMatching(nullptr, nullptr, nullptr, Iri(target));
+  change_->RemoveMatching(nullptr, nullptr, nullptr, GraphFromName(target));
   for (const Statement& statement : with) change_->Add(statement);
 }
 

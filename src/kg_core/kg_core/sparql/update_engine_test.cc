@@ -391,5 +391,35 @@ TEST(UpdateEngine, AgreesWithSetsAndTakesBackWhatFails) {
   }
 }
 
+TEST(BlankNodeGraphs, AreReadAndChangedAsOthers) {
+  const Term graph = Blank("g");
+  const auto fill = [&graph](World* world) {
+    world->change().Add(
+        {graph, Iri("http://h/made"), Literal("x"), Iri(kFactsGraph)});
+    world->change().Add({Iri("http://h/s"), Iri("http://h/p"), graph, graph});
+  };
+  World world;
+  fill(&world);
+  const Statements before = world.Content();
+  world.Update(
+      "INSERT { GRAPH ?g { ?s <http://h/q> ?g } } WHERE { ?g <http://h/made> "
+      "\"x\" GRAPH ?g { ?s ?p ?g } }");
+  EXPECT_EQ(world.Content().size(), before.size() + 1);
+  world.Update(
+      "DELETE { GRAPH ?g { ?s ?p ?o } } WHERE { GRAPH ?g { ?s "
+      "<http://h/q> ?x . ?s ?p ?o } }");
+  EXPECT_EQ(world.Content().size(), before.size() - 1);
+  World other;
+  fill(&other);
+  other.Update("CLEAR NAMED");
+  for (const Statement& s : other.Content()) EXPECT_FALSE(s.graph.is_blank());
+  World closed;
+  fill(&closed);
+  UpdateGraphs graphs;
+  graphs.writable = {kFactsGraph};
+  EXPECT_EQ(closed.GetError("DROP ALL", graphs),
+            "1:1: graph _:g may not be changed by an update");
+}
+
 }  // namespace
 }  // namespace kg_core

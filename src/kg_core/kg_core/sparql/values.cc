@@ -349,7 +349,9 @@ std::optional<bool> Equal(const Term& a, const Term& b) {
   if (a == b) return true;
   const bool unknown =
       x.kind == ValueKind::kUnknown || y.kind == ValueKind::kUnknown;
-  if (literals && unknown) return std::nullopt;
+  // A text with a language equals no value of another datatype.
+  const bool one_has_language = a.language.empty() != b.language.empty();
+  if (literals && unknown && !one_has_language) return std::nullopt;
   return false;
 }
 

@@ -173,5 +173,17 @@ TEST(Values, IllTypedNumbersHaveNoValue) {
   EXPECT_TRUE(ToNumber(Typed("9223372036854775807", "long")));
 }
 
+// The W3C's open-eq-08 to open-eq-12.
+TEST(Values, TextsWithALanguageEqualNothingElse) {
+  const Term english = LanguageLiteral("xyz", "en");
+  for (const Term& other :
+       {Literal("xyz", "http://h/unknown"), Typed("xyz", "integer"),
+        Literal("xyz"), LanguageLiteral("xyz", "fr")}) {
+    EXPECT_EQ(Equal(english, other), false) << other;
+    EXPECT_EQ(Equal(other, english), false) << other;
+  }
+  EXPECT_FALSE(Equal(Literal("xyz"), Literal("xyz", "http://h/unknown")));
+}
+
 }  // namespace
 }  // namespace kg_core::sparql

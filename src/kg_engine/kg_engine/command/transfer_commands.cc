@@ -103,9 +103,7 @@ Imported ReadFiles(const Arguments& arguments) {
       if (IsKeptByTheStore(s)) {
         ++imported.left_out;
       } else if (s.graph.text == kg_core::kFactsGraph) {
-        imported.update.turtle += ToNTriples(s.subject) + " " +
-                                  ToNTriples(s.predicate) + " " +
-                                  ToNTriples(s.object) + " .\n";
+        imported.update.statements.push_back(std::move(s));
       } else {
         imported.others.push_back(std::move(s));
       }

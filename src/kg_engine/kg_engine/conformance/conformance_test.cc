@@ -282,8 +282,9 @@ TEST(Conformance, SaysWhyATestIsNotRun) {
       {"a mf:QueryEvaluationTest ; mf:action [ qt:query <q.rq> ; "
        "qt:serviceData [] ]",
        "needs a SPARQL endpoint to federate with"},
-      {"a mf:ProtocolTest", "needs a SPARQL server"},
-      {"a mf:SomeOtherTest", "no test of SPARQL or SHACL"},
+      {"a mf:ProtocolTest", "no request is known for this test"},
+      {"a mf:GraphStoreProtocolTest", "needs a SPARQL server"},
+      {"a mf:SomeOtherTest", "no test of SPARQL, SHACL or an RDF syntax"},
       {"a mf:PositiveSyntaxTest ; mf:action <http://h/q.rq>",
        "needs <http://h/q.rq> from the network"},
   };
@@ -348,15 +349,97 @@ TEST(Conformance, FollowsManifestsOnceInOrder) {
   EXPECT_EQ(CountOutcomes(tests).failed, 1);
   EXPECT_EQ(RunConformance(suite.Path("tests.ttl")).size(), 4u);
   EXPECT_EQ(ConformanceTable(tests),
-            "## a suite\n\n2 passed, 1 failed\n\n"
-            "| test | kind | result |\n|---|---|---|\n"
-            "| z | PositiveSyntaxTest | passed |\n"
-            "| y | PositiveSyntaxTest | passed |\n"
-            "| no type | QueryEvaluationTest | **failed**: the test has no "
-            "mf:result |\n\n"
-            "## more\n\n1 passed, 0 failed\n\n"
-            "| test | kind | result |\n|---|---|---|\n"
-            "| x | PositiveSyntaxTest | passed |\n\n3 passed, 1 failed\n");
+            "| group | tests | passed | deviate | not run | failed |\n"
+            "|---|---|---|---|---|---|\n"
+            "| a suite | 3 | 2 | 0 | 0 | 1 |\n| more | 1 | 1 | 0 | 0 | 0 |\n"
+            "| all | 4 | 3 | 0 | 0 | 1 |\n\n## Tests that have not passed\n\n"
+            "| group | test | outcome | reason |\n|---|---|---|---|\n"
+            "| a suite | no type | **failed** | the test has no mf:result |\n");
+}
+
+TEST(Conformance, StatesReasonsOfKnownDeviations) {
+  const auto run = [](const std::string& query, const std::string& list) {
+    Suite suite;
+    suite.Manifest("a mf:PositiveSyntaxTest ; mf:action <q.rq>");
+    suite.File("q.rq", query);
+    suite.File("deviations.txt", list);
+    const KnownDeviations known = ReadDeviations(suite.Path("deviations.txt"));
+    return RunConformance(
+               suite.Path(""), [](const ConformanceTest&) {}, known)
+        .at(0);
+  };
+  const std::string list =
+      "# why\n\nhttp://tests.example/manifest#t so it is\n";
+  EXPECT_EQ(run("ASK {", list).outcome, Outcome::kDeviates);
+  EXPECT_EQ(run("ASK {", list).message, "so it is");
+  EXPECT_EQ(run("ASK {}", list).outcome, Outcome::kFailed);
+  EXPECT_EQ(run("ASK {", "http://other/t so it is").outcome, Outcome::kFailed);
+  for (const char* bad :
+       {"http://h/t", "http://h/t ", "http://h/t a\nhttp://h/t b"}) {
+    EXPECT_THROW(run("ASK {}", bad), InputError) << bad;
+  }
+}
+
+TEST(Conformance, RunsTestsOfRdfSyntaxes) {
+  const auto run = [](const std::string& kind, const std::string& text,
+                      const std::string& result = "") {
+    Suite suite;
+    suite.Manifest("a <http://www.w3.org/ns/rdftest#" + kind +
+                   "> ; mf:action <in> ; mf:result <out.nq>");
+    suite.File("in", text);
+    suite.File("out.nq", result);
+    return suite.RunOne().outcome;
+  };
+  const std::string one = "<http://h/s> <http://h/p> <http://h/o>";
+  EXPECT_EQ(run("TestTurtleEval", one + " .", one + " ."), Outcome::kPassed);
+  EXPECT_EQ(run("TestTurtleEval", one + " ; <http://h/q> 1 .", one + " ."),
+            Outcome::kFailed);
+  EXPECT_EQ(run("TestTurtleEval", "<s> <http://h/p> <> .",
+                "<http://www.w3.org/2013/TurtleTests/s> <http://h/p> "
+                "<http://www.w3.org/2013/TurtleTests/in> ."),
+            Outcome::kPassed);
+  EXPECT_EQ(run("TestTrigEval", "_:g { " + one + " }", one + " _:x ."),
+            Outcome::kPassed);
+  EXPECT_EQ(run("TestTrigEval", "_:g { " + one + " }", one + " ."),
+            Outcome::kFailed);
+  for (const char* syntax : {"Turtle", "Trig", "NTriples", "NQuads"}) {
+    const std::string kind = std::string("Test") + syntax;
+    EXPECT_EQ(run(kind + "PositiveSyntax", one + " .\n"), Outcome::kPassed);
+    EXPECT_EQ(run(kind + "PositiveSyntax", one + " ;"), Outcome::kFailed);
+    EXPECT_EQ(run(kind + "NegativeSyntax", one + " ;"), Outcome::kPassed);
+    EXPECT_EQ(run(kind + "NegativeSyntax", one + " .\n"), Outcome::kFailed);
+    const std::string nul =
+        "<http://h/s> <http://h/p> \"" + std::string(1, '\0');
+    EXPECT_EQ(run(kind + "PositiveSyntax", nul + "\" .\n"), Outcome::kNotRun);
+    EXPECT_EQ(run(kind + "NegativeSyntax", nul + " .\n"), Outcome::kPassed);
+  }
+  EXPECT_EQ(run("TestXMLEval", "<a/>"), Outcome::kNotRun);
+}
+
+TEST(Conformance, RunsNothingThatWasWithdrawn) {
+  Suite suite;
+  suite.Manifest(
+      "a mf:PositiveSyntaxTest ; mf:action <q.rq> ; dawgt:approval "
+      "dawgt:Withdrawn");
+  suite.File("q.rq", "ASK {}");
+  EXPECT_EQ(suite.RunOne().outcome, Outcome::kNotRun);
+}
+
+TEST(Conformance, AsksAnEndpoint) {
+  const auto run = [](const std::string& kind, const std::string& name) {
+    Suite suite;
+    suite.Manifest("a mf:" + kind);
+    suite.File("manifest.ttl",
+               kPrefixes + ("<> a mf:Manifest ; mf:entries ( :" + name +
+                            " ) . :" + name + " a mf:" + kind + " ."));
+    return suite.RunOne().outcome;
+  };
+  EXPECT_EQ(run("ProtocolTest", "query_multiple_dataset"), Outcome::kPassed);
+  EXPECT_EQ(run("ProtocolTest", "update_dataset_full"), Outcome::kPassed);
+  EXPECT_EQ(run("ProtocolTest", "bad_query_non_utf8"), Outcome::kPassed);
+  EXPECT_EQ(run("ServiceDescriptionTest", "conforms-to-schema"),
+            Outcome::kPassed);
+  EXPECT_EQ(run("ProtocolTest", "other"), Outcome::kNotRun);
 }
 
 TEST(Conformance, RefusesAFolderWithoutAManifest) {

@@ -32,10 +32,10 @@ int HexValue(char c) {
 
 }  // namespace
 
-std::string UrlOfPath(const std::string& path) {
+std::string EscapeUrl(const std::string& text) {
   constexpr char kHex[] = "0123456789ABCDEF";
-  std::string url = kScheme;
-  for (const char c : path) {
+  std::string url;
+  for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (IsPlain(c)) {
       url += c;
@@ -44,6 +44,10 @@ std::string UrlOfPath(const std::string& path) {
     }
   }
   return url;
+}
+
+std::string UrlOfPath(const std::string& path) {
+  return kScheme + EscapeUrl(path);
 }
 
 std::string PathOfUrl(const std::string& url) {

@@ -23,6 +23,7 @@ inline constexpr char kUt[] =
     "http://www.w3.org/2009/sparql/tests/test-update#";
 inline constexpr char kRs[] =
     "http://www.w3.org/2001/sw/DataAccess/tests/result-set#";
+inline constexpr char kRdft[] = "http://www.w3.org/ns/rdftest#";
 inline constexpr char kSht[] = "http://www.w3.org/ns/shacl-test#";
 
 // Name of the default graph, which has none in the tests.
@@ -33,6 +34,9 @@ class NotRun : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+// `text` with %XX for all but letters, digits and "/-._~".
+std::string EscapeUrl(const std::string& text);
 
 // Converts between paths and file:// URLs with %XX escapes. A URL that is not a
 // file throws NotRun: nothing is fetched.

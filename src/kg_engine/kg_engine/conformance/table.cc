@@ -1,4 +1,4 @@
-// Markdown table of outcomes for the documentation.
+// Markdown tables of outcomes for the documentation.
 
 #include <map>
 #include <string>
@@ -21,26 +21,31 @@ std::string FormatCell(const std::string& text) {
   return cell;
 }
 
-std::string FormatResult(const ConformanceTest& test) {
-  switch (test.outcome) {
+const char* GetWord(Outcome outcome) {
+  switch (outcome) {
     case Outcome::kPassed:
       return "passed";
     case Outcome::kFailed:
-      return "**failed**: " + FormatCell(test.message);
+      return "**failed**";
+    case Outcome::kDeviates:
+      return "deviates";
     case Outcome::kNotRun:
-      return "not run: " + FormatCell(test.message);
+      return "not run";
   }
   return "";
 }
 
-std::string FormatCounts(const Tests& tests) {
+std::string FormatCounts(const std::string& group, const Tests& tests) {
   const ConformanceCount count = CountOutcomes(tests);
-  std::string text = std::to_string(count.passed) + " passed, " +
-                     std::to_string(count.failed) + " failed";
-  if (count.not_run > 0) {
-    text += ", " + std::to_string(count.not_run) + " not run";
+  std::string row = "| " + FormatCell(group) + " |";
+  for (const std::size_t number :
+       {tests.size(), static_cast<std::size_t>(count.passed),
+        static_cast<std::size_t>(count.deviating),
+        static_cast<std::size_t>(count.not_run),
+        static_cast<std::size_t>(count.failed)}) {
+    row += " " + std::to_string(number) + " |";
   }
-  return text;
+  return row + "\n";
 }
 
 }  // namespace
@@ -48,17 +53,23 @@ std::string FormatCounts(const Tests& tests) {
 std::string ConformanceTable(const Tests& tests) {
   std::map<std::string, Tests> groups;
   for (const ConformanceTest& test : tests) groups[test.group].push_back(test);
-  std::string text;
+  std::string text =
+      "| group | tests | passed | deviate | not run | failed |\n"
+      "|---|---|---|---|---|---|\n";
   for (const auto& [group, members] : groups) {
-    text += "## " + group + "\n\n" + FormatCounts(members) +
-            "\n\n| test | kind | result |\n|---|---|---|\n";
-    for (const ConformanceTest& test : members) {
-      text += "| " + FormatCell(test.name) + " | " + test.kind + " | " +
-              FormatResult(test) + " |\n";
-    }
-    text += "\n";
+    text += FormatCounts(group, members);
   }
-  return text + FormatCounts(tests) + "\n";
+  text += FormatCounts("all", tests) +
+          "\n## Tests that have not passed\n\n"
+          "| group | test | outcome | reason |\n|---|---|---|---|\n";
+  for (const auto& [group, members] : groups) {
+    for (const ConformanceTest& test : members) {
+      if (test.outcome == Outcome::kPassed) continue;
+      text += "| " + FormatCell(group) + " | " + FormatCell(test.name) + " | " +
+              GetWord(test.outcome) + " | " + FormatCell(test.message) + " |\n";
+    }
+  }
+  return text;
 }
 
 }  // namespace kg_engine

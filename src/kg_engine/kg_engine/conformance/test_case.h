@@ -36,6 +36,11 @@ std::string RunUpdateTest(const TestCase& test);
 std::string RunPositiveSyntaxTest(const TestCase& test);
 std::string RunNegativeSyntaxTest(const TestCase& test);
 std::string RunShaclTest(const TestCase& test);
+std::string RunProtocolTest(const TestCase& test);
+std::string RunServiceDescriptionTest(const TestCase& test);
+std::string RunRdfEvaluationTest(const TestCase& test);
+std::string RunRdfPositiveSyntaxTest(const TestCase& test);
+std::string RunRdfNegativeSyntaxTest(const TestCase& test);
 
 }  // namespace kg_engine::conformance
 

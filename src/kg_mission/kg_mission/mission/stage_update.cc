@@ -66,6 +66,7 @@ class UpdateStager {
       AddParsed(
           [&] { return kg_core::ParseTurtle(update.turtle, source, Facts()); });
     }
+    AddParsed([&] { return update.statements; });
     if (!update.sparql.empty() && reasons_.empty()) RunSparql(update);
   }
 
