@@ -3,7 +3,8 @@
 # failed"; the exit status is 0 only if none failed.
 #     scripts/test.sh
 # The C++ tests run JOBS at a time (default: all cores), then so do the Python
-# tests, then the ROS tests one after the other: each starts a whole system.
+# tests, then the ROS tests two at a time: each starts a whole system with a master
+# of its own.
 # TEST_LIMIT_S in the environment: time limit of the C++ tests and of the ROS tests.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
@@ -63,7 +64,7 @@ printf '%s\0' scripts/*_test.py |
   xargs -0 -n 1 -P "$jobs" bash -c 'run_guard "$0"'
 stage guards "results of $(find "$results/scripts" -name '*.xml' | wc -l) Python tests"
 
-run_group rostest 1 '*.test'
+run_group rostest $((jobs < 2 ? jobs : 2)) '*.test'
 stage tests "results of $(written 'rosunit-*.xml') ROS test programs"
 
 scripts/test_results.py "$repository" "$results"
