@@ -227,7 +227,9 @@ std::optional<std::string> RegexCache::Replace(const std::string& text,
     const auto [begin, end] = regex->Group(0);
     if (end <= begin) return std::nullopt;
     out.append(text, at, begin - at);
-    if (!AppendReplacement(*regex, groups, text, replacement, &out)) {
+    if (Has(flags, 'q')) {
+      out += replacement;
+    } else if (!AppendReplacement(*regex, groups, text, replacement, &out)) {
       return std::nullopt;
     }
     if (out.size() > kReplacedLimit_bytes) return std::nullopt;

@@ -29,8 +29,8 @@ class RegexCache {
                               const std::string& pattern,
                               const std::string& flags);
   // Replaces all matches; "$1" is a group, "\$" a dollar. "$10" is the tenth
-  // group if the pattern has ten, else the first and a '0'. Nullopt also if the
-  // pattern matches the empty string.
+  // group if the pattern has ten, else the first and a '0'; with flag q none is
+  // special. Nullopt also if the pattern matches the empty string.
   std::optional<std::string> Replace(const std::string& text,
                                      const std::string& pattern,
                                      const std::string& replacement,

@@ -166,6 +166,14 @@ TEST(Regex, ReplacesByAsManyDigitsAsThereAreGroups) {
   EXPECT_EQ(Replace("na\u00EFve caf\u00E9", "\\w+", "x"), "x x");
 }
 
+// https://www.w3.org/TR/xpath-functions/#func-replace
+TEST(Regex, ReplacesByTheTextAsItIsWithFlagQ) {
+  RegexCache cache;
+  EXPECT_EQ(cache.Replace("a.c", ".", "$0\\", "q"), "a$0\\c");
+  EXPECT_EQ(cache.Replace("A.C", "a.c", "$1", "qi"), "$1");
+  EXPECT_EQ(cache.Replace("a.c", "\\.", "$1", ""), "ac");
+}
+
 TEST(XPathPattern, DeepNestingIsRefused) {
   std::string deep;
   for (int i = 0; i < 2000; ++i) deep += "[a-";

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "absl/strings/ascii.h"
 #include "kg_base/common/text.h"
 #include "kg_engine/protocol/http.h"
 
@@ -157,7 +158,30 @@ void ToOriginForm(HeadLines* head) {
   head->fields.push_back("Host: " + host);
 }
 
-void CheckContentLength(const HeadLines& head) {
+// RFC 9110, 5.6.2
+bool IsTokenChar(char c) {
+  return absl::ascii_isalnum(c) ||
+         std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
+}
+
+// Each field has a name, right before its colon, and at most one is the Host:
+// RFC 9112, 3.2 and 5.1.
+void CheckFields(const HeadLines& head) {
+  for (const std::string& field : head.fields) {
+    const auto colon = std::find(field.begin(), field.end(), ':');
+    const bool has_name = colon != field.begin() && colon != field.end() &&
+                          std::all_of(field.begin(), colon, IsTokenChar);
+    if (!has_name) {
+      throw HttpError(kBadRequest, "expected header fields like Name: value");
+    }
+  }
+  if (FindValues(head, "host").size() > 1) {
+    throw HttpError(kBadRequest, "expected one Host");
+  }
+}
+
+// A body that is too long is refused before it is sent.
+void CheckContentLength(const HeadLines& head, std::size_t max_bytes) {
   const std::vector<std::string> lengths = FindValues(head, "content-length");
   for (const std::string& length : lengths) {
     if (!length.empty() && length == lengths.front() &&
@@ -166,6 +190,13 @@ void CheckContentLength(const HeadLines& head) {
     }
     throw HttpError(kBadRequest, "expected one Content-Length, in digits");
   }
+  if (lengths.empty()) return;
+  constexpr std::size_t kMaxDigits = 18;  // Fit into the type.
+  if (lengths[0].size() <= kMaxDigits && std::stoull(lengths[0]) <= max_bytes) {
+    return;
+  }
+  throw HttpError(kContentTooLarge, "the body is longer than the limit of " +
+                                        std::to_string(max_bytes) + " bytes");
 }
 
 // The size that begins a chunk's line; extensions are ignored. `used` bytes of
@@ -270,8 +301,9 @@ RequestText ReadRequest(const RequestLimits& limits, const ReadBytes& read,
     if (!reader.has_begun()) return {};  // Nobody waits for an answer.
     throw;
   }
+  CheckFields(head);
   ToOriginForm(&head);
-  CheckContentLength(head);
+  CheckContentLength(head, limits.body_bytes);
   RequestText request;
   request.range = TakeRange(&head);
   std::string body;

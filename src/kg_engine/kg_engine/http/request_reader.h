@@ -15,7 +15,7 @@ namespace kg_engine {
 struct RequestLimits {
   // Request line and header fields together; also trailer fields.
   std::size_t head_bytes = 32u << 10;
-  std::size_t body_bytes = 16u << 20;  // Of a body that is sent in chunks.
+  std::size_t body_bytes = 16u << 20;  // Of a body.
 };
 
 struct RequestText {

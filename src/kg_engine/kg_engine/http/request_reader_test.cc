@@ -143,6 +143,25 @@ TEST(RequestReaderTest, RefusesTwoLengthsAndOtherCodings) {
   }
 }
 
+TEST(RequestReaderTest, RefusesABodyThatIsTooLongBeforeItIsSent) {
+  for (const char* length :
+       {"100000000", "99999999999999999999", "18446744073709551617"}) {
+    EXPECT_EQ(StatusOf(std::string("POST / HTTP/1.1\r\nContent-Length: ") +
+                       length + "\r\n\r\n"),
+              kContentTooLarge)
+        << length;
+  }
+}
+
+TEST(RequestReaderTest, RefusesFieldsThatAreNone) {
+  for (const char* field : {"X : a", ": a", "X", " X: a", "X: a\r\n b", "X(: a",
+                            "Host: a\r\nhost: a"}) {
+    EXPECT_EQ(StatusOf(std::string("GET / HTTP/1.1\r\n") + field + "\r\n\r\n"),
+              kBadRequest)
+        << field;
+  }
+}
+
 TEST(RequestReaderTest, TakesTargetsInAbsoluteForm) {
   const struct {
     const char* target;
