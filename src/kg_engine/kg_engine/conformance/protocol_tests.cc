@@ -86,9 +86,8 @@ std::string InUtf16(const std::string& text) {
   return wide;
 }
 
-// Requests with a query.
-std::vector<ProtocolCase> QueryCases() {
-  const std::string ask = Parameter("query", "ASK {}");
+// Queries with a dataset in the request.
+std::vector<ProtocolCase> DatasetQueryCases() {
   const std::string both =
       Document("default-graph-uri", 1) + "&" + Document("default-graph-uri", 2);
   const std::string named =
@@ -99,7 +98,6 @@ std::vector<ProtocolCase> QueryCases() {
       "?r }";
   const std::string any_graph = "ASK { GRAPH ?g { ?s ?p ?o } }";
   return {
-      {"query_post_form", Post("", kForm, ask), kBooleans, "true"},
       {"query_dataset_default_graphs_get",
        Get(Parameter("query", two_documents) + "&" + both), kBooleans, "true"},
       {"query_dataset_default_graphs_post",
@@ -117,6 +115,13 @@ std::vector<ProtocolCase> QueryCases() {
             std::string(kPrefixes) +
                 "ASK FROM data:data1.rdf { data:data1.rdf ?p ?o }"),
        kBooleans, "false"},
+  };
+}
+
+std::vector<ProtocolCase> QueryCases() {
+  const std::string ask = Parameter("query", "ASK {}");
+  return {
+      {"query_post_form", Post("", kForm, ask), kBooleans, "true"},
       {"query_get", Get(ask), kBooleans, "true"},
       {"query_content_type_select",
        Post("", kQueryType, "SELECT (1 AS ?value) {}"), kRows},
@@ -364,8 +369,8 @@ std::string GetName(const TestCase& test) {
 
 std::string RunProtocolTest(const TestCase& test) {
   const std::string name = GetName(test);
-  for (const auto& cases :
-       {QueryCases(), UpdateCases(), DatasetUpdateCases()}) {
+  for (const auto& cases : {QueryCases(), DatasetQueryCases(), UpdateCases(),
+                            DatasetUpdateCases()}) {
     for (const ProtocolCase& protocol_case : cases) {
       if (name == protocol_case.name) return RunCase(protocol_case);
     }
