@@ -83,6 +83,25 @@ Facts CitedFacts::Capabilities(
          Quote({agent.capabilities.iri, properties});
 }
 
+std::string CitedFacts::NoData(const std::string& field_iri) const {
+  std::string text = "land: the currents have no data here";
+  const char* const graph = kg_core::kFactsGraph;
+  for (const auto& file : Objects(view_, graph, kg_core::Iri(field_iri),
+                                  Property("prov:wasDerivedFrom"))) {
+    for (const auto& report : kg_core::Subjects(
+             view_, graph, Property("prov:wasDerivedFrom"), file)) {
+      const auto count = kg_core::FirstObject(view_, graph, report,
+                                              Property("ex:impossibleValues"));
+      const auto variable =
+          kg_core::FirstObject(view_, graph, report, Property("ex:variable"));
+      if (!count || !variable || count->text == "0") continue;
+      text += "; or not land: " + count->text + " impossible values of " +
+              variable->text + " in the file count as no data";
+    }
+  }
+  return text;
+}
+
 Facts CitedFacts::Layer(const std::string& iri) const {
   Facts facts =
       Quote({iri,

@@ -43,6 +43,9 @@ class CitedFacts {
                const std::vector<const char*>& properties) const;
   Facts Capabilities(const kg_mission::Agent& agent,
                      const std::vector<const char*>& properties) const;
+  // Why a work field has no data in a cell, for users: land, or a value that
+  // its quantity cannot have, if its file has such values.
+  std::string NoData(const std::string& field_iri) const;
   // A layer or work field down to its file's hash.
   Facts Layer(const std::string& iri) const;
   Facts Term(const kg_mission::Agent& agent, const BlendTerm& term) const;

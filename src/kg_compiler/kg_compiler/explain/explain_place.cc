@@ -87,7 +87,7 @@ class Place {
     if (rasters_.land[rasters_.grid.Index(cell_)]) {
       explanation.parts.push_back({before_m, "M_hard(land)",
                                    facts_.Layer(rasters_.field_iri),
-                                   "land: the currents have no data here"});
+                                   facts_.NoData(rasters_.field_iri)});
       names.push_back("land");
     }
     for (const ActiveConstraint& constraint : active_.constraints) {

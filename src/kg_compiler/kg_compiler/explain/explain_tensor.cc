@@ -158,7 +158,7 @@ void TensorExplainer::DescribeScale() {
 }
 
 void TensorExplainer::DescribeHard() {
-  parts_.push_back({"M_hard(land)", "land: the currents have no data here",
+  parts_.push_back({"M_hard(land)", facts_.NoData(in_.rasters->field_iri),
                     facts_.Layer(in_.rasters->field_iri)});
   for (const Zone& zone : hard_) {
     const std::string iri = AbbreviateIri(zone.constraint.fact->iri);
