@@ -5,6 +5,8 @@
 #include <numeric>
 #include <sstream>
 
+#include "kg_base/raster/steps.h"
+
 namespace kg_base {
 namespace {
 
@@ -48,21 +50,6 @@ CoordinateAxis Ascending(const NetcdfFile& file, const NetcdfVariable& axis,
   return ascending;
 }
 
-std::vector<double> Gaps(const std::vector<double>& ascending) {
-  std::vector<double> gaps;
-  for (std::size_t i = 1; i < ascending.size(); ++i) {
-    gaps.push_back(ascending[i] - ascending[i - 1]);
-  }
-  return gaps;
-}
-
-double Median(std::vector<double> values) {
-  const auto middle =
-      values.begin() + (static_cast<int>(values.size()) - 1) / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // The spacing that a gap is compared with: that beside it, but at least the
 // usual one, so that one narrow cell makes no holes of its neighbours.
 double SpacingAt(const std::vector<double>& gaps, std::size_t i, double usual) {
@@ -71,12 +58,12 @@ double SpacingAt(const std::vector<double>& gaps, std::size_t i, double usual) {
   return std::max(beside, usual);
 }
 
-// With three values and less there is no usual spacing to tell a hole by.
+// Three values or fewer have no usual spacing that would show a hole.
 void FillHoles(const NetcdfFile& file, const NetcdfVariable& variable,
                CoordinateAxis* axis) {
-  const std::vector<double> gaps = Gaps(axis->centres_deg);
+  const std::vector<double> gaps = StepsBetween(axis->centres_deg);
   if (gaps.size() < 3) return;
-  const double usual = Median(gaps);
+  const double usual = LowerMedian(gaps);
   CoordinateAxis filled;
   filled.warnings = axis->warnings;
   for (std::size_t i = 0; i < axis->centres_deg.size(); ++i) {

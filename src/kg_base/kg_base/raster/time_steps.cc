@@ -1,10 +1,10 @@
 #include "kg_base/raster/time_steps.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "kg_base/common/date_time.h"
+#include "kg_base/raster/steps.h"
 
 namespace kg_base {
 namespace {
@@ -16,23 +16,17 @@ constexpr double kGapFactor = 1.5;
 
 TimeSteps FindTimeSteps(const std::vector<double>& time_s) {
   TimeSteps found;
-  std::vector<double> steps_s;
-  for (std::size_t i = 1; i < time_s.size(); ++i) {
-    steps_s.push_back(time_s[i] - time_s[i - 1]);
-  }
+  const std::vector<double> steps_s = StepsBetween(time_s);
   if (steps_s.empty()) return found;
-  const auto middle = steps_s.begin() + (steps_s.size() - 1) / 2;
-  std::nth_element(steps_s.begin(), middle, steps_s.end());
-  found.usual_s = *middle;
-  for (std::size_t i = 1; i < time_s.size(); ++i) {
-    const double step_s = time_s[i] - time_s[i - 1];
-    if (!(step_s > kGapFactor * found.usual_s)) continue;
+  found.usual_s = LowerMedian(steps_s);
+  for (std::size_t i = 0; i < steps_s.size(); ++i) {
+    if (!(steps_s[i] > kGapFactor * found.usual_s)) continue;
     if (found.missing == 0) {
-      found.gap_begin_s = time_s[i - 1];
-      found.gap_end_s = time_s[i];
+      found.gap_begin_s = time_s[i];
+      found.gap_end_s = time_s[i + 1];
     }
     found.missing +=
-        static_cast<std::size_t>(std::round(step_s / found.usual_s)) - 1;
+        static_cast<std::size_t>(std::round(steps_s[i] / found.usual_s)) - 1;
   }
   return found;
 }
