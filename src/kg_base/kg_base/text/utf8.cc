@@ -31,6 +31,20 @@ std::int32_t CheckedLength(std::string_view text) {
   return static_cast<std::int32_t>(text.size());
 }
 
+using CaseMapping = void (*)(const char* locale, std::uint32_t options,
+                             icu::StringPiece text, icu::ByteSink& mapped,
+                             icu::Edits* edits, UErrorCode& status);
+
+// Full case mapping that depends on no language.
+std::string MapCase(std::string_view text, CaseMapping map) {
+  std::string mapped;
+  icu::StringByteSink<std::string> sink(&mapped);
+  UErrorCode status = U_ZERO_ERROR;
+  map("", 0, {text.data(), CheckedLength(text)}, sink, nullptr, status);
+  if (U_FAILURE(status) != 0) throw std::runtime_error(u_errorName(status));
+  return mapped;
+}
+
 }  // namespace
 
 std::size_t FindInvalidUtf8(std::string_view text) {
@@ -78,23 +92,11 @@ std::uint32_t TakeUtf8(std::string_view text, std::size_t* at) {
 }
 
 std::string UpperCase(std::string_view text) {
-  std::string upper;
-  icu::StringByteSink<std::string> sink(&upper);
-  UErrorCode status = U_ZERO_ERROR;
-  icu::CaseMap::utf8ToUpper("", 0, {text.data(), CheckedLength(text)}, sink,
-                            nullptr, status);
-  if (U_FAILURE(status) != 0) throw std::runtime_error(u_errorName(status));
-  return upper;
+  return MapCase(text, icu::CaseMap::utf8ToUpper);
 }
 
 std::string LowerCase(std::string_view text) {
-  std::string lower;
-  icu::StringByteSink<std::string> sink(&lower);
-  UErrorCode status = U_ZERO_ERROR;
-  icu::CaseMap::utf8ToLower("", 0, {text.data(), CheckedLength(text)}, sink,
-                            nullptr, status);
-  if (U_FAILURE(status) != 0) throw std::runtime_error(u_errorName(status));
-  return lower;
+  return MapCase(text, icu::CaseMap::utf8ToLower);
 }
 
 }  // namespace kg_base
