@@ -28,7 +28,7 @@ constexpr TypeKeyword kKeywords[] = {
 };
 
 constexpr double kWgs84Srid = 4326.0;
-constexpr double kMaxHeight = 1e9;  // Of any unit.
+constexpr double kMaxHeight = 1e9;  // In whatever unit.
 
 constexpr std::string_view kCrs84[] = {
     "http://www.opengis.net/def/crs/OGC/1.3/CRS84",
@@ -183,7 +183,7 @@ WktNode Parser::Geometry(int depth) {
   for (const TypeKeyword& keyword : kKeywords) {
     const bool is_z = word == std::string(keyword.word) + "Z";
     if (word != keyword.word && !is_z) continue;
-    const bool had_height = has_height_;  // Of the collection that it is in.
+    const bool had_height = has_height_;  // That of the enclosing collection.
     has_height_ = has_height_ || is_z;
     ReadDimension(word);
     WktNode node = Body(keyword.kind, depth);

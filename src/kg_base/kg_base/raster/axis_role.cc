@@ -55,8 +55,8 @@ AxisRole RoleByUnits(const std::string& units) {
   return AxisRole::kUnknown;
 }
 
-// Of a variable with a unit of time since a date: when a value holds, or
-// something else about a forecast.
+// The role of a variable in units of time since a date: either when a value
+// holds, or something else about a forecast.
 AxisRole RoleOfDates(const NetcdfVariable& variable) {
   const std::string name = ToLowerAscii(variable.base_name);
   const std::string long_name = ToLowerAscii(variable.Text("long_name"));

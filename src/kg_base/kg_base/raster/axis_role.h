@@ -1,5 +1,5 @@
-// What a coordinate variable of a gridded file is: by its attributes first,
-// standard_name before units, and by its name only if they say nothing.
+// Tells what a coordinate variable of a gridded file is: by its attributes,
+// standard_name before units; by its name only if they say nothing.
 // Source: CF-1.8, section 4.
 
 #ifndef KG_BASE_RASTER_AXIS_ROLE_H_
@@ -18,11 +18,11 @@ enum class AxisRole {
   kVertical,
   kLatitude,
   kLongitude,
-  kGridCoordinate,  // Of a rotated pole or a map projection.
+  kGridCoordinate,  // Rotated pole or map projection.
 };
 
 AxisRole RoleOf(const NetcdfVariable& variable);
-// Of a dimension without a coordinate variable.
+// For a dimension without a coordinate variable.
 AxisRole RoleByName(const std::string& name);
 // Higher = more explicit about its role: 3 standard_name, 2 other attributes,
 // 1 its name alone, 0 unknown.

@@ -53,7 +53,7 @@ CalendarDate ReadDate(const std::smatch& match, bool is_proleptic) {
                    "2000-01-01 00:00:00\" (days, hours, minutes, seconds)");
 }
 
-// Of months and years UDUNITS has the mean length.
+// UDUNITS gives months and years their mean length.
 bool HasNoFixedLength(const std::string& unit) {
   return unit.find("month") != std::string::npos ||
          unit.find("year") != std::string::npos || unit == "yr" ||

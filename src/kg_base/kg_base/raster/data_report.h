@@ -1,5 +1,5 @@
-// What was read of a variable of a gridded file, and which choices the reader
-// made where the file leaves some: texts for users.
+// What was read from a variable of a gridded file, and which choices the reader
+// made where the file is ambiguous: texts for users.
 
 #ifndef KG_BASE_RASTER_DATA_REPORT_H_
 #define KG_BASE_RASTER_DATA_REPORT_H_

@@ -28,8 +28,8 @@ struct QuantityWords {
   const char* name;                         // "eastward velocity", ...
   std::vector<std::string> standard_names;  // Tried first, in this order.
   std::vector<std::string> variable_names;  // Tried next; lower case.
-  // Of the values read, and assumed if the file names none. Empty: values keep
-  // their own unit.
+  // Values are converted to it; assumed if the file names no unit. Empty:
+  // values keep their own unit.
   std::string unit;
   double min_value;  // In SI; values outside are no data.
   double max_value;

@@ -125,7 +125,7 @@ const NetcdfVariable* TimesReader::FindSingle(bool is_required) const {
                    others);
 }
 
-// What cell_methods says of the time: "mean", "point", ...; "" if nothing.
+// What cell_methods says about the time: "mean", "point", ...; "" if nothing.
 std::string TimesReader::MethodAlong(const NetcdfVariable& time) const {
   std::istringstream words(variable_.Text("cell_methods"));
   std::string word;
@@ -213,8 +213,8 @@ void TimesReader::Sort() {
   DropRepeatedTimes();
 }
 
-// Of equal times the last one is that with the highest index in the file,
-// because sorting left their order.
+// The sort kept the file's order among equal times, so the last of them has the
+// highest index in the file.
 void TimesReader::DropRepeatedTimes() {
   std::vector<double> time_s;
   std::vector<std::size_t> in_file;

@@ -231,7 +231,7 @@ void CheckOddValues(const NetcdfFile& file, const NetcdfVariable& variable,
   report->warnings.push_back(found + ": taken as no data" + kRemedy);
 }
 
-// Of a variable of any quantity, such as a mask, a fill is no value.
+// An undeclared fill of a mask or another quantity without limits is refused.
 void RefuseUndeclaredFill(const NetcdfFile& file,
                           const NetcdfVariable& variable,
                           const QuantitySeries& series) {

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kMaxSample = 100000;
 constexpr int kMinNeighbours = 2;
 constexpr double kMaxDeviations = 8.0;
-// Of the normal distribution: standard by median absolute deviation.
+// Standard deviation over median absolute deviation, for normal distributions.
 constexpr double kDeviationFactor = 1.4826;
 
 std::vector<float> TakeSample(const std::vector<Raster>& rasters) {

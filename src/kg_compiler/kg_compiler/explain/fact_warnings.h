@@ -17,9 +17,9 @@ namespace kg_compiler {
 
 struct FactWarning {
   std::string label;  // For a map: "ex:zone has no effect".
-  // With why it has none and what to do.
+  // The label, the cause and the remedy.
   std::string line;
-  // Where it lies: of an area the middle. Nullopt for rasters and land.
+  // Where it lies: the middle of an area. Nullopt for rasters and land.
   std::optional<kg_base::LonLat> place;
 };
 

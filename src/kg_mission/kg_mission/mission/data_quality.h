@@ -28,7 +28,7 @@ struct DataSummary {
   std::string what;  // "ex:currents: eastward velocity"
   std::string text;  // "water_u of /data/ocean.nc; 17 times, ...": one line.
 };
-// Of all reports in a store, sorted by their nodes.
+// Summaries of all reports in a store, sorted by their nodes.
 std::vector<DataSummary> SummarizeData(const kg_core::GraphView& view);
 
 // The warnings of all reports, one line each: node whose ingest read the file,

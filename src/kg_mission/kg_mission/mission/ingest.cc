@@ -66,7 +66,7 @@ struct GlobeBox {
 };
 
 GlobeBox BoxOf(const Grid& grid) {
-  // Of rounding in the coordinates of a file.
+  // Less than a turn by the rounding of a file's coordinates.
   constexpr double kTurn_deg = 360.0 - 1e-6;
   GlobeBox box{
       std::max(grid.west_deg(), -180.0), std::min(grid.east_deg(), 180.0),
